@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// One link with everything on it that has a shape, and the box around all of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "link_bounds/shape.h"
+
+namespace link_bounds {
+
+struct BoundedLink {
+  std::string name;           ///< as in the URDF
+  std::vector<Shape> shapes;  ///< what could be loaded; may be empty
+  double padding = 0;         ///< added on every side of the box [m], >= 0
+  std::string missing;        ///< why the shapes are not all of the link's geometry; "" = they are
+
+  bool isWhole() const { return missing.empty(); }
+};
+
+/// The box around all shapes of the link, tight, rounded outward and padded. Nothing if the link
+/// has no shape or the pose gives no finite box (see worldBox).
+std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link);
+
+}  // namespace link_bounds

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Mesh files become points here, each file once.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/mesh_uri.h"
+#include "link_bounds/point_set.h"
+#include "link_bounds/triangle_mesh.h"
+
+namespace link_bounds {
+
+/// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
+using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
+
+/// Told after each file: how many of how many are done. Calls do not overlap.
+using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+/// What became of a file: points, or the reason why there are none.
+struct LoadedMesh {
+  std::shared_ptr<const PointSet> points;
+  std::string error;
+};
+
+/// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
+/// number of links and scales share one geometry. Failures are remembered until forgetFailures().
+/// A file that was replaced on disk is read anew by the next load(). Not thread-safe itself; the
+/// points it hands out are immutable.
+class MeshStore {
+ public:
+  explicit MeshStore(MeshImporter importer) : importer_(std::move(importer)) {}
+
+  /// One result per file, in order. New files are imported side by side on the cores there are.
+  std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
+                               const LoadProgress& progress = nullptr);
+
+  void forgetFailures();
+
+ private:
+  /// Tells a replaced file from an old one.
+  struct Version {
+    std::uintmax_t size = 0;
+    std::int64_t changed = 0;
+    std::uintmax_t inode = 0;
+    bool operator==(const Version& other) const {
+      return size == other.size && changed == other.changed && inode == other.inode;
+    }
+  };
+  struct Entry {
+    Version version;
+    std::weak_ptr<const PointSet> points;
+    std::string error;
+  };
+
+  static Version versionOf(const std::string& path);
+  LoadedMesh known(const MeshFile& file) const;
+  LoadedMesh import(const MeshFile& file) const;
+  std::map<std::string, LoadedMesh> importAll(const std::map<std::string, MeshFile>& files,
+                                              const LoadProgress& progress) const;
+
+  MeshImporter importer_;
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace link_bounds

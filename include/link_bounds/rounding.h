@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Directed rounding: what keeps a box from being smaller than what it bounds.
+///
+/// With u = 2^-53, every function here is exact when the result is representable and otherwise
+/// steps at most one ulp outward. None depends on the processor's rounding mode.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace link_bounds {
+
+/// The unit roundoff of double.
+constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
+
+inline double nextUp(double value) {
+  return std::nextafter(value, std::numeric_limits<double>::infinity());
+}
+
+inline double nextDown(double value) {
+  return std::nextafter(value, -std::numeric_limits<double>::infinity());
+}
+
+/// The smallest step up from a + b that is not below the real sum.
+/// Knuth's TwoSum gives the rounding error exactly, barring overflow.
+inline double addUp(double a, double b) {
+  const double sum = a + b;
+  const double b_part = sum - a;
+  const double error = (a - (sum - b_part)) + (b - b_part);
+  return error > 0 ? nextUp(sum) : sum;
+}
+
+/// As addUp, but not above the real sum.
+inline double addDown(double a, double b) {
+  return -addUp(-a, -b);
+}
+
+}  // namespace link_bounds

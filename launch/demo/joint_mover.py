@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Swings every joint of robot_description for ever, smoothly and inside its limits.
+
+Publishes joint_states (sensor_msgs/JointState); the position is a function of ROS time since the
+start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of each joint's range.
+"""
+
+import math
+import sys
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import rospy
+from sensor_msgs.msg import JointState
+
+GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never come round together
+SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
+
+
+class Swing(NamedTuple):
+    """The endless motion of one joint, in rad or m, and s."""
+    joint: str
+    middle: float
+    reach: float
+    period: float
+    phase: float
+
+    def position(self, seconds):
+        turn = 2 * math.pi * seconds / self.period
+        return self.middle + self.reach * (SLOW_SHARE * math.sin(turn + self.phase)
+                                           + FAST_SHARE * math.sin(GOLDEN * turn))
+
+
+def movable_joints(description):
+    """The joint elements that take one number of their own."""
+    joints = ElementTree.fromstring(description).findall('joint')
+    return [joint for joint in joints
+            if joint.get('type') in ('revolute', 'continuous', 'prismatic')
+            and joint.find('mimic') is None]
+
+
+def make_swing(index, joint, amplitude):
+    """Joints differ in period and phase; the period grows until the velocity limit is kept."""
+    limit = joint.find('limit')
+    limits = {} if limit is None else limit.attrib
+    lower, upper = float(limits.get('lower', 0)), float(limits.get('upper', 0))
+    if joint.get('type') == 'continuous':
+        lower, upper = -math.pi, math.pi
+    reach = amplitude * (upper - lower) / 2
+    period = 7.0 + 1.3 * (index % 8)
+    fastest = reach * 2 * math.pi / period * (SLOW_SHARE + FAST_SHARE * GOLDEN)
+    permitted = float(limits.get('velocity', 0)) or fastest
+    return Swing(joint.get('name'), (lower + upper) / 2, reach,
+                 period * max(1.0, fastest / permitted if permitted else 1.0), 0.9 * index)
+
+
+def publish_until_shutdown(swings, rate):
+    publisher = rospy.Publisher('joint_states', JointState, queue_size=10)
+    ticks = rospy.Rate(rate, reset=True)
+    start = rospy.Time.now()
+    message = JointState(name=[swing.joint for swing in swings])
+    while not rospy.is_shutdown():
+        message.header.stamp = rospy.Time.now()
+        seconds = (message.header.stamp - start).to_sec()
+        message.position = [swing.position(seconds) for swing in swings]
+        publisher.publish(message)
+        ticks.sleep()
+
+
+def main():
+    rospy.init_node('joint_mover')
+    name = rospy.search_param('robot_description')
+    if name is None:
+        rospy.logfatal('there is no robot_description to move')
+        return 1
+    amplitude = min(1.0, max(0.0, float(rospy.get_param('~amplitude', 0.8))))
+    joints = movable_joints(rospy.get_param(name))
+    swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
+    try:
+        publish_until_shutdown(swings, float(rospy.get_param('~rate', 50)))
+    except rospy.ROSInterruptException:
+        pass  # the usual end: a signal while asleep
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,80 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+# What all scripts share: a clean environment, messages, and the build; to be sourced.
+
+REPO=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+BUILD=$REPO/build
+# shellcheck source=scripts/packages.sh
+. "$REPO/scripts/packages.sh"
+
+say() { printf '\n==> %s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 1
+}
+
+# Only the system's own tools: catkin and the Python nodes die with a python3 of pyenv or conda, and
+# a workspace that happens to be sourced must not end up in the build.
+clean_environment() {
+  refuse_other_ros
+  export PATH=/usr/sbin:/usr/bin:/sbin:/bin
+  unset PYTHONPATH PYTHONHOME PYTHONSTARTUP VIRTUAL_ENV CONDA_PREFIX
+  unset CMAKE_PREFIX_PATH PKG_CONFIG_PATH LD_LIBRARY_PATH
+  unset ROS_PACKAGE_PATH ROS_ROOT ROS_DISTRO ROS_PYTHON_VERSION ROS_NAMESPACE
+  export ROS_HOME=$BUILD/ros_home
+  export ROS_LOG_DIR=$ROS_HOME/log
+}
+
+# The packages of packages.ros.org and of Debian exclude each other.
+refuse_other_ros() {
+  local other=${ROS_DISTRO:-} setup
+  [ "$other" != Debian ] || other=
+  if [ -z "$other" ] && grep -qs '^ID=ubuntu' /etc/os-release; then
+    for setup in /opt/ros/*/setup.sh; do
+      [ ! -e "$setup" ] || other=$(basename "$(dirname "$setup")")
+    done
+  fi
+  [ -z "$other" ] || fail "ROS $other is here, and this script is for the ROS of Debian's own" \
+    "packages. With ROS Noetic from packages.ros.org follow the Noetic path of README.md (rosdep," \
+    "then catkin build); on Debian start from a shell that has not sourced another ROS."
+}
+
+# Nodes of a machine whose own name does not resolve find each other, unless the user says how.
+use_localhost() {
+  [ -n "${ROS_IP:-}${ROS_HOSTNAME:-}" ] || export ROS_HOSTNAME=localhost
+}
+
+# As many compilers as processors, but one per GB of memory.
+jobs_of_machine() {
+  local gigabytes
+  gigabytes=$(awk '/^MemTotal/ { print int($2 / 1e6) + 1 }' /proc/meminfo)
+  [ "$gigabytes" -lt "$(nproc)" ] && echo "$gigabytes" || nproc
+}
+
+# configure FOLDER [CMAKE_OPTION ...]
+configure() {
+  local folder=$1 log
+  shift
+  mkdir -p "$folder"
+  if [ -e "$folder/CMakeCache.txt" ] &&
+      ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$REPO" "$folder/CMakeCache.txt"; then
+    say "$folder was built for another place; building anew"
+    find "$folder" -mindepth 1 -maxdepth 1 ! -name install.log -exec rm -rf {} +
+  fi
+  log=$folder/configure.log
+  say "Configuring $folder"
+  cmake -S "$REPO" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 || {
+    tail -n 40 "$log" >&2
+    fail "configuring failed; all of it is in $log"
+  }
+}
+
+# build FOLDER TARGET ...
+build() {
+  local folder=$1
+  shift
+  say "Building $folder"
+  cmake --build "$folder" --parallel "$(jobs_of_machine)" --target "$@"
+}

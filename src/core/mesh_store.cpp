@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A cache of weak pointers and a handful of threads that fill it.
+#include "link_bounds/mesh_store.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace link_bounds {
+namespace {
+
+/// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores.
+void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++)
+      job(i);
+  };
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> helpers;
+  for (std::size_t i = 1; i < std::min(cores, count); ++i)
+    helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers)
+    helper.join();
+}
+
+}  // namespace
+
+MeshStore::Version MeshStore::versionOf(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {};
+  return {static_cast<std::uintmax_t>(status.st_size),
+          status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec, status.st_ino};
+}
+
+LoadedMesh MeshStore::known(const MeshFile& file) const {
+  const auto found = entries_.find(file.path);
+  if (found == entries_.end()) return {};
+  const Entry& entry = found->second;
+  if (!entry.error.empty()) return {nullptr, entry.error};
+  if (!(entry.version == versionOf(file.path))) return {};
+  return {entry.points.lock(), ""};
+}
+
+LoadedMesh MeshStore::import(const MeshFile& file) const {
+  try {
+    return {std::make_shared<const PointSet>(importer_(file).vertices), ""};
+  } catch (const MeshError& error) {
+    return {nullptr, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {nullptr, "it does not fit into memory"};
+  }
+}
+
+std::map<std::string, LoadedMesh> MeshStore::importAll(const std::map<std::string, MeshFile>& files,
+                                                       const LoadProgress& progress) const {
+  std::map<std::string, LoadedMesh> results;
+  std::vector<std::pair<const MeshFile*, LoadedMesh*>> jobs;
+  for (const auto& [path, file] : files)
+    jobs.emplace_back(&file, &results[path]);
+  std::mutex mutex;
+  std::size_t done = 0;
+  inParallel(jobs.size(), [&](std::size_t i) {
+    *jobs[i].second = import(*jobs[i].first);
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (progress) progress(done, jobs.size());
+  });
+  return results;
+}
+
+std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
+                                        const LoadProgress& progress) {
+  std::map<std::string, LoadedMesh> meshes;
+  std::map<std::string, MeshFile> unknown;
+  std::map<std::string, Version> versions;
+  for (const MeshFile& file : files) {
+    if (meshes.count(file.path) || unknown.count(file.path)) continue;
+    LoadedMesh mesh = known(file);
+    if (mesh.points || !mesh.error.empty()) {
+      meshes.emplace(file.path, std::move(mesh));
+    } else {
+      unknown.emplace(file.path, file);
+      versions.emplace(file.path, versionOf(file.path));
+    }
+  }
+  for (auto& [path, mesh] : importAll(unknown, progress)) {
+    entries_[path] = {versions[path], mesh.points, mesh.error};
+    meshes.emplace(path, std::move(mesh));
+  }
+  std::vector<LoadedMesh> results;
+  for (const MeshFile& file : files)
+    results.push_back(meshes.at(file.path));
+  return results;
+}
+
+void MeshStore::forgetFailures() {
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    const bool failed = !entry->second.error.empty();
+    entry = failed || entry->second.points.expired() ? entries_.erase(entry) : std::next(entry);
+  }
+}
+
+}  // namespace link_bounds

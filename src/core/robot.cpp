@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From urdfdom's model, a web of shared pointers, to plain values; every walk is a loop, because
+// descriptions may be deeper than the stack.
+#include "link_bounds/robot.h"
+
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cctype>
+#include <unordered_map>
+
+#include "urdf_elements.h"
+#include "urdf_log.h"
+#include "urdf_losses.h"
+#include "urdf_outline.h"
+
+namespace link_bounds {
+namespace {
+
+using LinkIndex = std::unordered_map<std::string, std::size_t>;
+
+/// A chain of 20,000 links that own each other would overflow the stack when it is freed.
+void dismantle(urdf::ModelInterface& model) {
+  for (auto& [name, link] : model.links_) {
+    link->child_links.clear();
+    link->child_joints.clear();
+    link->parent_joint.reset();
+  }
+}
+
+/// Frees a model without recursion.
+class ModelHolder {
+ public:
+  explicit ModelHolder(urdf::ModelInterfaceSharedPtr model) : model_(std::move(model)) {}
+  ~ModelHolder() {
+    if (model_) dismantle(*model_);
+  }
+  ModelHolder(const ModelHolder&) = delete;
+  ModelHolder& operator=(const ModelHolder&) = delete;
+  explicit operator bool() const { return model_ != nullptr; }
+  const urdf::ModelInterface& operator*() const { return *model_; }
+
+ private:
+  urdf::ModelInterfaceSharedPtr model_;
+};
+
+void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfLog& log,
+               Link& link) {
+  for (const Purpose purpose : {Purpose::kVisual, Purpose::kCollision}) {
+    const std::size_t kept =
+        purpose == Purpose::kVisual ? source.visual_array.size() : source.collision_array.size();
+    if (kept >= outline.elements(purpose).size()) continue;
+    const std::string messages = log.messages("[" + link.name + "]");
+    for (const LostElement& lost : lostElements(outline, purpose, kept, messages)) {
+      link.lost.push_back(lost);
+    }
+  }
+}
+
+/// In the order of the text where it is known, else by name.
+void addLinks(const std::string& urdf, const urdf::ModelInterface& model, const UrdfLog& log,
+              Robot& robot) {
+  const std::optional<std::vector<LinkOutline>> outline = outlineOf(urdf);
+  if (!outline) {
+    robot.warnings.push_back(
+        "the robot description is not well-formed XML, so links are in alphabetical order and "
+        "geometry that urdfdom could not parse goes unnoticed; correct the XML");
+    for (const auto& [name, link] : model.links_)
+      robot.links.push_back(toLink(*link));
+    return;
+  }
+  for (const LinkOutline& link_outline : *outline) {
+    const auto source = model.getLink(link_outline.name);
+    if (!source) continue;
+    Link link = toLink(*source);
+    addLosses(link_outline, *source, log, link);
+    robot.links.push_back(std::move(link));
+  }
+}
+
+Motion motionOf(const urdf::Joint& joint) {
+  switch (joint.type) {
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::CONTINUOUS:
+      return Motion::kRotation;
+    case urdf::Joint::PRISMATIC:
+      return Motion::kTranslation;
+    default:
+      return Motion::kNone;
+  }
+}
+
+Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
+  Joint joint;
+  joint.name = source.name;
+  joint.parent = index.at(source.parent_link_name);
+  joint.child = index.at(source.child_link_name);
+  joint.motion = motionOf(source);
+  joint.parent_from_joint = toIsometry(source.parent_to_joint_origin_transform);
+  joint.axis = toVector(source.axis).stableNormalized();
+  if (source.mimic) {
+    joint.mimic = Mimic{source.mimic->joint_name, source.mimic->multiplier, source.mimic->offset};
+  }
+  return joint;
+}
+
+/// The joint above each link; null for the root. Throws if a link has two.
+std::vector<const urdf::Joint*> jointsAbove(const urdf::ModelInterface& model,
+                                            const LinkIndex& index) {
+  std::vector<const urdf::Joint*> above(index.size(), nullptr);
+  for (const auto& [name, joint] : model.joints_) {
+    const urdf::Joint*& place = above[index.at(joint->child_link_name)];
+    if (place) {
+      throw RobotError("link \"" + joint->child_link_name + "\" has two parents, by joints \"" +
+                       place->name + "\" and \"" + name + "\"; remove one of them");
+    }
+    place = joint.get();
+  }
+  return above;
+}
+
+/// Breadth first from the root, so that parents stand before their children.
+void addJoints(const urdf::ModelInterface& model, Robot& robot) {
+  LinkIndex index;
+  for (const Link& link : robot.links)
+    index.emplace(link.name, index.size());
+  const std::vector<const urdf::Joint*> above = jointsAbove(model, index);
+  std::vector<std::vector<std::size_t>> children(index.size());
+  for (std::size_t child = 0; child < above.size(); ++child) {
+    if (above[child]) children[index.at(above[child]->parent_link_name)].push_back(child);
+  }
+  robot.root = index.at(model.getRoot()->name);
+  std::vector<bool> reached(index.size(), false);
+  std::vector<std::size_t> queue{robot.root};
+  reached[robot.root] = true;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (const std::size_t child : children[queue[next]]) {
+      reached[child] = true;
+      queue.push_back(child);
+      robot.joints.push_back(toJoint(*above[child], index));
+    }
+  }
+  const auto detached = std::find(reached.begin(), reached.end(), false);
+  if (detached != reached.end()) {
+    const Link& link = robot.links[static_cast<std::size_t>(detached - reached.begin())];
+    throw RobotError("link \"" + link.name + "\" is not connected to root link \"" +
+                     model.getRoot()->name + "\", its joints form a loop; open the loop");
+  }
+}
+
+bool isBlank(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
+}
+
+}  // namespace
+
+const char* toText(Purpose purpose) {
+  return purpose == Purpose::kVisual ? "visual" : "collision";
+}
+
+Robot parseRobot(const std::string& urdf) {
+  if (isBlank(urdf)) throw RobotError("the robot description is empty");
+  UrdfLog log;
+  const ModelHolder model(urdf::parseURDF(urdf));
+  if (!model) {
+    throw RobotError("the robot description is not a usable URDF: " + log.messages());
+  }
+  Robot robot;
+  robot.name = (*model).getName();
+  addLinks(urdf, *model, log, robot);
+  addJoints(*model, robot);
+  return robot;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What urdfdom has to say about a description, caught instead of printed.
+#pragma once
+
+#include <console_bridge/console.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace link_bounds {
+
+/// While it lives, keeps the messages that this thread sends to console_bridge (urdfdom's only
+/// channel for reasons) and passes on those of other threads.
+class UrdfLog : public console_bridge::OutputHandler {
+ public:
+  UrdfLog();
+  ~UrdfLog() override;
+  UrdfLog(const UrdfLog&) = delete;
+  UrdfLog& operator=(const UrdfLog&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* file,
+           int line) override;
+
+  /// The messages so far that contain `part`, joined by "; ".
+  std::string messages(const std::string& part = "") const;
+
+ private:
+  std::thread::id owner_;
+  console_bridge::OutputHandler* others_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks assimp's node tree and collects triangles.
+#include "mesh_import.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <utility>
+#include <vector>
+
+#include "confined_files.h"
+
+namespace link_bounds {
+namespace {
+
+Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
+  Eigen::Affine3d result;
+  result.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, 0, 0,
+      0, 1;
+  return result;
+}
+
+/// The root node's transform without its rotation, as rviz splits it: the scale is the length of
+/// each column, all negative if the node mirrors.
+Eigen::Affine3d withoutRotation(const Eigen::Affine3d& root) {
+  const double sign = root.linear().determinant() < 0 ? -1 : 1;
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  for (int k = 0; k < 3; ++k)
+    result.linear()(k, k) = sign * root.linear().col(k).stableNorm();
+  result.translation() = root.translation();
+  return result;
+}
+
+/// Indices are checked before assimp triangulates, because it trusts them.
+void checkIndices(const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      for (unsigned i = 0; i < face.mNumIndices; ++i) {
+        if (face.mIndices[i] >= mesh.mNumVertices) {
+          throw MeshError("face " + std::to_string(f) + " names vertex " +
+                          std::to_string(face.mIndices[i]) + " of " +
+                          std::to_string(mesh.mNumVertices));
+        }
+      }
+    }
+  }
+}
+
+void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, TriangleMesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (unsigned i = 0; i < source.mNumVertices; ++i) {
+    const aiVector3D& v = source.mVertices[i];
+    const Eigen::Vector3d vertex(v.x, v.y, v.z);
+    mesh.vertices.push_back((file_from_node * vertex).cast<float>());
+  }
+  for (unsigned i = 0; i < source.mNumFaces; ++i) {
+    const aiFace& face = source.mFaces[i];
+    if (face.mNumIndices != 3) continue;
+    mesh.triangles.push_back(
+        {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+  }
+}
+
+/// Iterative, since nodes may be nested deeper than the stack.
+TriangleMesh collectTriangles(const aiScene& scene) {
+  TriangleMesh mesh;
+  std::vector<std::pair<const aiNode*, Eigen::Affine3d>> open;
+  open.emplace_back(scene.mRootNode, withoutRotation(toAffine(scene.mRootNode->mTransformation)));
+  while (!open.empty()) {
+    const auto [node, file_from_node] = open.back();
+    open.pop_back();
+    for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+      append(*scene.mMeshes[node->mMeshes[i]], file_from_node, mesh);
+    }
+    for (unsigned i = node->mNumChildren; i-- > 0;) {
+      const aiNode* child = node->mChildren[i];
+      open.emplace_back(child, file_from_node * toAffine(child->mTransformation));
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh importMesh(const MeshFile& file) {
+  Assimp::Importer importer;
+  importer.SetIOHandler(new ConfinedFiles(file.root));
+  // Points and lines stay what they are and are passed over later; triangulating comes after the
+  // check of the indices.
+  const aiScene* scene = importer.ReadFile(file.path, 0);
+  if (!scene || !scene->mRootNode) {
+    throw MeshError(std::string("assimp cannot read it (") + importer.GetErrorString() + ")");
+  }
+  checkIndices(*scene);
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  if (!scene) throw MeshError("assimp cannot triangulate it");
+  return welded(collectTriangles(*scene));
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From a mesh file to triangles; the only place that knows assimp.
+#pragma once
+
+#include "link_bounds/mesh_uri.h"
+
+namespace link_bounds {
+
+/// Reads any format assimp knows, in metres, exactly as rviz 1.14 draws it: node transforms and
+/// Collada's <unit> count, the rotation of the root node (Collada's <up_axis>) does not. Vertices
+/// are composed in double and rounded once to float32; only those of triangles count. Opens no
+/// file outside `file.root`. Throws MeshError.
+TriangleMesh importMesh(const MeshFile& file);
+
+}  // namespace link_bounds

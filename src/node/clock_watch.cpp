@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Durations of wall time are measured on the steady clock.
+#include "clock_watch.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+const ros::Duration kSmallestJump(0.1);
+const ros::Duration kFarAhead(0.5);
+const ros::WallDuration kDoubtAfterJump(0.5);
+const ros::WallDuration kNewsOfJump(5.0);
+const ros::WallDuration kPatience(5.0);
+
+}  // namespace
+
+ClockWatch::ClockWatch() : start_(ros::SteadyTime::now()) {}
+
+ClockWatch::Event ClockWatch::observe(ros::Time now) {
+  const ros::Time last = last_;
+  // Small steps back are no jump, and do not add up to one that goes unnoticed.
+  if (now + kSmallestJump >= last) {
+    last_ = std::max(last, now);
+    return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
+  }
+  last_ = now;
+  jump_ = ros::SteadyTime::now();
+  return Event::kJumpedBack;
+}
+
+bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
+  if (jump_.isZero() || ros::SteadyTime::now() - jump_ > kDoubtAfterJump) return false;
+  return stamp > now + kFarAhead;
+}
+
+bool ClockWatch::hasJustJumped() const {
+  return !jump_.isZero() && ros::SteadyTime::now() - jump_ < kNewsOfJump;
+}
+
+bool ClockWatch::isMissing() const {
+  return ros::Time::isSimTime() && last_.isZero() && ros::SteadyTime::now() - start_ > kPatience;
+}
+
+}  // namespace link_bounds

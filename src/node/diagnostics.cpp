@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Level, one sentence, and figures.
+#include "diagnostics.h"
+
+#include <ros/this_node.h>
+#include <ros/time.h>
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
+  status.level = std::max<std::int8_t>(status.level, level);
+  status.message += (status.message.empty() ? "" : "; ") + text;
+}
+
+void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue pair;
+  pair.key = key;
+  pair.value = value;
+  status.values.push_back(pair);
+}
+
+std::size_t countBoxes(const LiveBoxes& live) {
+  const auto& states = live.states();
+  return static_cast<std::size_t>(std::count_if(
+      states.begin(), states.end(), [](const BoxState& state) { return state.box.has_value(); }));
+}
+
+/// Adds a line per incomplete link; returns how many there are.
+std::size_t addIncomplete(const LiveBoxes& live, DiagnosticStatus& status) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < live.states().size(); ++i) {
+    if (!live.states()[i].incomplete) continue;
+    add(status, "incomplete: " + live.model()->links[i].name, live.reason(i));
+    ++count;
+  }
+  return count;
+}
+
+void describeModel(const LiveBoxes& live, DiagnosticStatus& status) {
+  const Model& model = *live.model();
+  const std::size_t boxes = countBoxes(live);
+  add(status, "fixed frame", model.fixed_frame);
+  add(status, "bounded links", std::to_string(model.links.size()));
+  add(status, "boxes", std::to_string(boxes));
+  add(status, "meshes", std::to_string(model.mesh_count));
+  add(status, "mesh memory [bytes]", std::to_string(model.mesh_bytes));
+  const std::size_t incomplete = addIncomplete(live, status);
+  if (boxes == 0 && !model.links.empty()) {
+    raise(status, DiagnosticStatus::ERROR, "not one link has a box");
+  }
+  if (incomplete > 0) {
+    raise(status, DiagnosticStatus::WARN, std::to_string(incomplete) + " links incomplete");
+  }
+}
+
+std::string nodeName() {
+  const std::string name = ros::this_node::getName();
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
+
+}  // namespace
+
+diagnostic_msgs::DiagnosticArray diagnose(const LiveBoxes& live, const Health& health) {
+  DiagnosticStatus status;
+  status.name = nodeName() + ": boxes";
+  if (live.model()) {
+    describeModel(live, status);
+  } else if (!health.waits_for_description) {
+    raise(status, DiagnosticStatus::ERROR, "the robot is still loading");
+  }
+  if (health.waits_for_description) {
+    raise(status, DiagnosticStatus::WARN, "waiting for robot_description");
+  }
+  if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
+  if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
+  if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
+  add(status, "updates", std::to_string(health.updates));
+  add(status, "publications", std::to_string(health.publications));
+  add(status, "longest callback [ms]", std::to_string(health.longest_callback_ms));
+  add(status, "longest callback, CPU [ms]", std::to_string(health.longest_callback_cpu_ms));
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  array.status.push_back(status);
+  return array;
+}
+
+}  // namespace link_bounds

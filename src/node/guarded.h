@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The rule that a running node never throws: roscpp does not catch what a callback throws.
+#pragma once
+
+#include <ros/console.h>
+
+#include <exception>
+
+namespace link_bounds {
+
+/// Calls the body of a callback; an exception becomes one log line per second.
+template <class Body>
+void guarded(Body&& body) {
+  try {
+    body();
+  } catch (const std::exception& error) {
+    ROS_ERROR_THROTTLE(1, "unexpected: %s", error.what());
+  }
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the node.
+#include <ros/ros.h>
+
+#include <cstring>
+#include <iostream>
+
+#include "publisher_node.h"
+#include "usage.h"
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--help") == 0 || std::strcmp(argv[i], "-h") == 0) {
+      std::cout << link_bounds::usage();
+      return 0;
+    }
+  }
+  ros::init(argc, argv, "link_bounds_publisher");
+  link_bounds::PublisherNode node;
+  ros::spin();
+  return node.exitCode();
+}

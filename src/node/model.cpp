@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Joins a description and parameters into a model.
+#include "model.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "package_path.h"
+
+namespace link_bounds {
+namespace {
+
+std::string withoutSlashes(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of('/');
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of('/') - begin + 1);
+}
+
+/// Asking ROS for a package means a search through the file system, so each is asked for once.
+PackagePath rememberedPackagePath() {
+  return [known = std::map<std::string, std::string>()](const std::string& package) mutable {
+    const auto found = known.find(package);
+    if (found != known.end()) return found->second;
+    return known.emplace(package, rosPackagePath(package)).first->second;
+  };
+}
+
+Selection selectionOf(const Parameters& parameters) {
+  Selection selection;
+  selection.visual = parameters.geometry != "collision";
+  selection.collision = parameters.geometry != "visual";
+  selection.links = parameters.links;
+  selection.ignore_links = parameters.ignore_links;
+  selection.padding = parameters.padding;
+  selection.link_padding = parameters.link_padding;
+  return selection;
+}
+
+BoxGroup allLinks(std::size_t count) {
+  BoxGroup group;
+  group.name = "robot";
+  for (std::size_t i = 0; i < count; ++i)
+    group.members.push_back(i);
+  return group;
+}
+
+/// What a member of a group can be: a bounded link, a link that needs no box, or nothing.
+struct Members {
+  std::map<std::string, std::size_t> bounded;
+  std::set<std::string> without_geometry;
+};
+
+bool isPattern(const std::string& member) {
+  return member.size() >= 2 && member.compare(member.size() - 2, 2, "/*") == 0;
+}
+
+BoxGroup toGroup(const std::string& name, const std::vector<std::string>& members,
+                 const Members& known) {
+  BoxGroup group;
+  group.name = name;
+  for (const std::string& member : members) {
+    const auto found = known.bounded.find(member);
+    if (found != known.bounded.end()) {
+      group.members.push_back(found->second);
+    } else if (!known.without_geometry.count(member) && !isPattern(member)) {
+      group.lacks_members = true;
+    }
+  }
+  return group;
+}
+
+bool hasGeometry(const Link& link, const Selection& selection) {
+  const auto counts = [&](const auto& element) {
+    return element.purpose == Purpose::kVisual ? selection.visual : selection.collision;
+  };
+  return std::any_of(link.elements.begin(), link.elements.end(), counts) ||
+         std::any_of(link.lost.begin(), link.lost.end(), counts);
+}
+
+std::vector<BoxGroup> makeGroups(const Robot& robot, const Model& model,
+                                 const Selection& selection) {
+  Members known;
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    known.bounded[model.links[i].name] = i;
+  for (const Link& link : robot.links) {
+    if (!hasGeometry(link, selection)) known.without_geometry.insert(link.name);
+  }
+  std::vector<BoxGroup> groups{allLinks(model.links.size())};
+  for (const auto& [name, members] : model.parameters.groups) {
+    groups.push_back(toGroup(name, members, known));
+  }
+  return groups;
+}
+
+/// One warning per unknown name, however often it is used. Names with a slash may be objects.
+std::vector<std::string> unknownNames(const Robot& robot, const Parameters& parameters) {
+  std::set<std::string> known;
+  for (const Link& link : robot.links)
+    known.insert(link.name);
+  std::map<std::string, std::string> unknown;
+  const auto check = [&](const std::string& name, const std::string& parameter) {
+    if (!known.count(name)) unknown.emplace(name, parameter);
+  };
+  for (const std::string& name : parameters.links)
+    check(name, "links");
+  for (const std::string& name : parameters.ignore_links)
+    check(name, "ignore_links");
+  for (const auto& [name, padding] : parameters.link_padding)
+    check(name, "link_padding");
+  for (const auto& [group, members] : parameters.groups) {
+    for (const std::string& name : members) {
+      if (name.find('/') == std::string::npos) check(name, "groups/" + group);
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [name, parameter] : unknown) {
+    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
+                       "\", which the robot description does not have; correct the name");
+  }
+  return warnings;
+}
+
+void countMeshes(Model& model) {
+  std::set<const PointSet*> meshes;
+  for (const BoundedLink& link : model.links) {
+    for (const Shape& shape : link.shapes) {
+      if (shape.points && meshes.insert(shape.points.get()).second) {
+        model.mesh_bytes += shape.points->bytes();
+      }
+    }
+  }
+  model.mesh_count = meshes.size();
+}
+
+}  // namespace
+
+std::string tfName(const std::string& tf_prefix, const std::string& link) {
+  if (!link.empty() && link.front() == '/') return link.substr(1);
+  const std::string prefix = withoutSlashes(tf_prefix);
+  return prefix.empty() ? link : prefix + "/" + link;
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
+  const Robot robot = parseRobot(description);
+  const Selection selection = selectionOf(parameters);
+  BoundedRobot bounded = boundRobot(robot, selection, {rememberedPackagePath(), "", {}}, store);
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = parameters.fixed_frame.empty()
+                          ? tfName(parameters.tf_prefix, robot.links[robot.root].name)
+                          : tfName("", parameters.fixed_frame);
+  model.links = std::move(bounded.links);
+  for (const BoundedLink& link : model.links) {
+    model.frames.push_back(tfName(parameters.tf_prefix, link.name));
+  }
+  model.groups = makeGroups(robot, model, selection);
+  countMeshes(model);
+  model.problems = std::move(bounded.problems);
+  model.warnings = unknownNames(robot, parameters);
+  model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
+  return model;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything the update thread needs to know about the robot: made once per load, never changed.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/bounded_robot.h"
+#include "link_bounds/box_groups.h"
+#include "parameters.h"
+
+namespace link_bounds {
+
+struct Model {
+  Parameters parameters;
+  std::string fixed_frame;            ///< tf name
+  std::vector<BoundedLink> links;     ///< in the order of the URDF
+  std::vector<std::string> frames;    ///< tf name of each link
+  std::vector<BoxGroup> groups;       ///< "robot", then the user's by name; members index links
+  std::size_t mesh_count = 0;         ///< distinct meshes in use
+  std::size_t mesh_bytes = 0;         ///< kept for them
+  std::vector<std::string> problems;  ///< geometry that is not bounded, one per element
+  std::vector<std::string> warnings;  ///< names in parameters that fit no link
+};
+
+/// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
+/// name are stripped; a link name that begins with a slash takes no prefix.
+std::string tfName(const std::string& tf_prefix, const std::string& link);
+
+/// Parses the description and loads its meshes. Throws RobotError.
+Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store);
+
+}  // namespace link_bounds

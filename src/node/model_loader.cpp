@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A thread that spins its own callback queue and, until the first model is there, looks for it.
+#include "model_loader.h"
+
+#include <ros/callback_queue_interface.h>
+#include <ros/init.h>
+#include <ros/param.h>
+
+#include <future>
+#include <optional>
+
+#include "mesh_import.h"
+#include "topics.h"
+
+namespace link_bounds {
+namespace {
+
+const ros::WallDuration kPollPeriod(0.2);
+const ros::WallDuration kWaitMessagePeriod(10.0);
+constexpr std::chrono::milliseconds kHandOverPoll(20);
+
+/// There is no description to load yet.
+class NoDescription : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::string readDescription() {
+  const ros::NodeHandle node;
+  std::string key;
+  std::string description;
+  if (!node.searchParam("robot_description", key)) {
+    throw NoDescription("parameter robot_description is not set");
+  }
+  if (!ros::param::get(key, description)) {
+    throw RobotError("parameter " + key + " is not a string");
+  }
+  return description;
+}
+
+Parameters readParametersAndWarn() {
+  const ReadParameters read = readParameters();
+  for (const std::string& warning : read.warnings)
+    ROS_WARN("%s", warning.c_str());
+  return read.parameters;
+}
+
+void report(const Model& model) {
+  for (const std::string& problem : model.problems)
+    ROS_ERROR("%s", problem.c_str());
+  for (const std::string& warning : model.warnings)
+    ROS_WARN("%s", warning.c_str());
+  ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
+           model.fixed_frame.c_str(), model.mesh_count);
+}
+
+/// A function as an entry of a callback queue.
+class QueuedFunction : public ros::CallbackInterface {
+ public:
+  explicit QueuedFunction(std::function<void()> function) : function_(std::move(function)) {}
+  CallResult call() override {
+    function_();
+    return Success;
+  }
+
+ private:
+  std::function<void()> function_;
+};
+
+std::string privateName(const TopicName& topic) {
+  return topic.name + 1;
+}
+
+}  // namespace
+
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt)
+    : adopt_(std::move(adopt)), store_(importMesh) {
+  ros::NodeHandle own_queue_node(private_node);
+  own_queue_node.setCallbackQueue(&queue_);
+  reload_service_ =
+      own_queue_node.advertiseService(privateName(kReloadService), &ModelLoader::onReload, this);
+  thread_ = std::thread([this] { run(); });
+}
+
+ModelLoader::~ModelLoader() {
+  stops_ = true;
+  queue_.disable();
+  thread_.join();
+}
+
+void ModelLoader::run() {
+  try {
+    parameters_ = readParametersAndWarn();
+    while (!stops_ && ros::ok()) {
+      if (!has_loaded_) firstLoad();
+      queue_.callAvailable(kPollPeriod);
+    }
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    has_failed_ = true;
+    ros::requestShutdown();
+  }
+}
+
+void ModelLoader::firstLoad() {
+  try {
+    load();
+  } catch (const NoDescription&) {
+    waits_for_description_ = true;
+    sayWaiting();
+  }
+}
+
+void ModelLoader::sayWaiting() {
+  const ros::WallTime now = ros::WallTime::now();
+  if (now - last_said_ < kWaitMessagePeriod) return;
+  last_said_ = now;
+  ROS_WARN("waiting for parameter robot_description");
+}
+
+/// Throws NoDescription, RobotError.
+void ModelLoader::load() {
+  const std::string description = readDescription();
+  waits_for_description_ = false;
+  const auto model = std::make_shared<const Model>(makeModel(description, parameters_, store_));
+  report(*model);
+  has_loaded_ = handOver(model) || has_loaded_;
+}
+
+bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  try {
+    store_.forgetFailures();
+    const Parameters old_parameters = parameters_;
+    parameters_ = readParametersAndWarn();
+    try {
+      load();
+    } catch (...) {
+      if (has_loaded_) parameters_ = old_parameters;
+      throw;
+    }
+    response.success = true;
+    response.message = "reloaded";
+  } catch (const std::exception& error) {
+    ROS_ERROR("reload failed, everything stays as it was: %s", error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+/// Returns once the update thread uses the model; false if the node stops before.
+bool ModelLoader::handOver(ModelPtr model) {
+  const auto done = std::make_shared<std::promise<ModelPtr>>();
+  std::future<ModelPtr> old_model = done->get_future();
+  ros::getGlobalCallbackQueue()->addCallback(
+      boost::make_shared<QueuedFunction>([this, done, model = std::move(model)]() mutable {
+        done->set_value(adopt_(std::move(model)));
+      }));
+  while (old_model.wait_for(kHandOverPoll) != std::future_status::ready) {
+    if (stops_ || !ros::ok()) return false;
+  }
+  return true;
+}
+
+}  // namespace link_bounds

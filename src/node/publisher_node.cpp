@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From a tf message to what is published, in the order of the functions below.
+#include "publisher_node.h"
+
+#include <ros/single_subscriber_publisher.h>
+#include <time.h>
+
+#include <algorithm>
+
+#include "box_message.h"
+#include "guarded.h"
+#include "topics.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kTfQueue = 5000;
+constexpr std::uint32_t kBoxesQueue = 1000;
+constexpr std::uint32_t kMarkersQueue = 10;
+const ros::WallDuration kTick(0.05);
+const ros::WallDuration kDiagnosticsPeriod(1.0);
+
+std::string privateName(const TopicName& topic) {
+  return topic.name + 1;
+}
+
+double threadCpuMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
+}
+
+}  // namespace
+
+template <class Body>
+void PublisherNode::timed(Body&& body) {
+  const ros::SteadyTime start = ros::SteadyTime::now();
+  const double start_cpu = threadCpuMilliseconds();
+  guarded(body);
+  const double wall = (ros::SteadyTime::now() - start).toSec() * 1e3;
+  health_.longest_callback_ms = std::max(health_.longest_callback_ms, wall);
+  health_.longest_callback_cpu_ms =
+      std::max(health_.longest_callback_cpu_ms, threadCpuMilliseconds() - start_cpu);
+}
+
+PublisherNode::PublisherNode()
+    : boxes_output_(node_, [this] { publishBoxes(); }),
+      markers_output_(node_, [this] { publishMarkers(); }) {
+  advertise();
+  subscribe();
+  tick_timer_ = node_.createWallTimer(
+      kTick, [this](const ros::WallTimerEvent&) { timed([&] { onTick(); }); });
+  diagnostics_timer_ = node_.createWallTimer(
+      kDiagnosticsPeriod,
+      [this](const ros::WallTimerEvent&) { timed([&] { publishDiagnostics(); }); });
+  loader_ = std::make_unique<ModelLoader>(private_node_, [this](ModelLoader::ModelPtr model) {
+    timed([&] { model = adopt(std::move(model)); });
+    return model;
+  });
+}
+
+void PublisherNode::advertise() {
+  boxes_publisher_ =
+      private_node_.advertise<AxisAlignedBoxArray>(privateName(kBoxesTopic), kBoxesQueue, true);
+  groups_publisher_ =
+      private_node_.advertise<AxisAlignedBoxArray>(privateName(kGroupsTopic), kBoxesQueue, true);
+  markers_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>(
+      privateName(kMarkersTopic), kMarkersQueue,
+      [this](const ros::SingleSubscriberPublisher& subscriber) {
+        timed([&] { welcome(subscriber); });
+      });
+  diagnostics_publisher_ =
+      node_.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10);
+}
+
+/// Without tcpNoDelay small messages wait for each other in the kernel.
+void PublisherNode::subscribe() {
+  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
+  tf_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
+      kTfTopic.name, kTfQueue,
+      [this](const tf2_msgs::TFMessageConstPtr& message) {
+        timed([&] { onTransforms(*message, false); });
+      },
+      {}, no_delay);
+  tf_static_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
+      kTfStaticTopic.name, kTfQueue,
+      [this](const tf2_msgs::TFMessageConstPtr& message) {
+        timed([&] { onTransforms(*message, true); });
+      },
+      {}, no_delay);
+}
+
+ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
+  std::swap(model, model_);
+  boxes_output_.setRate(model_->parameters.max_rate);
+  markers_output_.setRate(model_->parameters.marker_rate);
+  live_.adopt(model_, tf_, ros::Time::now());
+  boxes_output_.emitNow();
+  markers_output_.request();
+  return model;
+}
+
+void PublisherNode::onTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
+  const ros::Time now = ros::Time::now();
+  observeClock(now);
+  const auto is_late = [&](const geometry_msgs::TransformStamped& transform) {
+    return clock_.isFromBeforeJump(transform.header.stamp, now);
+  };
+  const auto& transforms = message.transforms;
+  if (!is_static && std::any_of(transforms.begin(), transforms.end(), is_late)) {
+    std::vector<geometry_msgs::TransformStamped> kept;
+    std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
+    tf_.add(kept, is_static, now);
+  } else {
+    tf_.add(transforms, is_static, now);
+  }
+  if (live_.update(tf_, now)) onNews();
+}
+
+void PublisherNode::onTick() {
+  const ros::Time now = ros::Time::now();
+  observeClock(now);
+  if (live_.expire(tf_, now)) onNews();
+  if (clock_.isMissing()) {
+    ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
+  }
+}
+
+void PublisherNode::observeClock(ros::Time now) {
+  switch (clock_.observe(now)) {
+    case ClockWatch::Event::kNone:
+      return;
+    case ClockWatch::Event::kStarted:
+      tf_.tree().clockStarted(static_cast<std::int64_t>(now.toNSec()));
+      return;
+    case ClockWatch::Event::kJumpedBack:
+      ROS_WARN("the clock jumped back; forgetting all transforms that are not static");
+      tf_.clear();
+      if (live_.updateAll(tf_, now)) onNews();
+      return;
+  }
+}
+
+void PublisherNode::onNews() {
+  ++health_.updates;
+  boxes_output_.request();
+  if (markers_publisher_.getNumSubscribers() > 0) markers_output_.request();
+}
+
+void PublisherNode::publishBoxes() {
+  ++health_.publications;
+  fillBoxes(live_, boxes_message_);
+  fillGroups(live_, groups_message_);
+  boxes_publisher_.publish(boxes_message_);
+  groups_publisher_.publish(groups_message_);
+}
+
+void PublisherNode::publishMarkers() {
+  if (markers_publisher_.getNumSubscribers() == 0) return;
+  const std_msgs::Header header = markerHeader(live_);
+  visualization_msgs::MarkerArray markers = boxMarkers(live_, header);
+  shown_.replaceBy(markers, header);
+  markers_publisher_.publish(markers);
+}
+
+/// A new subscriber to the markers is shown everything at once.
+void PublisherNode::welcome(const ros::SingleSubscriberPublisher& subscriber) {
+  if (!live_.model()) return;
+  const std_msgs::Header header = markerHeader(live_);
+  visualization_msgs::MarkerArray markers = boxMarkers(live_, header);
+  shown_.extendBy(markers, header);
+  subscriber.publish(markers);
+}
+
+void PublisherNode::publishDiagnostics() {
+  health_.waits_for_description = loader_->waitsForDescription();
+  health_.waits_for_clock = clock_.isMissing();
+  health_.clock_jumped = clock_.hasJustJumped();
+  diagnostics_publisher_.publish(diagnose(live_, health_));
+}
+
+}  // namespace link_bounds

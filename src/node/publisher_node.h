@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The node: subscriptions, the update thread's state, and what is published when.
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/node_handle.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <memory>
+
+#include "box_markers.h"
+#include "clock_watch.h"
+#include "diagnostics.h"
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "live_boxes.h"
+#include "model_loader.h"
+#include "paced_output.h"
+#include "transform_source.h"
+
+namespace link_bounds {
+
+/// Everything here runs on the thread that spins the global callback queue.
+class PublisherNode {
+ public:
+  PublisherNode();
+
+  /// 0, or 1 if there was nothing to publish.
+  int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
+
+ private:
+  void advertise();
+  void subscribe();
+  ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
+  void onTransforms(const tf2_msgs::TFMessage& message, bool is_static);
+  void onTick();
+  void observeClock(ros::Time now);
+  void onNews();
+  void publishBoxes();
+  void publishMarkers();
+  void welcome(const ros::SingleSubscriberPublisher& subscriber);
+  void publishDiagnostics();
+
+  /// Guards a callback and takes its time.
+  template <class Body>
+  void timed(Body&& body);
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_{"~"};
+  TransformSource tf_;
+  LiveBoxes live_;
+  ModelLoader::ModelPtr model_;
+  ClockWatch clock_;
+  Health health_;
+  ShownMarkers shown_;
+  AxisAlignedBoxArray boxes_message_;
+  AxisAlignedBoxArray groups_message_;
+  PacedOutput boxes_output_;
+  PacedOutput markers_output_;
+  ros::Publisher boxes_publisher_;
+  ros::Publisher groups_publisher_;
+  ros::Publisher markers_publisher_;
+  ros::Publisher diagnostics_publisher_;
+  ros::Subscriber tf_subscriber_;
+  ros::Subscriber tf_static_subscriber_;
+  ros::WallTimer tick_timer_;
+  ros::WallTimer diagnostics_timer_;
+  std::unique_ptr<ModelLoader> loader_;  ///< last: its thread ends before the rest goes
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The names under which the node is reached, each with its type and when something arrives there.
+#pragma once
+
+#include <array>
+
+namespace link_bounds {
+
+struct TopicName {
+  const char* name;
+  const char* type;
+  const char* when;
+};
+
+constexpr TopicName kBoxesTopic{
+    "~boxes", "link_bounds/AxisAlignedBoxArray",
+    "with each tf message that brings news of a bounded link, and whenever boxes or incomplete "
+    "change for another reason; limited by max_rate; latched"};
+constexpr TopicName kGroupsTopic{
+    "~groups", "link_bounds/AxisAlignedBoxArray",
+    "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
+constexpr TopicName kMarkersTopic{
+    "~markers", "visualization_msgs/MarkerArray",
+    "at most marker_rate, computed only while somebody listens; a new subscriber gets all boxes"};
+constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
+                                      "every second of wall time"};
+constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
+constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
+
+constexpr std::array<TopicName, 6> kTopics{
+    {kBoxesTopic, kGroupsTopic, kMarkersTopic, kDiagnosticsTopic, kTfTopic, kTfStaticTopic}};
+
+constexpr TopicName kReloadService{
+    "~reload", "std_srvs/Trigger",
+    "reads robot_description and all parameters again and answers after the swap; on failure "
+    "keeps the old model and says why"};
+
+}  // namespace link_bounds

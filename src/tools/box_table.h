@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of a robot as text: a table to read, CSV or JSON.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/aabb.h"
+
+namespace link_bounds {
+
+/// The three pairs of vectors (a, b) of the paper's Figure 3.
+enum class Representation { kMinMax, kMinWidth, kCenterRadius };
+
+enum class Format { kTable, kCsv, kJson };
+
+/// All lengths in metres, along the axes of `frame`.
+struct BoxTable {
+  using NamedBox = std::pair<std::string, Aabb>;
+
+  std::string frame;
+  std::vector<NamedBox> boxes;
+  std::vector<NamedBox> groups;
+  /// Names whose box is missing or known not to cover everything, each with the reason.
+  std::vector<std::pair<std::string, std::string>> incomplete;
+};
+
+/// JSON is always min-max.
+void writeBoxes(const BoxTable& table, Format format, Representation representation,
+                std::ostream& out);
+
+}  // namespace link_bounds

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that give no trustworthy mesh, and files that reach for other files.
+#include <sys/stat.h>
+
+#include <gtest/gtest.h>
+
+#include "mesh_import.h"
+#include "mesh_texts.h"
+#include "temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportRefusals : public testing::Test {
+ protected:
+  TriangleMesh import(const std::string& name, const std::string& content) const {
+    return importMesh({folder_.write("meshes/" + name, content), folder_ / "meshes"});
+  }
+
+  void expectRefused(const std::string& name, const std::string& content,
+                     const std::string& reason = "") const {
+    try {
+      import(name, content);
+      ADD_FAILURE() << name << " was accepted: " << content.substr(0, 200);
+    } catch (const MeshError& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+TEST_F(ImportRefusals, VerticesThatAreNotFinite) {
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
+    expectRefused("a.stl", binaryStl({{0, 0, 0}, {1, 0, 0}, {0, bad, 0}}), "not a finite number");
+  }
+  expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "not a finite number");
+}
+
+std::string ply(const std::string& face) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n" + face + "\n";
+}
+
+TEST_F(ImportRefusals, AnIndexOfNoVertex) {
+  EXPECT_EQ(import("good.ply", ply("3 0 1 2")).triangles.size(), 1u);
+  expectRefused("a.ply", ply("3 0 1 3"), "vertex 3 of 3");
+  expectRefused("a.ply", ply("3 0 1 1000000000"), "of 3");
+  expectRefused("a.ply", ply("3 0 1 -1"), "of 3");
+  expectRefused("a.ply", ply("5 0 1 2 0 7"), "vertex 7 of 3");
+}
+
+TEST_F(ImportRefusals, AnIndexOfNoVertexInOtherFormats) {
+  expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");
+}
+
+TEST_F(ImportRefusals, NoTriangle) {
+  expectRefused("a.stl", binaryStl({}));
+  expectRefused("a.stl", "solid nothing\nendsolid nothing\n");
+  expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "no triangle");
+  expectRefused("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                "property float z\nend_header\n0 0 0\n");
+}
+
+TEST_F(ImportRefusals, AnEmptyOrTruncatedFile) {
+  expectRefused("a.stl", "");
+  expectRefused("a.dae", "");
+  expectRefused("a.dae", "<COLLADA>");
+  const std::string whole = binaryStl(tetrahedronCorners());
+  expectRefused("a.stl", whole.substr(0, whole.size() - 60));
+}
+
+TEST_F(ImportRefusals, AFormatThatNobodyKnows) {
+  expectRefused("a.txt", "what is this", "assimp cannot read it");
+}
+
+TEST_F(ImportRefusals, AMissingFile) {
+  EXPECT_THROW(importMesh({folder_ / "missing.stl", folder_.path().string()}), MeshError);
+}
+
+TEST_F(ImportRefusals, AFileOutsideItsOwnRoot) {
+  const std::string path = folder_.write("elsewhere/a.stl", binaryStl(tetrahedronCorners()));
+  fs::create_directories(folder_ / "meshes");
+  EXPECT_THROW(importMesh({path, folder_ / "meshes"}), MeshError);
+}
+
+/// A glTF whose three vertices are in another file.
+std::string gltf(const std::string& buffer_uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+         R"("min":[0,0,0],"max":[1,2,3]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+         R"("buffers":[{"byteLength":36,"uri":")" + buffer_uri + R"("}]})";
+}
+
+std::string threeVertices() {
+  std::string result;
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) {
+    result += bytesOf(number);
+  }
+  return result;
+}
+
+TEST_F(ImportRefusals, ABufferBesideTheMeshIsRead) {
+  folder_.write("meshes/data.bin", threeVertices());
+  EXPECT_EQ(import("a.gltf", gltf("data.bin")).vertices.size(), 3u);
+}
+
+TEST_F(ImportRefusals, ABufferOutsideTheRootIsNot) {
+  const std::string secret = folder_.write("secret.bin", threeVertices());
+  expectRefused("a.gltf", gltf("../secret.bin"));
+  expectRefused("a.gltf", gltf(secret));
+  expectRefused("a.gltf", gltf("x/../../secret.bin"));
+}
+
+TEST_F(ImportRefusals, NorOneBehindASymlink) {
+  const std::string secret = folder_.write("secret.bin", threeVertices());
+  fs::create_directories(folder_ / "meshes");
+  fs::create_symlink(secret, folder_ / "meshes/data.bin");
+  expectRefused("a.gltf", gltf("data.bin"));
+}
+
+TEST_F(ImportRefusals, AFifoBesideTheMeshIsNotOpened) {
+  fs::create_directories(folder_ / "meshes");
+  ASSERT_EQ(mkfifo((folder_ / "meshes/pipe").c_str(), 0600), 0);
+  expectRefused("a.gltf", gltf("pipe"));
+  const std::string obj = "mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(import("a.obj", obj).triangles.size(), 1u);
+}
+
+}  // namespace
+}  // namespace link_bounds

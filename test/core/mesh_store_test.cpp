@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each file is imported once, remembered while it is used, and read anew when it was replaced.
+#include "link_bounds/mesh_store.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+/// Reads a file whose text is a number n as a triangle of size n; other text is an error.
+TriangleMesh readTriangle(const MeshFile& file) {
+  float size = 0;
+  if (!(std::ifstream(file.path) >> size)) throw MeshError("it is no number");
+  return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
+}
+
+class MeshStoreTest : public testing::Test {
+ protected:
+  MeshFile write(const std::string& name, const std::string& text) const {
+    return {folder_.write(name, text), folder_.path().string()};
+  }
+
+  /// Rewrites a file and makes sure that its time differs, however coarse the clock is.
+  void replace(const MeshFile& file, const std::string& text) const {
+    const auto before = std::filesystem::last_write_time(file.path);
+    std::ofstream(file.path) << text;
+    std::filesystem::last_write_time(file.path, before + std::chrono::seconds(1));
+  }
+
+  LoadedMesh loadOne(const MeshFile& file) { return store_.load({file}).at(0); }
+
+  int imports() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return imports_;
+  }
+
+  TemporaryFolder folder_;
+  std::mutex mutex_;
+  int imports_ = 0;
+  MeshStore store_{[this](const MeshFile& file) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++imports_;
+    }
+    return readTriangle(file);
+  }};
+};
+
+double sizeOf(const LoadedMesh& mesh) { return mesh.points->magnitude().x(); }
+
+TEST_F(MeshStoreTest, GivesThePointsOfEachFileInOrder) {
+  const auto meshes = store_.load({write("b", "2"), write("a", "1"), write("c", "3")});
+  ASSERT_EQ(meshes.size(), 3u);
+  EXPECT_EQ(sizeOf(meshes[0]), 2);
+  EXPECT_EQ(sizeOf(meshes[1]), 1);
+  EXPECT_EQ(sizeOf(meshes[2]), 3);
+}
+
+TEST_F(MeshStoreTest, ManyRequestsOfOneFileShareOneImport) {
+  const MeshFile file = write("a", "1");
+  const auto first = store_.load({file, file, file});
+  const auto second = store_.load({file});
+  EXPECT_EQ(imports(), 1);
+  EXPECT_EQ(first[0].points, first[2].points);
+  EXPECT_EQ(first[0].points, second[0].points);
+}
+
+TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
+  EXPECT_TRUE(store_.load({}).empty());
+  EXPECT_EQ(imports(), 0);
+}
+
+TEST_F(MeshStoreTest, AFailureNamesItsReasonAndHarmsNoOtherFile) {
+  const auto meshes = store_.load({write("bad", "x"), write("good", "1")});
+  EXPECT_FALSE(meshes[0].points);
+  EXPECT_EQ(meshes[0].error, "it is no number");
+  EXPECT_TRUE(meshes[1].points);
+  EXPECT_EQ(meshes[1].error, "");
+}
+
+TEST_F(MeshStoreTest, FailuresAreRememberedUntilForgotten) {
+  const MeshFile file = write("bad", "x");
+  loadOne(file);
+  EXPECT_EQ(loadOne(file).error, "it is no number");
+  EXPECT_EQ(imports(), 1);
+  store_.forgetFailures();
+  EXPECT_EQ(loadOne(file).error, "it is no number");
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, ForgettingFailuresKeepsWhatIsInUse) {
+  const MeshFile file = write("good", "1");
+  const LoadedMesh kept = loadOne(file);
+  store_.forgetFailures();
+  EXPECT_EQ(loadOne(file).points, kept.points);
+  EXPECT_EQ(imports(), 1);
+}
+
+TEST_F(MeshStoreTest, ARepairedFileIsReadAfterForgetting) {
+  const MeshFile file = write("a", "x");
+  loadOne(file);
+  replace(file, "5");
+  store_.forgetFailures();
+  EXPECT_EQ(sizeOf(loadOne(file)), 5);
+}
+
+TEST_F(MeshStoreTest, AReplacedFileIsReadAnewAndOldPointsLiveOn) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  replace(file, "2");
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+  EXPECT_EQ(sizeOf(old), 1);
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, AFileRenamedOverTheOldIsReadAnewEvenIfItIsAsOldAndAsLarge) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  const auto time = std::filesystem::last_write_time(file.path);
+  const MeshFile other = write("b", "2");
+  std::filesystem::last_write_time(other.path, time);
+  std::filesystem::rename(other.path, file.path);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
+TEST_F(MeshStoreTest, MemoryIsFreedWhenNobodyUsesIt) {
+  const MeshFile file = write("a", "1");
+  std::weak_ptr<const PointSet> watched = loadOne(file).points;
+  EXPECT_TRUE(watched.expired());
+  EXPECT_TRUE(loadOne(file).points) << "and read again when needed";
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, RunningOutOfMemoryIsAFailureOfThatFileAlone) {
+  const MeshFile huge = write("huge", "1");
+  MeshStore store([&](const MeshFile& file) {
+    if (file.path == huge.path) throw std::bad_alloc();
+    return readTriangle(file);
+  });
+  const auto meshes = store.load({huge, write("small", "1")});
+  EXPECT_NE(meshes[0].error.find("memory"), std::string::npos);
+  EXPECT_TRUE(meshes[1].points);
+}
+
+TEST_F(MeshStoreTest, ProgressCountsTheFilesThatAreNew) {
+  const MeshFile known = write("known", "1");
+  const LoadedMesh kept = loadOne(known);
+  std::vector<std::pair<std::size_t, std::size_t>> calls;
+  store_.load({known, write("a", "1"), write("b", "x"), write("a", "1"), write("c", "3")},
+              [&](std::size_t done, std::size_t total) { calls.emplace_back(done, total); });
+  EXPECT_EQ(calls, (std::vector<std::pair<std::size_t, std::size_t>>{{1, 3}, {2, 3}, {3, 3}}));
+}
+
+TEST_F(MeshStoreTest, ManyFilesEachOnce) {
+  std::vector<MeshFile> files;
+  for (int i = 1; i <= 200; ++i) files.push_back(write(std::to_string(i), std::to_string(i)));
+  const auto meshes = store_.load(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(sizeOf(meshes[i]), static_cast<double>(i + 1));
+  }
+  EXPECT_EQ(imports(), 200);
+}
+
+TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "a single core";
+  constexpr auto kDeadline = std::chrono::seconds(20);
+  std::mutex mutex;
+  std::condition_variable arrived;
+  int waiting = 0;
+  bool met = true;
+  MeshStore store([&](const MeshFile& file) {
+    std::unique_lock<std::mutex> lock(mutex);
+    ++waiting;
+    arrived.notify_all();
+    met &= arrived.wait_for(lock, kDeadline, [&] { return waiting >= 2; });
+    return readTriangle(file);
+  });
+  store.load({write("a", "1"), write("b", "2")});
+  EXPECT_TRUE(met) << "the second import began only after the first was over";
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes in quadruple precision, in which a double times a float is exact: what a claim about
+// rounding is checked against.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "link_bounds/aabb.h"
+
+namespace link_bounds {
+
+#ifdef __SIZEOF_FLOAT128__
+using Quad = __float128;
+#else
+using Quad = long double;  // quadruple on the other machines that Debian knows, as arm64
+#endif
+
+struct QuadBox {
+  std::array<Quad, 3> min;
+  std::array<Quad, 3> max;
+};
+
+inline Quad exactCoordinate(const Eigen::Affine3d& pose, int axis, const Eigen::Vector3f& point) {
+  Quad sum = pose.translation()[axis];
+  for (int j = 0; j < 3; ++j) {
+    sum += static_cast<Quad>(pose.linear()(axis, j)) * static_cast<Quad>(point[j]);
+  }
+  return sum;
+}
+
+inline QuadBox exactBox(const std::vector<Eigen::Vector3f>& points, const Eigen::Affine3d& pose) {
+  QuadBox result;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    result.min[i] = result.max[i] = exactCoordinate(pose, k, points.front());
+    for (const Eigen::Vector3f& point : points) {
+      const Quad coordinate = exactCoordinate(pose, k, point);
+      result.min[i] = std::min(result.min[i], coordinate);
+      result.max[i] = std::max(result.max[i], coordinate);
+    }
+  }
+  return result;
+}
+
+inline bool contains(const Aabb& outer, const QuadBox& inner) {
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (static_cast<Quad>(outer.min()[k]) > inner.min[i]) return false;
+    if (static_cast<Quad>(outer.max()[k]) < inner.max[i]) return false;
+  }
+  return true;
+}
+
+/// How far the faces of `outer` across `axis` lie outside those of `inner`, the larger of the two.
+inline double excess(const Aabb& outer, const QuadBox& inner, int axis) {
+  const auto i = static_cast<std::size_t>(axis);
+  return static_cast<double>(std::max(inner.min[i] - static_cast<Quad>(outer.min()[axis]),
+                                      static_cast<Quad>(outer.max()[axis]) - inner.max[i]));
+}
+
+}  // namespace link_bounds

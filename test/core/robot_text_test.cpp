@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Descriptions that cannot be used, and odd ones that can.
+#include <gtest/gtest.h>
+
+#include "link_bounds/robot.h"
+
+namespace link_bounds {
+namespace {
+
+std::string joint(const std::string& name, const std::string& parent, const std::string& child) {
+  return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" +
+         child + "'/></joint>";
+}
+
+std::string links(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += "<link name='" + name + "'/>";
+  return result;
+}
+
+std::string inRobot(const std::string& content) { return "<robot name='r'>" + content + "</robot>"; }
+
+/// The error's text; "" if the description was accepted.
+std::string refusal(const std::string& urdf) {
+  try {
+    parseRobot(urdf);
+    return "";
+  } catch (const RobotError& error) {
+    return error.what();
+  }
+}
+
+void expectRefused(const std::string& urdf, const std::string& reason) {
+  EXPECT_NE(refusal(urdf).find(reason), std::string::npos) << "\"" << refusal(urdf) << "\"";
+}
+
+TEST(RobotRefusals, AnEmptyText) {
+  expectRefused("", "empty");
+  expectRefused(" \n\t ", "empty");
+}
+
+TEST(RobotRefusals, WhatIsNoXml) {
+  expectRefused("no robot at all", "not a usable URDF");
+  expectRefused("<robot name='r'><link name='l'></robot>", "not a usable URDF");
+  expectRefused(std::string(3, '\0'), "not a usable URDF");
+}
+
+TEST(RobotRefusals, AnotherFormat) {
+  expectRefused("<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>", "robot");
+  expectRefused("<?xml version='1.0'?><html/>", "not a usable URDF");
+}
+
+TEST(RobotRefusals, NoLinks) { expectRefused(inRobot(""), "not a usable URDF"); }
+
+TEST(RobotRefusals, NoName) {
+  expectRefused("<robot><link name='a'/></robot>", "not a usable URDF");
+}
+
+TEST(RobotRefusals, TwoRootsAreBothNamed) {
+  const std::string urdf = inRobot(links({"left", "right"}));
+  expectRefused(urdf, "left");
+  expectRefused(urdf, "right");
+}
+
+TEST(RobotRefusals, NoRoot) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "b", "a")), "root");
+}
+
+TEST(RobotRefusals, ALinkWithTwoParents) {
+  const std::string urdf = inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") +
+                                   joint("k", "a", "c") + joint("l", "b", "c"));
+  expectRefused(urdf, "link \"c\" has two parents, by joints \"k\" and \"l\"");
+}
+
+TEST(RobotRefusals, TwoJointsBetweenTheSameLinks) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "a", "b")),
+                "two parents");
+}
+
+TEST(RobotRefusals, ACycleApartFromTheTree) {
+  const std::string urdf = inRobot(links({"a", "b", "c"}) + joint("j", "b", "c") +
+                                   joint("k", "c", "b"));
+  expectRefused(urdf, "not connected to root link \"a\"");
+}
+
+TEST(RobotRefusals, ALinkThatIsItsOwnChild) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "b", "b")), "link \"b\" is not connected");
+  expectRefused(inRobot(links({"a"}) + joint("j", "a", "a")), "root");
+}
+
+TEST(RobotRefusals, DuplicateNames) {
+  expectRefused(inRobot(links({"a", "a"})), "'a' is not unique");
+  expectRefused(inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("j", "a", "c")),
+                "'j' is not unique");
+}
+
+TEST(RobotRefusals, JointsOfLinksThatDoNotExist) {
+  expectRefused(inRobot(links({"a"}) + joint("j", "a", "ghost")), "ghost");
+  expectRefused(inRobot(links({"a"}) + joint("j", "ghost", "a")), "ghost");
+}
+
+TEST(RobotRefusals, AnUnknownTypeOfJoint) {
+  expectRefused(inRobot(links({"a", "b"}) +
+                        "<joint name='j' type='rubber'><parent link='a'/><child link='b'/></joint>"),
+                "rubber");
+}
+
+TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
+  const Robot robot = parseRobot(
+      "\n<!-- made by a tool -->\n<?xml version=\"1.0\"?>\n" +
+      inRobot(links({"b", "a"}) + joint("j", "b", "a")));
+  EXPECT_EQ(robot.links.at(0).name, "b");
+  EXPECT_TRUE(robot.warnings.empty());
+}
+
+TEST(OddRobots, ACommentThatMentionsADeclaration) {
+  const Robot robot =
+      parseRobot("<robot name='r'><!-- no <?xml here --><link name='b'/><link name='a'/>" +
+                 joint("j", "b", "a") + "<!-- really? --><!-- ?> --></robot>");
+  EXPECT_EQ(robot.links.size(), 2u);
+}
+
+TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
+  const Robot robot = parseRobot("<robot name=unquoted>" + links({"b", "a"}) +
+                                 joint("j", "b", "a") + "</robot>");
+  ASSERT_EQ(robot.warnings.size(), 1u);
+  EXPECT_NE(robot.warnings[0].find("not well-formed"), std::string::npos);
+  EXPECT_EQ(robot.links.at(0).name, "a") << "in alphabetical order";
+  EXPECT_EQ(robot.links.at(robot.root).name, "b");
+}
+
+TEST(OddRobots, NamesWithEntities) {
+  for (const char* name : {"a&amp;b", "a&lt;b&gt;", "&quot;a&quot;", "caf\xc3\xa9", "a&#x41;",
+                           "&#233;t&#xe9;"}) {
+    SCOPED_TRACE(name);
+    const std::string urdf = inRobot(links({"base", name}) + joint("j", "base", name));
+    std::size_t count = 0;
+    EXPECT_NO_THROW(count = parseRobot(urdf).links.size());
+    EXPECT_EQ(count, 2u);
+  }
+}
+
+TEST(OddRobots, NamesThatParsersSpellDifferentlyGiveNoOtherError) {
+  EXPECT_NO_THROW(refusal("<robot name='r'><link/></robot>"));
+  EXPECT_NO_THROW(refusal(inRobot(links({"line\r\nbreak"}))));
+}
+
+TEST(OddRobots, UnknownElementsAndAttributesAreIgnored) {
+  const Robot robot = parseRobot(
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><gazebo><plugin/></gazebo>"
+      "<transmission name='t'/><link name='a' colour='red'><sensor/></link></robot>");
+  EXPECT_EQ(robot.links.size(), 1u);
+  EXPECT_TRUE(robot.warnings.empty());
+}
+
+TEST(OddRobots, AByteOrderMark) {
+  EXPECT_EQ(parseRobot("\xef\xbb\xbf<?xml version='1.0'?>" + inRobot(links({"a"}))).links.size(), 1u);
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names in tf, and groups made of what the description has.
+#include "model.h"
+
+#include <gtest/gtest.h>
+
+namespace link_bounds {
+namespace {
+
+constexpr char kUrdf[] = R"(<robot name="r">
+  <link name="base"><visual><geometry><box size="1 2 3"/></geometry></visual></link>
+  <link name="bare"/>
+  <link name="arm"><visual><geometry><sphere radius="1"/></geometry></visual></link>
+  <joint name="j1" type="fixed"><parent link="base"/><child link="bare"/></joint>
+  <joint name="j2" type="fixed"><parent link="bare"/><child link="arm"/></joint>
+</robot>)";
+
+Model modelWith(const Parameters& parameters) {
+  MeshStore store([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
+  return makeModel(kUrdf, parameters, store);
+}
+
+TEST(TfName, JoinsWithOneSlash) {
+  EXPECT_EQ(tfName("", "base"), "base");
+  EXPECT_EQ(tfName("left", "base"), "left/base");
+  EXPECT_EQ(tfName("/left//", "base"), "left/base");
+  EXPECT_EQ(tfName("/", "base"), "base");
+}
+
+TEST(TfName, ALeadingSlashOnlyGoes) {
+  EXPECT_EQ(tfName("left", "/base"), "base");
+  EXPECT_EQ(tfName("", "/base"), "base");
+}
+
+TEST(Model, FixedFrameIsThePrefixedRootUnlessGiven) {
+  Parameters parameters;
+  parameters.tf_prefix = "left";
+  EXPECT_EQ(modelWith(parameters).fixed_frame, "left/base");
+  parameters.fixed_frame = "map";
+  EXPECT_EQ(modelWith(parameters).fixed_frame, "map");
+}
+
+TEST(Model, GroupsFollowTheRobotInAlphabeticalOrder) {
+  Parameters parameters;
+  parameters.groups = {{"tool", {"arm", "bare"}}, {"all", {"base", "arm"}}};
+  const Model model = modelWith(parameters);
+  ASSERT_EQ(model.groups.size(), 3u);
+  EXPECT_EQ(model.groups[0].name, "robot");
+  EXPECT_EQ(model.groups[0].members, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(model.groups[1].name, "all");
+  EXPECT_EQ(model.groups[2].members, std::vector<std::size_t>{1});
+  EXPECT_FALSE(model.groups[2].lacks_members) << "a link without geometry is not missing";
+}
+
+TEST(Model, UnknownMembersMakeAGroupIncomplete) {
+  Parameters parameters;
+  parameters.groups = {{"a", {"base", "typo"}}, {"b", {"base", "scene/*"}}, {"c", {"scene/1"}}};
+  const Model model = modelWith(parameters);
+  EXPECT_TRUE(model.groups[1].lacks_members);
+  EXPECT_FALSE(model.groups[2].lacks_members) << "a pattern that matches nothing is not missing";
+  EXPECT_TRUE(model.groups[3].lacks_members);
+}
+
+TEST(Model, EachUnknownLinkIsWarnedAboutOnce) {
+  Parameters parameters;
+  parameters.ignore_links = {"typo"};
+  parameters.link_padding = {{"typo", 0.1}, {"other", 0.1}};
+  const Model model = modelWith(parameters);
+  ASSERT_EQ(model.warnings.size(), 2u);
+  EXPECT_NE(model.warnings[0].find("\"other\""), std::string::npos);
+  EXPECT_NE(model.warnings[1].find("\"typo\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tests of a node's life share: a robot in tf, steady senders, clock, status, processes."""
+import subprocess
+import tempfile
+import threading
+import time
+
+import roslib.packages
+import rospy
+from bounds_testing import (DEADLINE, Pose, TfSender, box_link, robot, transform, turn,
+                            wait_for)
+from diagnostic_msgs.msg import DiagnosticArray
+from rosgraph_msgs.msg import Clock
+
+NODE = "/link_bounds_publisher"
+ALL = ["base", "mast", "left", "left_tip", "right"]
+STATIC = ["base", "mast"]
+DYNAMIC = ["left", "left_tip", "right"]
+PARENTS = {"mast": "base", "left": "base", "left_tip": "left", "right": "base"}
+SIZES = {"base": (0.4, 0.4, 0.2), "mast": (0.1, 0.2, 0.6), "left": (0.4, 0.2, 0.1),
+         "left_tip": (0.1, 0.1, 0.05), "right": (0.4, 0.2, 0.1)}
+ARMS = robot([box_link(name, SIZES[name]) for name in ALL] + ['<link name="bare"/>'],
+             [(parent, child) for child, parent in PARENTS.items()] + [("base", "bare")])
+
+
+def joint_pose(child, degrees):
+    """Pose of a link in its parent when the arms are turned by an angle."""
+    return {"mast": Pose((0, 0, 0.4), turn((0, 0, 1), 45)),
+            "left": Pose((0.5, 0.3, 0), turn((0, 0, 1), degrees)),
+            "left_tip": Pose((0.3, 0, 0), turn((0, 1, 0), degrees)),
+            "right": Pose((0.5, -0.3, 0), turn((0, 0, 1), -degrees))}[child]
+
+
+def arm_bounds(name, degrees):
+    """The six coordinates that the link's box must have."""
+    pose = Pose()
+    link = name
+    while link != "base":
+        pose = joint_pose(link, degrees) * pose
+        link = PARENTS[link]
+    return pose.box_bounds(SIZES[name])
+
+
+class ArmsTf:
+    """Sends the poses of the arms; the mast is static."""
+
+    def __init__(self, prefix=""):
+        self._prefix = prefix
+        self._tf = TfSender()
+        self._tf_static = TfSender(is_static=True)
+        self._tf.wait_for_listener()
+        self._tf_static.wait_for_listener()
+        self._tf_static.send(self._transform("mast", rospy.Time(), 0))
+
+    def _transform(self, child, stamp, degrees):
+        pose = joint_pose(child, degrees)
+        return transform(self._prefix + PARENTS[child], self._prefix + child, stamp, pose.xyz,
+                         pose.xyzw)
+
+    def send(self, stamp, degrees=30, links=tuple(DYNAMIC)):
+        self._tf.send(*(self._transform(link, stamp, degrees) for link in links))
+
+
+class Repeater:
+    """Calls a function at a rate, from a thread of its own, until stop()."""
+
+    def __init__(self, rate, function):
+        self._end = threading.Event()
+        self._thread = threading.Thread(target=self._run, args=(1 / rate, function), daemon=True)
+        self._thread.start()
+
+    def _run(self, period, function):
+        due = time.monotonic()
+        while not self._end.is_set():
+            function()
+            due += period
+            self._end.wait(max(0.0, due - time.monotonic()))
+
+    def stop(self):
+        self._end.set()
+        self._thread.join()
+
+
+class Diagnostics:
+    """The statuses of one node, each with the node's time and the wall time of receipt."""
+
+    def __init__(self, node=NODE):
+        self.name = node.lstrip("/") + ": boxes"
+        self._received = []
+        self._subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self._add)
+
+    def _add(self, message):
+        for status in message.status:
+            if status.name == self.name:
+                self._received.append((message.header.stamp, status, time.monotonic()))
+
+    @property
+    def received(self):
+        return list(self._received)
+
+    def wait_for_new(self, condition, what, deadline=DEADLINE):
+        """The first status received from now on for which condition(stamp, status) is true."""
+        seen = len(self._received)
+        return wait_for(
+            lambda: next((status for stamp, status, _ in self.received[seen:]
+                          if condition(stamp, status)), None),
+            "%s in the diagnostics of %s" % (what, self.name), deadline)
+
+
+def value_of(status, key):
+    return next((pair.value for pair in status.values if pair.key == key), None)
+
+
+class SimulatedClock:
+    """Publishes /clock."""
+
+    def __init__(self, diagnostics):
+        self._publisher = rospy.Publisher("/clock", Clock, queue_size=10, latch=True)
+        self._diagnostics = diagnostics
+
+    def publish(self, seconds):
+        self._publisher.publish(Clock(rospy.Time.from_sec(seconds)))
+
+    def set(self, seconds):
+        """Returns when the node's own time is this; its diagnostics tell."""
+        self.publish(seconds)
+        self._diagnostics.wait_for_new(
+            lambda stamp, _: stamp == rospy.Time.from_sec(seconds), "time %g" % seconds)
+
+
+class NodeProcess:
+    """A publisher node started here and now, with private parameters; keeps what it prints."""
+
+    def __init__(self, name, arguments=(), environment=None, **parameters):
+        self.name = "/" + name
+        for key, value in parameters.items():
+            rospy.set_param("%s/%s" % (self.name, key), value)
+        path = roslib.packages.find_node("link_bounds", "link_bounds_publisher")[0]
+        self._output = tempfile.TemporaryFile("w+")
+        self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
+                                         stdout=self._output, stderr=subprocess.STDOUT)
+
+    def interrupt(self, signal_number):
+        self._process.send_signal(signal_number)
+
+    def wait(self, deadline=DEADLINE):
+        """Its exit status."""
+        return self._process.wait(deadline)
+
+    @property
+    def output(self):
+        self._output.seek(0)
+        return self._output.read()
+
+    def end(self):
+        self._process.kill()
+        self._process.wait()
+        self._output.close()
+        if rospy.has_param(self.name):
+            rospy.delete_param(self.name)

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clock jumps: what is forgotten, what is kept, and that nothing of the old era returns."""
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import Recorder, box_of, corners_of, difference, load, names_of, wait_for
+from diagnostic_msgs.msg import DiagnosticStatus
+from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, SimulatedClock,
+                          arm_bounds)
+
+TOLERANCE = 1e-12  # m
+BACK_AGAIN = 0.5  # wall seconds in which boxes of the new era must appear
+DOUBT = 0.5  # wall seconds after a jump in which stamps far ahead are dropped
+
+
+def at(seconds):
+    return rospy.Time.from_sec(seconds)
+
+
+class TimeJump(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.boxes = Recorder(NODE + "/boxes")
+        cls.diagnostics = Diagnostics()
+        cls.clock = SimulatedClock(cls.diagnostics)
+        cls.tf = ArmsTf()
+        cls.now = 0
+        load(NODE, ARMS, timeout=2.0)
+
+    def setUp(self):
+        TimeJump.now += 1000
+        self.clock.set(self.now)
+        self.tf.send(at(self.now))
+        self.wait_for_all(self.now)
+        self.boxes.clear()
+
+    def wait_for_all(self, seconds, degrees=30):
+        """Waits for all boxes at that time and checks them."""
+        message = self.boxes.wait(
+            lambda m: names_of(m) == ALL and box_of(m, "left").stamp == at(seconds),
+            "all boxes of time %g" % seconds)
+        self.assertEqual(message.incomplete, [])
+        for name in ALL:
+            box = corners_of(box_of(message, name))
+            self.assertLess(difference(box, arm_bounds(name, degrees)), TOLERANCE, name)
+
+    def jump_back(self):
+        """By 5 s; returns the time after it, when the node has noticed."""
+        new_now = self.now - 5
+        self.clock.publish(new_now)
+        message = self.boxes.wait(lambda m: "left" not in names_of(m), "loss of dynamic boxes")
+        self.assertEqual((names_of(message), message.incomplete), (STATIC, DYNAMIC))
+        return new_now
+
+    def send_two_poses(self, start):
+        """What was poisoned by a later stamp would not show both of these."""
+        self.tf.send(at(start + 0.01), degrees=30)
+        self.wait_for_all(start + 0.01, degrees=30)
+        self.tf.send(at(start + 0.02), degrees=45)
+        self.wait_for_all(start + 0.02, degrees=45)
+
+    def test_only_static_boxes_survive_a_jump_back(self):
+        self.jump_back()
+        self.assertEqual(names_of(self.boxes.messages[-1]), STATIC)
+
+    def test_boxes_of_the_new_era_are_back_in_time(self):
+        new_now = self.jump_back()
+        start = time.monotonic()
+        self.tf.send(at(new_now), degrees=45)
+        self.wait_for_all(new_now, degrees=45)
+        self.assertLess(time.monotonic() - start, BACK_AGAIN)
+
+    def test_late_transform_that_races_the_clock_poisons_nothing(self):
+        self.clock.publish(self.now - 5)
+        self.tf.send(at(self.now - 2))
+        self.boxes.wait(lambda m: "left" not in names_of(m), "loss of dynamic boxes")
+        self.send_two_poses(self.now - 5)
+
+    def test_late_transform_after_the_jump_poisons_nothing(self):
+        new_now = self.jump_back()
+        self.tf.send(at(new_now + 3))
+        self.send_two_poses(new_now)
+        self.assertNotIn(at(new_now + 3), [m.header.stamp for m in self.boxes.messages])
+
+    def test_late_transform_beside_a_new_one_in_a_message_is_dropped_alone(self):
+        new_now = self.jump_back()
+        self.tf.send(at(new_now + 3), links=["right"])
+        self.tf.send(at(new_now + 0.01), links=["left", "left_tip"])
+        self.boxes.wait(lambda m: names_of(m) == ["base", "mast", "left", "left_tip"] and
+                        m.incomplete == ["right"], "left arm alone")
+
+    def test_stamps_ahead_count_again_when_the_doubt_is_over(self):
+        new_now = self.jump_back()
+        over = time.monotonic() + 2 * DOUBT
+        wait_for(lambda: time.monotonic() > over, "end of the doubt")
+        self.tf.send(at(new_now + 3))
+        self.wait_for_all(new_now + 3)
+
+    def test_every_transform_in_order_after_a_jump_is_answered(self):
+        new_now = self.jump_back()
+        stamps = [at(new_now + 0.01 * i) for i in range(1, 41)]
+        for stamp in stamps:
+            self.tf.send(stamp)
+        self.boxes.wait(lambda m: m.header.stamp == stamps[-1], "the last stamp")
+        answered = [m.header.stamp for m in self.boxes.messages if "left" in names_of(m)]
+        self.assertEqual(answered, stamps)
+
+    def test_a_twentieth_of_a_second_back_is_no_jump(self):
+        self.wait_for_level(DiagnosticStatus.OK)
+        self.clock.set(self.now - 0.05)
+        self.wait_for_level(DiagnosticStatus.OK)
+        self.tf.send(at(self.now + 0.01))
+        self.wait_for_all(self.now + 0.01)
+        self.assertTrue(all(names_of(m) == ALL for m in self.boxes.messages))
+
+    def test_diagnostics_warn_of_a_jump_for_a_while(self):
+        new_now = self.jump_back()
+        self.tf.send(at(new_now))
+        self.wait_for_all(new_now)
+        status = self.wait_for_level(DiagnosticStatus.WARN)
+        self.assertIn("clock", status.message)
+        self.wait_for_level(DiagnosticStatus.OK)
+
+    def test_forward_jump_loses_nothing_but_stale_links(self):
+        self.wait_for_level(DiagnosticStatus.OK)
+        self.clock.set(self.now + 500)
+        message = self.boxes.wait(lambda m: m.incomplete, "stale links")
+        self.assertEqual((names_of(message), message.incomplete), (STATIC, DYNAMIC))
+        self.tf.send(at(self.now + 500), degrees=45)
+        self.wait_for_all(self.now + 500, degrees=45)
+        self.wait_for_level(DiagnosticStatus.OK)
+
+    def wait_for_level(self, level):
+        return self.diagnostics.wait_for_new(
+            lambda _, status: status.level == level, "level %d" % level)
+
+
+if __name__ == "__main__":
+    rospy.init_node("time_jump_test")
+    rostest.rosrun("link_bounds", "time_jump", TimeJump)
