@@ -9,7 +9,7 @@ packages_of() {
     build)
       echo g++ make cmake pkg-config catkin \
         libassimp-dev libconsole-bridge-dev libeigen3-dev libtinyxml2-dev liburdfdom-dev \
-        libroscpp-dev libroslib-dev libtf2-dev ros-message-generation \
+        libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
         libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \

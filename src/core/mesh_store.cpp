@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace link_bounds {
@@ -50,10 +51,10 @@ LoadedMesh MeshStore::known(const MeshFile& file) const {
 LoadedMesh MeshStore::import(const MeshFile& file) const {
   try {
     return {std::make_shared<const PointSet>(importer_(file).vertices), ""};
-  } catch (const MeshError& error) {
-    return {nullptr, error.what()};
   } catch (const std::bad_alloc&) {
     return {nullptr, "it does not fit into memory"};
+  } catch (const std::exception& error) {
+    return {nullptr, error.what()};
   }
 }
 

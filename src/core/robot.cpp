@@ -58,25 +58,31 @@ void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfL
   }
 }
 
-/// In the order of the text where it is known, else by name.
+/// Links that only urdfdom knows by their name, or all if the XML cannot be read: by name.
+void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
+  LinkIndex known;
+  for (const Link& link : robot.links)
+    known.emplace(link.name, known.size());
+  for (const auto& [name, link] : model.links_) {
+    if (known.count(name)) continue;
+    robot.warnings.push_back("the XML around link \"" + name +
+                             "\" can be read in two ways, so geometry that urdfdom could not parse "
+                             "there goes unnoticed; write it as plain, well-formed XML");
+    robot.links.push_back(toLink(*link));
+  }
+}
+
+/// In the order of the text.
 void addLinks(const std::string& urdf, const urdf::ModelInterface& model, const UrdfLog& log,
               Robot& robot) {
-  const std::optional<std::vector<LinkOutline>> outline = outlineOf(urdf);
-  if (!outline) {
-    robot.warnings.push_back(
-        "the robot description is not well-formed XML, so links are in alphabetical order and "
-        "geometry that urdfdom could not parse goes unnoticed; correct the XML");
-    for (const auto& [name, link] : model.links_)
-      robot.links.push_back(toLink(*link));
-    return;
-  }
-  for (const LinkOutline& link_outline : *outline) {
-    const auto source = model.getLink(link_outline.name);
+  for (const LinkOutline& outline : outlineOf(urdf)) {
+    const auto source = model.getLink(outline.name);
     if (!source) continue;
     Link link = toLink(*source);
-    addLosses(link_outline, *source, log, link);
+    addLosses(outline, *source, log, link);
     robot.links.push_back(std::move(link));
   }
+  addUnmatchedLinks(model, robot);
 }
 
 Motion motionOf(const urdf::Joint& joint) {

@@ -4,6 +4,7 @@
 #include "link_bounds/shape.h"
 
 #include <cmath>
+#include <limits>
 
 #include "link_bounds/rounding.h"
 
@@ -19,6 +20,9 @@ constexpr double kPointTolerance = 2e-14;
 /// Eight roundings bound every evaluation below: five of a dot product, one each for adding the
 /// solid, the translation and the pad.
 constexpr double kRoundingPad = 8 * kUnitRoundoff;
+
+/// Products of tiny numbers lose digits below the smallest normal number.
+constexpr double kUnderflowPad = std::numeric_limits<double>::min();
 
 /// Half the extent of the solid along one axis of the world; `row` is that axis' row of the
 /// linear part times diag(size). The support functions of the unit box, ball and cylinder.
@@ -63,7 +67,7 @@ std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_fr
     const Eigen::Vector3d row = linear.row(k);
     const double half = halfExtent(shape.solid, row.cwiseProduct(shape.size));
     const double pad = kRoundingPad * (row.cwiseAbs().dot(reach) + std::abs(translation[k])) +
-                       tolerance * row.lpNorm<1>();
+                       tolerance * row.lpNorm<1>() + kUnderflowPad;
     box.min()[k] = (translation[k] + (extents.low[k] - half)) - pad;
     box.max()[k] = (translation[k] + (extents.high[k] + half)) + pad;
   }

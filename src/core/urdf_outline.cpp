@@ -30,21 +30,26 @@ std::vector<std::string> childrenOf(const tinyxml2::XMLElement& link, const char
   return result;
 }
 
-/// Some real files have a comment before the XML declaration, which urdfdom tolerates.
-std::string withoutDeclaration(std::string urdf) {
-  const std::size_t begin = urdf.find("<?xml");
-  const std::size_t end = urdf.find("?>", begin == std::string::npos ? 0 : begin);
-  if (begin != std::string::npos && end != std::string::npos) urdf.erase(begin, end + 2 - begin);
-  return urdf;
+/// The text from the first element on: some real files have a comment before the XML declaration,
+/// which urdfdom tolerates and tinyxml2 does not.
+std::string fromFirstElement(const std::string& urdf) {
+  std::size_t begin = urdf.find('<');
+  while (begin != std::string::npos && begin + 1 < urdf.size()) {
+    const bool is_comment = urdf.compare(begin, 4, "<!--") == 0;
+    if (!is_comment && urdf[begin + 1] != '?' && urdf[begin + 1] != '!') return urdf.substr(begin);
+    const std::size_t end = urdf.find(is_comment ? "-->" : ">", begin);
+    begin = end == std::string::npos ? end : urdf.find('<', end);
+  }
+  return "";
 }
 
 }  // namespace
 
-std::optional<std::vector<LinkOutline>> outlineOf(const std::string& urdf) {
+std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   tinyxml2::XMLDocument document;
-  document.Parse(withoutDeclaration(urdf).c_str());
+  document.Parse(fromFirstElement(urdf).c_str());
   const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
-  if (document.Error() || !robot) return std::nullopt;
+  if (document.Error() || !robot) return {};
   std::vector<LinkOutline> links;
   for (const auto* link = robot->FirstChildElement("link"); link;
        link = link->NextSiblingElement("link")) {

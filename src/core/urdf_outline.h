@@ -3,7 +3,6 @@
 // The links and geometry elements that a URDF text has, seen without urdfdom.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,8 @@ struct LinkOutline {
   }
 };
 
-/// In the order of the text. Nothing if the XML is broken in a way that only urdfdom's more
-/// lenient parser overlooks.
-std::optional<std::vector<LinkOutline>> outlineOf(const std::string& urdf);
+/// In the order of the text. Empty if the XML is broken in a way that only urdfdom's more lenient
+/// parser overlooks.
+std::vector<LinkOutline> outlineOf(const std::string& urdf);
 
 }  // namespace link_bounds

@@ -8,10 +8,12 @@
 
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
+#include <fstream>
 #include <utility>
 #include <vector>
 
 #include "confined_files.h"
+#include "import_log.h"
 
 namespace link_bounds {
 namespace {
@@ -34,7 +36,7 @@ Eigen::Affine3d withoutRotation(const Eigen::Affine3d& root) {
   return result;
 }
 
-/// Indices are checked before assimp triangulates, because it trusts them.
+/// Readers pass on indices as the file has them.
 void checkIndices(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -60,9 +62,23 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
   }
   for (unsigned i = 0; i < source.mNumFaces; ++i) {
     const aiFace& face = source.mFaces[i];
-    if (face.mNumIndices != 3) continue;
-    mesh.triangles.push_back(
-        {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    // A polygon becomes a fan, which for bounds is as good as any; points and lines become nothing.
+    for (unsigned corner = 2; corner < face.mNumIndices; ++corner) {
+      mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[corner - 1],
+                                first + face.mIndices[corner]});
+    }
+  }
+}
+
+/// assimp's reader of PLY makes one triangle of a whole mesh of strips.
+void refuseTriangleStrips(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line) || line.compare(0, 3, "ply") != 0) return;
+  while (std::getline(file, line) && line.compare(0, 10, "end_header") != 0) {
+    if (line.compare(0, 17, "element tristrips") == 0) {
+      throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
+    }
   }
 }
 
@@ -88,17 +104,20 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 }  // namespace
 
 TriangleMesh importMesh(const MeshFile& file) {
+  refuseTriangleStrips(file.path);
+  const ImportLog log;
   Assimp::Importer importer;
   importer.SetIOHandler(new ConfinedFiles(file.root));
-  // Points and lines stay what they are and are passed over later; triangulating comes after the
-  // check of the indices.
+  // Otherwise a file without geometry gets one that shows its nodes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(file.path, 0);
   if (!scene || !scene->mRootNode) {
     throw MeshError(std::string("assimp cannot read it (") + importer.GetErrorString() + ")");
   }
   checkIndices(*scene);
-  scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (!scene) throw MeshError("assimp cannot triangulate it");
+  // The reader of OFF replaces a wrong index by a right one.
+  const std::string index_error = log.errorWith("out of range");
+  if (!index_error.empty()) throw MeshError("assimp found a fault in it (" + index_error + ")");
   return welded(collectTriangles(*scene));
 }
 

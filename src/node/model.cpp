@@ -18,15 +18,6 @@ std::string withoutSlashes(const std::string& text) {
   return text.substr(begin, text.find_last_not_of('/') - begin + 1);
 }
 
-/// Asking ROS for a package means a search through the file system, so each is asked for once.
-PackagePath rememberedPackagePath() {
-  return [known = std::map<std::string, std::string>()](const std::string& package) mutable {
-    const auto found = known.find(package);
-    if (found != known.end()) return found->second;
-    return known.emplace(package, rosPackagePath(package)).first->second;
-  };
-}
-
 Selection selectionOf(const Parameters& parameters) {
   Selection selection;
   selection.visual = parameters.geometry != "collision";
@@ -145,7 +136,7 @@ std::string tfName(const std::string& tf_prefix, const std::string& link) {
 Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
   const Robot robot = parseRobot(description);
   const Selection selection = selectionOf(parameters);
-  BoundedRobot bounded = boundRobot(robot, selection, {rememberedPackagePath(), "", {}}, store);
+  BoundedRobot bounded = boundRobot(robot, selection, {rosPackages(), "", {}}, store);
   Model model;
   model.parameters = parameters;
   model.fixed_frame = parameters.fixed_frame.empty()

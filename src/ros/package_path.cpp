@@ -1,14 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The only caller of ros::package.
+// Asks rospack itself: ros::package::getPath takes a name for command line options and prints to
+// standard error what it does not find.
 #include "package_path.h"
 
-#include <ros/package.h>
+#include <rospack/rospack.h>
+
+#include <memory>
+#include <vector>
 
 namespace link_bounds {
 
-std::string rosPackagePath(const std::string& package) {
-  return ros::package::getPath(package);
+PackagePath rosPackages() {
+  const auto rospack = std::make_shared<std::unique_ptr<rospack::Rospack>>();
+  return [rospack](const std::string& package) -> std::string {
+    if (!*rospack) {
+      *rospack = std::make_unique<rospack::Rospack>();
+      (*rospack)->setQuiet(true);
+      std::vector<std::string> search_path;
+      (*rospack)->getSearchPathFromEnv(search_path);
+      (*rospack)->crawl(search_path, false);
+    }
+    std::string folder;
+    return (*rospack)->find(package, folder) ? folder : "";
+  };
 }
 
 }  // namespace link_bounds

@@ -3,11 +3,12 @@
 // Where ROS keeps its packages.
 #pragma once
 
-#include <string>
+#include "link_bounds/mesh_uri.h"
 
 namespace link_bounds {
 
-/// The folder of a package, or "" if ROS knows none of that name. A PackagePath.
-std::string rosPackagePath(const std::string& package);
+/// Looks packages up along ROS_PACKAGE_PATH. The path is searched once, at the first question, so
+/// take a new one for each load. Not thread-safe.
+PackagePath rosPackages();
 
 }  // namespace link_bounds

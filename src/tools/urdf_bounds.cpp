@@ -47,16 +47,6 @@ std::string folderOf(const std::string& file) {
   return folder.empty() ? "." : folder;
 }
 
-/// Asks ROS about each package once, as every question may crawl the package path.
-PackagePath rememberedPackages() {
-  const auto known = std::make_shared<std::map<std::string, std::string>>();
-  return [known](const std::string& package) {
-    const auto found = known->find(package);
-    if (found != known->end()) return found->second;
-    return known->emplace(package, rosPackagePath(package)).first->second;
-  };
-}
-
 /// Says which joints there are if a name is wrong, and which values mean nothing.
 void checkJoints(const Robot& robot, const std::map<std::string, double>& given) {
   std::map<std::string, const Joint*> movable;
@@ -152,7 +142,7 @@ int run(const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.visual;
   selection.collision = options.collision;
-  MeshSource source{rememberedPackages(), folderOf(options.file), progressBar()};
+  MeshSource source{rosPackages(), folderOf(options.file), progressBar()};
   MeshStore store(importMesh);
   const BoundedRobot bounded = boundRobot(robot, selection, source, store);
   for (const std::string& problem : bounded.problems)

@@ -3,9 +3,9 @@
 // Corners, quads and edges of a box, padding and the distance of two boxes.
 #include "link_bounds/aabb.h"
 
-#include <set>
-
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include "brute_force.h"
 #include "link_bounds/rounding.h"
@@ -21,7 +21,9 @@ Aabb boxAt(double x, double y, double z, double width) {
   return {min, min + Eigen::Vector3d::Constant(width)};
 }
 
-Aabb pointAt(double x, double y, double z) { return boxAt(x, y, z, 0); }
+Aabb pointAt(double x, double y, double z) {
+  return boxAt(x, y, z, 0);
+}
 
 TEST(Aabb, CornersAreNumberedByBits) {
   const auto corner = corners(kBox);
@@ -46,7 +48,8 @@ TEST(Aabb, QuadsAreTheFacesCounterClockwiseFromOutside) {
         (at(quad[1]) - at(quad[0])).cross(at(quad[2]) - at(quad[1])).normalized();
     EXPECT_EQ(normal, outward * Eigen::Vector3d::Unit(axis)) << "face " << face;
     const double plane = outward > 0 ? kBox.max()[axis] : kBox.min()[axis];
-    for (const int i : quad) EXPECT_EQ(at(i)[axis], plane) << "face " << face;
+    for (const int i : quad)
+      EXPECT_EQ(at(i)[axis], plane) << "face " << face;
     EXPECT_EQ(std::set<int>(quad.begin(), quad.end()).size(), 4u) << "face " << face;
   }
 }
@@ -57,8 +60,8 @@ TEST(Aabb, ThereAreTwelveEdgesFourPerDirection) {
   std::multiset<double> lengths;
   for (const auto& edge : edges()) {
     distinct.insert({edge[0], edge[1]});
-    const Eigen::Vector3d along = corner[static_cast<std::size_t>(edge[1])] -
-                                  corner[static_cast<std::size_t>(edge[0])];
+    const Eigen::Vector3d along =
+        corner[static_cast<std::size_t>(edge[1])] - corner[static_cast<std::size_t>(edge[0])];
     EXPECT_EQ((along.array() != 0).count(), 1) << "an edge follows one axis";
     lengths.insert(along.norm());
   }

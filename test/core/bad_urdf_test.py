@@ -135,6 +135,9 @@ MESH = {
     'dae_unit_nan.dae': lost('not a finite number'),
     'dae_node_matrix_nan.dae': lost('not a finite number'),
     'dae_lines_only.dae': lost('no triangle'),
+    'dae_missing_geometry.dae': lost('no triangle'),
+    'dae_unit_zero.dae': lost('unit of length is zero'),
+    'real_igea_tristrips.ply': lost('triangle strips'),
     'dae_billion_laughs.dae': bad_at_ten([0, 0, 0], [1, 1, 0]),
     'text_named.stl': lost('text_named.stl'),
     'text_named.dae': lost('text_named.dae'),
@@ -149,7 +152,8 @@ MESH = {
 
 
 def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    if not SANITIZED:
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
 
 
 def run(urdf):
@@ -161,6 +165,10 @@ def run(urdf):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     out = done.stdout.decode('utf-8')
     return done.returncode, json.loads(out) if out else None, done.stderr.decode('utf-8')
+
+# A program under AddressSanitizer claims more address space than any limit allows.
+SANITIZED = 'ASAN_OPTIONS' in os.environ
+NEEDS_LIMIT = ['ply_header_1e9_vertices.ply', 'ply_huge_list.ply']
 
 
 def cases(kind):
@@ -179,6 +187,9 @@ class BadUrdfTest(unittest.TestCase):
     def test_mesh_cases(self):
         self.assertEqual(set(MESH) - set(cases('mesh')), set(), 'cases without a file')
         for name, expected in MESH.items():
+            if SANITIZED and name in NEEDS_LIMIT:
+                print('skipped: %s under a sanitizer, where memory cannot be limited' % name)
+                continue
             with self.subTest(case=name):
                 self.check('mesh__%s.urdf' % name.replace('.', '_'), expected)
 

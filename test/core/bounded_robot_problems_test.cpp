@@ -25,8 +25,8 @@ class BoundRobotProblems : public testing::Test {
   }
 
   BoundedRobot bound(const std::string& content, const Selection& selection = {}) {
-    const Robot robot = parseRobot("<robot name='r'><link name='wrist'>" + content +
-                                   "</link></robot>");
+    const Robot robot =
+        parseRobot("<robot name='r'><link name='wrist'>" + content + "</link></robot>");
     const auto package_path = [this](const std::string& package) {
       return package == "arm" ? folder_ / "arm" : std::string();
     };
@@ -62,7 +62,8 @@ TEST_F(BoundRobotProblems, ABrokenMeshIsNamedWithLinkElementFileReasonAndRemedy)
 }
 
 TEST_F(BoundRobotProblems, LostElementsAreNamedToo) {
-  const BoundedRobot robot = bound(kBall + "<visual><geometry><box size='1 2'/></geometry></visual>");
+  const BoundedRobot robot =
+      bound(kBall + "<visual><geometry><box size='1 2'/></geometry></visual>");
   ASSERT_EQ(robot.problems.size(), 1u);
   expectMentions(robot.problems[0], {"link \"wrist\"", "visual 2", "correct"});
   EXPECT_FALSE(robot.links.at(0).isWhole());
@@ -99,8 +100,8 @@ TEST_F(BoundRobotProblems, GeometryThatIsNotAskedForIsNoProblem) {
   Selection selection;
   selection.visual = false;
   selection.collision = true;
-  const BoundedRobot robot =
-      bound(kMissing + "<collision><geometry><sphere radius='1'/></geometry></collision>", selection);
+  const BoundedRobot robot = bound(
+      kMissing + "<collision><geometry><sphere radius='1'/></geometry></collision>", selection);
   EXPECT_TRUE(robot.problems.empty());
   EXPECT_TRUE(robot.links.at(0).isWhole());
 }

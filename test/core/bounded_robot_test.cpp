@@ -3,9 +3,9 @@
 // Which links of a robot are bounded, by what, and with how much padding.
 #include "link_bounds/bounded_robot.h"
 
-#include <atomic>
-
 #include <gtest/gtest.h>
+
+#include <atomic>
 
 #include "brute_force.h"
 #include "temporary_folder.h"
@@ -42,7 +42,8 @@ class BoundRobot : public testing::Test {
 
 std::vector<std::string> names(const BoundedRobot& robot) {
   std::vector<std::string> result;
-  for (const BoundedLink& link : robot.links) result.push_back(link.name);
+  for (const BoundedLink& link : robot.links)
+    result.push_back(link.name);
   return result;
 }
 
@@ -57,7 +58,8 @@ void expectBox(const BoundedLink& link, const Eigen::Vector3d& min, const Eigen:
 
 /// A link with a visual ball of radius 1 and a collision ball of radius 2.
 std::string ballLink(const std::string& name) {
-  return "<link name='" + name + "'><visual><geometry><sphere radius='1'/></geometry></visual>"
+  return "<link name='" + name +
+         "'><visual><geometry><sphere radius='1'/></geometry></visual>"
          "<collision><geometry><sphere radius='2'/></geometry></collision></link>";
 }
 

@@ -3,13 +3,12 @@
 // The oracle: a scan over all vertices, and the random numbers to feed it with.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "link_bounds/aabb.h"
 #include "link_bounds/point_set.h"

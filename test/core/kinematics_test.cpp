@@ -3,9 +3,9 @@
 // Poses of links for joint values, on robots small enough to do by hand.
 #include "link_bounds/kinematics.h"
 
-#include <limits>
-
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include "brute_force.h"
 
@@ -18,7 +18,9 @@ constexpr double kTolerance = 1e-12;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double radians(double degrees) { return degrees * M_PI / 180; }
+double radians(double degrees) {
+  return degrees * M_PI / 180;
+}
 
 /// A joint between the links `parent` and `child`.
 std::string joint(const std::string& name, const std::string& type, const std::string& parent,
@@ -30,8 +32,10 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 
 /// Links a, b, c and d in this order.
 Robot robotOf(const std::string& joints) {
-  return parseRobot("<robot name='r'><link name='a'/><link name='b'/><link name='c'/>"
-                    "<link name='d'/>" + joints + "</robot>");
+  return parseRobot(
+      "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>"
+      "<link name='d'/>" +
+      joints + "</robot>");
 }
 
 /// One joint of interest between a and b, the rest fixed to a.
@@ -78,8 +82,8 @@ TEST(LinkPoses, OriginTurnsTheAxis) {
 
 TEST(LinkPoses, ContinuousTurnsAsOftenAsItLikes) {
   const Robot robot = robotWith("continuous", "<axis xyz='0 1 0'/>");
-  expectPose(poseOf(robot, 1, {{"j", radians(30 + 3 * 360)}}),
-             turned(30, Eigen::Vector3d::UnitY()), {0, 0, 0});
+  expectPose(poseOf(robot, 1, {{"j", radians(30 + 3 * 360)}}), turned(30, Eigen::Vector3d::UnitY()),
+             {0, 0, 0});
 }
 
 TEST(LinkPoses, PrismaticMovesAlongTheNormalisedAxis) {
@@ -104,11 +108,10 @@ TEST(LinkPoses, FixedFloatingAndPlanarStayAtTheirOrigin) {
 }
 
 TEST(LinkPoses, JointsAreComposedFromTheRootOutward) {
-  const Robot robot = robotOf(joint("j3", "prismatic", "b", "a", "<axis xyz='0 0 1'/>") +
-                              joint("j2", "revolute", "c", "b",
-                                    "<origin xyz='1 0 0'/><axis xyz='0 0 1'/>") +
-                              joint("j1", "revolute", "d", "c",
-                                    "<origin xyz='0 0 1'/><axis xyz='0 1 0'/>"));
+  const Robot robot =
+      robotOf(joint("j3", "prismatic", "b", "a", "<axis xyz='0 0 1'/>") +
+              joint("j2", "revolute", "c", "b", "<origin xyz='1 0 0'/><axis xyz='0 0 1'/>") +
+              joint("j1", "revolute", "d", "c", "<origin xyz='0 0 1'/><axis xyz='0 1 0'/>"));
   const Given given{{"j1", radians(30)}, {"j2", radians(45)}, {"j3", 0.5}};
   const Eigen::Matrix3d first = turned(30, Eigen::Vector3d::UnitY());
   const Eigen::Matrix3d second = first * turned(45, Eigen::Vector3d::UnitZ());
@@ -134,9 +137,9 @@ const char kMimicsJ[] = "<mimic joint='j' multiplier='-2' offset='0.25'/>";
 const char kMimicsK[] = "<mimic joint='k' multiplier='3' offset='-1'/>";
 
 TEST(JointValues, MimicFollowsWithMultiplierAndOffset) {
-  const Robot robot = robotOf(joint("j", "revolute", "a", "b") +
-                              joint("k", "revolute", "b", "c", kMimicsJ) +
-                              joint("f", "fixed", "c", "d"));
+  const Robot robot =
+      robotOf(joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c", kMimicsJ) +
+              joint("f", "fixed", "c", "d"));
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {{"j", 0.5}}), -2 * 0.5 + 0.25);
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {}), 0.25);
 }
@@ -144,8 +147,8 @@ TEST(JointValues, MimicFollowsWithMultiplierAndOffset) {
 TEST(JointValues, MimicOfAMimicComposes) {
   // The chain is read in whatever order the joints come, so try both.
   for (const bool leader_last : {false, true}) {
-    const std::string leader = leader_last ? joint("j", "revolute", "c", "d")
-                                           : joint("j", "revolute", "a", "b");
+    const std::string leader =
+        leader_last ? joint("j", "revolute", "c", "d") : joint("j", "revolute", "a", "b");
     const std::string follower = leader_last ? joint("l", "revolute", "a", "b", kMimicsK)
                                              : joint("l", "revolute", "c", "d", kMimicsK);
     const Robot robot = robotOf(leader + joint("k", "revolute", "b", "c", kMimicsJ) + follower);
@@ -154,9 +157,9 @@ TEST(JointValues, MimicOfAMimicComposes) {
 }
 
 TEST(JointValues, AValueGivenForAMimicDoesNotCount) {
-  const Robot robot = robotOf(joint("j", "revolute", "a", "b") +
-                              joint("k", "revolute", "b", "c", kMimicsJ) +
-                              joint("l", "revolute", "c", "d", kMimicsK));
+  const Robot robot =
+      robotOf(joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c", kMimicsJ) +
+              joint("l", "revolute", "c", "d", kMimicsK));
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {{"j", 0.5}, {"k", 9}}), -0.75);
   EXPECT_DOUBLE_EQ(valueOf(robot, "l", {{"j", 0.5}, {"k", 9}}), -3.25);
 }

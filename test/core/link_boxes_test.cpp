@@ -60,7 +60,8 @@ TEST(LinkBox, ScaleMinusOneWithAnOddRpyMirrorsBeforeTurning) {
   origin.scale(-1);
   const auto box = linkBox({"l", {meshShape(origin)}, 0, ""}, kIdentity);
   std::vector<Eigen::Vector3f> mirrored;
-  for (const Eigen::Vector3f& point : kPoints) mirrored.push_back(-point);
+  for (const Eigen::Vector3f& point : kPoints)
+    mirrored.push_back(-point);
   expectBox(box, brute_force::box(mirrored, Eigen::Affine3d(fromRpy(30, 45, 17))));
 }
 

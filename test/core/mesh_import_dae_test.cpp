@@ -26,17 +26,27 @@ const std::string kMetres = "<unit meter='1'/>";
 std::string dae(const std::string& asset, const std::string& scene,
                 const std::string& primitives = kTriangles) {
   return "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
-         "version='1.4.1'><asset>" + asset + "</asset><library_geometries><geometry id='g'><mesh>"
-         "<source id='p'><float_array id='f' count='15'>" + kVertices + "</float_array>"
+         "version='1.4.1'><asset>" +
+         asset +
+         "</asset><library_geometries><geometry id='g'><mesh>"
+         "<source id='p'><float_array id='f' count='15'>" +
+         kVertices +
+         "</float_array>"
          "<technique_common><accessor source='#f' count='5' stride='3'><param name='X' "
          "type='float'/><param name='Y' type='float'/><param name='Z' type='float'/></accessor>"
          "</technique_common></source><vertices id='v'><input semantic='POSITION' source='#p'/>"
-         "</vertices>" + primitives + "</mesh></geometry></library_geometries>"
-         "<library_visual_scenes><visual_scene id='s'>" + scene + "</visual_scene>"
+         "</vertices>" +
+         primitives +
+         "</mesh></geometry></library_geometries>"
+         "<library_visual_scenes><visual_scene id='s'>" +
+         scene +
+         "</visual_scene>"
          "</library_visual_scenes><scene><instance_visual_scene url='#s'/></scene></COLLADA>";
 }
 
-std::string node(const std::string& content) { return "<node>" + content + "</node>"; }
+std::string node(const std::string& content) {
+  return "<node>" + content + "</node>";
+}
 
 TriangleMesh import(const std::string& content, const std::string& name = "a.dae") {
   const TemporaryFolder folder;
@@ -51,7 +61,9 @@ void expectBounds(const TriangleMesh& mesh, const Aabb& expected) {
 }
 
 /// The box of the tetrahedron under a pose.
-Aabb posed(const Eigen::Affine3d& pose) { return brute_force::box(tetrahedronCorners(), pose); }
+Aabb posed(const Eigen::Affine3d& pose) {
+  return brute_force::box(tetrahedronCorners(), pose);
+}
 
 const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
@@ -92,7 +104,8 @@ TEST(ImportDae, NodeTransformsCount) {
   Eigen::Affine3d pose(turned(30, Eigen::Vector3d::UnitZ()));
   pose.pretranslate(Eigen::Vector3d(1, 2, 3)).scale(Eigen::Vector3d(1, 2, 0.5));
   expectBounds(import(dae(kMetres, node("<translate>1 2 3</translate><rotate>0 0 1 30</rotate>"
-                                        "<scale>1 2 0.5</scale>" + kInstance))),
+                                        "<scale>1 2 0.5</scale>" +
+                                        kInstance))),
                posed(pose));
 }
 
@@ -132,8 +145,8 @@ TEST(ImportDae, AMatrixIsWrittenRowByRow) {
 TEST(ImportDae, SeveralRootNodesAndInstances) {
   Aabb expected = posed(kIdentity);
   expected.extend(posed(Eigen::Affine3d(Eigen::Translation3d(-7, 0, 0))));
-  const TriangleMesh mesh = import(
-      dae(kMetres, node(kInstance) + node("<translate>-7 0 0</translate>" + kInstance)));
+  const TriangleMesh mesh =
+      import(dae(kMetres, node(kInstance) + node("<translate>-7 0 0</translate>" + kInstance)));
   EXPECT_EQ(mesh.triangles.size(), 8u);
   expectBounds(mesh, expected);
 }

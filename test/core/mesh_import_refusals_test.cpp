@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that give no trustworthy mesh, and files that reach for other files.
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <gtest/gtest.h>
+#include <atomic>
+#include <thread>
 
 #include "mesh_import.h"
 #include "mesh_texts.h"
@@ -43,10 +45,15 @@ TEST_F(ImportRefusals, VerticesThatAreNotFinite) {
   expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "not a finite number");
 }
 
+const std::string kOffVertices = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+const std::string kOffWithGoodIndex = kOffVertices + "3 0 1 2\n";
+const std::string kOffWithBadIndex = kOffVertices + "3 0 1 9\n";
+
 std::string ply(const std::string& face) {
   return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
          "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-         "0 0 0\n1 0 0\n0 1 0\n" + face + "\n";
+         "0 0 0\n1 0 0\n0 1 0\n" +
+         face + "\n";
 }
 
 TEST_F(ImportRefusals, AnIndexOfNoVertex) {
@@ -59,7 +66,27 @@ TEST_F(ImportRefusals, AnIndexOfNoVertex) {
 
 TEST_F(ImportRefusals, AnIndexOfNoVertexInOtherFormats) {
   expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
-  expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");
+  expectRefused("a.off", kOffWithBadIndex, "out of range");
+}
+
+TEST_F(ImportRefusals, OneFileIsNotBlamedForWhatAnotherThreadReads) {
+  std::atomic<int> wrong{0};
+  const auto read = [&](const std::string& name, bool is_good) {
+    for (int i = 0; i < 200; ++i) {
+      try {
+        importMesh({folder_ / ("meshes/" + name), folder_ / "meshes"});
+        wrong += is_good ? 0 : 1;
+      } catch (const MeshError&) {
+        wrong += is_good ? 1 : 0;
+      }
+    }
+  };
+  folder_.write("meshes/good.off", kOffWithGoodIndex);
+  folder_.write("meshes/bad.off", kOffWithBadIndex);
+  std::thread other(read, "good.off", true);
+  read("bad.off", false);
+  other.join();
+  EXPECT_EQ(wrong, 0);
 }
 
 TEST_F(ImportRefusals, NoTriangle) {
@@ -99,7 +126,8 @@ std::string gltf(const std::string& buffer_uri) {
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
          R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
          R"("min":[0,0,0],"max":[1,2,3]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
-         R"("buffers":[{"byteLength":36,"uri":")" + buffer_uri + R"("}]})";
+         R"("buffers":[{"byteLength":36,"uri":")" +
+         buffer_uri + R"("}]})";
 }
 
 std::string threeVertices() {

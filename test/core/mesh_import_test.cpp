@@ -36,9 +36,13 @@ const std::string kPlyBody =
     "\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n0 2 0\n0 0 3\n9 9 9\n";
 
-TEST(ImportStl, Binary) { expectTetrahedron(import("a.stl", binaryStl(tetrahedronCorners()))); }
+TEST(ImportStl, Binary) {
+  expectTetrahedron(import("a.stl", binaryStl(tetrahedronCorners())));
+}
 
-TEST(ImportStl, Ascii) { expectTetrahedron(import("a.stl", asciiStl(tetrahedronCorners()))); }
+TEST(ImportStl, Ascii) {
+  expectTetrahedron(import("a.stl", asciiStl(tetrahedronCorners())));
+}
 
 TEST(ImportStl, BinaryThatBeginsLikeAscii) {
   expectTetrahedron(import("a.stl", binaryStl(tetrahedronCorners(), "solid part of a robot")));
@@ -75,8 +79,8 @@ TEST(ImportObj, QuadsAndLargerPolygonsAreTriangulated) {
   const TriangleMesh quad = import("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ(quad.triangles.size(), 2u);
   expectBounds(quad, {0, 0, 0}, {1, 1, 0});
-  const TriangleMesh hexagon = import(
-      "a.obj", "v 2 0 0\nv 1 2 0\nv -1 2 0\nv -2 0 0\nv -1 -2 0\nv 1 -2 0\nf 1 2 3 4 5 6\n");
+  const TriangleMesh hexagon =
+      import("a.obj", "v 2 0 0\nv 1 2 0\nv -1 2 0\nv -2 0 0\nv -1 -2 0\nv 1 -2 0\nf 1 2 3 4 5 6\n");
   EXPECT_EQ(hexagon.triangles.size(), 4u);
   expectBounds(hexagon, {-2, -2, 0}, {2, 2, 0});
 }
@@ -90,8 +94,8 @@ TEST(ImportObj, SeveralObjectsAreOneMesh) {
 }
 
 TEST(ImportObj, AMissingMaterialDoesNotMatter) {
-  const TriangleMesh mesh = import(
-      "a.obj", "mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const TriangleMesh mesh =
+      import("a.obj", "mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(mesh.triangles.size(), 1u);
 }
 
@@ -111,13 +115,14 @@ TEST(ImportOff, Faces) {
 /// The tetrahedron as binary glTF whose node is moved by (10, 0, 0).
 std::string glb() {
   std::string buffer;
-  for (const Eigen::Vector3f& vertex :
-       {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(1, 0, 0), Eigen::Vector3f(0, 2, 0),
-        Eigen::Vector3f(0, 0, 3)}) {
-    for (int k = 0; k < 3; ++k) buffer += bytesOf(vertex[k]);
+  for (const Eigen::Vector3f& vertex : {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(1, 0, 0),
+                                        Eigen::Vector3f(0, 2, 0), Eigen::Vector3f(0, 0, 3)}) {
+    for (int k = 0; k < 3; ++k)
+      buffer += bytesOf(vertex[k]);
   }
   const std::uint16_t indices[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-  for (const std::uint16_t index : indices) buffer += bytesOf(index);
+  for (const std::uint16_t index : indices)
+    buffer += bytesOf(index);
   std::string json =
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
       R"("nodes":[{"mesh":0,"translation":[10,0,0]}],)"

@@ -3,12 +3,12 @@
 // Each file is imported once, remembered while it is used, and read anew when it was replaced.
 #include "link_bounds/mesh_store.h"
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-
-#include <gtest/gtest.h>
 
 #include "temporary_folder.h"
 
@@ -54,7 +54,9 @@ class MeshStoreTest : public testing::Test {
   }};
 };
 
-double sizeOf(const LoadedMesh& mesh) { return mesh.points->magnitude().x(); }
+double sizeOf(const LoadedMesh& mesh) {
+  return mesh.points->magnitude().x();
+}
 
 TEST_F(MeshStoreTest, GivesThePointsOfEachFileInOrder) {
   const auto meshes = store_.load({write("b", "2"), write("a", "1"), write("c", "3")});
@@ -161,7 +163,8 @@ TEST_F(MeshStoreTest, ProgressCountsTheFilesThatAreNew) {
 
 TEST_F(MeshStoreTest, ManyFilesEachOnce) {
   std::vector<MeshFile> files;
-  for (int i = 1; i <= 200; ++i) files.push_back(write(std::to_string(i), std::to_string(i)));
+  for (int i = 1; i <= 200; ++i)
+    files.push_back(write(std::to_string(i), std::to_string(i)));
   const auto meshes = store_.load(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(sizeOf(meshes[i]), static_cast<double>(i + 1));

@@ -38,7 +38,8 @@ inline std::string binaryStl(const Corners& corners, std::string header = "") {
   std::string result = header + bytesOf(static_cast<std::uint32_t>(corners.size() / 3));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (i % 3 == 0) result += std::string(12, '\0');  // normal
-    for (int k = 0; k < 3; ++k) result += bytesOf(corners[i][k]);
+    for (int k = 0; k < 3; ++k)
+      result += bytesOf(corners[i][k]);
     if (i % 3 == 2) result += std::string(2, '\0');  // attributes
   }
   return result;
@@ -49,7 +50,8 @@ inline std::string asciiStl(const Corners& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (i % 3 == 0) result += "facet normal 0 0 0\nouter loop\n";
     result += "vertex";
-    for (int k = 0; k < 3; ++k) result += " " + std::to_string(corners[i][k]);
+    for (int k = 0; k < 3; ++k)
+      result += " " + std::to_string(corners[i][k]);
     result += "\n";
     if (i % 3 == 2) result += "endloop\nendfacet\n";
   }
@@ -58,7 +60,8 @@ inline std::string asciiStl(const Corners& corners) {
 
 inline Aabb boundsOf(const TriangleMesh& mesh) {
   Aabb box;
-  for (const Eigen::Vector3f& vertex : mesh.vertices) box.extend(vertex.cast<double>());
+  for (const Eigen::Vector3f& vertex : mesh.vertices)
+    box.extend(vertex.cast<double>());
   return box;
 }
 

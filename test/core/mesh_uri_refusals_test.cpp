@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Mesh names that are refused: what leaves its package, is no regular file or cannot be found.
-#include <sys/stat.h>
-
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "link_bounds/mesh_uri.h"
 #include "temporary_folder.h"
@@ -76,7 +75,9 @@ TEST_F(MeshUriRefusals, AFifoIsRefusedWithoutBeingOpened) {
   expectRefused("file://" + (folder_ / "arm/pipe.stl"), "not a regular file");
 }
 
-TEST_F(MeshUriRefusals, ADevice) { expectRefused("file:///dev/zero", "not a regular file"); }
+TEST_F(MeshUriRefusals, ADevice) {
+  expectRefused("file:///dev/zero", "not a regular file");
+}
 
 TEST_F(MeshUriRefusals, AFolder) {
   expectRefused("package://arm/meshes", "not a regular file");
@@ -130,7 +131,9 @@ TEST_F(MeshUriRefusals, SchemesThatAreNotFiles) {
   }
 }
 
-TEST_F(MeshUriRefusals, AnEmptyName) { expectRefused("", "no file name"); }
+TEST_F(MeshUriRefusals, AnEmptyName) {
+  expectRefused("", "no file name");
+}
 
 TEST_F(MeshUriRefusals, ANameLongerThanTheSystemAllows) {
   expectRefused("package://arm/" + std::string(100000, 'x'), "cannot find");

@@ -24,8 +24,10 @@ void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
     maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitX()));
     maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitZ()));
   }
-  for (int i = 0; i < kDirections; ++i) maps.push_back(random.rotation());
-  for (int i = 0; i < kDirections; ++i) maps.push_back(random.affine(0).linear());
+  for (int i = 0; i < kDirections; ++i)
+    maps.push_back(random.rotation());
+  for (int i = 0; i < kDirections; ++i)
+    maps.push_back(random.affine(0).linear());
   for (const Eigen::Matrix3d& map : maps) {
     const Extents actual = set.extents(map);
     const Extents expected = brute_force::extents(points, map);
@@ -45,7 +47,8 @@ TEST(PointSet, EqualsBruteForceForClouds) {
 TEST(PointSet, EqualsBruteForceForABall) {
   brute_force::Random random(2);
   Points points;
-  for (int i = 0; i < 3000; ++i) points.push_back(random.vector(1).normalized().cast<float>());
+  for (int i = 0; i < 3000; ++i)
+    points.push_back(random.vector(1).normalized().cast<float>());
   expectEqualsBruteForce(points, 2);
 }
 
@@ -54,7 +57,9 @@ TEST(PointSet, EqualsBruteForceFarFromTheOrigin) {
   expectEqualsBruteForce(random.points(500, 0.1, {1000, -2000, 3000}), 3);
 }
 
-TEST(PointSet, EqualsBruteForceForAPoint) { expectEqualsBruteForce({{1, -2, 3}}, 4); }
+TEST(PointSet, EqualsBruteForceForAPoint) {
+  expectEqualsBruteForce({{1, -2, 3}}, 4);
+}
 
 TEST(PointSet, EqualsBruteForceForASegment) {
   Points points;
@@ -68,7 +73,8 @@ TEST(PointSet, EqualsBruteForceForPlanes) {
   for (int flat = 0; flat < 3; ++flat) {
     brute_force::Random random(6);
     Points points = random.points(300, 1);
-    for (Eigen::Vector3f& point : points) point[flat] = 0.25f;
+    for (Eigen::Vector3f& point : points)
+      point[flat] = 0.25f;
     expectEqualsBruteForce(points, 6);
   }
 }

@@ -4,11 +4,10 @@
 // rounding is checked against.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "link_bounds/aabb.h"
 

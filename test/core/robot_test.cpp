@@ -14,7 +14,9 @@ using brute_force::turned;
 
 constexpr double kTolerance = 1e-12;
 
-std::string inRobot(const std::string& content) { return "<robot name='r'>" + content + "</robot>"; }
+std::string inRobot(const std::string& content) {
+  return "<robot name='r'>" + content + "</robot>";
+}
 
 /// A robot of one link, and that link.
 Link linkOf(const std::string& content) {
@@ -31,7 +33,8 @@ std::string joint(const std::string& name, const std::string& parent, const std:
 
 std::vector<std::string> linkNames(const Robot& robot) {
   std::vector<std::string> result;
-  for (const Link& link : robot.links) result.push_back(link.name);
+  for (const Link& link : robot.links)
+    result.push_back(link.name);
   return result;
 }
 
@@ -46,18 +49,17 @@ TEST(ParseRobot, LinksKeepTheOrderOfTheText) {
 }
 
 TEST(ParseRobot, TheRootNeedNotComeFirst) {
-  const Robot robot = parseRobot(
-      inRobot("<link name='a'/><link name='b'/><link name='c'/>" + joint("j", "c", "b") +
-              joint("k", "b", "a")));
+  const Robot robot = parseRobot(inRobot("<link name='a'/><link name='b'/><link name='c'/>" +
+                                         joint("j", "c", "b") + joint("k", "b", "a")));
   EXPECT_EQ(robot.root, 2u);
 }
 
 TEST(ParseRobot, EveryVisualAndCollisionIsThere) {
   const std::string box = "<geometry><box size='1 1 1'/></geometry>";
   const std::string ball = "<geometry><sphere radius='1'/></geometry>";
-  const Link link = linkOf("<visual>" + box + "</visual><collision>" + ball +
-                           "</collision><visual>" + ball + "</visual><collision>" + box +
-                           "</collision><visual>" + box + "</visual>");
+  const Link link =
+      linkOf("<visual>" + box + "</visual><collision>" + ball + "</collision><visual>" + ball +
+             "</visual><collision>" + box + "</collision><visual>" + box + "</visual>");
   ASSERT_EQ(link.elements.size(), 5u);
   std::string order;
   for (const Element& element : link.elements) {
@@ -87,7 +89,8 @@ TEST(ParseRobot, SolidsHaveTheirKind) {
 }
 
 TEST(ParseRobot, AFlatBoxIsNotAFault) {
-  EXPECT_EQ(linkOf("<visual><geometry><box size='1 0 1'/></geometry></visual>").elements.size(), 1u);
+  EXPECT_EQ(linkOf("<visual><geometry><box size='1 0 1'/></geometry></visual>").elements.size(),
+            1u);
 }
 
 TEST(ParseRobot, AMeshKeepsItsUriAsWritten) {
@@ -114,8 +117,8 @@ TEST(ParseRobot, MeshScaleComesBeforeTheOrigin) {
   const Link link = linkOf(
       "<visual><origin xyz='1 2 3' rpy='0 0 0.5235987755982988'/>"
       "<geometry><mesh filename='file:///a.stl' scale='0.001 -2 3'/></geometry></visual>");
-  const Eigen::Matrix3d expected = turned(30, Eigen::Vector3d::UnitZ()) *
-                                   Eigen::Vector3d(0.001, -2, 3).asDiagonal();
+  const Eigen::Matrix3d expected =
+      turned(30, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.001, -2, 3).asDiagonal();
   const Eigen::Affine3d& pose = link.elements.at(0).link_from_shape;
   EXPECT_TRUE(pose.linear().isApprox(expected, kTolerance));
   EXPECT_EQ(pose.translation(), Eigen::Vector3d(1, 2, 3));
@@ -131,8 +134,8 @@ TEST(ParseRobot, JointsHaveTheirMotion) {
   ASSERT_EQ(robot.joints.size(), 6u);
   for (const Joint& j : robot.joints) {
     const Motion expected = j.name == "revolute" || j.name == "continuous" ? Motion::kRotation
-                            : j.name == "prismatic" ? Motion::kTranslation
-                                                    : Motion::kNone;
+                            : j.name == "prismatic"                        ? Motion::kTranslation
+                                                                           : Motion::kNone;
     EXPECT_EQ(j.motion, expected) << j.name;
     EXPECT_EQ(robot.links[j.parent].name, "base");
     EXPECT_EQ(robot.links[j.child].name, j.name);
@@ -140,22 +143,20 @@ TEST(ParseRobot, JointsHaveTheirMotion) {
 }
 
 TEST(ParseRobot, AxesHaveUnitLength) {
-  const Robot robot = parseRobot(
-      inRobot("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>" +
-              joint("j", "a", "b", "continuous", "<axis xyz='0 3 -4'/>") +
-              joint("k", "b", "c", "continuous", "<axis xyz='0 0 0'/>") +
-              joint("l", "c", "d", "continuous")));
+  const Robot robot =
+      parseRobot(inRobot("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>" +
+                         joint("j", "a", "b", "continuous", "<axis xyz='0 3 -4'/>") +
+                         joint("k", "b", "c", "continuous", "<axis xyz='0 0 0'/>") +
+                         joint("l", "c", "d", "continuous")));
   EXPECT_TRUE(robot.joints[0].axis.isApprox(Eigen::Vector3d(0, 0.6, -0.8), kTolerance));
   EXPECT_EQ(robot.joints[1].axis, Eigen::Vector3d::Zero());
   EXPECT_EQ(robot.joints[2].axis, Eigen::Vector3d::UnitX()) << "the default of URDF";
 }
 
 TEST(ParseRobot, MimicIsRead) {
-  const Robot robot = parseRobot(
-      inRobot("<link name='a'/><link name='b'/><link name='c'/>" +
-              joint("j", "a", "b", "continuous") +
-              joint("k", "b", "c", "continuous",
-                    "<mimic joint='j' multiplier='-0.5' offset='0.25'/>")));
+  const Robot robot = parseRobot(inRobot(
+      "<link name='a'/><link name='b'/><link name='c'/>" + joint("j", "a", "b", "continuous") +
+      joint("k", "b", "c", "continuous", "<mimic joint='j' multiplier='-0.5' offset='0.25'/>")));
   EXPECT_FALSE(robot.joints[0].mimic);
   ASSERT_TRUE(robot.joints[1].mimic);
   EXPECT_EQ(robot.joints[1].mimic->joint, "j");

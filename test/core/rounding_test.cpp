@@ -24,7 +24,9 @@ std::pair<double, double> randomPair(brute_force::Random& random) {
           std::ldexp(random.uniform(-1, 1), exponent + distance)};
 }
 
-Quad exactSum(double a, double b) { return static_cast<Quad>(a) + static_cast<Quad>(b); }
+Quad exactSum(double a, double b) {
+  return static_cast<Quad>(a) + static_cast<Quad>(b);
+}
 
 TEST(Rounding, AddUpIsTheSmallestDoubleNotBelowTheSum) {
   brute_force::Random random(1);

@@ -20,7 +20,8 @@ const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 double largestCoordinate(const Points& points) {
   float result = 0;
-  for (const Eigen::Vector3f& point : points) result = std::max(result, point.cwiseAbs().maxCoeff());
+  for (const Eigen::Vector3f& point : points)
+    result = std::max(result, point.cwiseAbs().maxCoeff());
   return result;
 }
 
@@ -45,7 +46,8 @@ TEST(Containment, RandomMeshesUnderRotation) {
   brute_force::Random random(1);
   for (int i = 0; i < kMeshes; ++i) {
     const Points points = random.points(50, random.magnitude(-6, 3));
-    for (int j = 0; j < kPosesPerMesh; ++j) expectContainment(points, random.rigid(1));
+    for (int j = 0; j < kPosesPerMesh; ++j)
+      expectContainment(points, random.rigid(1));
   }
 }
 
@@ -53,7 +55,8 @@ TEST(Containment, RandomMeshesUnderShearAndMirror) {
   brute_force::Random random(2);
   for (int i = 0; i < kMeshes; ++i) {
     const Points points = random.points(50, random.magnitude(-6, 3));
-    for (int j = 0; j < kPosesPerMesh; ++j) expectContainment(points, random.affine(1));
+    for (int j = 0; j < kPosesPerMesh; ++j)
+      expectContainment(points, random.affine(1));
   }
 }
 
@@ -62,7 +65,8 @@ TEST(Containment, VerticesAKilometreFromTheMeshOrigin) {
   for (int i = 0; i < kMeshes; ++i) {
     const Eigen::Vector3d far_away = 1e3 * random.vector(1).normalized();
     const Points points = random.points(50, random.magnitude(-3, 0), far_away);
-    for (int j = 0; j < kPosesPerMesh; ++j) expectContainment(points, random.rigid(1));
+    for (int j = 0; j < kPosesPerMesh; ++j)
+      expectContainment(points, random.rigid(1));
   }
 }
 
@@ -100,7 +104,8 @@ TEST(Containment, EqualPointsUnderTranslation) {
 TEST(Containment, AxisAlignedPosesOfFlatMeshes) {
   brute_force::Random random(6);
   Points points = random.points(50, 1);
-  for (Eigen::Vector3f& point : points) point.z() = 0.1f;
+  for (Eigen::Vector3f& point : points)
+    point.z() = 0.1f;
   for (const double degrees : {0.0, 30.0, 45.0, 90.0, 180.0}) {
     Eigen::Affine3d pose(brute_force::turned(degrees, Eigen::Vector3d::UnitX()));
     pose.translation() = random.vector(10);

@@ -72,8 +72,7 @@ TEST(Solids, SphereDoesNotNoticeRotation) {
   brute_force::Random random(1);
   const Shape shape = solidShape(Solid::kEllipsoid, Eigen::Vector3d::Constant(0.5));
   forAngles([&](double, double, double degrees) {
-    expectHalves(shape, turned(degrees, Eigen::Vector3d(1, 2, 3)),
-                 Eigen::Vector3d::Constant(0.25));
+    expectHalves(shape, turned(degrees, Eigen::Vector3d(1, 2, 3)), Eigen::Vector3d::Constant(0.25));
   });
   for (int i = 0; i < 200; ++i) {
     expectHalves(shape, random.rotation(), Eigen::Vector3d::Constant(0.25));
@@ -119,7 +118,8 @@ Aabb sampledBox(Solid solid, const std::vector<Eigen::Vector3f>& points,
                 const Eigen::Affine3d& pose) {
   Aabb around_origin;
   const Eigen::Matrix3d linear = pose.linear() * kSize.asDiagonal();
-  for (const Eigen::Vector3d& sample : surface(solid)) around_origin.extend(linear * sample);
+  for (const Eigen::Vector3d& sample : surface(solid))
+    around_origin.extend(linear * sample);
   Aabb result;
   for (const Eigen::Vector3f& point : points) {
     const Eigen::Vector3d center = pose * point.cast<double>();
@@ -130,7 +130,8 @@ Aabb sampledBox(Solid solid, const std::vector<Eigen::Vector3f>& points,
 }
 
 /// `box` covers the samples, and reaches beyond them no farther than samples can be missing.
-void expectFits(const std::optional<Aabb>& box, const Aabb& samples, const Eigen::Matrix3d& linear) {
+void expectFits(const std::optional<Aabb>& box, const Aabb& samples,
+                const Eigen::Matrix3d& linear) {
   ASSERT_TRUE(box);
   EXPECT_TRUE(padded(*box, kTolerance).contains(samples));
   for (int k = 0; k < 3; ++k) {

@@ -3,9 +3,9 @@
 // Boxes of point shapes that can be told by heart, and poses that give no box.
 #include "link_bounds/shape.h"
 
-#include <limits>
-
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include "brute_force.h"
 
@@ -55,9 +55,10 @@ TEST(WorldBox, BrickTurnedBy30And45And90Degrees) {
 TEST(WorldBox, TheMinAndMaxCornerAloneWouldNotDo) {
   // At 45 degrees these two corners of a cube share their x: a box from them would be flat.
   std::vector<Eigen::Vector3f> cube = brick();
-  for (Eigen::Vector3f& corner : cube) corner = corner.cwiseSign();
-  const auto box = worldBox(pointsShape(cube),
-                            Eigen::Affine3d(turned(45, Eigen::Vector3d::UnitZ())));
+  for (Eigen::Vector3f& corner : cube)
+    corner = corner.cwiseSign();
+  const auto box =
+      worldBox(pointsShape(cube), Eigen::Affine3d(turned(45, Eigen::Vector3d::UnitZ())));
   const Eigen::Vector3d half(std::sqrt(2.0), std::sqrt(2.0), 1);
   expectBox(box, -half, half);
 }
@@ -78,8 +79,7 @@ TEST(WorldBox, OriginComesBeforeThePoseOfTheLink) {
 TEST(WorldBox, ScaleActsOnThePointsAndNotOnTheOrigin) {
   Eigen::Affine3d link_from_shape(Eigen::Translation3d(10, 0, 0));
   link_from_shape.scale(Eigen::Vector3d(0.5, -1, 0));
-  expectBox(worldBox(pointsShape(brick(), link_from_shape), kIdentity), {9.5, -2, 0},
-            {10.5, 2, 0});
+  expectBox(worldBox(pointsShape(brick(), link_from_shape), kIdentity), {9.5, -2, 0}, {10.5, 2, 0});
 }
 
 TEST(WorldBox, EqualPointsFollowTheTranslation) {
@@ -146,8 +146,8 @@ TEST(WorldBox, NoBoxThatWouldNotBeFinite) {
   pose.translation().x() = std::numeric_limits<double>::max();
   EXPECT_FALSE(worldBox(pointsShape(brick()), pose));
   const Eigen::Vector3d huge = Eigen::Vector3d::Constant(1e300);
-  EXPECT_FALSE(worldBox({nullptr, Solid::kBox, huge, kIdentity},
-                        Eigen::Affine3d(Eigen::Scaling(1e20))));
+  EXPECT_FALSE(
+      worldBox({nullptr, Solid::kBox, huge, kIdentity}, Eigen::Affine3d(Eigen::Scaling(1e20))));
 }
 
 }  // namespace

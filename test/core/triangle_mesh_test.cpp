@@ -3,11 +3,11 @@
 // Welding: what is merged, what is dropped, what is refused.
 #include "link_bounds/triangle_mesh.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 #include <map>
-
-#include <gtest/gtest.h>
 
 #include "brute_force.h"
 
@@ -38,7 +38,8 @@ TEST(Welded, MinusZeroIsPlusZero) {
   const Eigen::Vector3f minus(-0.0f, -0.0f, -0.0f);
   const TriangleMesh mesh = welded({{minus, kA, kB}, {{0, 1, 2}}});
   ASSERT_EQ(mesh.vertices.size(), 2u);
-  for (int k = 0; k < 3; ++k) EXPECT_FALSE(std::signbit(mesh.vertices[0][k]));
+  for (int k = 0; k < 3; ++k)
+    EXPECT_FALSE(std::signbit(mesh.vertices[0][k]));
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 0, 1}}));
 }
 
@@ -70,7 +71,8 @@ TEST(Welded, AgreesWithAnOrderedMapOnManyDuplicates) {
   }
   const TriangleMesh mesh = welded(source);
   std::map<std::array<float, 3>, int> distinct;
-  for (const auto& v : source.vertices) distinct[{v.x(), v.y(), v.z()}] = 0;
+  for (const auto& v : source.vertices)
+    distinct[{v.x(), v.y(), v.z()}] = 0;
   EXPECT_EQ(mesh.vertices.size(), distinct.size());
   for (std::size_t i = 0; i < source.triangles.size(); ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -40,9 +40,8 @@ TEST(UrdfLosses, SizesThatAreNoThreeNumbers) {
 }
 
 TEST(UrdfLosses, RadiiAndLengthsThatAreNoNumber) {
-  for (const char* geometry :
-       {"<sphere radius='nan'/>", "<sphere radius='big'/>", "<sphere/>",
-        "<cylinder radius='1' length='inf'/>", "<cylinder radius='1'/>"}) {
+  for (const char* geometry : {"<sphere radius='nan'/>", "<sphere radius='big'/>", "<sphere/>",
+                               "<cylinder radius='1' length='inf'/>", "<cylinder radius='1'/>"}) {
     EXPECT_EQ(lossOf(geometry).number, 2u) << geometry;
   }
 }
@@ -77,8 +76,8 @@ TEST(UrdfLosses, AnOriginThatIsNoPose) {
 }
 
 TEST(UrdfLosses, NumbersThatUrdfdomAcceptsButNobodyCanUse) {
-  for (const char* geometry : {"<box size='1 -1 1'/>", "<sphere radius='-1'/>",
-                               "<cylinder radius='1' length='-2'/>"}) {
+  for (const char* geometry :
+       {"<box size='1 -1 1'/>", "<sphere radius='-1'/>", "<cylinder radius='1' length='-2'/>"}) {
     EXPECT_NE(lossOf(geometry).reason.find("negative"), std::string::npos) << geometry;
   }
   EXPECT_NE(lossOf("<mesh filename='file:///a.stl' scale='1e31 1 1'/>").reason.find("1e30"),
@@ -133,8 +132,11 @@ TEST(UrdfLosses, OtherLinksAreNotConcerned) {
 TEST(UrdfLosses, AMaterialDefinedElsewhereIsNoFault) {
   const Robot robot = parseRobot(
       "<robot name='r'><material name='red'><color rgba='1 0 0 1'/></material><link name='l'>"
-      "<visual>" + kBall + "<material name='red'/></visual>"
-      "<visual>" + kBall + "<material name='unheard of'/></visual></link></robot>");
+      "<visual>" +
+      kBall +
+      "<material name='red'/></visual>"
+      "<visual>" +
+      kBall + "<material name='unheard of'/></visual></link></robot>");
   EXPECT_EQ(robot.links[0].elements.size(), 2u);
   EXPECT_TRUE(robot.links[0].lost.empty());
 }

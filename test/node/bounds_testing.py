@@ -89,8 +89,11 @@ class TfSender:
             "/tf_static" if is_static else "/tf", TFMessage, queue_size=10000, latch=is_static,
             tcp_nodelay=True)
 
+    def listeners(self):
+        return self._publisher.get_num_connections()
+
     def wait_for_listener(self):
-        wait_for(lambda: self._publisher.get_num_connections() > 0, "somebody listens to tf")
+        wait_for(lambda: self.listeners() > 0, "somebody listens to tf")
 
     def send(self, *transforms):
         self._publisher.publish(TFMessage(list(transforms)))
