@@ -29,8 +29,8 @@ struct LoadedMesh {
 
 /// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
 /// number of links and scales share one geometry. Failures are remembered until forgetFailures().
-/// A file that was replaced on disk is read anew by the next load(). Not thread-safe itself; the
-/// points it hands out are immutable.
+/// A file that loaded and was then replaced on disk is read anew by the next load(). Not
+/// thread-safe itself; the points it hands out are immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer) : importer_(std::move(importer)) {}

@@ -34,9 +34,9 @@ struct Shape {
 bool isUsablePose(const Eigen::Affine3d& pose);
 
 /// The box of the shape in the world, tight and rounded outward: each face lies outside the exact
-/// one by at most 4e-14 A |r|_1 + 2e-15 |t|, where r is the row of the linear part, t the
-/// translation along that axis and A the largest |coordinate| of the points plus half the size.
-/// Nothing if the pose is not usable or a face would not be finite.
+/// one by at most 4e-14 A |r|_1 + 2e-15 |t| (and 1e-307 m against underflow), where r is the row of
+/// the linear part, t the translation along that axis and A the largest |coordinate| of the points
+/// plus half the size. Nothing if the pose is not usable or a face would not be finite.
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link);
 
 }  // namespace link_bounds

@@ -40,7 +40,7 @@ struct Draft {
   BoundedRobot robot;
   std::vector<Request> requests;
 
-  /// One message per element; the link keeps the first reason and a count of the others.
+  /// One message per element; the link keeps all of them as its reason.
   void addProblem(BoundedLink& link, Purpose purpose, std::size_t number, const std::string& uri,
                   const std::string& reason) {
     std::string what = std::string(toText(purpose)) + " " + std::to_string(number);

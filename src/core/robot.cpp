@@ -73,9 +73,9 @@ void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
 }
 
 /// In the order of the text.
-void addLinks(const std::string& urdf, const urdf::ModelInterface& model, const UrdfLog& log,
-              Robot& robot) {
-  for (const LinkOutline& outline : outlineOf(urdf)) {
+void addLinks(const std::vector<LinkOutline>& outlines, const urdf::ModelInterface& model,
+              const UrdfLog& log, Robot& robot) {
+  for (const LinkOutline& outline : outlines) {
     const auto source = model.getLink(outline.name);
     if (!source) continue;
     Link link = toLink(*source);
@@ -167,6 +167,7 @@ const char* toText(Purpose purpose) {
 
 Robot parseRobot(const std::string& urdf) {
   if (isBlank(urdf)) throw RobotError("the robot description is empty");
+  const std::vector<LinkOutline> outlines = outlineOf(urdf);
   UrdfLog log;
   const ModelHolder model(urdf::parseURDF(urdf));
   if (!model) {
@@ -174,7 +175,7 @@ Robot parseRobot(const std::string& urdf) {
   }
   Robot robot;
   robot.name = (*model).getName();
-  addLinks(urdf, *model, log, robot);
+  addLinks(outlines, *model, log, robot);
   addJoints(*model, robot);
   return robot;
 }

@@ -48,6 +48,9 @@ std::string fromFirstElement(const std::string& urdf) {
 std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   tinyxml2::XMLDocument document;
   document.Parse(fromFirstElement(urdf).c_str());
+  if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+    throw RobotError("the robot description nests XML elements too deeply; flatten it");
+  }
   const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
   if (document.Error() || !robot) return {};
   std::vector<LinkOutline> links;

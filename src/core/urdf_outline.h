@@ -21,7 +21,8 @@ struct LinkOutline {
 };
 
 /// In the order of the text. Empty if the XML is broken in a way that only urdfdom's more lenient
-/// parser overlooks.
+/// parser overlooks. Throws RobotError if elements are nested so deeply that urdfdom's recursive
+/// parser would not survive it.
 std::vector<LinkOutline> outlineOf(const std::string& urdf);
 
 }  // namespace link_bounds

@@ -7,8 +7,10 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <fstream>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,7 @@ Eigen::Affine3d withoutRotation(const Eigen::Affine3d& root) {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
   for (int k = 0; k < 3; ++k)
     result.linear()(k, k) = sign * root.linear().col(k).stableNorm();
+  if (result.linear().isZero(0)) throw MeshError("its unit of length is zero");
   result.translation() = root.translation();
   return result;
 }
@@ -72,13 +75,15 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
 
 /// assimp's reader of PLY makes one triangle of a whole mesh of strips.
 void refuseTriangleStrips(const std::string& path) {
+  constexpr std::size_t kLongestHeader = 1 << 16;
+  std::string header(kLongestHeader, ' ');
   std::ifstream file(path, std::ios::binary);
-  std::string line;
-  if (!std::getline(file, line) || line.compare(0, 3, "ply") != 0) return;
-  while (std::getline(file, line) && line.compare(0, 10, "end_header") != 0) {
-    if (line.compare(0, 17, "element tristrips") == 0) {
-      throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
-    }
+  file.read(header.data(), kLongestHeader);
+  header.resize(static_cast<std::size_t>(file.gcount()));
+  if (header.compare(0, 3, "ply") != 0) return;
+  header.resize(std::min(header.size(), header.find("end_header")));
+  if (std::regex_search(header, std::regex("[\r\n]element[ \t]+tristrips"))) {
+    throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
   }
 }
 

@@ -34,7 +34,7 @@ const char* typeName(const std::map<std::string, std::vector<std::string>>&) {
 }
 
 std::string valueText(const std::string& value) {
-  return value.empty() ? "\"\"" : value;
+  return '"' + value + '"';
 }
 std::string valueText(bool value) {
   return value ? "true" : "false";

@@ -158,6 +158,14 @@ TEST(ImportDae, LinesAreIgnored) {
   EXPECT_THROW(import(dae(kMetres, node(kInstance), lines)), MeshError) << "nothing but lines";
 }
 
+TEST(ImportDae, AUnitOfZeroIsRefused) {
+  EXPECT_THROW(import(dae("<unit meter='0'/>", node(kInstance))), MeshError);
+}
+
+TEST(ImportDae, NodesWithoutGeometryAreRefused) {
+  EXPECT_THROW(import(dae(kMetres, node(node("<translate>1 0 0</translate>")))), MeshError);
+}
+
 TEST(ImportDae, PolylistsAreTriangulated) {
   const std::string polylist =
       "<polylist count='2'><input semantic='VERTEX' source='#v' offset='0'/>"

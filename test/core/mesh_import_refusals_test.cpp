@@ -58,10 +58,10 @@ std::string ply(const std::string& face) {
 
 TEST_F(ImportRefusals, AnIndexOfNoVertex) {
   EXPECT_EQ(import("good.ply", ply("3 0 1 2")).triangles.size(), 1u);
-  expectRefused("a.ply", ply("3 0 1 3"), "vertex 3 of 3");
-  expectRefused("a.ply", ply("3 0 1 1000000000"), "of 3");
-  expectRefused("a.ply", ply("3 0 1 -1"), "of 3");
-  expectRefused("a.ply", ply("5 0 1 2 0 7"), "vertex 7 of 3");
+  expectRefused("a.ply", ply("3 0 1 3"), "face 0 names vertex 3 of 3");
+  expectRefused("a.ply", ply("3 0 1 1000000000"), "face 0 names");
+  expectRefused("a.ply", ply("3 0 1 -1"), "face 0 names");
+  expectRefused("a.ply", ply("5 0 1 2 0 7"), "face 0 names vertex 7 of 3");
 }
 
 TEST_F(ImportRefusals, AnIndexOfNoVertexInOtherFormats) {
@@ -96,6 +96,15 @@ TEST_F(ImportRefusals, NoTriangle) {
   expectRefused("a.ply",
                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                 "property float z\nend_header\n0 0 0\n");
+}
+
+TEST_F(ImportRefusals, TriangleStripsThatWouldBeMisread) {
+  expectRefused("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "property float z\nelement tristrips 1\n"
+                "property list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n",
+                "triangle strips");
 }
 
 TEST_F(ImportRefusals, AnEmptyOrTruncatedFile) {

@@ -4,6 +4,9 @@
 #include "link_bounds/robot.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <functional>
 
 #include "brute_force.h"
 
@@ -178,17 +181,36 @@ TEST(ParseRobot, ParentsStandBeforeTheirChildren) {
   EXPECT_EQ(robot.joints.size(), 4u);
 }
 
+/// Runs `task` on a stack of 256 KiB, where recursion over links does not get far.
+void onSmallStack(std::function<void()> task) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 256 * 1024), 0);
+  const auto run = [](void* argument) -> void* {
+    (*static_cast<std::function<void()>*>(argument))();
+    return nullptr;
+  };
+  pthread_t thread;
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, &task), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+}
+
 TEST(ParseRobot, AChainDeeperThanTheStack) {
+  // With rising names the root is freed last, when nothing else holds its children any more.
+  constexpr std::size_t kFirst = 100000;
   constexpr std::size_t kLinks = 20000;
+  const auto name = [](std::size_t i) { return std::to_string(kFirst + i); };
   std::string text;
   for (std::size_t i = 0; i < kLinks; ++i) {
-    const std::string name = std::to_string(i);
-    text += "<link name='l" + name + "'/>";
-    if (i > 0) text += joint("j" + name, "l" + std::to_string(i - 1), "l" + name);
+    text += "<link name='" + name(i) + "'/>";
+    if (i > 0) text += joint(name(i), name(i - 1), name(i));
   }
-  const Robot robot = parseRobot(inRobot(text));
-  EXPECT_EQ(robot.links.size(), kLinks);
-  EXPECT_EQ(robot.joints.back().name, "j" + std::to_string(kLinks - 1));
+  onSmallStack([&] {
+    const Robot robot = parseRobot(inRobot(text));
+    EXPECT_EQ(robot.links.size(), kLinks);
+    EXPECT_EQ(robot.joints.back().name, name(kLinks - 1));
+  });
 }
 
 }  // namespace

@@ -61,6 +61,11 @@ class Recorder:
             "%s on %s" % (what, self.topic), deadline)
 
 
+def latched(topic, message_type=AxisAlignedBoxArray):
+    """What a subscriber that comes now is sent; rospy asks the node only if no Recorder listens."""
+    return rospy.wait_for_message(topic, message_type, DEADLINE)
+
+
 def box_of(message, name):
     """The box of that name, or None."""
     return next((box for box in message.boxes if box.name == name), None)
@@ -217,19 +222,32 @@ class JointSender:
 
 
 class NodeLog:
-    """What a node says on /rosout, each line once."""
+    """What a node says on /rosout, in order."""
 
     def __init__(self, node):
         self._node = node
         self._recorder = Recorder("/rosout", Log)
+        self._faults = itertools.count()
 
     @property
     def messages(self):
         return [m for m in self._recorder.messages if m.name == self._node]
 
-    def lines(self, level):
-        return [m.msg for m in self.messages if m.level == level]
+    def lines(self, level, begin, end):
+        """Of the messages from one number to another, those of a level."""
+        return [m.msg for m in self.messages[begin:end] if m.level == level]
 
-    def wait_for_warning(self, text):
-        wait_for(lambda: any(text in line for line in self.lines(Log.WARN)),
-                 "%s warns about %s" % (self._node, text))
+    def connect(self):
+        """Reloads until a line arrives; rospy alone does not tell when the node is heard."""
+        def heard():
+            load(self._node)
+            return self.messages
+        wait_for(heard, "%s says something" % self._node)
+
+    def settle(self):
+        """Reloads with a new fault; returns the number of the line that tells of it, which comes
+        after all that was said before and before all else that this load says."""
+        fault = "no_such_parameter_%d" % next(self._faults)
+        load(self._node, **{fault: 1})
+        return wait_for(lambda: [i for i, m in enumerate(self.messages) if fault in m.msg],
+                        "%s warns about %s" % (self._node, fault))[0]

@@ -11,8 +11,8 @@ import unittest
 import rospy
 import rostest
 
-from bounds_testing import (Pose, Recorder, TfSender, box_link, box_of, corners_of, difference,
-                            load, names_of, robot, transform, turn)
+from bounds_testing import (Pose, TfSender, box_link, box_of, corners_of, difference, latched,
+                            load, names_of, robot, transform, turn, wait_for)
 
 NODE = "/link_bounds_publisher"
 TOLERANCE = 1e-9  # metres
@@ -40,8 +40,6 @@ class FixedFrameTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("fixed_frame_test")
-        cls.boxes = Recorder(NODE + "/boxes")
-        cls.groups = Recorder(NODE + "/groups")
         tf = TfSender()
         tf.wait_for_listener()
         tf.send(*[transform(parent, child, STAMP, pose.xyz, pose.xyzw)
@@ -50,14 +48,14 @@ class FixedFrameTest(unittest.TestCase):
                       ("base", "arm", BASE_FROM_ARM), ("arm", "gripper", ARM_FROM_GRIPPER),
                       ("map", "camera", MAP_FROM_CAMERA))])
         load(NODE, DESCRIPTION)
-        cls.boxes.wait(lambda m: len(m.boxes) == 3, "tf has arrived")
+        wait_for(lambda: len(latched(NODE + "/boxes").boxes) == 3, "tf has arrived")
 
     def load_frame(self, frame):
-        """The first message after a reload."""
-        self.boxes.clear()
-        self.groups.clear()
+        """~boxes after a reload."""
         load(NODE, fixed_frame=frame)
-        return self.boxes.wait(lambda m: m.header.frame_id == (frame or "base"), "the frame")
+        message = latched(NODE + "/boxes")
+        self.assertEqual(message.header.frame_id, frame or "base")
+        return message
 
     def check_boxes(self, message, expected):
         self.assertEqual((names_of(message), message.incomplete), (list(expected), []))
@@ -91,10 +89,9 @@ class FixedFrameTest(unittest.TestCase):
         self.check_boxes(self.load_frame(""), boxes_from(Pose()))
 
     def test_groups_have_the_same_frame(self):
-        self.load_frame("camera")
-        self.groups.wait(lambda m: m.header.frame_id == "camera", "the frame")
-        self.load_frame("odom")
-        self.groups.wait(lambda m: m.header.frame_id == "odom", "the frame")
+        for frame in ("camera", "odom"):
+            self.load_frame(frame)
+            self.assertEqual(latched(NODE + "/groups").header.frame_id, frame)
 
     def test_unknown_frame_is_waited_for(self):
         message = self.load_frame("world")
@@ -102,8 +99,8 @@ class FixedFrameTest(unittest.TestCase):
         world_from_map = Pose((0.0, 0.0, 7.0), turn((1, 0, 0), 45))
         tf = TfSender()
         tf.send(transform("world", "map", STAMP, world_from_map.xyz, world_from_map.xyzw))
-        message = self.boxes.wait(lambda m: m.boxes, "world has become known")
-        self.check_boxes(message, boxes_from(world_from_map * MAP_FROM_BASE))
+        wait_for(lambda: latched(NODE + "/boxes").boxes, "world has become known")
+        self.check_boxes(latched(NODE + "/boxes"), boxes_from(world_from_map * MAP_FROM_BASE))
 
 
 if __name__ == "__main__":

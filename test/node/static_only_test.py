@@ -8,7 +8,7 @@ import rospy
 import rostest
 
 from bounds_testing import (Pose, Recorder, TfSender, box_link, box_of, corners_of, difference,
-                            load, names_of, robot, transform, turn, union)
+                            latched, load, names_of, robot, transform, turn, union, wait_for)
 
 NODE = "/link_bounds_publisher"
 LONELY = "/lonely/link_bounds_publisher"
@@ -40,8 +40,7 @@ class StaticOnlyTest(unittest.TestCase):
         cls.tf = TfSender(is_static=True)
         cls.tf.wait_for_listener()
         cls.tf.send(*TRANSFORMS)
-        cls.boxes = Recorder(NODE + "/boxes")
-        cls.boxes.wait(lambda m: not m.incomplete, "all boxes")
+        wait_for(lambda: not latched(NODE + "/boxes").incomplete, "all boxes")
 
     def check_boxes(self, message):
         self.assertEqual(names_of(message), ["base", "arm", "tip"])
@@ -49,36 +48,38 @@ class StaticOnlyTest(unittest.TestCase):
             self.assertLess(difference(corners_of(box), expected), TOLERANCE, box.name)
 
     def test_late_subscriber_gets_the_boxes(self):
-        message = Recorder(NODE + "/boxes").wait(lambda m: True, "a latched message")
+        message = latched(NODE + "/boxes")
         self.assertEqual(message.incomplete, [])
         self.check_boxes(message)
 
     def test_late_subscriber_gets_the_groups(self):
-        message = Recorder(NODE + "/groups").wait(lambda m: True, "a latched message")
+        message = latched(NODE + "/groups")
         self.assertEqual((names_of(message), message.incomplete), (["robot"], []))
         self.assertLess(difference(corners_of(message.boxes[0]), union(EXPECTED)), TOLERANCE)
 
     def test_stamps_are_zero(self):
         for topic in ("/boxes", "/groups"):
-            message = Recorder(NODE + topic).wait(lambda m: True, "a latched message")
+            message = latched(NODE + topic)
             self.assertEqual(message.header.stamp, ZERO)
             self.assertEqual({box.stamp for box in message.boxes}, {ZERO})
 
     def test_repeated_static_message_publishes_nothing(self):
         higher = Pose((1.0, 0.0, 1.5), BASE_FROM_ARM.xyzw)
-        count = len(self.boxes.messages)
+        boxes = Recorder(NODE + "/boxes")
+        self.addCleanup(boxes.subscriber.unregister)
+        boxes.wait(lambda m: True, "the latched message")
         self.tf.send(*TRANSFORMS)
         self.tf.send(*TRANSFORMS)
         self.tf.send(edge("base", "arm", higher))  # news that comes after the repetition
-        self.boxes.wait(lambda m: box_of(m, "arm") and box_of(m, "arm").max.z > 1.0, "the news")
-        self.assertEqual(len(self.boxes.messages), count + 1)
+        boxes.wait(lambda m: box_of(m, "arm") and box_of(m, "arm").max.z > 1.0, "the news")
+        self.assertEqual(len(boxes.messages), 2)
         self.tf.send(*TRANSFORMS)
-        self.boxes.wait(lambda m: m is self.boxes.messages[-1] and box_of(m, "arm").max.z < 1.0,
+        boxes.wait(lambda m: m is boxes.messages[-1] and box_of(m, "arm").max.z < 1.0,
                         "the old place")
-        self.assertEqual(len(self.boxes.messages), count + 2)
+        self.assertEqual(len(boxes.messages), 3)
 
     def test_link_without_any_tf_has_its_box(self):
-        message = Recorder(LONELY + "/boxes").wait(lambda m: True, "a latched message")
+        message = latched(LONELY + "/boxes")
         self.assertEqual((names_of(message), message.incomplete), (["alone"], []))
         self.assertEqual((message.header.frame_id, message.header.stamp), ("alone", ZERO))
         self.assertLess(difference(corners_of(message.boxes[0]), EXPECTED[0]), TOLERANCE)

@@ -17,8 +17,8 @@ from bounds_testing import (JointSender, Pose, Recorder, TfSender, corners_of, d
 
 TOLERANCE = 1e-9  # metres
 FIRST_WITH_PREFIX = (1, 15, 2)  # of robot_state_publisher
-SIZE = (0.2, 0.5, 1.1)
-LINK = '<link name="%s">' + visual('<box size="%r %r %r"/>' % SIZE) + '</link>'
+SIZE, CENTRE = (0.2, 0.5, 1.1), (0.7, 0.0, 0.0)
+LINK = '<link name="%s">' + visual('<box size="%r %r %r"/>' % SIZE, CENTRE) + '</link>'
 JOINT = ('<joint name="%s" type="%s"><parent link="base"/><child link="%s"/>'
          '<origin xyz="1 0 0"/><axis xyz="0 0 1"/></joint>')
 DESCRIPTION = '<robot name="one_arm">%s</robot>' % (
@@ -43,6 +43,10 @@ def state_publisher_knows_prefixes():
 
 def arm_pose(side):
     return Pose((1, 0, 0), turn((0, 0, 1), DEGREES[side]))
+
+
+def link_bounds(base_from_link):
+    return (base_from_link * Pose(CENTRE)).box_bounds(SIZE)
 
 
 class TwoRobotsTest(unittest.TestCase):
@@ -94,15 +98,15 @@ class TwoRobotsTest(unittest.TestCase):
 
     def test_each_robot_moves_by_itself(self):
         for side, message in self.messages.items():
-            self.assertLess(difference(corners_of(message.boxes[0]), Pose().box_bounds(SIZE)),
+            self.assertLess(difference(corners_of(message.boxes[0]), link_bounds(Pose())),
                             TOLERANCE)
             self.assertLess(difference(corners_of(message.boxes[1]),
-                                       arm_pose(side).box_bounds(SIZE)), TOLERANCE)
+                                       link_bounds(arm_pose(side))), TOLERANCE)
 
     def test_name_with_a_slash_takes_no_prefix(self):
         table = self.messages["left"].boxes[2]
         self.assertEqual(table.name, "/table")
-        self.assertLess(difference(corners_of(table), Pose((1, 0, 0)).box_bounds(SIZE)),
+        self.assertLess(difference(corners_of(table), link_bounds(Pose((1, 0, 0)))),
                         TOLERANCE)
 
     def test_namespaces_of_markers_are_names_in_tf(self):

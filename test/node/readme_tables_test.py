@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of the README say what the node and the message files say.
+
+Run as: readme_tables_test.py PATH_OF_link_bounds_publisher FOLDER_OF_THE_PACKAGE
+"""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+PUBLISHER, PACKAGE = '', ''
+
+
+def tables(text):
+    """Every table of a markdown text as its rows, the header first; no backticks."""
+    result, rows = [], []
+    for line in text.splitlines() + ['']:
+        if line.startswith('|'):
+            cells = [cell.strip().replace('`', '') for cell in line.strip().strip('|').split('|')]
+            if not all(re.fullmatch('-+', cell) for cell in cells):
+                rows.append(cells)
+        elif rows:
+            result.append(rows)
+            rows = []
+    return result
+
+
+def rows_below(text, header):
+    """The rows of all tables with that header."""
+    return [row for table in tables(text) if table[0] == header for row in table[1:]]
+
+
+def help_rows(section, text):
+    """The rows that --help prints below a line which begins with `section`."""
+    lines = iter(text.splitlines())
+    next(line for line in lines if line.startswith(section))
+    rows = []
+    for line in lines:
+        if not line.startswith('  '):
+            break
+        rows.append([cell.strip() for cell in line.split(' | ')])
+    return rows
+
+
+def fields_of(path):
+    """[name, type] of each field of a message file."""
+    with open(path, encoding='utf-8') as file:
+        lines = [line.split('#')[0].split() for line in file]
+    return [[name, kind] for kind, name in (words for words in lines if words)]
+
+
+class ReadmeTablesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with open(os.path.join(PACKAGE, 'README.md'), encoding='utf-8') as file:
+            cls.readme = file.read()
+        cls.help = subprocess.run([PUBLISHER, '--help'], check=True, timeout=20,
+                                  stdout=subprocess.PIPE).stdout.decode('utf-8')
+
+    def check(self, section, header):
+        expected = help_rows(section, self.help)
+        self.assertGreater(len(expected), 0)
+        self.assertEqual(rows_below(self.readme, header), expected)
+
+    def test_topics(self):
+        self.check('Topics', ['topic', 'type', 'when'])
+
+    def test_services(self):
+        self.check('Services', ['service', 'type', 'what'])
+
+    def test_parameters(self):
+        self.check('Parameters', ['name', 'type', 'default', 'meaning'])
+
+    def test_messages(self):
+        messages = sorted(os.listdir(os.path.join(PACKAGE, 'msg')))
+        self.assertGreater(len(messages), 0)
+        for message in messages:
+            title = '`link_bounds/%s`\n' % message[:-len('.msg')]
+            self.assertIn(title, self.readme)
+            table = tables(self.readme[self.readme.index(title):])[0]
+            self.assertEqual(table[0], ['field', 'type', 'meaning'])
+            self.assertEqual([row[:2] for row in table[1:]],
+                             fields_of(os.path.join(PACKAGE, 'msg', message)))
+
+
+if __name__ == '__main__':
+    PACKAGE, PUBLISHER = sys.argv.pop(), sys.argv.pop()
+    unittest.main()

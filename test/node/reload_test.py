@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""~reload takes what is new, keeps the old on failure, and holds nothing up."""
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (Recorder, box_link, box_of, corners_of, difference, load, names_of,
+                            robot, visual)
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
+from std_srvs.srv import Trigger
+
+TOLERANCE = 1e-12  # m
+LONGEST_CALLBACK = 50.0  # ms of the update thread's own time
+TRIANGLES = 300000
+
+
+def write_stl(path, size, triangles=1):
+    """The first triangle reaches to (size, size, size); the others lie within."""
+    with open(path, "wb") as file:
+        file.write(bytes(80) + struct.pack("<I", triangles))
+        file.write(struct.pack("<12fH", *[0] * 3, *[0] * 3, size, 0, 0, size, size, size, 0))
+        for i in range(1, triangles):
+            part = size * i / triangles
+            file.write(struct.pack("<12fH", *[0] * 3, 0, 0, 0, part, 0, 0, part, part, 0, 0))
+
+
+def mesh_robot(path):
+    mesh = visual('<mesh filename="file://%s"/>' % path)
+    return robot([box_link("base", (1, 2, 3)), '<link name="mast">%s</link>' % mesh],
+                 [("base", "mast")])
+
+
+class Reload(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.boxes = Recorder(NODE + "/boxes")
+        cls.diagnostics = Diagnostics()
+        cls.tf = ArmsTf()
+        cls.count = 0
+
+    def setUp(self):
+        load(NODE, ARMS)
+        self.send_next()
+        self.boxes.wait(lambda m: names_of(m) == ALL, "all boxes")
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.mesh = os.path.join(self.folder.name, "mesh.stl")
+
+    def send_next(self):
+        Reload.count += 1
+        self.tf.send(rospy.Time(1000 + self.count // 100, self.count % 100 * 10000000))
+
+    def reload(self):
+        return rospy.ServiceProxy(NODE + "/reload", Trigger)()
+
+    def width_of_mast(self):
+        """In the mast's own frame, which the mesh does not leave."""
+        self.boxes.clear()
+        load(NODE, links=["mast"], fixed_frame="mast")
+        message = self.boxes.wait(lambda m: m.header.frame_id == "mast", "boxes in the mast")
+        mast = box_of(message, "mast")
+        return mast and mast.max.x
+
+    def test_rosservice_reaches_it(self):
+        answer = subprocess.run(["rosservice", "call", NODE + "/reload"], check=True, timeout=20,
+                                stdout=subprocess.PIPE).stdout.decode()
+        self.assertIn("success: True", answer)
+
+    def test_other_links_and_parameters_take_effect(self):
+        self.boxes.clear()
+        load(NODE, robot([box_link("base", (1, 2, 3))], []), padding=0.5)
+        message = self.boxes.wait(lambda m: names_of(m) == ["base"], "the new robot")
+        self.assertLess(difference(corners_of(message.boxes[0]), [-1, -1.5, -2, 1, 1.5, 2]),
+                        TOLERANCE)
+
+    def test_a_broken_description_changes_nothing(self):
+        for broken in ("", "<robot", "<robot name='r'><link name='a'/><link name='b'/></robot>"):
+            rospy.set_param("/robot_description", broken)
+            answer = self.reload()
+            self.assertFalse(answer.success)
+            self.assertNotEqual(answer.message, "")
+        self.check_still_served()
+
+    def test_a_broken_parameter_changes_nothing(self):
+        rospy.set_param(NODE + "/padding", -1.0)
+        answer = self.reload()
+        self.assertFalse(answer.success)
+        self.assertIn("padding", answer.message)
+        self.check_still_served()
+
+    def test_a_missing_description_changes_nothing(self):
+        rospy.delete_param("/robot_description")
+        self.assertIn("robot_description", self.reload().message)
+        self.check_still_served()
+
+    def check_still_served(self):
+        self.boxes.clear()
+        self.send_next()
+        self.boxes.wait(lambda m: names_of(m) == ALL and not m.incomplete, "the old boxes")
+
+    def test_a_replaced_mesh_is_read_anew(self):
+        write_stl(self.mesh, 1.0)
+        rospy.set_param("/robot_description", mesh_robot(self.mesh))
+        self.assertAlmostEqual(self.width_of_mast(), 1.0, delta=1e-9)
+        write_stl(self.mesh + ".new", 3.0)
+        os.replace(self.mesh + ".new", self.mesh)
+        self.assertAlmostEqual(self.width_of_mast(), 3.0, delta=1e-9)
+
+    def test_a_repaired_mesh_is_read(self):
+        rospy.set_param("/robot_description", mesh_robot(self.mesh))
+        self.assertIsNone(self.width_of_mast())
+        write_stl(self.mesh, 2.0)
+        self.assertAlmostEqual(self.width_of_mast(), 2.0, delta=1e-9)
+
+    def test_tf_is_answered_while_a_large_mesh_loads(self):
+        write_stl(self.mesh, 1.0, TRIANGLES)
+        large = ARMS.replace('<link name="bare"/>', '<link name="bare">%s</link>' % visual(
+            '<mesh filename="file://%s"/>' % self.mesh))
+        self.boxes.clear()
+        first = self.count + 1
+        sender = Repeater(100, self.send_next)
+        try:
+            load(NODE, large)
+            for broken in ("<robot", ""):
+                rospy.set_param("/robot_description", broken)
+                self.assertFalse(self.reload().success)
+        finally:
+            sender.stop()
+        sent = [rospy.Time(1000 + i // 100, i % 100 * 10000000)
+                for i in range(first, self.count + 1)]
+        self.boxes.wait(lambda m: m.header.stamp == sent[-1], "the last update")
+        answered = [m.header.stamp for m in self.boxes.messages]
+        self.assertEqual([stamp for stamp in sent if stamp not in answered], [])
+        status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), LONGEST_CALLBACK)
+
+
+if __name__ == "__main__":
+    rospy.init_node("reload_test")
+    rostest.rosrun("link_bounds", "reload", Reload)
