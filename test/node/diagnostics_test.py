@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The level that /diagnostics shows, its words, and its period."""
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import box_link, load, robot, wait_for
+from diagnostic_msgs.msg import DiagnosticStatus
+from node_testing import ARMS, NODE, ArmsTf, Diagnostics, value_of
+
+PERIODS = 5
+PERIOD = 1.0  # wall seconds
+LATE = 0.5  # wall seconds by which their mean may be off on a busy machine
+
+
+class DiagnosticsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.diagnostics = Diagnostics()
+        cls.tf = ArmsTf()
+
+    def wait_for_level(self, level):
+        return self.diagnostics.wait_for_new(
+            lambda _, status: status.level == level, "level %d" % level)
+
+    def test_ok_with_all_boxes(self):
+        load(NODE, ARMS)
+        self.tf.send(rospy.Time(1000))
+        status = self.wait_for_level(DiagnosticStatus.OK)
+        self.assertEqual(status.name, "link_bounds_publisher: boxes")
+        self.assertEqual(value_of(status, "boxes"), "5")
+
+    def test_warns_of_an_incomplete_link_and_names_it(self):
+        load(NODE, robot([box_link("base", (1, 2, 3)), box_link("lost", (1, 1, 1))],
+                         [("base", "lost")]))
+        status = self.wait_for_level(DiagnosticStatus.WARN)
+        self.assertIn("no transform", value_of(status, "incomplete: lost"))
+
+    def test_error_without_one_box(self):
+        load(NODE, ARMS, fixed_frame="nowhere")
+        status = self.wait_for_level(DiagnosticStatus.ERROR)
+        self.assertEqual(value_of(status, "boxes"), "0")
+
+    def test_ok_where_nothing_is_to_be_bounded(self):
+        load(NODE, "<robot name='r'><link name='bare'/></robot>")
+        status = self.wait_for_level(DiagnosticStatus.OK)
+        self.assertEqual(value_of(status, "bounded links"), "0")
+
+    def test_comes_every_second(self):
+        start = len(self.diagnostics.received)
+        wait_for(lambda: len(self.diagnostics.received) > start + PERIODS, "some periods")
+        times = [received for _, _, received in self.diagnostics.received[start:]]
+        mean = (times[PERIODS] - times[0]) / PERIODS
+        self.assertLess(abs(mean - PERIOD), LATE)
+
+
+if __name__ == "__main__":
+    rospy.init_node("diagnostics_test")
+    rostest.rosrun("link_bounds", "diagnostics", DiagnosticsTest)

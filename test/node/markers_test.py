@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What rviz is given to draw."""
+import math
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (Recorder, box_link, box_of, corners_of, difference, load, robot,
+                            wait_for)
+from node_testing import ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf
+from visualization_msgs.msg import Marker, MarkerArray
+
+TOLERANCE = 1e-9  # m
+THINNEST = 1e-4  # m
+FACES, EDGES, LABEL = 0, 1, 2
+
+
+def added(array):
+    return {(m.ns, m.id): m for m in array.markers if m.action == Marker.ADD}
+
+
+def deleted(array):
+    return [(m.ns, m.id) for m in array.markers if m.action == Marker.DELETE]
+
+
+def edges_of(box):
+    """The twelve edges of six coordinates as a set of pairs of corners."""
+    corners = [tuple(box[axis + 3 * (i >> axis & 1)] for axis in range(3)) for i in range(8)]
+    return {frozenset((corners[i], corners[i | 1 << axis]))
+            for i in range(8) for axis in range(3) if not i >> axis & 1}
+
+
+class Markers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.boxes = Recorder(NODE + "/boxes")
+        cls.tf = ArmsTf()
+        cls.now = 1000
+
+    def record(self):
+        """A subscriber of its own: rospy would share the connection of one that is still there."""
+        markers = Recorder(NODE + "/markers", MarkerArray)
+        self.addCleanup(markers.subscriber.unregister)
+        return markers
+
+    def start(self, **parameters):
+        """Loads the arms, sends one pose; returns a new recorder of markers and its first array."""
+        load(NODE, ARMS, **parameters)
+        self.send_next()
+        markers = self.record()
+        return markers, markers.wait(lambda m: True, "a first array")
+
+    def send_next(self):
+        Markers.now += 1
+        stamp = rospy.Time(self.now)
+        self.tf.send(stamp)
+        self.message = self.boxes.wait(
+            lambda m: m.header.stamp == stamp and len(m.boxes) == len(ALL), "all boxes")
+
+    def test_first_array_of_a_late_subscriber_has_exactly_the_boxes(self):
+        _, first = self.start(marker_labels=True)
+        self.assertEqual(set(added(first)),
+                         {(name, i) for name in ALL for i in (FACES, EDGES, LABEL)})
+
+    def test_each_marker_is_as_promised(self):
+        _, first = self.start(marker_labels=True, marker_color=[1.0, 0.5, 0.25, 0.125])
+        for (ns, i), marker in added(first).items():
+            self.assertEqual(marker.header.frame_id, "base")
+            self.assertEqual(marker.header.stamp, self.message.header.stamp)
+            self.assertTrue(marker.frame_locked)
+            self.assertEqual(marker.lifetime, rospy.Duration(0))
+            self.assertEqual(marker.pose.orientation.w, 1)
+            self.assertEqual(marker.type, {FACES: Marker.CUBE, EDGES: Marker.LINE_LIST,
+                                           LABEL: Marker.TEXT_VIEW_FACING}[i])
+            if i == LABEL:
+                self.assertEqual(marker.text, ns)
+            else:
+                color = marker.color
+                self.assertEqual((color.r, color.g, color.b, color.a),
+                                 (1.0, 0.5, 0.25, 0.125 if i == FACES else 1.0))
+
+    def test_cubes_contain_their_boxes_and_edges_follow_them(self):
+        _, first = self.start()
+        for name in ALL:
+            box = corners_of(box_of(self.message, name))
+            cube, lines = added(first)[name, FACES], added(first)[name, EDGES]
+            p, s = cube.pose.position, cube.scale
+            low = [p.x - s.x / 2, p.y - s.y / 2, p.z - s.z / 2]
+            high = [p.x + s.x / 2, p.y + s.y / 2, p.z + s.z / 2]
+            self.assertTrue(all(a <= b for a, b in zip(low, box[:3])), name)
+            self.assertTrue(all(a >= b for a, b in zip(high, box[3:])), name)
+            self.assertLess(difference(low + high, box), TOLERANCE)
+            q = lines.pose.position
+            points = [(q.x + c.x, q.y + c.y, q.z + c.z) for c in lines.points]
+            self.assertEqual(len(points), 24)
+            rounded = [tuple(round(c, 6) for c in point) for point in points]
+            self.assertEqual({frozenset(pair) for pair in zip(rounded[::2], rounded[1::2])},
+                             edges_of([round(c, 6) for c in box]))
+
+    def test_style_chooses_and_a_reload_deletes_the_other(self):
+        markers, first = self.start(marker_style="edges")
+        self.assertEqual(set(added(first)), {(name, EDGES) for name in ALL})
+        markers.clear()
+        load(NODE, marker_style="faces")
+        other = markers.wait(lambda m: ("base", FACES) in added(m), "the other style")
+        self.assertEqual(set(added(other)), {(name, FACES) for name in ALL})
+        self.assertEqual(set(deleted(other)), {(name, EDGES) for name in ALL})
+
+    def test_a_vanished_box_is_deleted_once(self):
+        markers, _ = self.start()
+        load(NODE, timeout=1e-3)
+        gone = markers.wait(lambda m: deleted(m), "stale links")
+        self.assertEqual(set(deleted(gone)),
+                         {(name, i) for name in DYNAMIC for i in (FACES, EDGES)})
+        self.assertEqual({ns for ns, _ in added(gone)}, set(STATIC))
+        load(NODE)
+        self.send_next()
+        last = rospy.Time(self.now)
+        markers.wait(lambda m: len(added(m)) == 2 * len(ALL) and
+                     added(m)["left", FACES].header.stamp == last, "all again")
+        self.assertEqual(sum(len(deleted(m)) for m in markers.messages), 2 * len(DYNAMIC))
+
+    def test_flat_boxes_get_some_thickness(self):
+        load(NODE, robot([box_link("base", (1.0, 0.0, 0.5))], []))
+        markers = self.record()
+        first = markers.wait(lambda m: len(added(m)) == 2, "the flat box")
+        self.assertAlmostEqual(added(first)["base", FACES].scale.y, THINNEST, delta=TOLERANCE)
+        self.assertTrue(all(math.isfinite(c) for m in first.markers
+                            for point in m.points for c in (point.x, point.y, point.z)))
+
+    def test_marker_rate_is_lower_than_the_rate_of_boxes(self):
+        markers, _ = self.start(marker_rate=1.0)
+        wait_for(lambda: markers.subscriber.get_num_connections(), "a connection")
+        markers.clear()
+        for _ in range(100):
+            self.send_next()
+        last = rospy.Time(self.now)
+        markers.wait(lambda m: m.markers[0].header.stamp == last, "the newest state")
+        self.assertLess(len(markers.messages), 50)
+
+
+if __name__ == "__main__":
+    rospy.init_node("markers_test")
+    rostest.rosrun("link_bounds", "markers", Markers)

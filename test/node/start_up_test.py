@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be served ends the node at once, with the reason; a signal ends it in peace."""
+import itertools
+import signal
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import Recorder, wait_for
+from node_testing import ARMS, NodeProcess
+
+BAD_DESCRIPTIONS = {
+    "": "empty",
+    " \n": "empty",
+    "no xml": "not a usable URDF",
+    "<robot name='r'><link name='a'/><link name='b'/></robot>": "root",
+    "<robot name='r'/>": "not a usable URDF",
+}
+BAD_PARAMETERS = {
+    "fixed_frame": [1, ["base"]],
+    "geometry": ["mesh", 1],
+    "links": ["base", [1], {"a": 1}],
+    "ignore_links": ["base"],
+    "padding": [-0.1, "0.1", float("nan"), float("inf")],
+    "link_padding": [[0.1], {"base": "wide"}, {"base": -1.0}],
+    "groups": [["base"], {"arm": "base"}, {"robot": ["base"]}],
+    "max_rate": [-1.0, "fast"],
+    "timeout": [-1, float("nan"), True],
+    "tf_prefix": [1],
+    "marker_rate": [0, -1.0, "30"],
+    "marker_style": ["lines", True],
+    "marker_color": [[1, 1, 1], [1, 1, 1, 2.0], "red"],
+    "marker_labels": ["yes", 1],
+}
+
+
+class StartUp(unittest.TestCase):
+    names = ("node_%d" % i for i in itertools.count())
+
+    def start(self, description, **parameters):
+        rospy.set_param("/robot_description", description)
+        node = NodeProcess(next(self.names), **parameters)
+        self.addCleanup(node.end)
+        return node
+
+    def check_refused(self, node, words):
+        self.assertEqual(node.wait(), 1)
+        self.assertEqual(node.output.count("FATAL"), 1, node.output)
+        self.assertIn(words, node.output)
+
+    def test_bad_descriptions(self):
+        for description, words in BAD_DESCRIPTIONS.items():
+            with self.subTest(description=description):
+                self.check_refused(self.start(description), words)
+
+    def test_bad_parameters_are_named(self):
+        for name, values in BAD_PARAMETERS.items():
+            for value in values:
+                with self.subTest(name=name, value=value):
+                    self.check_refused(self.start(ARMS, **{name: value}), name)
+
+    def test_whole_numbers_will_do(self):
+        node = self.start(ARMS, padding=1, marker_color=[1, 0, 0, 1], link_padding={"base": 2})
+        boxes = Recorder(node.name + "/boxes")
+        message = boxes.wait(lambda m: m.boxes, "the static base")
+        self.assertAlmostEqual(message.boxes[0].max.x, 2.2, delta=1e-9)
+
+    def test_an_unknown_parameter_is_only_warned_about(self):
+        node = self.start(ARMS, paddding=1.0, diagnostic_period=2.0)
+        Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")
+        self.assertIn("~paddding", node.output)
+        self.assertNotIn("diagnostic_period", node.output)
+
+    def test_signals_end_it_in_peace(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            node = self.start(ARMS)
+            Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")
+            node.interrupt(number)
+            self.assertEqual(node.wait(), 0)
+
+    def test_help_needs_no_master(self):
+        node = NodeProcess(next(self.names), ["--help"], {"ROS_MASTER_URI": "http://localhost:1"})
+        self.addCleanup(node.end)
+        self.assertEqual(node.wait(), 0)
+        wait_for(lambda: all(name in node.output for name in BAD_PARAMETERS), "all parameters")
+
+
+if __name__ == "__main__":
+    rospy.init_node("start_up_test")
+    rostest.rosrun("link_bounds", "start_up", StartUp)
