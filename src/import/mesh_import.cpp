@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <fstream>
-#include <regex>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -81,9 +81,17 @@ void refuseTriangleStrips(const std::string& path) {
   file.read(header.data(), kLongestHeader);
   header.resize(static_cast<std::size_t>(file.gcount()));
   if (header.compare(0, 3, "ply") != 0) return;
-  header.resize(std::min(header.size(), header.find("end_header")));
-  if (std::regex_search(header, std::regex("[\r\n]element[ \t]+tristrips"))) {
-    throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
+  std::replace(header.begin(), header.end(), '\r', '\n');
+  std::istringstream lines(header);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    std::string name;
+    words >> keyword >> name;
+    if (keyword == "end_header") return;
+    if (keyword == "element" && name == "tristrips") {
+      throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
+    }
   }
 }
 

@@ -113,6 +113,8 @@ class Reload(unittest.TestCase):
         self.assertAlmostEqual(self.width_of_mast(), 3.0, delta=1e-9)
 
     def test_a_repaired_mesh_is_read(self):
+        with open(self.mesh, "w", encoding="ascii") as file:
+            file.write("no mesh")
         rospy.set_param("/robot_description", mesh_robot(self.mesh))
         self.assertIsNone(self.width_of_mast())
         write_stl(self.mesh, 2.0)
