@@ -3,6 +3,8 @@
 // CUBE, LINE_LIST and TEXT per box, and the book-keeping of deletions.
 #include "box_markers.h"
 
+#include "geometry_message.h"
+
 namespace link_bounds {
 namespace {
 
@@ -19,14 +21,6 @@ constexpr double kLabelHeight = 0.04;  ///< [m]
 bool isDrawable(const Aabb& box) {
   return box.min().cwiseAbs().maxCoeff() <= kFarthest &&
          box.max().cwiseAbs().maxCoeff() <= kFarthest;
-}
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
 }
 
 geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {

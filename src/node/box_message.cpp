@@ -5,19 +5,13 @@
 
 #include <algorithm>
 
+#include "geometry_message.h"
+
 namespace link_bounds {
 namespace {
 
 ros::Time toTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
-}
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
 }
 
 /// Adds entries to a message whose arrays keep their memory from one filling to the next.

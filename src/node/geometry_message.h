@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From Eigen to the messages of geometry_msgs.
+#pragma once
+
+#include <Eigen/Core>
+#include <geometry_msgs/Point.h>
+
+namespace link_bounds {
+
+inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How urdf_bounds treats meshes, missing geometry, bad arguments and options.
+
+Run as: urdf_bounds_faults_test.py PATH_OF_urdf_bounds
+"""
+import json
+import os
+import pty
+import re
+
+from urdf_bounds_testing import (ARM, UrdfBoundsTest, boxes, main, mesh, run, solid, tetrahedron, tree)
+
+
+class MeshTest(UrdfBoundsTest):
+    def setUp(self):
+        super().setUp()
+        self.write('robot/meshes/t.stl', tetrahedron())
+        self.urdf = tree(mesh('base', 'meshes/t.stl'), mesh('twin', 'meshes/t.stl'))
+        self.file = self.write('robot/r.urdf', self.urdf)
+
+    def check_tetrahedra(self, result):
+        code, out, err = result
+        self.assertEqual((code, err), (0, ''))
+        for box in json.loads(out)['boxes'].values():
+            self.check_box(box, [0, 0, 0], [1, 2, 3])
+
+    def test_relative_to_the_folder_of_the_file(self):
+        json_ = '--format=json'
+        self.check_tetrahedra(run(self.file, json_, cwd='/'))
+        self.check_tetrahedra(run('robot/r.urdf', json_, cwd=self.folder))
+        self.check_tetrahedra(run('r.urdf', json_, cwd=os.path.dirname(self.file)))
+
+    def test_relative_to_the_current_folder_for_standard_input(self):
+        self.check_tetrahedra(run('-', '--format=json', urdf=self.urdf,
+                                  cwd=os.path.dirname(self.file)))
+        code, out, _ = run('-', '--format=json', urdf=self.urdf, cwd='/')
+        self.assertEqual((code, json.loads(out)['boxes']), (0, {}))
+
+    def test_packages(self):
+        self.write('pack/package.xml', '<package format="2"><name>pack</name></package>')
+        self.write('pack/t.stl', tetrahedron())
+        missing = [mesh('m%d' % i, 'package://no_such_pack/t.stl') for i in range(3)]
+        urdf = tree(mesh('base', 'package://pack/t.stl'), *missing)
+        environment = {'PATH': os.environ['PATH'], 'HOME': self.folder,
+                       'ROS_PACKAGE_PATH': self.folder}
+        code, out, err = run('-', '--format=json', urdf=urdf, env=environment)
+        self.assertEqual(code, 0)
+        self.assertEqual(list(json.loads(out)['boxes']), ['base'])
+        self.assertEqual(list(json.loads(out)['incomplete']), ['m0', 'm1', 'm2'])
+        self.assertEqual(err.count('there is no package "no_such_pack"'), 3)
+        self.assertLessEqual(err.count("[rospack] Error: package"), 1)  # looked up once
+
+    def test_verbose_tells_the_memory_of_each_file_once(self):
+        code, out, err = run(self.file, '--verbose', '--format=json')
+        self.assertEqual((code, out), run(self.file, '--format=json')[:2])
+        lines = err.splitlines()
+        self.assertEqual(len(lines), 2)
+        path = os.path.join(self.folder, 'robot/meshes/t.stl')
+        bytes_ = re.fullmatch(r'urdf_bounds: (\d+) bytes, 4 vertices, ' + re.escape(path),
+                              lines[0]).group(1)
+        self.assertGreaterEqual(int(bytes_), 4 * 3 * 4)
+        self.assertEqual(lines[1], 'urdf_bounds: %s bytes in 1 mesh files' % bytes_)
+
+    def test_progress_bar_only_on_a_terminal_and_wiped_out(self):
+        self.assertEqual(run(self.file)[2], '')
+        master, slave = pty.openpty()
+        with os.fdopen(master, 'rb', buffering=0) as terminal:
+            self.assertEqual(run(self.file, stderr=slave)[0], 0)
+            text = terminal.read(4096).decode('utf-8')
+            os.close(slave)
+        self.assertIn('1/1 meshes', text)
+        self.assertTrue(text.endswith('\r\x1b[K'), repr(text))
+
+
+class IncompleteTest(UrdfBoundsTest):
+    missing = tree(solid('base'), mesh('gone', 'file:///no/such/file.stl'))
+    partial = tree(solid('base', '<visual><geometry><mesh filename="file:///no/such/file.stl"/>'
+                                 '</geometry></visual>'))
+
+    def test_link_without_any_box(self):
+        code, out, err = run('-', '--format=json', urdf=self.missing)
+        found = json.loads(out)
+        self.assertEqual(code, 0)
+        self.assertEqual(list(found['boxes']), ['base'])
+        self.assertEqual(list(found['incomplete']), ['gone'])
+        self.assertIn('/no/such/file.stl', found['incomplete']['gone'])
+        self.assertRegex(err, '^urdf_bounds: warning: link "gone", visual 1 .*no/such/file.stl')
+
+    def test_link_with_a_box_of_a_part(self):
+        found = json.loads(run('-', '--format=json', urdf=self.partial)[1])
+        self.check_box(found['boxes']['base'], [-.5] * 3, [.5] * 3)
+        self.assertEqual(list(found['groups']), ['robot'])
+        self.assertEqual(list(found['incomplete']), ['base'])
+
+    def test_only_a_lost_link(self):
+        found = json.loads(run('-', '--format=json', urdf=tree(mesh('m', 'file:///no.stl')))[1])
+        self.assertEqual((found['boxes'], found['groups']), ({}, {}))
+
+    def test_a_mesh_that_cannot_be_read_adds_nothing_to_the_box(self):
+        part = '<visual><origin xyz="9 9 9"/><geometry><mesh filename="%s"/></geometry></visual>'
+        urdf = tree(solid('base', part % self.write('broken.stl', 'no mesh')))
+        code, out, err = run('-', '--format=json', urdf=urdf)
+        self.assertEqual(code, 0)
+        self.check_box(json.loads(out)['boxes']['base'], [-.5] * 3, [.5] * 3)
+        self.assertRegex(err, '^urdf_bounds: warning: link "base", visual 2 .*broken.stl')
+
+    def test_table_gives_the_reason(self):
+        out = run('-', urdf=self.missing)[1]
+        self.assertRegex(out, r'\nincomplete:\n  gone: visual 1 .*no/such/file\.stl')
+
+    def test_box_that_is_not_finite(self):
+        far = '<origin xyz="1.5e308 0 0"/>'
+        urdf = tree(solid('base'), '<link name="far"><visual>%s<geometry>'
+                                   '<box size="1e308 1 1"/></geometry></visual></link>' % far)
+        code, out, err = run('-', '--strict', '--format=json', urdf=urdf)
+        self.assertEqual(code, 2)
+        self.assertEqual(list(json.loads(out)['incomplete']), ['far'])
+        self.assertIn('"far"', err)
+
+    def test_strict(self):
+        for urdf in (self.missing, self.partial):
+            plain = run('-', '--format=csv', urdf=urdf)
+            strict = run('-', '--format=csv', '--strict', urdf=urdf)
+            self.assertEqual((plain[0], strict[0]), (0, 2))
+            self.assertEqual(plain[1:], strict[1:])
+        self.assertEqual(run('-', '--strict')[0], 0)
+
+    def test_loss_in_geometry_that_was_not_asked_for(self):
+        self.assertEqual(run('-', '--strict', '--geometry=collision', urdf=self.missing)[0], 0)
+
+
+class RefusalTest(UrdfBoundsTest):
+    def test_arguments(self):
+        self.check_refused('no URDF file')
+        self.check_refused('no URDF file', 'turn:=1')
+        self.check_refused('empty', '')
+        self.check_refused('one file too many', '-', 'other.urdf')
+        self.check_refused('no option --bogus', '-', '--bogus')
+        self.check_refused('no option -x', '-x', '-')
+        self.check_refused('no option --volume', '-', '--volume', 'obb')
+        self.check_refused('takes no value', '-', '--strict=1')
+
+    def test_values_of_options(self):
+        for option in ('--geometry', '--representation', '--format'):
+            self.check_refused(option + ' needs a value', '-', option)
+            self.check_refused(option + ' is "odd".* one of: ', '-', option, 'odd')
+            self.check_refused(option + ' is "".* one of: ', '-', option + '=')
+
+    def test_joints(self):
+        self.check_refused('"elbow" is no movable joint.*turn push', '-', 'elbow:=1')
+        self.check_refused('"still" is no movable joint', '-', 'still:=1')
+        self.check_refused('"" is no movable joint', '-', ':=1')
+        self.check_refused('"turn" is given twice', '-', 'turn:=1', 'push:=1', 'turn:=1')
+        for text in ('', ' 1', '1 ', '1x', '1,5', '0x10', '1e', '--1', 'nan', 'inf', '-inf',
+                     '1e999', 'one', '1:2'):
+            self.check_refused('"turn" is "%s"' % re.escape(text), '-', 'turn:=' + text)
+
+    def test_axis_of_zero_length(self):
+        urdf = ARM.replace('<axis xyz="1 0 0"/>', '<axis xyz="0 0 0"/>')
+        self.check_refused('"push"', '-', 'push:=1', urdf=urdf)
+
+    def test_unreadable_files(self):
+        self.check_refused('cannot read .*directory', self.folder)
+        self.check_refused('cannot read .*No such file', os.path.join(self.folder, 'no.urdf'))
+        self.check_refused('empty', self.write('empty.urdf', ''))
+        self.check_refused('too large', '/dev/zero')
+
+    def test_unusable_robots(self):
+        self.check_refused('empty', '-', urdf=' \n')
+        self.check_refused('', '-', urdf='no XML')
+        self.check_refused('', '-', urdf='<robot name="r"/>')
+        self.check_refused('two parents', '-', urdf=ARM.replace('</robot>', (
+            '<joint name="again" type="fixed"><parent link="bare"/><child link="bar"/></joint>'
+            '</robot>')))
+
+    def test_broken_standard_output(self):
+        with open('/dev/full', 'wb') as full:
+            for arguments in (['-'], ['--help']):
+                code, _, err = run(*arguments, stdout=full)
+                self.assertEqual(code, 1)
+                self.assertRegex(err, '^urdf_bounds: error: cannot write')
+
+    def test_closed_pipe(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        code, _, err = run('-', stdout=writer)
+        os.close(writer)
+        self.assertEqual(code, 1)
+        self.assertIn('cannot write', err)
+
+
+class OptionTest(UrdfBoundsTest):
+    def test_help(self):
+        for arguments in (['--help'], ['-h'], ['-', '--strict', '--help']):
+            code, out, err = run(*arguments)
+            self.assertEqual((code, err), (0, ''))
+            for word in ('--geometry', '--representation', '--format', '--verbose', '--strict',
+                         'joint:=value', 'center-radius', 'collision', 'json', 'group:'):
+                self.assertIn(word, out)
+
+    def test_arguments_mix_in_any_order(self):
+        expected = run('-', '--format=csv', '--geometry=both', 'turn:=0.2', 'push:=1')
+        self.assertEqual(expected[0], 0)
+        self.assertEqual(expected, run('turn:=0.2', '--format', 'csv', '-', 'push:=1',
+                                       '--geometry', 'both'))
+        self.assertEqual(expected, run('--geometry=both', '--format=csv', '--', 'push:=1', '-',
+                                       'turn:=0.2'))
+        self.assertEqual(expected, run('turn:=0.2', '--format', 'csv', '-', 'push:=1',
+                                       '--geometry=both', env={'POSIXLY_CORRECT': '1'}))
+
+    def test_the_last_of_an_option_counts(self):
+        self.assertEqual(run('-', '--format=csv', '--format=json'), run('-', '--format=json'))
+
+
+if __name__ == '__main__':
+    main()
