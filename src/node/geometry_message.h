@@ -3,8 +3,9 @@
 // From Eigen to the messages of geometry_msgs.
 #pragma once
 
-#include <Eigen/Core>
 #include <geometry_msgs/Point.h>
+
+#include <Eigen/Core>
 
 namespace link_bounds {
 
