@@ -50,21 +50,23 @@ use_localhost() {
 jobs_of_machine() {
   local gigabytes
   gigabytes=$(awk '/^MemTotal/ { print int($2 / 1e6) + 1 }' /proc/meminfo)
-  [ "$gigabytes" -lt "$(nproc)" ] && echo "$gigabytes" || nproc
+  if [ "$gigabytes" -lt "$(nproc)" ]; then echo "$gigabytes"; else nproc; fi
+}
+
+# Whether the folder was configured to the end, and for this checkout.
+is_configured() {
+  [ -e "$1/Makefile" ] &&
+    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$REPO" "$1/CMakeCache.txt"
 }
 
 # configure FOLDER [CMAKE_OPTION ...]
 configure() {
-  local folder=$1 log
+  local folder=$1 log=$1/configure.log
   shift
   mkdir -p "$folder"
-  if [ -e "$folder/CMakeCache.txt" ] &&
-      ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$REPO" "$folder/CMakeCache.txt"; then
-    say "$folder was built for another place; building anew"
-    find "$folder" -mindepth 1 -maxdepth 1 ! -name install.log -exec rm -rf {} +
-  fi
-  log=$folder/configure.log
   say "Configuring $folder"
+  # What is left of a checkout that was moved, or of a configuration that failed.
+  is_configured "$folder" || rm -rf "$folder"/{CMakeCache.txt,CMakeFiles,catkin_generated,devel}
   cmake -S "$REPO" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
     fail "configuring failed; all of it is in $log"

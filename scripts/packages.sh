@@ -18,8 +18,8 @@ packages_of() {
       echo python3 python3-rospy python3-roslaunch python3-rosgraph rosout ros-robot-state-publisher \
         python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
         python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
-        rosbash rospack-tools python3-rosbag python3-rosmsg python3-rosnode python3-rosparam \
-        python3-rosservice python3-rostopic ;;
+        ros-environment rosbash rospack-tools python3-rosbag python3-rosmsg python3-rosnode \
+        python3-rosparam python3-rosservice python3-rostopic ;;
     test)
       echo libgtest-dev librostest-dev python3-rostest python3-rosgraph-msgs python3-tf2-ros ;;
     display)
