@@ -20,8 +20,20 @@ struct BoundedLink {
   bool isWhole() const { return missing.empty(); }
 };
 
+/// What linkBox keeps of one link from one update to the next; see ShapeReach.
+struct LinkReach {
+  explicit LinkReach(const BoundedLink& link) : shapes(link.shapes.size()) {}
+
+  std::vector<ShapeReach> shapes;
+};
+
 /// The box around all shapes of the link, tight, rounded outward and padded. Nothing if the link
-/// has no shape or the pose gives no finite box (see worldBox).
+/// has no shape or the pose gives no finite box (see placedBox). `reach`
+/// must have been made for this link.
+std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
+                            LinkReach& reach);
+
+/// The same without memory.
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link);
 
 }  // namespace link_bounds

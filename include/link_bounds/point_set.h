@@ -6,38 +6,35 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "link_bounds/direction_table.h"
+
 namespace link_bounds {
 
-/// The smallest and largest r . p over the points p of a set, for three directions r; metres.
-struct Extents {
-  Eigen::Vector3d low;
-  Eigen::Vector3d high;
-};
-
-/// Safe to read from several threads. Metres, in the frame of the mesh the points come from.
+/// Safe to read from several threads. Metres, in the frame of the mesh the points come from. Of the
+/// points only those are kept that can be extreme in some direction (see directionTable).
 class PointSet {
  public:
   /// `points` must be finite and not empty.
   explicit PointSet(const std::vector<Eigen::Vector3f>& points);
 
-  /// Extents along the rows of `directions`, a linear map from this set's frame to another's.
-  /// Each r . p is evaluated as (r0 x + r1 y) + r2 z in double, so the result is reproducible to
-  /// the bit on every machine.
-  Extents extents(const Eigen::Matrix3d& directions) const;
+  const DirectionTable& table() const { return table_; }
 
   /// The largest |x|, |y| and |z| of any point.
   const Eigen::Vector3d& magnitude() const { return magnitude_; }
 
-  std::size_t size() const { return x_.size(); }
+  /// The points that can be extreme, each once, in no particular order.
+  std::vector<Eigen::Vector3f> points() const;
+
+  /// Their number.
+  std::size_t size() const { return size_; }
 
   /// Bytes kept in memory.
-  std::size_t bytes() const;
+  std::size_t bytes() const { return sizeof(*this) - sizeof(table_) + table_.bytes(); }
 
  private:
-  std::vector<float> x_;
-  std::vector<float> y_;
-  std::vector<float> z_;
+  DirectionTable table_;
   Eigen::Vector3d magnitude_;
+  std::size_t size_;
 };
 
 }  // namespace link_bounds

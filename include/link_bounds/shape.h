@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -33,10 +34,26 @@ struct Shape {
 /// with a float32 vertex overflows.
 bool isUsablePose(const Eigen::Affine3d& pose);
 
+/// How far a shape reaches from its own origin along the axes of the world, and for which linear
+/// part of its pose. Kept from one update to the next, it spares all work but the translation for
+/// axes whose row has not changed: the paper's rule for objects that only move. It belongs to one
+/// shape; a fresh one knows nothing.
+struct ShapeReach {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Eigen::Vector3d low;   ///< metres, before translation and rounding
+  Eigen::Vector3d high;  ///< as low
+  Eigen::Vector3d pad;   ///< what rounding may have cost, but for that of the translation [m]
+};
+
 /// The box of the shape in the world, tight and rounded outward: each face lies outside the exact
 /// one by at most 4e-14 A |r|_1 + 2e-15 |t| (and 1e-307 m against underflow), where r is the row of
 /// the linear part, t the translation along that axis and A the largest |coordinate| of the points
-/// plus half the size. Nothing if the pose is not usable or a face would not be finite.
+/// plus half the size. Nothing if the pose is not usable or a face would not be finite. `reach`
+/// changes speed and nothing else.
+std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
+                              ShapeReach& reach);
+
+/// The same for a shape on a link.
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link);
 
 }  // namespace link_bounds

@@ -5,15 +5,23 @@
 
 namespace link_bounds {
 
-std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link) {
+std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
+                            LinkReach& reach) {
   if (link.shapes.empty()) return std::nullopt;
   Aabb box;
-  for (const Shape& shape : link.shapes) {
-    const std::optional<Aabb> part = worldBox(shape, world_from_link);
+  for (std::size_t i = 0; i < link.shapes.size(); ++i) {
+    const Shape& shape = link.shapes[i];
+    const std::optional<Aabb> part =
+        placedBox(shape, world_from_link * shape.link_from_shape, reach.shapes[i]);
     if (!part) return std::nullopt;
     box.extend(*part);
   }
   return padded(box, link.padding);
+}
+
+std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link) {
+  LinkReach reach(link);
+  return linkBox(link, world_from_link, reach);
 }
 
 }  // namespace link_bounds

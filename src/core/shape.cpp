@@ -40,39 +40,98 @@ double halfExtent(Solid solid, const Eigen::Vector3d& row) {
   return 0;
 }
 
+void addSolid(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+  for (int k = 0; k < 3; ++k) {
+    const double half = halfExtent(shape.solid, linear.row(k).transpose().cwiseProduct(shape.size));
+    reach.low[k] -= half;
+    reach.high[k] += half;
+  }
+}
+
+/// Bit k is set where row k differs; what is not a number differs from everything.
+unsigned changedRows(const Directions& a, const Eigen::Matrix3d& b) {
+  unsigned rows = 0;
+  for (int k = 0; k < 3; ++k) {
+    const bool is_same = a(k, 0) == b(k, 0) && a(k, 1) == b(k, 1) && a(k, 2) == b(k, 2);
+    rows |= (is_same ? 0u : 1u) << k;
+  }
+  return rows;
+}
+
+void updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+  Eigen::Vector3d magnitude = shape.size / 2;
+  double tolerance = 0;
+  if (shape.points) {
+    const Extents points = extents(shape.points->table(), linear);
+    reach.low = points.low;
+    reach.high = points.high;
+    magnitude += shape.points->magnitude();
+    tolerance = kPointTolerance * shape.points->magnitude().maxCoeff();
+  } else {
+    reach.low.setZero();
+    reach.high.setZero();
+  }
+  if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
+  const Eigen::Vector3d weights = kRoundingPad * magnitude.array() + tolerance;
+  reach.pad = (linear.cwiseAbs() * weights).array() + kUnderflowPad;
+  reach.linear = linear;
+}
+
+/// Only the rows whose bits are set; the query for another one is a repetition.
+void updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeReach& reach) {
+  Eigen::Matrix3d directions;
+  for (int k = 0; k < 3; ++k)
+    directions.row(k) = linear.row(rows & 1u << k ? k : __builtin_ctz(rows));
+  ShapeReach fresh;
+  updateReach(shape, directions, fresh);
+  for (int k = 0; k < 3; ++k) {
+    if (!(rows & 1u << k)) continue;
+    reach.linear.row(k) = fresh.linear.row(k);
+    reach.low[k] = fresh.low[k];
+    reach.high[k] = fresh.high[k];
+    reach.pad[k] = fresh.pad[k];
+  }
+}
+
+/// The sum first: it is quick, and tells all but the largest.
+bool isUsable(const Directions& linear) {
+  return linear.cwiseAbs().sum() <= kLargestLinearEntry ||
+         (linear.array().abs() <= kLargestLinearEntry).all();
+}
+
+bool isFinite(const Aabb& box) {
+  return std::isfinite((box.max() - box.min()).sum()) ||
+         (box.min().allFinite() && box.max().allFinite());
+}
+
 }  // namespace
 
 bool isUsablePose(const Eigen::Affine3d& pose) {
-  return pose.translation().allFinite() &&
-         (pose.linear().array().abs() <= kLargestLinearEntry).all();
+  return pose.translation().allFinite() && isUsable(pose.linear());
+}
+
+std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
+                              ShapeReach& reach) {
+  const Directions linear = world_from_shape.linear();
+  if (const unsigned rows = changedRows(linear, reach.linear)) {
+    if (!isUsable(linear)) return std::nullopt;
+    if (rows == 7) {
+      updateReach(shape, linear, reach);
+    } else {
+      updateRows(shape, linear, rows, reach);
+    }
+  }
+  const Eigen::Vector3d translation = world_from_shape.translation();
+  const Eigen::Vector3d pad = reach.pad + kRoundingPad * translation.cwiseAbs();
+  std::optional<Aabb> box(std::in_place, (translation + reach.low) - pad,
+                          (translation + reach.high) + pad);
+  if (!isFinite(*box)) box.reset();
+  return box;
 }
 
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link) {
-  const Eigen::Affine3d world_from_shape = world_from_link * shape.link_from_shape;
-  if (!isUsablePose(world_from_shape)) return std::nullopt;
-  const Eigen::Matrix3d& linear = world_from_shape.linear();
-  const Eigen::Vector3d translation = world_from_shape.translation();
-
-  Extents extents{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  Eigen::Vector3d reach = shape.size / 2;
-  double tolerance = 0;
-  if (shape.points) {
-    extents = shape.points->extents(linear);
-    reach += shape.points->magnitude();
-    tolerance = kPointTolerance * shape.points->magnitude().maxCoeff();
-  }
-
-  Aabb box;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d row = linear.row(k);
-    const double half = halfExtent(shape.solid, row.cwiseProduct(shape.size));
-    const double pad = kRoundingPad * (row.cwiseAbs().dot(reach) + std::abs(translation[k])) +
-                       tolerance * row.lpNorm<1>() + kUnderflowPad;
-    box.min()[k] = (translation[k] + (extents.low[k] - half)) - pad;
-    box.max()[k] = (translation[k] + (extents.high[k] + half)) + pad;
-  }
-  if (!box.min().allFinite() || !box.max().allFinite()) return std::nullopt;
-  return box;
+  ShapeReach reach;
+  return placedBox(shape, world_from_link * shape.link_from_shape, reach);
 }
 
 }  // namespace link_bounds

@@ -21,6 +21,9 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, r
   fixed_frame_ = tf.tree().frame(model_->fixed_frame);
   links_.assign(model_->links.size(), Link());
   states_.assign(model_->links.size(), BoxState());
+  reaches_.clear();
+  for (const BoundedLink& link : model_->links)
+    reaches_.emplace_back(link);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     links_[i].frame = tf.tree().frame(model_->frames[i]);
   }
@@ -96,14 +99,14 @@ bool LiveBoxes::refresh(std::size_t i, const TransformSource& tf, ros::Time now)
 }
 
 LiveBoxes::Trouble LiveBoxes::place(std::size_t i, const TransformSource& tf, ros::Time now,
-                                    BoxState& state) const {
+                                    BoxState& state) {
   const BoundedLink& link = model_->links[i];
   if (link.shapes.empty()) return Trouble::kNone;
   if (!links_[i].path) return Trouble::kNoTransform;
   if (isStale(links_[i], tf.tree(), now)) return Trouble::kStale;
   const std::optional<StampedPose> pose = tf.latest(model_->fixed_frame, model_->frames[i]);
   if (!pose) return Trouble::kNoTransform;
-  state.box = linkBox(link, pose->world_from_link);
+  state.box = linkBox(link, pose->world_from_link, reaches_[i]);
   if (!state.box) return Trouble::kPoseNotFinite;
   state.stamp = pose->stamp;
   return Trouble::kNone;

@@ -50,12 +50,13 @@ class LiveBoxes {
   bool isTouched(const Link& link, const FrameTree& tree) const;
   bool isStale(const Link& link, const FrameTree& tree, ros::Time now) const;
   bool refresh(std::size_t i, const TransformSource& tf, ros::Time now);
-  Trouble place(std::size_t i, const TransformSource& tf, ros::Time now, BoxState& state) const;
+  Trouble place(std::size_t i, const TransformSource& tf, ros::Time now, BoxState& state);
 
   std::shared_ptr<const Model> model_;
   FrameTree::Frame fixed_frame_ = 0;
   std::uint64_t structure_ = 0;
   std::vector<Link> links_;
+  std::vector<LinkReach> reaches_;
   std::vector<BoxState> states_;
 };
 

@@ -29,7 +29,7 @@ void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
   for (int i = 0; i < kDirections; ++i)
     maps.push_back(random.affine(0).linear());
   for (const Eigen::Matrix3d& map : maps) {
-    const Extents actual = set.extents(map);
+    const Extents actual = extents(set.table(), map);
     const Extents expected = brute_force::extents(points, map);
     ASSERT_EQ(actual.low, expected.low) << map;
     ASSERT_EQ(actual.high, expected.high) << map;
@@ -106,6 +106,7 @@ TEST(PointSet, CountsPointsAndBytes) {
   const PointSet set(random.points(1000, 1));
   EXPECT_GT(set.size(), 0u);
   EXPECT_LE(set.size(), 1000u);
+  EXPECT_EQ(set.points().size(), set.size());
   EXPECT_GE(set.bytes(), set.size() * sizeof(Eigen::Vector3f));
 }
 

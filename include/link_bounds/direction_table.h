@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// How far a rigid set of points reaches along any direction, in constant time and exactly.
+///
+/// The world box of a turned mesh needs six numbers: for each row r of the linear part of its pose,
+/// the smallest and the largest r . p over the points p. The paper finds them by looping over all
+/// vertices at each update. But which vertices can win depends on the direction of r alone, and
+/// that can be prepared once, when the mesh is loaded:
+///
+///   1. Fold. r and -r have the same extreme points, so half of all directions suffice. The half
+///      sphere is flattened to a square (the octahedral map: x, y, z divided by |x| + |y| + |z|,
+///      turned by 45 degrees) and the square is cut into grid x grid cells.
+///   2. Build. Each cell gets the list of the points that are extreme for any direction in it; a
+///      point that others beat in the whole cell is left out. Most vertices of a mesh are in no
+///      list.
+///   3. Query. Three rows, three cells, and a scan over a handful of points each.
+///
+/// Nothing in this is approximate: the winner for a direction is in the list of the direction's
+/// cell, and its r . p is evaluated as the loop over all vertices would. It holds for every linear
+/// map (scaled, mirrored, sheared, flat), keeps no state, and needs no convex hull, so degenerate
+/// sets (a point, a line, a plane) are nothing special. A conservative relative of this table is
+/// the apex point map of Laine and Karras (2015).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace link_bounds {
+
+/// The smallest and largest r . p over the points p of a set, for three directions r; metres.
+struct Extents {
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+};
+
+/// Four points, laid out for vector instructions. Unused places repeat a point.
+struct PointBlock {
+  float x[4];
+  float y[4];
+  float z[4];
+};
+
+/// Immutable once built, so any number of threads may query it.
+struct DirectionTable {
+  /// The list of one cell: eight points at hand, and `count` blocks of `more` from `first` on.
+  struct Cell {
+    PointBlock near[2];
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+
+  int grid = 1;             ///< cells per side of the square, a power of 2; 1: one list of all
+  std::vector<Cell> cells;  ///< grid * grid, row by row
+  std::vector<PointBlock> more;
+
+  /// Bytes kept in memory.
+  std::size_t bytes() const;
+};
+
+/// `points` must be finite and not empty. A point may be left out if others reach as far to within
+/// 1e-14 of the largest |coordinate| times |r|_1, which worldBox makes up for. Of at most
+/// `kScannedPoints` there is one list. Otherwise the grid is the coarsest of 8, 16, 32 and 64 with
+/// at most 8 points per list on average; if there is none, the finest that takes no more memory
+/// than 128 KiB or 48 bytes per point that can be extreme, whichever is more.
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points);
+
+constexpr std::size_t kScannedPoints = 16;
+
+/// Three directions, as the rows of a matrix or of the linear part of a pose; copies nothing.
+using Directions = Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
+
+/// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
+/// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
+/// path of instructions; a zero is +0.
+Extents extents(const DirectionTable& table, const Directions& directions);
+
+/// The instructions a query uses. The best one of this processor is chosen at the first query.
+enum class QueryPath { kPlain, kSse2, kAvx2 };
+
+bool isSupported(QueryPath path);
+QueryPath queryPath();
+
+/// For tests and benchmarks; `path` must be supported.
+void useQueryPath(QueryPath path);
+
+}  // namespace link_bounds

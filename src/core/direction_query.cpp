@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The plain path, and the choice among the paths.
+#include "direction_query.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "direction_fold.h"
+
+namespace link_bounds {
+namespace {
+
+/// Of one row; what a list gives is added point by point.
+struct Range {
+  double low;
+  double high;
+
+  void add(const PointBlock& block, double r0, double r1, double r2) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const double reach = (r0 * block.x[lane] + r1 * block.y[lane]) + r2 * block.z[lane];
+      low = std::min(low, reach);
+      high = std::max(high, reach);
+    }
+  }
+};
+
+QueryPath bestPath() {
+  if (isSupported(QueryPath::kAvx2)) return QueryPath::kAvx2;
+  return isSupported(QueryPath::kSse2) ? QueryPath::kSse2 : QueryPath::kPlain;
+}
+
+Query queryBy(QueryPath path) {
+#ifdef __SSE2__
+  if (path == QueryPath::kSse2) return querySse2;
+  if (path == QueryPath::kAvx2) return queryAvx2;
+#endif
+  static_cast<void>(path);
+  return queryPlain;
+}
+
+/// What runs until a path is chosen.
+Extents chooseAndQuery(const DirectionTable& table, const Directions& directions) {
+  useQueryPath(bestPath());
+  return extents(table, directions);
+}
+
+std::atomic<Query> query{chooseAndQuery};
+
+}  // namespace
+
+bool isSupported(QueryPath path) {
+#ifdef __SSE2__
+  return path != QueryPath::kAvx2 || __builtin_cpu_supports("avx2");
+#else
+  return path == QueryPath::kPlain;
+#endif
+}
+
+QueryPath queryPath() {
+  for (const QueryPath path : {QueryPath::kAvx2, QueryPath::kSse2, QueryPath::kPlain}) {
+    if (query.load(std::memory_order_relaxed) == queryBy(path)) return path;
+  }
+  return bestPath();
+}
+
+void useQueryPath(QueryPath path) {
+  query.store(queryBy(path), std::memory_order_relaxed);
+}
+
+Extents extents(const DirectionTable& table, const Directions& directions) {
+  return query.load(std::memory_order_relaxed)(table, directions);
+}
+
+Extents queryPlain(const DirectionTable& table, const Directions& directions) {
+  Extents result;
+  for (int k = 0; k < 3; ++k) {
+    const double r0 = directions(k, 0);
+    const double r1 = directions(k, 1);
+    const double r2 = directions(k, 2);
+    const DirectionTable::Cell& cell = table.cells[cellOf(r0, r1, r2, table.grid)];
+    const double first = (r0 * cell.near[0].x[0] + r1 * cell.near[0].y[0]) + r2 * cell.near[0].z[0];
+    Range range{first, first};
+    range.add(cell.near[0], r0, r1, r2);
+    range.add(cell.near[1], r0, r1, r2);
+    for (std::uint32_t i = 0; i < cell.count; ++i)
+      range.add(table.more[cell.first + i], r0, r1, r2);
+    result.low[k] = range.low + 0.0;
+    result.high[k] = range.high + 0.0;
+  }
+  return result;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses the grid and packs its lists into blocks.
+#include "link_bounds/direction_table.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "direction_build.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kCoarsestGrid = 8;
+constexpr int kFinestGrid = 64;
+constexpr double kMeanListSize = 8;
+constexpr std::size_t kBytesPerTable = 128 * 1024;
+constexpr std::size_t kBytesPerPoint = 48;
+
+/// Four points of the list; what is beyond its end repeats the last one.
+PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
+                   std::size_t first) {
+  PointBlock block;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const Eigen::Vector3f& point = points[list[std::min(first + lane, list.size() - 1)]];
+    block.x[lane] = point.x();
+    block.y[lane] = point.y();
+    block.z[lane] = point.z();
+  }
+  return block;
+}
+
+void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
+            DirectionTable& table) {
+  DirectionTable::Cell cell;
+  cell.near[0] = blockOf(points, list, 0);
+  cell.near[1] = blockOf(points, list, 4);
+  cell.first = static_cast<std::uint32_t>(table.more.size());
+  for (std::size_t i = 8; i < list.size(); i += 4)
+    table.more.push_back(blockOf(points, list, i));
+  cell.count = static_cast<std::uint32_t>(table.more.size()) - cell.first;
+  table.cells.push_back(cell);
+}
+
+DirectionTable packed(const std::vector<Eigen::Vector3f>& points, const CandidateGrid& grid) {
+  DirectionTable table;
+  table.grid = grid.grid;
+  table.cells.reserve(grid.cells.size());
+  for (const CellCandidates& cell : grid.cells)
+    append(points, cell.all(), table);
+  table.more.shrink_to_fit();
+  return table;
+}
+
+std::vector<Eigen::Vector3d> toDouble(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(points.size());
+  for (const Eigen::Vector3f& point : points)
+    result.push_back(point.cast<double>());
+  return result;
+}
+
+/// One cell with all points, so that a query is a plain scan.
+CandidateGrid listOfAll(std::size_t count) {
+  CandidateGrid result{1, {CellCandidates()}};
+  result.cells[0].upper.resize(count);
+  std::iota(result.cells[0].upper.begin(), result.cells[0].upper.end(), 0u);
+  return result;
+}
+
+}  // namespace
+
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
+  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
+  GridBuilder builder(toDouble(points));
+  CandidateGrid grid = builder.coarsest();
+  while (grid.grid < kCoarsestGrid)
+    grid = builder.refined(grid);
+  DirectionTable table = packed(points, grid);
+  while (grid.meanListSize() > kMeanListSize && grid.grid < kFinestGrid) {
+    grid = builder.refined(grid);
+    DirectionTable finer = packed(points, grid);
+    if (finer.bytes() > std::max(kBytesPerTable, kBytesPerPoint * grid.pointCount())) break;
+    table = std::move(finer);
+  }
+  return table;
+}
+
+std::size_t DirectionTable::bytes() const {
+  return sizeof(*this) + cells.capacity() * sizeof(Cell) + more.capacity() * sizeof(PointBlock);
+}
+
+}  // namespace link_bounds
