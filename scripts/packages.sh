@@ -24,6 +24,10 @@ packages_of() {
       echo libgtest-dev librostest-dev python3-rostest python3-rosgraph-msgs python3-tf2-ros ;;
     display)
       echo rviz libgl1-mesa-dri ;;
+    bench)
+      echo libbenchmark-dev ;;
+    peers)  # what is measured beside us; not all of them exist on every system
+      echo libbullet-dev libfcl-dev libgeometric-shapes-dev ;;
     lint)
       echo catkin-lint clang-format ;;
     *)
@@ -33,22 +37,39 @@ packages_of() {
 
 # install_packages GROUP ...
 install_packages() {
+  local missing
+  read -ra missing < <(missing_packages "$@") || true
+  [ ${#missing[@]} -eq 0 ] || install_named "${missing[@]}"
+}
+
+# install_named PACKAGE ...
+install_named() {
+  local log=$BUILD/install.log
   command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
     fail "this script installs Debian's packages, and there is no apt-get here;" \
       "README.md says what to install by hand"
-  local missing log=$BUILD/install.log
-  read -ra missing < <(missing_packages "$@") || true
-  [ ${#missing[@]} -gt 0 ] || return 0
-  say "Installing ${missing[*]} (takes a minute or two, the log is $log)"
+  say "Installing $* (takes a minute or two, the log is $log)"
   mkdir -p "$BUILD"
   as_root true || fail "installing needs root, and sudo asks for a password or is not there;" \
-    "as root, please: apt-get update; apt-get install --no-install-recommends ${missing[*]}"
+    "as root, please: apt-get update; apt-get install --no-install-recommends $*"
   { as_root apt-get update -q &&
-    as_root apt-get install -y -q --no-install-recommends "${missing[@]}"
+    as_root apt-get install -y -q --no-install-recommends "$@"
   } >"$log" 2>&1 </dev/null || {
     tail -n 20 "$log" >&2
     fail "installing failed; all of it is in $log"
   }
+}
+
+# install_what_exists GROUP: as install_packages, but names what this system does not have and goes on.
+install_what_exists() {
+  local name
+  for name in $(missing_packages "$1"); do
+    if apt-cache show "$name" >/dev/null 2>&1; then
+      install_named "$name"
+    else
+      say "There is no package $name here; it is left out"
+    fi
+  done
 }
 
 missing_packages() {

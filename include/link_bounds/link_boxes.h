@@ -22,7 +22,7 @@ struct BoundedLink {
 
 /// What linkBox keeps of one link from one update to the next; see ShapeReach.
 struct LinkReach {
-  explicit LinkReach(const BoundedLink& link) : shapes(link.shapes.size()) {}
+  explicit LinkReach(const BoundedLink& link) : shapes(link.shapes.begin(), link.shapes.end()) {}
 
   std::vector<ShapeReach> shapes;
 };

@@ -39,10 +39,13 @@ bool isUsablePose(const Eigen::Affine3d& pose);
 /// axes whose row has not changed: the paper's rule for objects that only move. It belongs to one
 /// shape; a fresh one knows nothing.
 struct ShapeReach {
+  explicit ShapeReach(const Shape& shape);
+
   Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Vector3d low;   ///< metres, before translation and rounding
   Eigen::Vector3d high;  ///< as low
   Eigen::Vector3d pad;   ///< what rounding may have cost, but for that of the translation [m]
+  Eigen::Vector3d pad_per_entry;  ///< the same by column, for an entry of 1 in the linear part [m]
 };
 
 /// The box of the shape in the world, tight and rounded outward: each face lies outside the exact

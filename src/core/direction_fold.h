@@ -15,9 +15,10 @@
 
 namespace link_bounds {
 
-/// Half the cells per side, less a hair: so that an index stays below the number of cells.
+/// Half the cells per side, less a hair, so that an index stays below the number of cells also
+/// where it is rounded to the nearest 2^-20.
 inline double halfGrid(int grid) {
-  return grid * (0.5 - 1e-12);
+  return grid * (0.5 - 1.25e-7);
 }
 
 /// The column or row for a coordinate -1 <= sum / norm <= 1 of the square, where a rounding beyond

@@ -58,32 +58,35 @@ unsigned changedRows(const Directions& a, const Eigen::Matrix3d& b) {
   return rows;
 }
 
-void updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
-  Eigen::Vector3d magnitude = shape.size / 2;
-  double tolerance = 0;
+bool isUsable(const Directions& linear) {
+  return (linear.array().abs() <= kLargestLinearEntry).all();
+}
+
+/// False, and nothing is changed, if an entry is too large or not a number. The sum tells that of
+/// all but the largest poses.
+bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+  if (!(linear.cwiseAbs().sum() <= kLargestLinearEntry) && !isUsable(linear)) return false;
   if (shape.points) {
     const Extents points = extents(shape.points->table(), linear);
     reach.low = points.low;
     reach.high = points.high;
-    magnitude += shape.points->magnitude();
-    tolerance = kPointTolerance * shape.points->magnitude().maxCoeff();
   } else {
     reach.low.setZero();
     reach.high.setZero();
   }
   if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
-  const Eigen::Vector3d weights = kRoundingPad * magnitude.array() + tolerance;
-  reach.pad = (linear.cwiseAbs() * weights).array() + kUnderflowPad;
+  reach.pad = (linear.cwiseAbs() * reach.pad_per_entry).array() + kUnderflowPad;
   reach.linear = linear;
+  return true;
 }
 
 /// Only the rows whose bits are set; the query for another one is a repetition.
-void updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeReach& reach) {
+bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeReach& reach) {
   Eigen::Matrix3d directions;
   for (int k = 0; k < 3; ++k)
     directions.row(k) = linear.row(rows & 1u << k ? k : __builtin_ctz(rows));
-  ShapeReach fresh;
-  updateReach(shape, directions, fresh);
+  ShapeReach fresh = reach;
+  if (!updateReach(shape, directions, fresh)) return false;
   for (int k = 0; k < 3; ++k) {
     if (!(rows & 1u << k)) continue;
     reach.linear.row(k) = fresh.linear.row(k);
@@ -91,12 +94,13 @@ void updateRows(const Shape& shape, const Directions& linear, unsigned rows, Sha
     reach.high[k] = fresh.high[k];
     reach.pad[k] = fresh.pad[k];
   }
+  return true;
 }
 
-/// The sum first: it is quick, and tells all but the largest.
-bool isUsable(const Directions& linear) {
-  return linear.cwiseAbs().sum() <= kLargestLinearEntry ||
-         (linear.array().abs() <= kLargestLinearEntry).all();
+bool update(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+  const unsigned rows = changedRows(linear, reach.linear);
+  if (rows == 0) return true;
+  return rows == 7 ? updateReach(shape, linear, reach) : updateRows(shape, linear, rows, reach);
 }
 
 bool isFinite(const Aabb& box) {
@@ -106,21 +110,20 @@ bool isFinite(const Aabb& box) {
 
 }  // namespace
 
+ShapeReach::ShapeReach(const Shape& shape) : pad_per_entry(kRoundingPad * shape.size / 2) {
+  if (!shape.points) return;
+  const Eigen::Vector3d& magnitude = shape.points->magnitude();
+  pad_per_entry += kRoundingPad * magnitude;
+  pad_per_entry.array() += kPointTolerance * magnitude.maxCoeff();
+}
+
 bool isUsablePose(const Eigen::Affine3d& pose) {
   return pose.translation().allFinite() && isUsable(pose.linear());
 }
 
 std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
                               ShapeReach& reach) {
-  const Directions linear = world_from_shape.linear();
-  if (const unsigned rows = changedRows(linear, reach.linear)) {
-    if (!isUsable(linear)) return std::nullopt;
-    if (rows == 7) {
-      updateReach(shape, linear, reach);
-    } else {
-      updateRows(shape, linear, rows, reach);
-    }
-  }
+  if (!update(shape, world_from_shape.linear(), reach)) return std::nullopt;
   const Eigen::Vector3d translation = world_from_shape.translation();
   const Eigen::Vector3d pad = reach.pad + kRoundingPad * translation.cwiseAbs();
   std::optional<Aabb> box(std::in_place, (translation + reach.low) - pad,
@@ -130,7 +133,7 @@ std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_f
 }
 
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link) {
-  ShapeReach reach;
+  ShapeReach reach(shape);
   return placedBox(shape, world_from_link * shape.link_from_shape, reach);
 }
 

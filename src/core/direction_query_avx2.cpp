@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The query in AVX2: four numbers at a time. Only these functions are compiled for it; the rest of
+// the program must not be, its data layout would no longer fit that of other libraries.
+#ifdef __SSE2__
+#include "direction_query_x86.h"
+
+#define LINK_BOUNDS_AVX2 __attribute__((target("avx2")))
+
+namespace link_bounds {
+namespace {
+
+/// Three numbers, read in the portions in which they are usually written: a read across two writes
+/// would wait for both to reach the cache.
+LINK_BOUNDS_AVX2 inline __m256d load3(const double* values) {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(values)), _mm_load_sd(values + 2),
+                              1);
+}
+
+/// cellOf() of direction_fold.h for four directions; the low bits of each result count.
+LINK_BOUNDS_AVX2 inline __m256i cellsOf(int grid, __m256d x, __m256d y, __m256d z) {
+  const __m256d sign_bit = _mm256_set1_pd(-0.0);
+  const __m256d norm =
+      _mm256_add_pd(_mm256_add_pd(_mm256_andnot_pd(sign_bit, x), _mm256_andnot_pd(sign_bit, y)),
+                    _mm256_andnot_pd(sign_bit, z));
+  const __m256d turned = _mm256_xor_pd(_mm256_set1_pd(halfGrid(grid)), _mm256_and_pd(sign_bit, z));
+  const __m256d s = _mm256_div_pd(_mm256_mul_pd(_mm256_add_pd(x, y), turned), norm);
+  const __m256d t = _mm256_div_pd(_mm256_mul_pd(_mm256_sub_pd(x, y), turned), norm);
+  const __m256d shifter = _mm256_set1_pd(halfGrid(grid) + kShifter);
+  const __m256i columns =
+      _mm256_srli_epi64(_mm256_castpd_si256(_mm256_add_pd(s, shifter)), kFraction);
+  const __m256i rows = _mm256_srli_epi64(_mm256_castpd_si256(_mm256_add_pd(t, shifter)), kFraction);
+  return _mm256_add_epi64(_mm256_sll_epi64(rows, _mm_cvtsi32_si128(__builtin_ctz(unsigned(grid)))),
+                          columns);
+}
+
+/// One row of the linear part, and the range of r . p over what was added.
+struct AvxRow {
+  LINK_BOUNDS_AVX2 AvxRow(const Directions& rows, int k)
+      : r0(_mm256_set1_pd(rows(k, 0))),
+        r1(_mm256_set1_pd(rows(k, 1))),
+        r2(_mm256_set1_pd(rows(k, 2))) {}
+
+  LINK_BOUNDS_AVX2 __m256d reach(const PointBlock& block) const {
+    const __m256d x = _mm256_cvtps_pd(_mm_loadu_ps(block.x));
+    const __m256d y = _mm256_cvtps_pd(_mm_loadu_ps(block.y));
+    const __m256d z = _mm256_cvtps_pd(_mm_loadu_ps(block.z));
+    return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(r0, x), _mm256_mul_pd(r1, y)),
+                         _mm256_mul_pd(r2, z));
+  }
+
+  LINK_BOUNDS_AVX2 void begin(const Cell& cell) {
+    const __m256d first = reach(cell.near[0]);
+    const __m256d second = reach(cell.near[1]);
+    low = _mm256_min_pd(first, second);
+    high = _mm256_max_pd(first, second);
+  }
+
+  LINK_BOUNDS_AVX2 void add(const PointBlock& block) {
+    const __m256d next = reach(block);
+    low = _mm256_min_pd(low, next);
+    high = _mm256_max_pd(high, next);
+  }
+
+  LINK_BOUNDS_AVX2 __m128d lowPair() const {
+    return _mm_min_pd(_mm256_castpd256_pd128(low), _mm256_extractf128_pd(low, 1));
+  }
+
+  LINK_BOUNDS_AVX2 __m128d highPair() const {
+    return _mm_max_pd(_mm256_castpd256_pd128(high), _mm256_extractf128_pd(high, 1));
+  }
+
+  __m256d r0, r1, r2;
+  __m256d low, high;
+};
+
+}  // namespace
+
+LINK_BOUNDS_AVX2 Extents queryAvx2(const DirectionTable& table, const Directions& directions) {
+  const double* x = directions.data();
+  const double* y = x + directions.outerStride();
+  const double* z = y + directions.outerStride();
+  const __m256i indices = cellsOf(table.grid, load3(x), load3(y), load3(z));
+  const __m128i pair = _mm256_castsi256_si128(indices);
+  AvxRow row0(directions, 0), row1(directions, 1), row2(directions, 2);
+  scan(table, cellAt(table, pair), cellAt(table, _mm_unpackhi_epi64(pair, pair)),
+       cellAt(table, _mm256_extracti128_si256(indices, 1)), row0, row1, row2);
+  return finished(row0.lowPair(), row1.lowPair(), row2.lowPair(), row0.highPair(), row1.highPair(),
+                  row2.highPair());
+}
+
+}  // namespace link_bounds
+#endif
