@@ -14,7 +14,7 @@ struct BulletBox {
   btVector3 max;
 };
 
-struct Bullet {
+struct Bullet : Method {
   std::shared_ptr<btConvexHullShape> shape = std::make_shared<btConvexHullShape>();
 
   explicit Bullet(const Mesh& mesh) {

@@ -22,7 +22,7 @@ std::shared_ptr<fcl::Convexd> makeConvex(const Mesh& mesh) {
       points, 1, std::make_shared<std::vector<int>>(std::vector{3, 0, 1, 2}));
 }
 
-struct Fcl {
+struct Fcl : Method {
   std::shared_ptr<fcl::Convexd> convex;
 
   explicit Fcl(const Mesh& mesh) : convex(makeConvex(mesh)) {}

@@ -10,7 +10,7 @@
 namespace link_bounds::bench {
 namespace {
 
-struct GeometricShapes {
+struct GeometricShapes : Method {
   std::shared_ptr<bodies::ConvexMesh> body;
 
   explicit GeometricShapes(const Mesh& mesh) {

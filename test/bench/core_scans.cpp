@@ -7,7 +7,7 @@ namespace link_bounds::bench {
 namespace {
 
 /// What all methods here share.
-struct WithEigen {
+struct WithEigen : Method {
   Eigen::Isometry3d prepare(const Eigen::Affine3d& pose) const {
     return Eigen::Isometry3d(pose.matrix());
   }

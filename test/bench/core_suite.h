@@ -4,6 +4,7 @@
 //   Pose prepare(const Eigen::Affine3d& world_from_mesh)   outside of what is timed
 //   Box box(const Pose&)                                    what is timed
 //   Aabb toAabb(const Box&)                                 outside again
+//   void start()                                            before each repetition
 //   std::size_t bytes()                                     kept per mesh, 0 if not known
 // and addCase() has one measured on one mesh.
 #pragma once
@@ -20,6 +21,11 @@
 #include "link_bounds/aabb.h"
 
 namespace link_bounds::bench {
+
+/// For methods that have nothing to start.
+struct Method {
+  void start() const {}
+};
 
 /// One row of the results.
 struct Case {
@@ -55,11 +61,12 @@ Quality judge(const std::vector<Aabb>& boxes, const std::vector<Aabb>& exact);
 /// Keeps the row and has Google Benchmark run `body`, whose iterations take `items` boxes each.
 void registerCase(Case row, std::function<void(benchmark::State&)> body, int items = 1);
 
-template <class Method>
-void addCase(const std::string& name, const Task& task, Method method) {
+template <class AMethod>
+void addCase(const std::string& name, const Task& task, AMethod method) {
   auto prepared = std::make_shared<std::vector<decltype(method.prepare(task.poses[0]))>>();
   for (const Eigen::Affine3d& pose : task.poses)
     prepared->push_back(method.prepare(pose));
+  method.start();
   std::vector<Aabb> boxes;
   for (std::size_t i = 0; i < task.exact.size(); ++i)
     boxes.push_back(method.toAabb(method.box((*prepared)[i])));
@@ -77,6 +84,7 @@ void addCase(const std::string& name, const Task& task, Method method) {
                [method, prepared](benchmark::State& state) mutable {
                  const std::size_t count = prepared->size();
                  std::size_t i = 0;
+                 method.start();
                  for (auto _ : state) {
                    auto box = method.box((*prepared)[i]);
                    benchmark::DoNotOptimize(box);
