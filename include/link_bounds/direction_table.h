@@ -41,6 +41,19 @@ struct PointBlock {
   float z[4];
 };
 
+/// The cells of the square, with what a query would otherwise compute of them.
+struct DirectionGrid {
+  /// `cells_per_side` is a power of 2; 1 makes one list of all points.
+  explicit DirectionGrid(int cells_per_side = 1);
+
+  int side;
+  int log2_side;
+  unsigned mask;  ///< the bits of a cell's index
+  /// side / 2, less a hair, so that an index stays below `side` also where it is rounded to the
+  /// nearest 2^-20.
+  double half;
+};
+
 /// Immutable once built, so any number of threads may query it.
 struct DirectionTable {
   /// The list of one cell: eight points at hand, and `count` blocks of `more` from `first` on.
@@ -50,8 +63,8 @@ struct DirectionTable {
     std::uint32_t count = 0;
   };
 
-  int grid = 1;             ///< cells per side of the square, a power of 2; 1: one list of all
-  std::vector<Cell> cells;  ///< grid * grid, row by row
+  DirectionGrid grid;
+  std::vector<Cell> cells;  ///< side * side, row by row
   std::vector<PointBlock> more;
 
   /// Bytes kept in memory.

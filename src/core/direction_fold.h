@@ -13,27 +13,24 @@
 #include <cmath>
 #include <cstddef>
 
+#include "link_bounds/direction_table.h"
+
 namespace link_bounds {
 
-/// Half the cells per side, less a hair, so that an index stays below the number of cells also
-/// where it is rounded to the nearest 2^-20.
-inline double halfGrid(int grid) {
-  return grid * (0.5 - 1.25e-7);
-}
-
-/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square, where a rounding beyond
-/// does no harm. A zero direction has norm 0; all points are extreme for it, so any cell will do.
-inline int gridIndex(double sum, double norm, double half_grid) {
-  return norm > 0 ? static_cast<int>(sum * half_grid / norm + half_grid) : 0;
+/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square. A zero direction has
+/// norm 0; all points are extreme for it, so any cell will do.
+inline int gridIndex(double sum, double norm, const DirectionGrid& grid) {
+  const double position = sum * grid.half / norm + grid.half;
+  return position >= 0 && position < grid.side ? static_cast<int>(position) : 0;
 }
 
 /// The index of the cell that holds a direction of any length, up to 1e30 along each axis.
-inline std::size_t cellOf(double x, double y, double z, int grid) {
+inline std::size_t cellOf(double x, double y, double z, const DirectionGrid& grid) {
   const double norm = std::abs(x) + std::abs(y) + std::abs(z);
   const double sign = std::signbit(z) ? -1.0 : 1.0;
-  const int column = gridIndex(sign * (x + y), norm, halfGrid(grid));
-  const int row = gridIndex(sign * (x - y), norm, halfGrid(grid));
-  return static_cast<std::size_t>(row * grid + column);
+  const int column = gridIndex(sign * (x + y), norm, grid);
+  const int row = gridIndex(sign * (x - y), norm, grid);
+  return static_cast<std::size_t>(row * grid.side + column);
 }
 
 /// One of the four triangles, by the signs of x and y in it.

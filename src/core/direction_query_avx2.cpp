@@ -18,20 +18,20 @@ LINK_BOUNDS_AVX2 inline __m256d load3(const double* values) {
 }
 
 /// cellOf() of direction_fold.h for four directions; the low bits of each result count.
-LINK_BOUNDS_AVX2 inline __m256i cellsOf(int grid, __m256d x, __m256d y, __m256d z) {
+LINK_BOUNDS_AVX2 inline __m256i cellsOf(const DirectionGrid& grid, __m256d x, __m256d y,
+                                        __m256d z) {
   const __m256d sign_bit = _mm256_set1_pd(-0.0);
   const __m256d norm =
       _mm256_add_pd(_mm256_add_pd(_mm256_andnot_pd(sign_bit, x), _mm256_andnot_pd(sign_bit, y)),
                     _mm256_andnot_pd(sign_bit, z));
-  const __m256d turned = _mm256_xor_pd(_mm256_set1_pd(halfGrid(grid)), _mm256_and_pd(sign_bit, z));
+  const __m256d turned = _mm256_xor_pd(_mm256_set1_pd(grid.half), _mm256_and_pd(sign_bit, z));
   const __m256d s = _mm256_div_pd(_mm256_mul_pd(_mm256_add_pd(x, y), turned), norm);
   const __m256d t = _mm256_div_pd(_mm256_mul_pd(_mm256_sub_pd(x, y), turned), norm);
-  const __m256d shifter = _mm256_set1_pd(halfGrid(grid) + kShifter);
+  const __m256d shifter = _mm256_set1_pd(grid.half + kShifter);
   const __m256i columns =
       _mm256_srli_epi64(_mm256_castpd_si256(_mm256_add_pd(s, shifter)), kFraction);
   const __m256i rows = _mm256_srli_epi64(_mm256_castpd_si256(_mm256_add_pd(t, shifter)), kFraction);
-  return _mm256_add_epi64(_mm256_sll_epi64(rows, _mm_cvtsi32_si128(__builtin_ctz(unsigned(grid)))),
-                          columns);
+  return _mm256_add_epi64(_mm256_sll_epi64(rows, _mm_cvtsi32_si128(grid.log2_side)), columns);
 }
 
 /// One row of the linear part, and the range of r . p over what was added.

@@ -8,19 +8,18 @@ namespace link_bounds {
 namespace {
 
 /// cellOf() of direction_fold.h for two directions; the low bits of each result count.
-inline __m128i cellsOf(int grid, __m128d x, __m128d y, __m128d z) {
+inline __m128i cellsOf(const DirectionGrid& grid, __m128d x, __m128d y, __m128d z) {
   const __m128d sign_bit = _mm_set1_pd(-0.0);
   const __m128d norm =
       _mm_add_pd(_mm_add_pd(_mm_andnot_pd(sign_bit, x), _mm_andnot_pd(sign_bit, y)),
                  _mm_andnot_pd(sign_bit, z));
-  const __m128d turned = _mm_xor_pd(_mm_set1_pd(halfGrid(grid)), _mm_and_pd(sign_bit, z));
+  const __m128d turned = _mm_xor_pd(_mm_set1_pd(grid.half), _mm_and_pd(sign_bit, z));
   const __m128d s = _mm_div_pd(_mm_mul_pd(_mm_add_pd(x, y), turned), norm);
   const __m128d t = _mm_div_pd(_mm_mul_pd(_mm_sub_pd(x, y), turned), norm);
-  const __m128d shifter = _mm_set1_pd(halfGrid(grid) + kShifter);
+  const __m128d shifter = _mm_set1_pd(grid.half + kShifter);
   const __m128i columns = _mm_srli_epi64(_mm_castpd_si128(_mm_add_pd(s, shifter)), kFraction);
   const __m128i rows = _mm_srli_epi64(_mm_castpd_si128(_mm_add_pd(t, shifter)), kFraction);
-  return _mm_add_epi64(_mm_sll_epi64(rows, _mm_cvtsi32_si128(__builtin_ctz(unsigned(grid)))),
-                       columns);
+  return _mm_add_epi64(_mm_sll_epi64(rows, _mm_cvtsi32_si128(grid.log2_side)), columns);
 }
 
 /// One row of the linear part, and the range of r . p over what was added.

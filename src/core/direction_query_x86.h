@@ -20,8 +20,7 @@ constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
 
 /// The cell whose index is in the low bits of the first place.
 inline const Cell& cellAt(const DirectionTable& table, __m128i index) {
-  const auto mask = static_cast<unsigned>(table.grid * table.grid - 1);
-  return table.cells.data()[static_cast<unsigned>(_mm_cvtsi128_si32(index)) & mask];
+  return table.cells.data()[static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask];
 }
 
 /// From two values per direction to one, and from -0 to +0.

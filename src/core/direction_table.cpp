@@ -44,7 +44,7 @@ void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list
 
 DirectionTable packed(const std::vector<Eigen::Vector3f>& points, const CandidateGrid& grid) {
   DirectionTable table;
-  table.grid = grid.grid;
+  table.grid = DirectionGrid(grid.grid);
   table.cells.reserve(grid.cells.size());
   for (const CellCandidates& cell : grid.cells)
     append(points, cell.all(), table);
@@ -85,6 +85,12 @@ DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
   }
   return table;
 }
+
+DirectionGrid::DirectionGrid(int cells_per_side)
+    : side(cells_per_side),
+      log2_side(__builtin_ctz(static_cast<unsigned>(cells_per_side))),
+      mask(static_cast<unsigned>(cells_per_side * cells_per_side - 1)),
+      half(cells_per_side * (0.5 - 1.25e-7)) {}
 
 std::size_t DirectionTable::bytes() const {
   return sizeof(*this) + cells.capacity() * sizeof(Cell) + more.capacity() * sizeof(PointBlock);

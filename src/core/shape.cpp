@@ -62,10 +62,8 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
-/// False, and nothing is changed, if an entry is too large or not a number. The sum tells that of
-/// all but the largest poses.
+/// False if an entry is too large or not a number. The sum tells that of all but the largest.
 bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
-  if (!(linear.cwiseAbs().sum() <= kLargestLinearEntry) && !isUsable(linear)) return false;
   if (shape.points) {
     const Extents points = extents(shape.points->table(), linear);
     reach.low = points.low;
@@ -75,9 +73,12 @@ bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach
     reach.high.setZero();
   }
   if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
-  reach.pad = (linear.cwiseAbs() * reach.pad_per_entry).array() + kUnderflowPad;
+  const Eigen::Matrix3d magnitude = linear.cwiseAbs();
+  reach.pad = (magnitude * reach.pad_per_entry).array() + kUnderflowPad;
   reach.linear = linear;
-  return true;
+  if (magnitude.sum() <= kLargestLinearEntry || isUsable(linear)) return true;
+  reach.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return false;
 }
 
 /// Only the rows whose bits are set; the query for another one is a repetition.
