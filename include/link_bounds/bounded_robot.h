@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct BoundedRobot {
   std::vector<BoundedLink> links;     ///< selected and with geometry, in the order of the URDF
   std::vector<std::string> problems;  ///< one per element that is not bounded: link, element,
                                       ///< file, reason, remedy
+  std::map<std::string, std::shared_ptr<const PointSet>> meshes;  ///< those in use, by real path
 };
 
 /// Loads every mesh that is needed. Never throws for bad geometry: that link is then not whole.

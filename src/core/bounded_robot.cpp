@@ -87,7 +87,10 @@ void fillIn(Draft& draft, const std::vector<LoadedMesh>& meshes) {
     const Request& request = draft.requests[i];
     BoundedLink& link = draft.robot.links[request.link];
     link.shapes[request.shape].points = meshes[i].points;
-    if (meshes[i].points) continue;
+    if (meshes[i].points) {
+      draft.robot.meshes.emplace(request.file.path, meshes[i].points);
+      continue;
+    }
     draft.addProblem(link, request.element->purpose, request.element->number,
                      request.element->mesh_uri,
                      "cannot use " + request.file.path + ": " + meshes[i].error +

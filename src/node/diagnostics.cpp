@@ -42,14 +42,23 @@ std::size_t addIncomplete(const LiveBoxes& live, DiagnosticStatus& status) {
   return count;
 }
 
+void addMeshes(const Model& model, DiagnosticStatus& status) {
+  std::size_t total = 0;
+  for (const auto& [path, bytes] : model.mesh_bytes)
+    total += bytes;
+  add(status, "meshes", std::to_string(model.mesh_bytes.size()));
+  add(status, "mesh memory [bytes]", std::to_string(total));
+  for (const auto& [path, bytes] : model.mesh_bytes)
+    add(status, "memory of " + path + " [bytes]", std::to_string(bytes));
+}
+
 void describeModel(const LiveBoxes& live, DiagnosticStatus& status) {
   const Model& model = *live.model();
   const std::size_t boxes = countBoxes(live);
   add(status, "fixed frame", model.fixed_frame);
   add(status, "bounded links", std::to_string(model.links.size()));
   add(status, "boxes", std::to_string(boxes));
-  add(status, "meshes", std::to_string(model.mesh_count));
-  add(status, "mesh memory [bytes]", std::to_string(model.mesh_bytes));
+  addMeshes(model, status);
   const std::size_t incomplete = addIncomplete(live, status);
   if (boxes == 0 && !model.links.empty()) {
     raise(status, DiagnosticStatus::ERROR, "not one link has a box");

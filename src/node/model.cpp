@@ -113,18 +113,6 @@ std::vector<std::string> unknownNames(const Robot& robot, const Parameters& para
   return warnings;
 }
 
-void countMeshes(Model& model) {
-  std::set<const PointSet*> meshes;
-  for (const BoundedLink& link : model.links) {
-    for (const Shape& shape : link.shapes) {
-      if (shape.points && meshes.insert(shape.points.get()).second) {
-        model.mesh_bytes += shape.points->bytes();
-      }
-    }
-  }
-  model.mesh_count = meshes.size();
-}
-
 }  // namespace
 
 std::string tfName(const std::string& tf_prefix, const std::string& link) {
@@ -147,7 +135,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Me
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
   model.groups = makeGroups(robot, model, selection);
-  countMeshes(model);
+  for (const auto& [path, points] : bounded.meshes)
+    model.mesh_bytes.emplace(path, points->bytes());
   model.problems = std::move(bounded.problems);
   model.warnings = unknownNames(robot, parameters);
   model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());

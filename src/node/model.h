@@ -3,6 +3,7 @@
 // Everything the update thread needs to know about the robot: made once per load, never changed.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,14 +16,13 @@ namespace link_bounds {
 
 struct Model {
   Parameters parameters;
-  std::string fixed_frame;            ///< tf name
-  std::vector<BoundedLink> links;     ///< in the order of the URDF
-  std::vector<std::string> frames;    ///< tf name of each link
-  std::vector<BoxGroup> groups;       ///< "robot", then the user's by name; members index links
-  std::size_t mesh_count = 0;         ///< distinct meshes in use
-  std::size_t mesh_bytes = 0;         ///< kept for them
-  std::vector<std::string> problems;  ///< geometry that is not bounded, one per element
-  std::vector<std::string> warnings;  ///< names in parameters that fit no link
+  std::string fixed_frame;          ///< tf name
+  std::vector<BoundedLink> links;   ///< in the order of the URDF
+  std::vector<std::string> frames;  ///< tf name of each link
+  std::vector<BoxGroup> groups;     ///< "robot", then the user's by name; members index links
+  std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
+  std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
+  std::vector<std::string> warnings;              ///< names in parameters that fit no link
 };
 
 /// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's

@@ -52,7 +52,7 @@ void report(const Model& model) {
   for (const std::string& warning : model.warnings)
     ROS_WARN("%s", warning.c_str());
   ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
-           model.fixed_frame.c_str(), model.mesh_count);
+           model.fixed_frame.c_str(), model.mesh_bytes.size());
 }
 
 /// A function as an entry of a callback queue.

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From a URDF file and joint values to boxes on standard output.
+#include <sys/resource.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -96,33 +97,18 @@ BoxTable boxTable(const Robot& robot, const BoundedRobot& bounded,
   return table;
 }
 
-/// Each mesh file with the memory it takes. The store knows them all by now and reads none again.
-void reportMeshes(const Robot& robot, const UrdfBoundsOptions& options, const MeshSource& source,
-                  MeshStore& store) {
-  std::map<std::string, MeshFile> files;
-  for (const Link& link : robot.links) {
-    for (const Element& element : link.elements) {
-      const bool is_used = element.purpose == Purpose::kVisual ? options.visual : options.collision;
-      if (!is_used || element.mesh_uri.empty()) continue;
-      try {
-        MeshFile file = resolveMeshUri(element.mesh_uri, source.package_path, source.base_folder);
-        files.emplace(file.path, std::move(file));
-      } catch (const MeshError&) {
-        // Is among the problems already.
-      }
-    }
+/// Each mesh file with the memory it keeps, and what loading took at most.
+void reportMemory(const BoundedRobot& bounded) {
+  std::size_t total = 0;
+  for (const auto& [path, points] : bounded.meshes) {
+    say(std::to_string(points->bytes()) + " bytes, " + std::to_string(points->size()) +
+        " vertices that can be extreme, " + path);
+    total += points->bytes();
   }
-  std::size_t total_bytes = 0;
-  std::size_t count = 0;
-  for (const auto& [path, file] : files) {
-    const LoadedMesh mesh = store.load({file}).front();
-    if (!mesh.points) continue;
-    say(std::to_string(mesh.points->bytes()) + " bytes, " + std::to_string(mesh.points->size()) +
-        " vertices, " + path);
-    total_bytes += mesh.points->bytes();
-    ++count;
-  }
-  say(std::to_string(total_bytes) + " bytes in " + std::to_string(count) + " mesh files");
+  say(std::to_string(total) + " bytes in " + std::to_string(bounded.meshes.size()) + " mesh files");
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return;
+  say(std::to_string(usage.ru_maxrss) + " kB of memory at the peak");
 }
 
 /// Standard output may be a full disk or a closed pipe.
@@ -149,7 +135,7 @@ int run(const UrdfBoundsOptions& options) {
     warn(problem);
 
   const BoxTable table = boxTable(robot, bounded, root_from_link);
-  if (options.verbose) reportMeshes(robot, options, source, store);
+  if (options.verbose) reportMemory(bounded);
   writeBoxes(table, options.format, options.representation, std::cout);
   if (!finishOutput()) return 1;
   return options.strict && !table.incomplete.empty() ? 2 : 0;

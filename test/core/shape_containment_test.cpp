@@ -80,6 +80,39 @@ TEST(Containment, TranslationsUpToAThousandKilometres) {
   }
 }
 
+TEST(Containment, FarVerticesFarAway) {
+  // 1e3 m from the mesh's origin, and the mesh up to 1e6 m from the world's.
+  brute_force::Random random(11);
+  for (int i = 0; i < kMeshes; ++i) {
+    const Eigen::Vector3d far_away = 1e3 * random.vector(1).normalized();
+    const Points points = random.points(200, random.magnitude(-3, 2), far_away);
+    for (int j = 0; j < kPosesPerMesh; ++j) {
+      expectContainment(points, random.rigid(random.magnitude(0, 6)));
+      expectContainment(points, random.affine(random.magnitude(0, 6)));
+    }
+  }
+}
+
+TEST(Containment, PlatesWhoseFacesTie) {
+  // Tilted in their own frame and levelled by the pose: where the table leaves out most points.
+  brute_force::Random random(12);
+  for (const double degrees : {0.0, 30.0, 45.0, std::atan2(3, 4) * 180 / M_PI}) {
+    const Eigen::Matrix3d tilt = brute_force::turned(degrees, Eigen::Vector3d::UnitX());
+    Points points;
+    for (int i = 0; i < 400; ++i) {
+      const Eigen::Vector3d point(0.1 * (i % 20), 0.1 * (i / 20), i % 2 ? 0 : 0.05);
+      points.push_back((tilt * point).cast<float>());
+    }
+    for (int j = 0; j < kPosesPerMesh; ++j) {
+      Eigen::Affine3d pose(tilt.transpose());
+      expectContainment(points, pose);
+      pose.translation() = random.vector(random.magnitude(-3, 6));
+      expectContainment(points, pose.prerotate(brute_force::turned(random.magnitude(-16, 2),
+                                                                   Eigen::Vector3d::UnitZ())));
+    }
+  }
+}
+
 TEST(Containment, TranslationsThatCancelTheReach) {
   // The face lands near zero, where the errors of what cancelled stay.
   brute_force::Random random(5);

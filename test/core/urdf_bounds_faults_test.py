@@ -56,12 +56,13 @@ class MeshTest(UrdfBoundsTest):
         code, out, err = run(self.file, '--verbose', '--format=json')
         self.assertEqual((code, out), run(self.file, '--format=json')[:2])
         lines = err.splitlines()
-        self.assertEqual(len(lines), 2)
+        self.assertEqual(len(lines), 3)
         path = os.path.join(self.folder, 'robot/meshes/t.stl')
-        bytes_ = re.fullmatch(r'urdf_bounds: (\d+) bytes, 4 vertices, ' + re.escape(path),
+        bytes_ = re.fullmatch(r'urdf_bounds: (\d+) bytes, 4 vertices that can be extreme, ' + re.escape(path),
                               lines[0]).group(1)
         self.assertGreaterEqual(int(bytes_), 4 * 3 * 4)
         self.assertEqual(lines[1], 'urdf_bounds: %s bytes in 1 mesh files' % bytes_)
+        self.assertRegex(lines[2], r'^urdf_bounds: \d+ kB of memory at the peak$')
 
     def test_progress_bar_only_on_a_terminal_and_wiped_out(self):
         self.assertEqual(run(self.file)[2], '')
