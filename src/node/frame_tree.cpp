@@ -8,9 +8,10 @@
 namespace link_bounds {
 
 FrameTree::Frame FrameTree::frame(const std::string& name) {
-  const auto [found, is_new] = frames_.emplace(name, edges_.size());
-  if (is_new) edges_.emplace_back();
-  return found->second;
+  const auto found = frames_.find(name);
+  if (found != frames_.end()) return found->second;
+  edges_.emplace_back();
+  return frames_.emplace(name, edges_.size() - 1).first->second;
 }
 
 void FrameTree::heard(Frame child, Frame parent, bool is_static, std::int64_t stamp,

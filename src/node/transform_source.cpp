@@ -8,9 +8,10 @@
 namespace link_bounds {
 namespace {
 
-/// tf2 strips one slash as well.
-std::string stripped(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+/// The number of a frame as it is written in a message; tf2 strips one slash as well.
+FrameTree::Frame frameOf(FrameTree& tree, const std::string& name) {
+  if (!name.empty() && name.front() == '/') return tree.frame(name.substr(1));
+  return tree.frame(name);
 }
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
@@ -29,9 +30,8 @@ void TransformSource::add(const std::vector<geometry_msgs::TransformStamped>& tr
   tree_.beginMessage();
   for (const geometry_msgs::TransformStamped& transform : transforms) {
     if (!buffer_.setTransform(transform, "link_bounds", is_static)) continue;
-    tree_.heard(tree_.frame(stripped(transform.child_frame_id)),
-                tree_.frame(stripped(transform.header.frame_id)), is_static,
-                static_cast<std::int64_t>(transform.header.stamp.toNSec()),
+    tree_.heard(frameOf(tree_, transform.child_frame_id), frameOf(tree_, transform.header.frame_id),
+                is_static, static_cast<std::int64_t>(transform.header.stamp.toNSec()),
                 static_cast<std::int64_t>(now.toNSec()));
   }
 }

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a link keeps of its last pose never reaches a box it does not belong to.
+#include "live_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include "live_boxes_testing.h"
+
+namespace link_bounds {
+namespace {
+
+const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 6, Eigen::Vector3d(1, 2, 3).normalized()));
+
+class LiveBoxesTest : public testing::Test {
+ protected:
+  void adopt(const BoundedLink& link) { live_.adopt(modelOf("base", {link}), tf_, now_); }
+
+  void move(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& translation) {
+    now_ += ros::Duration(0.1);
+    tf_.add({edge("base", "l", now_.toSec(), rotation, translation)}, false, now_);
+    live_.update(tf_, now_);
+  }
+
+  void expectBoxOf(const BoundedLink& link, const Eigen::Vector3d& translation) {
+    Eigen::Affine3d pose(kTurn);
+    pose.pretranslate(translation);
+    const Aabb expected = linkBox(link, pose).value();
+    ASSERT_TRUE(live_.states()[0].box);
+    EXPECT_LT((live_.states()[0].box->min() - expected.min()).norm(), 1e-12);
+    EXPECT_LT((live_.states()[0].box->max() - expected.max()).norm(), 1e-12);
+  }
+
+  TransformSource tf_;
+  LiveBoxes live_;
+  ros::Time now_{1000.0};
+};
+
+TEST_F(LiveBoxesTest, SameRotationAfterAStaleGap) {
+  const BoundedLink link = meshLink("l", 1);
+  adopt(link);
+  move(kTurn, {1, 2, 3});
+  expectBoxOf(link, {1, 2, 3});
+  now_ += ros::Duration(5);
+  EXPECT_TRUE(live_.expire(tf_, now_));
+  EXPECT_FALSE(live_.states()[0].box);
+  move(kTurn, {-1, 0, 2});
+  expectBoxOf(link, {-1, 0, 2});
+}
+
+TEST_F(LiveBoxesTest, SameRotationAfterAReloadWithAnotherMesh) {
+  adopt(meshLink("l", 1));
+  move(kTurn, {1, 2, 3});
+  const BoundedLink other = meshLink("l", 2);
+  adopt(other);
+  expectBoxOf(other, {1, 2, 3});
+  move(kTurn, {4, 5, 6});
+  expectBoxOf(other, {4, 5, 6});
+}
+
+TEST_F(LiveBoxesTest, SameRotationByTheOppositeQuaternion) {
+  const BoundedLink link = meshLink("l", 1);
+  adopt(link);
+  move(kTurn, {1, 2, 3});
+  const Aabb before = live_.states()[0].box.value();
+  move(Eigen::Quaterniond(-kTurn.coeffs()), {1, 2, 3});
+  EXPECT_EQ(live_.states()[0].box->min(), before.min());
+  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+}
+
+TEST_F(LiveBoxesTest, AReparentedLinkIsBoundedAnew) {
+  const BoundedLink link = meshLink("l", 1);
+  adopt(link);
+  move(kTurn, {1, 2, 3});
+  tf_.add({edge("base", "other", now_.toSec(), Eigen::Quaterniond::Identity(), {5, 0, 0})}, true,
+          now_);
+  now_ += ros::Duration(0.1);
+  tf_.add({edge("other", "l", now_.toSec(), kTurn, {1, 2, 3})}, false, now_);
+  live_.update(tf_, now_);
+  expectBoxOf(link, {6, 2, 3});
+}
+
+}  // namespace
+}  // namespace link_bounds
