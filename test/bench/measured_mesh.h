@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is measured: meshes of robots, scanned models, and made-up extremes.
+// A mesh on which all methods are measured.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,18 @@
 
 namespace link_bounds::bench {
 
-struct Mesh {
+struct MeasuredMesh {
   std::string name;
   std::string kind;   ///< robot, model or synthetic
-  TriangleMesh mesh;  ///< welded
+  TriangleMesh mesh;  ///< every vertex once, as the library keeps it
   std::shared_ptr<const PointSet> points;
 };
 
-/// Those below the folder of test data; without it (""), the demo robot's and synthetic ones. A few
-/// of each kind if `quick`.
-std::vector<Mesh> loadMeshes(const std::string& data_folder, const std::string& demo_folder,
-                             bool quick);
+using MeasuredMeshes = std::vector<MeasuredMesh>;
+
+inline MeasuredMesh measuredMesh(std::string name, std::string kind, TriangleMesh mesh) {
+  auto points = std::make_shared<const PointSet>(mesh.vertices);
+  return {std::move(name), std::move(kind), std::move(mesh), std::move(points)};
+}
 
 }  // namespace link_bounds::bench

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Updates of few and many links: what memory costs when the tables do not fit the caches.
+#include <algorithm>
+
+#include "link_bounds/shape.h"
+#include "methods.h"
+
+namespace link_bounds::bench {
+namespace {
+
+constexpr std::array<std::size_t, 5> kLinkCounts{1, 10, 50, 200, 1000};
+constexpr std::size_t kMostLinks = kLinkCounts.back();
+constexpr std::size_t kSharedMeshes = 16;
+
+/// Twice as many as the links of the largest update, so that every link turns in every update.
+const Poses& linkPoses() {
+  static const Poses poses = randomPoses(2 * kMostLinks);
+  return poses;
+}
+
+/// A robot whose every link has a mesh.
+struct Links {
+  std::vector<Shape> shapes;
+  std::vector<ShapeReach> reaches;
+  Boxes boxes;
+
+  Links(const MeasuredMeshes& meshes, std::size_t count) : shapes(count), boxes(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      shapes[i].points = meshes[i % meshes.size()].points;
+      reaches.emplace_back(shapes[i]);
+    }
+  }
+
+  void update(const Eigen::Affine3d* poses) {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      boxes[i] = *placedBox(shapes[i], poses[i], reaches[i]);
+  }
+};
+
+/// Meshes of robots with a table of their own each, in turn; a copy is as good as a further mesh.
+MeasuredMeshes distinctMeshes(const MeasuredMeshes& meshes, std::size_t count) {
+  MeasuredMeshes originals;
+  std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(originals),
+               [](const MeasuredMesh& mesh) {
+                 return mesh.kind == "robot" && mesh.points->size() > kScannedPoints;
+               });
+  MeasuredMeshes result;
+  for (std::size_t i = 0; i < count && !originals.empty(); ++i) {
+    const MeasuredMesh& original = originals[i % originals.size()];
+    result.push_back({original.name, original.kind, {}, nullptr});
+    result.back().points = std::make_shared<const PointSet>(*original.points);
+  }
+  return result;
+}
+
+/// Sums over the meshes, each counted once.
+Result totals(const std::string& name, const MeasuredMeshes& meshes, std::size_t count) {
+  Result result{name, "synthetic", 0, 0, nameOfOurs(queryPath()), true, 1, 0};
+  for (std::size_t i = 0; i < std::min(count, meshes.size()); ++i) {
+    result.hull += meshes[i].points->size();
+    result.bytes += meshes[i].points->bytes();
+  }
+  return result;
+}
+
+void addCount(const std::string& name, const MeasuredMeshes& meshes, std::size_t count,
+              Suite& suite) {
+  const QueryPath path = queryPath();
+  const auto body = [path, count, links = Links(meshes, count)](benchmark::State& state) mutable {
+    useQueryPath(path);
+    std::size_t first = 0;
+    for (auto _ : state) {
+      links.update(&linkPoses()[first]);
+      benchmark::ClobberMemory();
+      first = first + 2 * count <= linkPoses().size() ? first + count : 0;
+    }
+  };
+  suite.push_back({totals(name, meshes, count), body, count});
+}
+
+}  // namespace
+
+void addLinkCounts(const MeasuredMeshes& meshes, Suite& suite) {
+  const MeasuredMeshes distinct = distinctMeshes(meshes, kMostLinks);
+  if (distinct.empty()) return;
+  const MeasuredMeshes shared(distinct.begin(), distinct.begin() + kSharedMeshes);
+  for (const std::size_t count : kLinkCounts) {
+    const std::string name = "links:" + std::to_string(count) + ":";
+    addCount(name + "shared16", shared, count, suite);
+    addCount(name + "distinct", distinct, count, suite);
+  }
+}
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// All that is measured in one run, and the run.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <vector>
+
+#include "result.h"
+
+namespace link_bounds::bench {
+
+struct Case {
+  Result result;                                ///< its time is there after the run
+  std::function<void(benchmark::State&)> body;  ///< a loop of Google Benchmark
+  std::size_t boxes_per_iteration = 1;
+};
+
+using Suite = std::vector<Case>;
+
+/// Runs every case for some seconds, all of them in random order, and that as often as `rounds`
+/// says; so what slows the machine down for a while strikes no case more than others. A round more
+/// comes first, to warm up and to find out how many iterations fill the time.
+Results run(const Suite& suite, int rounds, double seconds);
+
+}  // namespace link_bounds::bench
