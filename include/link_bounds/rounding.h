@@ -36,4 +36,19 @@ inline double addDown(double a, double b) {
   return -addUp(-a, -b);
 }
 
+/// The smallest float that is not below the value; infinite if there is none.
+inline float floatUp(double value) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  if (value > largest) return infinity;
+  if (value <= -largest) return -largest;
+  const float nearest = static_cast<float>(value);
+  return nearest < value ? std::nextafter(nearest, infinity) : nearest;
+}
+
+/// The largest float that is not above the value; infinite if there is none.
+inline float floatDown(double value) {
+  return -floatUp(-value);
+}
+
 }  // namespace link_bounds

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "box_message.h"
+#include "footprint.h"
 #include "guarded.h"
 #include "topics.h"
 
@@ -18,8 +19,14 @@ namespace {
 constexpr std::uint32_t kTfQueue = 5000;
 constexpr std::uint32_t kBoxesQueue = 1000;
 constexpr std::uint32_t kMarkersQueue = 10;
+constexpr std::uint32_t kFootprintQueue = 10;
 const ros::WallDuration kTick(0.05);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
+
+/// The union of all links: the first group of every model.
+BoxState robotState(const LiveBoxes& live) {
+  return groupState(live.model()->groups.front(), live.states());
+}
 
 std::string privateName(const TopicName& topic) {
   return topic.name + 1;
@@ -69,6 +76,11 @@ void PublisherNode::advertise() {
       privateName(kMarkersTopic), kMarkersQueue,
       [this](const ros::SingleSubscriberPublisher& subscriber) {
         timed([&] { welcome(subscriber); });
+      });
+  footprint_publisher_ = private_node_.advertise<geometry_msgs::Polygon>(
+      privateName(kFootprintTopic), kFootprintQueue,
+      [this](const ros::SingleSubscriberPublisher& subscriber) {
+        timed([&] { welcomeToFootprint(subscriber); });
       });
   diagnostics_publisher_ =
       node_.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10);
@@ -154,6 +166,19 @@ void PublisherNode::publishBoxes() {
   fillGroups(live_, groups_message_);
   boxes_publisher_.publish(boxes_message_);
   groups_publisher_.publish(groups_message_);
+  publishFootprint();
+}
+
+void PublisherNode::publishFootprint() {
+  if (footprint_publisher_.getNumSubscribers() == 0) return;
+  if (const auto footprint = footprintOf(robotState(live_))) {
+    footprint_publisher_.publish(*footprint);
+  }
+}
+
+void PublisherNode::welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber) {
+  if (!live_.model()) return;
+  if (const auto footprint = footprintOf(robotState(live_))) subscriber.publish(*footprint);
 }
 
 void PublisherNode::publishMarkers() {

@@ -38,7 +38,9 @@ class PublisherNode {
   void onNews();
   void publishBoxes();
   void publishMarkers();
+  void publishFootprint();
   void welcome(const ros::SingleSubscriberPublisher& subscriber);
+  void welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber);
   void publishDiagnostics();
 
   /// Guards a callback and takes its time.
@@ -60,6 +62,7 @@ class PublisherNode {
   ros::Publisher boxes_publisher_;
   ros::Publisher groups_publisher_;
   ros::Publisher markers_publisher_;
+  ros::Publisher footprint_publisher_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;
   ros::Subscriber tf_static_subscriber_;

@@ -23,13 +23,18 @@ constexpr TopicName kGroupsTopic{
 constexpr TopicName kMarkersTopic{
     "~markers", "visualization_msgs/MarkerArray",
     "at most marker_rate, computed only while somebody listens; a new subscriber gets all boxes"};
+constexpr TopicName kFootprintTopic{
+    "~footprint", "geometry_msgs/Polygon",
+    "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
+    "and y of the fixed frame, rounded outward; a new subscriber gets one at once"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 6> kTopics{
-    {kBoxesTopic, kGroupsTopic, kMarkersTopic, kDiagnosticsTopic, kTfTopic, kTfStaticTopic}};
+constexpr std::array<TopicName, 7> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic,
+                                            kFootprintTopic, kDiagnosticsTopic, kTfTopic,
+                                            kTfStaticTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

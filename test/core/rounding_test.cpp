@@ -70,6 +70,31 @@ TEST(Rounding, OverflowGoesOutward) {
   EXPECT_EQ(addUp(kLargest, 1), kInfinity);
 }
 
+TEST(Rounding, FloatUpIsTheSmallestFloatNotBelow) {
+  brute_force::Random random(9);
+  for (int i = 0; i < 100000; ++i) {
+    const double value = random.sign() * random.magnitude(-50, 40);
+    const float up = floatUp(value);
+    EXPECT_GE(up, value);
+    EXPECT_LT(std::nextafter(up, -HUGE_VALF), value);
+    EXPECT_EQ(floatDown(-value), -up);
+  }
+}
+
+TEST(Rounding, FloatsStayAsTheyAre) {
+  for (const float value : {0.0f, 1.0f, -0.1f, 1e-45f, 3.4e38f, -3.4e38f}) {
+    EXPECT_EQ(floatUp(value), value);
+    EXPECT_EQ(floatDown(value), value);
+  }
+}
+
+TEST(Rounding, BeyondFloatIsInfinite) {
+  EXPECT_EQ(floatUp(1e39), HUGE_VALF);
+  EXPECT_EQ(floatDown(-1e39), -HUGE_VALF);
+  EXPECT_EQ(floatUp(-1e39), -std::numeric_limits<float>::max());
+  EXPECT_EQ(floatDown(1e39), std::numeric_limits<float>::max());
+}
+
 TEST(Rounding, UnitRoundoffIsHalfTheStepAboveOne) {
   EXPECT_EQ(1 + 2 * kUnitRoundoff, nextUp(1));
   EXPECT_EQ(1 - kUnitRoundoff, nextDown(1));

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Deletions: no marker is left behind, none is deleted twice.
+// Cubes contain their boxes; no marker is left behind, none is deleted twice.
 #include "box_markers.h"
 
 #include <gtest/gtest.h>
+
+#include "live_boxes_testing.h"
+#include "quad.h"
 
 namespace link_bounds {
 namespace {
@@ -27,6 +30,40 @@ std::vector<std::string> deleted(const MarkerArray& array) {
     if (marker.action == Marker::DELETE) names.push_back(marker.ns);
   }
   return names;
+}
+
+/// What a reader computes from a cube's centre and scale, in real numbers.
+QuadBox boxOf(const Marker& cube) {
+  const auto side = [](double center, double scale, int sign) {
+    return static_cast<Quad>(center) + sign * static_cast<Quad>(scale) / 2;
+  };
+  const auto& p = cube.pose.position;
+  const auto& s = cube.scale;
+  return {{side(p.x, s.x, -1), side(p.y, s.y, -1), side(p.z, s.z, -1)},
+          {side(p.x, s.x, 1), side(p.y, s.y, 1), side(p.z, s.z, 1)}};
+}
+
+TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
+  brute_force::Random random(1);
+  TransformSource tf;
+  LiveBoxes live;
+  live.adopt(modelOf("base", {meshLink("l", 1)}), tf, ros::Time(1));
+  for (int i = 0; i < 2000; ++i) {
+    const ros::Time now(10 + i);
+    const Eigen::Quaterniond turn(random.rotation());
+    tf.add({edge("base", "l", now.toSec(), turn, random.vector(random.magnitude(-3, 6)))}, false,
+           now);
+    ASSERT_TRUE(live.update(tf, now));
+    const Aabb box = live.states()[0].box.value();
+    const QuadBox cube = boxOf(boxMarkers(live, markerHeader(live)).markers.front());
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      ASSERT_LE(cube.min[axis], static_cast<Quad>(box.min()[k]));
+      ASSERT_GE(cube.max[axis], static_cast<Quad>(box.max()[k]));
+      ASSERT_LE(static_cast<double>(cube.max[axis] - cube.min[axis]),
+                box.sizes()[k] + 1e-15 * (1 + box.max().norm() + box.min().norm()));
+    }
+  }
 }
 
 TEST(ShownMarkers, DeletesWhatVanishedOnce) {
