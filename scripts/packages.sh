@@ -28,6 +28,10 @@ packages_of() {
       echo libbenchmark-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev ;;
+    plot)
+      echo python3-matplotlib ;;
+    pictures)
+      echo imagemagick python3-tf2-ros x11-utils xvfb ;;
     lint)
       echo catkin-lint clang-format ;;
     *)
