@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "direction_dominance.h"
 #include "direction_fold.h"
 
 namespace link_bounds {
@@ -69,19 +70,6 @@ Cone cornersOf(const std::vector<Cone>& cones) {
   for (const Cone& cone : cones)
     corners.insert(corners.end(), cone.begin(), cone.end());
   return corners;
-}
-
-/// The columns that are largest in one row or in the sum of all.
-Eigen::MatrixXd championsOf(const Eigen::MatrixXd& reaches) {
-  Eigen::MatrixXd champions(reaches.rows(), reaches.rows() + 1);
-  Eigen::Index best = 0;
-  for (Eigen::Index i = 0; i < reaches.rows(); ++i) {
-    reaches.row(i).maxCoeff(&best);
-    champions.col(i) = reaches.col(best);
-  }
-  reaches.colwise().sum().maxCoeff(&best);
-  champions.col(reaches.rows()) = reaches.col(best);
-  return champions;
 }
 
 double largestMagnitude(const std::vector<Eigen::Vector3d>& points) {
@@ -148,46 +136,15 @@ CandidateGrid GridBuilder::refined(const CandidateGrid& parent) {
   return result;
 }
 
-/// Drops what one of a few champions beats at every corner, and so in the whole cell.
-void GridBuilder::dropDominated(PointIndices& candidates, const Cone& corners, double sign) const {
-  const auto corner_count = static_cast<Eigen::Index>(corners.size());
-  Eigen::Matrix3Xd directions(3, corner_count);
-  for (Eigen::Index i = 0; i < corner_count; ++i)
-    directions.col(i) = sign * corners[static_cast<std::size_t>(i)];
-  Eigen::MatrixXd reaches(corner_count, static_cast<Eigen::Index>(candidates.size()));
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    reaches.col(static_cast<Eigen::Index>(i)).noalias() =
-        directions.transpose() * points_[candidates[i]];
-  }
-  const Eigen::MatrixXd champions = championsOf(reaches);
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto reach = reaches.col(static_cast<Eigen::Index>(i)).array();
-    bool is_dominated = false;
-    for (Eigen::Index j = 0; j < champions.cols() && !is_dominated; ++j) {
-      is_dominated = (champions.col(j).array() - reach > tolerance_).all();
-    }
-    if (!is_dominated) candidates[left++] = candidates[i];
-  }
-  candidates.resize(left);
-}
-
 CellCandidates GridBuilder::reduced(const CellCandidates& candidates, int column, int row,
                                     int grid) {
   const std::vector<Cone> cones = conesOf(column, row, grid);
   const Cone corners = cornersOf(cones);
   CellCandidates left = candidates;
-  dropDominated(left.upper, corners, 1);
-  dropDominated(left.lower, corners, -1);
+  dropDominated(points_, corners, 1, tolerance_, left.upper);
+  dropDominated(points_, corners, -1, tolerance_, left.lower);
   if (grid < kCoarsestEnvelope) return left;
-  CellCandidates result;
-  for (const Cone& cone : cones) {
-    envelope_.appendNeeded(left.upper, cone, 1, result.upper);
-    envelope_.appendNeeded(left.lower, cone, -1, result.lower);
-  }
-  sortUnique(result.upper);
-  sortUnique(result.lower);
-  return result;
+  return {envelope_.neededOf(left.upper, cones, 1), envelope_.neededOf(left.lower, cones, -1)};
 }
 
 }  // namespace link_bounds

@@ -40,7 +40,6 @@ class GridBuilder {
 
  private:
   CellCandidates reduced(const CellCandidates& candidates, int column, int row, int grid);
-  void dropDominated(PointIndices& candidates, const Cone& corners, double sign) const;
 
   std::vector<Eigen::Vector3d> points_;
   double tolerance_;

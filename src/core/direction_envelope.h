@@ -4,15 +4,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <vector>
 
+#include "direction_dominance.h"
+
 namespace link_bounds {
-
-/// A convex cone, by the directions of its edges in order around it.
-using Cone = std::vector<Eigen::Vector3d>;
-
-using PointIndices = std::vector<std::uint32_t>;
 
 /// Finds the upper envelope of linear functionals d -> p . d over a cone of directions d.
 ///
@@ -27,21 +23,29 @@ class Envelope {
   Envelope(const std::vector<Eigen::Vector3d>& points, double tolerance)
       : points_(points), tolerance_(tolerance) {}
 
-  /// Appends to `needed` those of the candidates that are needed within the cone for the largest
-  /// sign * (p . d); |sign| = 1.
-  void appendNeeded(const PointIndices& candidates, const Cone& cone, double sign,
-                    PointIndices& needed);
+  /// Those of the candidates, in ascending order, that are needed within one of the cones for the
+  /// largest sign * (p . d); |sign| = 1.
+  PointIndices neededOf(const PointIndices& candidates, const std::vector<Cone>& cones,
+                        double sign);
 
  private:
+  void search(const PointIndices& candidates, const Cone& cone, int depth);
+  void searchHalves(const PointIndices& candidates, const Cone& cone, int depth);
+  void searchAll(const PointIndices& candidates, const Cone& cone);
+  void keepChampions(const PointIndices& candidates, const Cone& cone);
+  PointIndices beyondChampions(const PointIndices& candidates, const Cone& cone);
+  void decide(std::uint32_t point, const PointIndices& candidates, const Cone& cone);
   std::uint32_t farthest(const PointIndices& candidates, const Eigen::Vector3d& direction) const;
-  bool clip(const Eigen::Vector3d& normal);
-  bool clipByKept(std::uint32_t point, double sign);
-  void decide(std::uint32_t point, const PointIndices& candidates, const Cone& cone, double sign);
+  bool clip(std::uint32_t point, std::uint32_t other);
+  bool clipByKept(std::uint32_t point);
   bool keep(std::uint32_t point);
 
   const std::vector<Eigen::Vector3d>& points_;
   double tolerance_;
-  PointIndices kept_;
+  double sign_ = 1;
+  std::vector<bool> is_needed_;  ///< by point: in any cone so far
+  PointIndices needed_;
+  PointIndices kept_;  ///< in the cone of the moment
   Cone region_;
   Cone clipped_;
   std::vector<double> heights_;

@@ -27,6 +27,7 @@ class MaxRate(unittest.TestCase):
         self.send_next()
         first = rospy.Time.from_sec(self.now)
         self.boxes.wait(lambda m: len(m.boxes) == len(ALL) and m.header.stamp == first, "a start")
+        self.groups.wait(lambda m: m.header.stamp == first, "its groups")
         self.boxes.clear()
         self.groups.clear()
 
