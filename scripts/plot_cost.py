@@ -19,10 +19,10 @@ EXACT = [('paper_loop', "the paper's loop over triangles", '#888888'),
          ('fcl_exact', 'FCL computeBV, hull', '#a3348b'),
          ('ours_sse2', 'link_bounds, SSE2', '#4aa3df'),
          ('ours_avx2', 'link_bounds, AVX2', '#0b5fa5')]
-LOOSE = [('geometric_shapes', 'geometric_shapes, MoveIt', '#2f8f4e'),
+LOOSE = [('geometric_shapes', 'geometric_shapes', '#2f8f4e'),
          ('corners8', 'eight corners', '#c0392b'),
          ('fcl', "FCL's sphere", '#a3348b'),
-         ('bullet', 'Bullet getAabb', '#d18700')]
+         ('bullet', 'Bullet getAabb, MoveIt', '#d18700')]
 
 
 def points_of(rows, method):
