@@ -9,10 +9,11 @@
 namespace link_bounds {
 namespace {
 
-/// More candidates than these have their cone halved, so often at most: down to the size of the
-/// strip by which cells are grown.
+/// More candidates than these have their cone halved, and halves their halves, until each has been
+/// looked at so often on average: enough to come down to the strip by which cells are grown. Ties
+/// along a whole line of directions would have cones halved without end.
 constexpr std::size_t kContenders = 48;
-constexpr int kDeepest = 40;
+constexpr std::size_t kLooks = 128;
 
 Eigen::Vector3d middle(const Cone& cone) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -44,33 +45,40 @@ PointIndices Envelope::neededOf(const PointIndices& candidates, const std::vecto
   is_needed_.resize(points_.size());
   needed_.clear();
   for (const Cone& cone : cones)
-    search(beyondChampions(candidates, cone), cone, 0);
+    begin(candidates, cone);
   for (const std::uint32_t point : needed_)
     is_needed_[point] = false;
   std::sort(needed_.begin(), needed_.end());
   return needed_;
 }
 
-void Envelope::search(const PointIndices& candidates, const Cone& cone, int depth) {
+void Envelope::begin(const PointIndices& candidates, const Cone& cone) {
+  const PointIndices left = beyondChampions(candidates, cone);
+  looks_ = kLooks * left.size();
+  search(left, cone);
+}
+
+void Envelope::search(const PointIndices& candidates, const Cone& cone) {
   const bool is_decided = std::all_of(candidates.begin(), candidates.end(),
                                       [this](std::uint32_t point) { return is_needed_[point]; });
   if (is_decided) return;
-  if (candidates.size() > kContenders && depth < kDeepest) {
-    searchHalves(candidates, cone, depth + 1);
+  if (candidates.size() > kContenders && candidates.size() <= looks_) {
+    searchHalves(candidates, cone);
   } else {
     searchAll(candidates, cone);
   }
 }
 
 /// The half with fewer candidates first: what is needed there needs no decision in the other.
-void Envelope::searchHalves(const PointIndices& candidates, const Cone& cone, int depth) {
+void Envelope::searchHalves(const PointIndices& candidates, const Cone& cone) {
+  looks_ -= candidates.size();
   const std::array<Cone, 2> half = halves(cone);
   std::array<PointIndices, 2> left{candidates, candidates};
   for (const std::size_t i : {0u, 1u})
     dropDominated(points_, half[i], sign_, tolerance_, left[i]);
   const std::size_t first = left[0].size() <= left[1].size() ? 0 : 1;
-  search(left[first], half[first], depth);
-  search(left[1 - first], half[1 - first], depth);
+  search(left[first], half[first]);
+  search(left[1 - first], half[1 - first]);
 }
 
 void Envelope::searchAll(const PointIndices& candidates, const Cone& cone) {

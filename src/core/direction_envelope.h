@@ -29,8 +29,9 @@ class Envelope {
                         double sign);
 
  private:
-  void search(const PointIndices& candidates, const Cone& cone, int depth);
-  void searchHalves(const PointIndices& candidates, const Cone& cone, int depth);
+  void begin(const PointIndices& candidates, const Cone& cone);
+  void search(const PointIndices& candidates, const Cone& cone);
+  void searchHalves(const PointIndices& candidates, const Cone& cone);
   void searchAll(const PointIndices& candidates, const Cone& cone);
   void keepChampions(const PointIndices& candidates, const Cone& cone);
   PointIndices beyondChampions(const PointIndices& candidates, const Cone& cone);
@@ -43,6 +44,7 @@ class Envelope {
   const std::vector<Eigen::Vector3d>& points_;
   double tolerance_;
   double sign_ = 1;
+  std::size_t looks_ = 0;        ///< left for halving
   std::vector<bool> is_needed_;  ///< by point: in any cone so far
   PointIndices needed_;
   PointIndices kept_;  ///< in the cone of the moment
