@@ -9,10 +9,12 @@
 namespace link_bounds {
 namespace {
 
-/// More candidates than these have their cone halved, and halves their halves, until each has been
-/// looked at so often on average: enough to come down to the strip by which cells are grown. Ties
-/// along a whole line of directions would have cones halved without end.
+/// More candidates than these have their cone halved, and halves their halves, at most so deep,
+/// until each candidate has been looked at so often on average: enough to come down to the strip by
+/// which cells are grown. Ties along a line of directions would have cones halved without end,
+/// 2^depth of them; ties at one direction, one inside the other.
 constexpr std::size_t kContenders = 48;
+constexpr int kDeepest = 40;
 constexpr std::size_t kLooks = 128;
 
 Eigen::Vector3d middle(const Cone& cone) {
@@ -55,30 +57,30 @@ PointIndices Envelope::neededOf(const PointIndices& candidates, const std::vecto
 void Envelope::begin(const PointIndices& candidates, const Cone& cone) {
   const PointIndices left = beyondChampions(candidates, cone);
   looks_ = kLooks * left.size();
-  search(left, cone);
+  search(left, cone, 0);
 }
 
-void Envelope::search(const PointIndices& candidates, const Cone& cone) {
+void Envelope::search(const PointIndices& candidates, const Cone& cone, int depth) {
   const bool is_decided = std::all_of(candidates.begin(), candidates.end(),
                                       [this](std::uint32_t point) { return is_needed_[point]; });
   if (is_decided) return;
-  if (candidates.size() > kContenders && candidates.size() <= looks_) {
-    searchHalves(candidates, cone);
+  if (candidates.size() > kContenders && candidates.size() <= looks_ && depth < kDeepest) {
+    searchHalves(candidates, cone, depth + 1);
   } else {
     searchAll(candidates, cone);
   }
 }
 
 /// The half with fewer candidates first: what is needed there needs no decision in the other.
-void Envelope::searchHalves(const PointIndices& candidates, const Cone& cone) {
+void Envelope::searchHalves(const PointIndices& candidates, const Cone& cone, int depth) {
   looks_ -= candidates.size();
   const std::array<Cone, 2> half = halves(cone);
   std::array<PointIndices, 2> left{candidates, candidates};
   for (const std::size_t i : {0u, 1u})
     dropDominated(points_, half[i], sign_, tolerance_, left[i]);
   const std::size_t first = left[0].size() <= left[1].size() ? 0 : 1;
-  search(left[first], half[first]);
-  search(left[1 - first], half[1 - first]);
+  search(left[first], half[first], depth);
+  search(left[1 - first], half[1 - first], depth);
 }
 
 void Envelope::searchAll(const PointIndices& candidates, const Cone& cone) {

@@ -30,8 +30,8 @@ class Envelope {
 
  private:
   void begin(const PointIndices& candidates, const Cone& cone);
-  void search(const PointIndices& candidates, const Cone& cone);
-  void searchHalves(const PointIndices& candidates, const Cone& cone);
+  void search(const PointIndices& candidates, const Cone& cone, int depth);
+  void searchHalves(const PointIndices& candidates, const Cone& cone, int depth);
   void searchAll(const PointIndices& candidates, const Cone& cone);
   void keepChampions(const PointIndices& candidates, const Cone& cone);
   PointIndices beyondChampions(const PointIndices& candidates, const Cone& cone);

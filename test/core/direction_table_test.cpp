@@ -112,6 +112,17 @@ TEST(DirectionTable, Sphere) {
   expectExact(onSphere(10000), 10, 500);
 }
 
+TEST(DirectionTable, TwoLongLines) {
+  // Seen across a line, its points come to a tie; to halve cones until it parts would never end.
+  Points points;
+  for (int i = 0; i < 20000; ++i) {
+    const float part = static_cast<float>(i) / 20000;
+    points.insert(points.end(), {{part, 0, 0}, {part, part, 0}});
+  }
+  points.emplace_back(1, 1, 1);
+  expectExact(points, 21, 20);
+}
+
 TEST(DirectionTable, SmallSets) {
   brute_force::Random random(11);
   for (const std::size_t count : {4u, 15u, 16u, 17u, 18u, 33u}) {
