@@ -29,7 +29,8 @@ struct LoadedMesh {
 
 /// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
 /// number of links and scales share one geometry. Failures are remembered until forgetFailures().
-/// A file that loaded and was then replaced on disk is read anew by the next load(). Not
+/// A file that loaded and was then replaced on disk is read anew by the next load(); one that
+/// changes while it is read is refused. Not
 /// thread-safe itself; the points it hands out are immutable.
 class MeshStore {
  public:
@@ -56,12 +57,16 @@ class MeshStore {
     std::weak_ptr<const PointSet> points;
     std::string error;
   };
+  struct Imported {
+    Version version;
+    LoadedMesh mesh;
+  };
 
   static Version versionOf(const std::string& path);
   LoadedMesh known(const MeshFile& file) const;
-  LoadedMesh import(const MeshFile& file) const;
-  std::map<std::string, LoadedMesh> importAll(const std::map<std::string, MeshFile>& files,
-                                              const LoadProgress& progress) const;
+  LoadedMesh import(const MeshFile& file, const Version& version) const;
+  std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
+                                            const LoadProgress& progress) const;
 
   MeshImporter importer_;
   std::map<std::string, Entry> entries_;

@@ -48,9 +48,13 @@ LoadedMesh MeshStore::known(const MeshFile& file) const {
   return {entry.points.lock(), ""};
 }
 
-LoadedMesh MeshStore::import(const MeshFile& file) const {
+LoadedMesh MeshStore::import(const MeshFile& file, const Version& version) const {
   try {
-    return {std::make_shared<const PointSet>(importer_(file).vertices), ""};
+    const TriangleMesh mesh = importer_(file);
+    if (!(versionOf(file.path) == version)) {
+      return {nullptr, "it changed while it was read; call ~reload once it is complete"};
+    }
+    return {std::make_shared<const PointSet>(mesh.vertices), ""};
   } catch (const std::bad_alloc&) {
     return {nullptr, "it does not fit into memory"};
   } catch (const std::exception& error) {
@@ -58,16 +62,18 @@ LoadedMesh MeshStore::import(const MeshFile& file) const {
   }
 }
 
-std::map<std::string, LoadedMesh> MeshStore::importAll(const std::map<std::string, MeshFile>& files,
-                                                       const LoadProgress& progress) const {
-  std::map<std::string, LoadedMesh> results;
-  std::vector<std::pair<const MeshFile*, LoadedMesh*>> jobs;
+std::map<std::string, MeshStore::Imported> MeshStore::importAll(
+    const std::map<std::string, MeshFile>& files, const LoadProgress& progress) const {
+  std::map<std::string, Imported> results;
+  std::vector<std::pair<const MeshFile*, Imported*>> jobs;
   for (const auto& [path, file] : files)
     jobs.emplace_back(&file, &results[path]);
   std::mutex mutex;
   std::size_t done = 0;
   inParallel(jobs.size(), [&](std::size_t i) {
-    *jobs[i].second = import(*jobs[i].first);
+    const MeshFile& file = *jobs[i].first;
+    const Version version = versionOf(file.path);
+    *jobs[i].second = {version, import(file, version)};
     const std::lock_guard<std::mutex> lock(mutex);
     ++done;
     if (progress) progress(done, jobs.size());
@@ -79,7 +85,6 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
                                         const LoadProgress& progress) {
   std::map<std::string, LoadedMesh> meshes;
   std::map<std::string, MeshFile> unknown;
-  std::map<std::string, Version> versions;
   for (const MeshFile& file : files) {
     if (meshes.count(file.path) || unknown.count(file.path)) continue;
     LoadedMesh mesh = known(file);
@@ -87,12 +92,11 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
       meshes.emplace(file.path, std::move(mesh));
     } else {
       unknown.emplace(file.path, file);
-      versions.emplace(file.path, versionOf(file.path));
     }
   }
-  for (auto& [path, mesh] : importAll(unknown, progress)) {
-    entries_[path] = {versions[path], mesh.points, mesh.error};
-    meshes.emplace(path, std::move(mesh));
+  for (auto& [path, imported] : importAll(unknown, progress)) {
+    entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
+    meshes.emplace(path, std::move(imported.mesh));
   }
   std::vector<LoadedMesh> results;
   for (const MeshFile& file : files)

@@ -1,30 +1,99 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Resolves every path before assimp may touch it.
+// Opens first and then asks the kernel what has been opened: between a look at a path and its
+// opening the path may come to mean another file.
 #include "confined_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace link_bounds {
+namespace {
 
-bool ConfinedFiles::isAllowed(const char* path) const {
+/// A file that is open for reading.
+class ReadStream : public Assimp::IOStream {
+ public:
+  ReadStream(std::FILE* file, std::size_t size) : file_(file), size_(size) {}
+  ~ReadStream() override { std::fclose(file_); }
+  ReadStream(const ReadStream&) = delete;
+  ReadStream& operator=(const ReadStream&) = delete;
+
+  std::size_t Read(void* out, std::size_t size, std::size_t count) override {
+    return std::fread(out, size, count, file_);
+  }
+  std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+  aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+    const int whence = origin == aiOrigin_SET   ? SEEK_SET
+                       : origin == aiOrigin_CUR ? SEEK_CUR
+                                                : SEEK_END;
+    return std::fseek(file_, static_cast<long>(offset), whence) == 0 ? aiReturn_SUCCESS
+                                                                     : aiReturn_FAILURE;
+  }
+  std::size_t Tell() const override { return static_cast<std::size_t>(std::ftell(file_)); }
+  std::size_t FileSize() const override { return size_; }
+  void Flush() override {}
+
+ private:
+  std::FILE* file_;
+  std::size_t size_;
+};
+
+bool isBelow(const std::string& root, int descriptor) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  if (error || !fs::is_regular_file(real, error)) return false;
-  const fs::path root(root_);
-  return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+  const fs::path folder(root);
+  const fs::path real = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
+  if (error) return false;
+  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
+         folder.end();
 }
 
+/// The size of a regular file below root that is open.
+std::optional<std::uint64_t> allowedSize(const std::string& root, int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  if (!isBelow(root, descriptor)) return std::nullopt;
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+/// Does not wait for the writer of a pipe, nor take a terminal.
+int openForReading(const char* path) {
+  return open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+}
+
+}  // namespace
+
 bool ConfinedFiles::Exists(const char* path) const {
-  return isAllowed(path);
+  const int descriptor = openForReading(path);
+  if (descriptor < 0) return false;
+  const bool is_allowed = allowedSize(root_, descriptor).has_value();
+  close(descriptor);
+  return is_allowed;
 }
 
 Assimp::IOStream* ConfinedFiles::Open(const char* path, const char* mode) {
-  const bool reads_only = std::string(mode).find_first_of("wa+") == std::string::npos;
-  return reads_only && isAllowed(path) ? DefaultIOSystem::Open(path, mode) : nullptr;
+  if (std::string(mode).find_first_of("wa+") != std::string::npos) return nullptr;
+  const int descriptor = openForReading(path);
+  if (descriptor < 0) return nullptr;
+  const std::optional<std::uint64_t> size = allowedSize(root_, descriptor);
+  std::FILE* file = size && *size <= max_bytes_ ? fdopen(descriptor, "rb") : nullptr;
+  if (!file) {
+    close(descriptor);
+    return nullptr;
+  }
+  return new ReadStream(file, static_cast<std::size_t>(*size));
+}
+
+void ConfinedFiles::Close(Assimp::IOStream* file) {
+  delete file;
 }
 
 }  // namespace link_bounds

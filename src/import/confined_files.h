@@ -5,23 +5,26 @@
 
 #include <assimp/DefaultIOSystem.h>
 
+#include <cstdint>
 #include <string>
 
 namespace link_bounds {
 
 /// Opens for reading only, and only regular files whose real path lies below `root`: a mesh may
-/// name any file of the machine as its material or buffer.
+/// name any file of the machine as its material or buffer. Each may have `max_bytes` when it is
+/// opened.
 class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
-  explicit ConfinedFiles(std::string root) : root_(std::move(root)) {}
+  ConfinedFiles(std::string root, std::uint64_t max_bytes)
+      : root_(std::move(root)), max_bytes_(max_bytes) {}
 
   bool Exists(const char* path) const override;
   Assimp::IOStream* Open(const char* path, const char* mode) override;
+  void Close(Assimp::IOStream* file) override;
 
  private:
-  bool isAllowed(const char* path) const;
-
   std::string root_;
+  std::uint64_t max_bytes_;
 };
 
 }  // namespace link_bounds

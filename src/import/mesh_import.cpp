@@ -8,8 +8,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
-#include <fstream>
+#include <new>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -74,12 +75,13 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
 }
 
 /// assimp's reader of PLY makes one triangle of a whole mesh of strips.
-void refuseTriangleStrips(const std::string& path) {
+void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
   constexpr std::size_t kLongestHeader = 1 << 16;
+  Assimp::IOStream* file = files.Open(path.c_str(), "rb");
+  if (!file) throw MeshError("it cannot be opened");
   std::string header(kLongestHeader, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(header.data(), kLongestHeader);
-  header.resize(static_cast<std::size_t>(file.gcount()));
+  header.resize(file->Read(header.data(), 1, kLongestHeader));
+  files.Close(file);
   if (header.compare(0, 3, "ply") != 0) return;
   std::replace(header.begin(), header.end(), '\r', '\n');
   std::istringstream lines(header);
@@ -116,16 +118,19 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 
 }  // namespace
 
-TriangleMesh importMesh(const MeshFile& file) {
-  refuseTriangleStrips(file.path);
+TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes) {
   const ImportLog log;
   Assimp::Importer importer;
-  importer.SetIOHandler(new ConfinedFiles(file.root));
+  auto* files = new ConfinedFiles(file.root, max_bytes);
+  importer.SetIOHandler(files);
+  refuseTriangleStrips(*files, file.path);
   // Otherwise a file without geometry gets one that shows its nodes.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(file.path, 0);
   if (!scene || !scene->mRootNode) {
-    throw MeshError(std::string("assimp cannot read it (") + importer.GetErrorString() + ")");
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    throw MeshError("assimp cannot read it (" + reason + ")");
   }
   checkIndices(*scene);
   // The reader of OFF replaces a wrong index by a right one.

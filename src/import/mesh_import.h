@@ -3,14 +3,15 @@
 // From a mesh file to triangles; the only place that knows assimp.
 #pragma once
 
-#include "link_bounds/mesh_uri.h"
+#include "link_bounds/mesh_process.h"
 
 namespace link_bounds {
 
 /// Reads any format assimp knows, in metres, exactly as rviz 1.14 draws it: node transforms and
 /// Collada's <unit> count, the rotation of the root node (Collada's <up_axis>) does not. Vertices
 /// are composed in double and rounded once to float32; only those of triangles count. Opens no
-/// file outside `file.root`. Throws MeshError.
-TriangleMesh importMesh(const MeshFile& file);
+/// file outside `file.root`, and none of more than `max_bytes`. Throws MeshError, and
+/// std::bad_alloc if memory runs out.
+TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes = MeshLimits().max_bytes);
 
 }  // namespace link_bounds

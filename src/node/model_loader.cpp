@@ -10,7 +10,7 @@
 #include <future>
 #include <optional>
 
-#include "mesh_import.h"
+#include "link_bounds/mesh_process.h"
 #include "topics.h"
 
 namespace link_bounds {
@@ -75,7 +75,9 @@ std::string privateName(const TopicName& topic) {
 }  // namespace
 
 ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt)
-    : adopt_(std::move(adopt)), store_(importMesh) {
+    : adopt_(std::move(adopt)),
+      worker_(siblingProgram("mesh_worker")),
+      store_([this](const MeshFile& file) { return import(file); }) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =
@@ -117,6 +119,13 @@ void ModelLoader::sayWaiting() {
   if (now - last_said_ < kWaitMessagePeriod) return;
   last_said_ = now;
   ROS_WARN("waiting for parameter robot_description");
+}
+
+/// Called from several threads while load() waits; a node that ends does not wait for meshes.
+TriangleMesh ModelLoader::import(const MeshFile& file) const {
+  const MeshLimits limits{parameters_.mesh_timeout,
+                          static_cast<std::uint64_t>(parameters_.max_mesh_bytes)};
+  return importInProcess(worker_, file, limits, [this] { return stops_ || !ros::ok(); });
 }
 
 /// Throws NoDescription, RobotError.

@@ -39,11 +39,13 @@ class ModelLoader {
   void run();
   void firstLoad();
   void load();
+  TriangleMesh import(const MeshFile& file) const;
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void sayWaiting();
   bool handOver(ModelPtr model);
 
   std::function<ModelPtr(ModelPtr)> adopt_;
+  std::string worker_;
   MeshStore store_;
   Parameters parameters_;
   bool has_loaded_ = false;

@@ -27,6 +27,10 @@ inline std::string positive(double value) {
   return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
 }
 
+inline std::string positiveInt(int value) {
+  return value > 0 ? "" : "must be a whole number > 0";
+}
+
 inline std::string geometry(const std::string& value) {
   const bool known = value == "visual" || value == "collision" || value == "both";
   return known ? "" : "must be visual, collision or both";
@@ -87,6 +91,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
   visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
   visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
+  visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
+  visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
 }
 
 }  // namespace link_bounds

@@ -29,6 +29,12 @@ const char* fromXml(XmlRpcValue& value, bool& out) {
   return nullptr;
 }
 
+const char* fromXml(XmlRpcValue& value, int& out) {
+  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number";
+  out = static_cast<int&>(value);
+  return nullptr;
+}
+
 const char* fromXml(XmlRpcValue& value, double& out) {
   if (value.getType() == XmlRpcValue::TypeInt) {
     out = static_cast<int&>(value);

@@ -33,6 +33,8 @@ struct Parameters {
   std::string marker_style = "both";
   std::array<double, 4> marker_color{{0.1, 0.7, 1.0, 0.25}};
   bool marker_labels = false;
+  double mesh_timeout = 30.0;
+  int max_mesh_bytes = 536870912;
 };
 
 /// A reading of the parameter server.

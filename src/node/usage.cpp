@@ -17,6 +17,9 @@ const char* typeName(const std::string&) {
 const char* typeName(double) {
   return "double";
 }
+const char* typeName(int) {
+  return "int";
+}
 const char* typeName(bool) {
   return "bool";
 }
@@ -38,6 +41,9 @@ std::string valueText(const std::string& value) {
 }
 std::string valueText(bool value) {
   return value ? "true" : "false";
+}
+std::string valueText(int value) {
+  return std::to_string(value);
 }
 std::string valueText(double value) {
   std::ostringstream text;

@@ -16,7 +16,7 @@
 #include "box_table.h"
 #include "link_bounds/bounded_robot.h"
 #include "link_bounds/kinematics.h"
-#include "mesh_import.h"
+#include "link_bounds/mesh_process.h"
 #include "package_path.h"
 #include "terminal.h"
 #include "urdf_bounds_options.h"
@@ -129,7 +129,9 @@ int run(const UrdfBoundsOptions& options) {
   selection.visual = options.visual;
   selection.collision = options.collision;
   MeshSource source{rosPackages(), folderOf(options.file), progressBar()};
-  MeshStore store(importMesh);
+  const std::string worker = siblingProgram("mesh_worker");
+  MeshStore store(
+      [&worker](const MeshFile& file) { return importInProcess(worker, file, MeshLimits()); });
   const BoundedRobot bounded = boundRobot(robot, selection, source, store);
   for (const std::string& problem : bounded.problems)
     warn(problem);

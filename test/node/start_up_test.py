@@ -33,6 +33,8 @@ BAD_PARAMETERS = {
     "marker_style": ["lines", True],
     "marker_color": [[1, 1, 1], [1, 1, 1, 2.0], "red"],
     "marker_labels": ["yes", 1],
+    "mesh_timeout": [0, -1.0, "30", float("inf")],
+    "max_mesh_bytes": [0, -1, 1e6, "1000"],
 }
 
 

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One child process per file, a deadline, and a word for each way to fail.
+#include "link_bounds/mesh_process.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <system_error>
+
+#include "child_process.h"
+#include "link_bounds/mesh_frame.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Small files of text unfold: a line "f 1 2 3 4" becomes two triangles.
+constexpr std::uint64_t kUnfolding = 16 << 20;
+
+constexpr double kLongestTimeout = 1e8;
+
+CheckPatience patienceOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
+  const std::chrono::duration<double> wait(std::min(limits.timeout, kLongestTimeout));
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
+  return [end, seconds = limits.timeout, &is_cancelled] {
+    if (is_cancelled && is_cancelled()) throw MeshError("reading it was cancelled");
+    if (Clock::now() < end) return;
+    std::ostringstream reason;
+    reason << "reading it takes longer than the " << seconds << " s of mesh_timeout";
+    throw MeshError(reason.str());
+  };
+}
+
+void checkSize(const MeshFile& file, const MeshLimits& limits) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file.path, error);
+  if (error) throw MeshError("its size is not to be had (" + error.message() + ")");
+  if (size <= limits.max_bytes) return;
+  throw MeshError("its " + std::to_string(size) + " bytes are more than the " +
+                  std::to_string(limits.max_bytes) + " of max_mesh_bytes");
+}
+
+/// See src/tools/mesh_worker.cpp.
+std::vector<std::string> commandLine(const std::string& worker, const MeshFile& file,
+                                     const MeshLimits& limits) {
+  const double seconds = std::ceil(std::min(limits.timeout, kLongestTimeout));
+  return {worker,
+          file.path,
+          file.root,
+          std::to_string(limits.max_bytes),
+          std::to_string(static_cast<long>(seconds)),
+          std::to_string(getpid())};
+}
+
+TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+                      const CheckPatience& check_patience) {
+  Pipe pipe;
+  ChildProcess process(commandLine(worker, file, limits), pipe.writingEnd());
+  pipe.closeWritingEnd();
+  const auto source = [&](void* out, std::size_t wanted) {
+    return pipe.read(out, wanted, check_patience);
+  };
+  try {
+    return readMeshFrame(source, limits.max_bytes + kUnfolding);
+  } catch (const FrameError&) {
+    const int signal = pipe.hasEnded() ? process.waitForSignal(check_patience) : 0;
+    if (signal == 0) throw;
+    throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) +
+                    ")");
+  }
+}
+
+}  // namespace
+
+std::string siblingProgram(const std::string& name) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
+                             const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
+  const CheckPatience check_patience = patienceOf(limits, is_cancelled);
+  check_patience();
+  try {
+    checkSize(file, limits);
+    return answerOf(worker, file, limits, check_patience);
+  } catch (const std::system_error& error) {
+    throw MeshError("cannot run " + worker + " for it (" + error.code().message() + ")");
+  }
+}
+
+}  // namespace link_bounds

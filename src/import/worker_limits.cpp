@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// setrlimit, prctl, and a walk through the open descriptors.
+#include "worker_limits.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+constexpr std::uint64_t kLeastMemory = std::uint64_t(512) << 20;
+constexpr std::uint64_t kMemoryPerByte = 32;
+constexpr rlim_t kOpenFiles = 32;
+
+void limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
+  rlimit now{};
+  getrlimit(resource, &now);
+  const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
+  setrlimit(resource, &wanted);
+}
+
+/// Sockets of the node must not live on in its children.
+void closeInheritedFiles() {
+  std::vector<int> inherited;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int descriptor = std::stoi(entry.path().filename().string());
+    if (descriptor > STDERR_FILENO) inherited.push_back(descriptor);
+  }
+  for (const int descriptor : inherited)
+    close(descriptor);
+}
+
+}  // namespace
+
+std::uint64_t memoryLimit(std::uint64_t file_bytes) {
+  return kLeastMemory + kMemoryPerByte * file_bytes;
+}
+
+void limitThisProcess(std::uint64_t memory_bytes, long cpu_seconds, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  closeInheritedFiles();
+  const auto cpu = static_cast<rlim_t>(cpu_seconds);
+  limit(RLIMIT_CPU, cpu, cpu + 1);
+  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_NOFILE, kOpenFiles, kOpenFiles);
+  if (kIsSanitized) return;
+  limit(RLIMIT_FSIZE, 0, 0);
+  limit(RLIMIT_AS, memory_bytes, memory_bytes);
+}
+
+}  // namespace link_bounds

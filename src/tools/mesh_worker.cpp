@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads one mesh file and writes its triangles, or the reason why not, to standard output, in the
+// frame of link_bounds/mesh_frame.h. Started by link_bounds/mesh_process.h, never by hand.
+#include <errno.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+
+#include "link_bounds/mesh_frame.h"
+#include "mesh_import.h"
+#include "worker_limits.h"
+
+namespace link_bounds {
+namespace {
+
+enum Argument { kFile = 1, kRoot, kMaxBytes, kCpuSeconds, kParent, kCount };
+
+void writeToOutput(const void* bytes, std::size_t count) {
+  const char* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t written = write(STDOUT_FILENO, next, count);
+    if (written < 0 && errno != EINTR) _exit(1);
+    if (written < 0) continue;
+    next += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+void answer(const MeshFile& file, std::uint64_t max_bytes, std::uint64_t memory_bytes) {
+  try {
+    writeMeshFrame(importMesh(file, max_bytes), writeToOutput);
+  } catch (const std::bad_alloc&) {
+    writeErrorFrame("to read it takes more memory than the " + std::to_string(memory_bytes >> 20) +
+                        " MiB for a file of its size",
+                    writeToOutput);
+  } catch (const std::exception& error) {
+    writeErrorFrame(error.what(), writeToOutput);
+  }
+}
+
+int run(char** argv) {
+  const MeshFile file{argv[kFile], argv[kRoot]};
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file.path, error);
+  const std::uint64_t memory = memoryLimit(error ? 0 : size);
+  limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
+  answer(file, std::strtoull(argv[kMaxBytes], nullptr, 10), memory);
+  // A reader that has damaged its memory must not damage the answer by tidying up.
+  _exit(0);
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+#if defined(__SANITIZE_ADDRESS__)
+/// What kills the worker is for its parent to tell; a report would pass for a fault of ours.
+extern "C" const char* __asan_default_options() {
+  return "handle_segv=0:handle_abort=0:handle_sigbus=0:handle_sigfpe=0:allocator_may_return_null=1";
+}
+#endif
+
+int main(int argc, char** argv) {
+  if (argc != link_bounds::kCount) {
+    std::fputs("mesh_worker is started by link_bounds for one mesh file; use urdf_bounds\n",
+               stderr);
+    return 1;
+  }
+  return link_bounds::run(argv);
+}

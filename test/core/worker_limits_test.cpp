@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each limit is tried out in a child process, which must not survive or must not succeed.
+#include "worker_limits.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <functional>
+
+#include "temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30;
+constexpr int kDeadlineMilliseconds = 20000;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+/// How a child ends that limits itself and then does this; its exit code is the answer.
+int statusOf(const std::function<bool()>& body, long cpu_seconds = 100) {
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    limitThisProcess(kMemory, cpu_seconds, parent);
+    _exit(body() ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+TEST(WorkerLimits, MemoryEnds) {
+  if (kIsSanitized) return;
+  EXPECT_EQ(statusOf([] {
+              return mmap(nullptr, kMemory, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) ==
+                     MAP_FAILED;
+            }),
+            0);
+}
+
+TEST(WorkerLimits, AFileThatDoublesGetsMoreMemory) {
+  EXPECT_GT(memoryLimit(2000000), memoryLimit(1000000));
+  EXPECT_LT(memoryLimit(0), std::uint64_t(1) << 30);
+}
+
+TEST(WorkerLimits, TimeOfTheProcessorEnds) {
+  const int status = statusOf(
+      [] {
+        for (volatile int i = 0;; i = i + 1) {
+        }
+        return false;
+      },
+      1);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGXCPU);
+}
+
+TEST(WorkerLimits, NoFileIsWritten) {
+  if (kIsSanitized) return;
+  const TemporaryFolder folder;
+  const std::string path = folder / "file";
+  EXPECT_EQ(statusOf([&path] {
+              signal(SIGXFSZ, SIG_IGN);
+              const int file = open(path.c_str(), O_CREAT | O_WRONLY, 0600);
+              return file >= 0 && write(file, "x", 1) < 0;
+            }),
+            0);
+}
+
+TEST(WorkerLimits, InheritedFilesAreClosed) {
+  const int inherited = open("/dev/null", O_RDONLY);
+  ASSERT_GT(inherited, STDERR_FILENO);
+  EXPECT_EQ(statusOf([inherited] {
+              return fcntl(inherited, F_GETFD) < 0 && fcntl(STDOUT_FILENO, F_GETFD) >= 0;
+            }),
+            0);
+  close(inherited);
+}
+
+TEST(WorkerLimits, ManyFilesAtOnceAreRefused) {
+  EXPECT_EQ(statusOf([] {
+              for (int i = 0; i < 100; ++i) {
+                if (open("/dev/null", O_RDONLY) < 0) return i > 5;
+              }
+              return false;
+            }),
+            0);
+}
+
+TEST(WorkerLimits, NoPrivilegesAreGained) {
+  EXPECT_EQ(statusOf([] { return prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) == 1; }), 0);
+}
+
+TEST(WorkerLimits, NoOrphanStarts) {
+  const pid_t child = fork();
+  if (child == 0) {
+    limitThisProcess(kMemory, 100, getpid());  // which is not its parent
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+TEST(WorkerLimits, ItEndsWithItsParent) {
+  std::array<int, 2> pipe_ends{};
+  ASSERT_EQ(pipe(pipe_ends.data()), 0);
+  const pid_t middle = fork();
+  if (middle == 0) {
+    const pid_t self = getpid();
+    if (fork() == 0) {
+      dup2(pipe_ends[1], STDOUT_FILENO);
+      limitThisProcess(kMemory, 100, self);
+      const ssize_t written = write(STDOUT_FILENO, "x", 1);
+      for (;;)
+        pause();
+      _exit(static_cast<int>(written));
+    }
+    for (;;)
+      pause();
+  }
+  close(pipe_ends[1]);
+  char ready = 0;
+  ASSERT_EQ(read(pipe_ends[0], &ready, 1), 1);
+  kill(middle, SIGKILL);
+  waitpid(middle, nullptr, 0);
+  pollfd end{pipe_ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&end, 1, kDeadlineMilliseconds), 1) << "the orphan lives on";
+  close(pipe_ends[0]);
+}
+
+}  // namespace
+}  // namespace link_bounds
