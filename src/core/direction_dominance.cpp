@@ -3,47 +3,73 @@
 // Every candidate against the champions of each corner and of their sum.
 #include "direction_dominance.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace link_bounds {
 namespace {
 
-/// The columns that are largest in one row or in the sum of all.
-Eigen::MatrixXd championsOf(const Eigen::MatrixXd& reaches) {
-  Eigen::MatrixXd champions(reaches.rows(), reaches.rows() + 1);
-  Eigen::Index best = 0;
-  for (Eigen::Index i = 0; i < reaches.rows(); ++i) {
-    reaches.row(i).maxCoeff(&best);
-    champions.col(i) = reaches.col(best);
-  }
-  reaches.colwise().sum().maxCoeff(&best);
-  champions.col(reaches.rows()) = reaches.col(best);
-  return champions;
-}
+constexpr std::size_t kMostCorners = 6;  ///< of two triangles
 
-/// One column per candidate, one row per corner.
-Eigen::MatrixXd reachesOf(const std::vector<Eigen::Vector3d>& points, const Cone& corners,
-                          double sign, const PointIndices& candidates) {
-  Eigen::MatrixX3d directions(corners.size(), 3);
+/// How far a point reaches at each corner; corners that do not exist are 0.
+using Reaches = std::array<double, kMostCorners>;
+
+Reaches reachesOf(const Eigen::Vector3d& point, const Cone& corners, double sign) {
+  Reaches reaches{};
   for (std::size_t i = 0; i < corners.size(); ++i)
-    directions.row(static_cast<Eigen::Index>(i)) = sign * corners[i];
-  Eigen::MatrixXd reaches(directions.rows(), candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    reaches.col(static_cast<Eigen::Index>(i)).noalias() = directions * points[candidates[i]];
+    reaches[i] = sign * point.dot(corners[i]);
   return reaches;
 }
+
+/// Of the candidates so far, those that reach farthest at one corner or at all of them on average.
+class Champions {
+ public:
+  explicit Champions(std::size_t corners) : corners_(corners), best_(corners + 1) {
+    for (Reaches& reaches : best_)
+      reaches.fill(-std::numeric_limits<double>::infinity());
+  }
+
+  void add(const Reaches& reaches) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners_; ++i) {
+      sum += reaches[i];
+      if (reaches[i] > best_[i][i]) best_[i] = reaches;
+    }
+    if (sum > best_sum_) best_.back() = reaches;
+    best_sum_ = std::max(best_sum_, sum);
+  }
+
+  /// True if one of them is ahead of the candidate by more than the margin at every corner.
+  bool beat(const Reaches& reaches, double margin) const {
+    return std::any_of(best_.begin(), best_.end(), [&](const Reaches& best) {
+      for (std::size_t i = 0; i < corners_; ++i) {
+        if (!(best[i] - reaches[i] > margin)) return false;
+      }
+      return true;
+    });
+  }
+
+ private:
+  std::size_t corners_;
+  std::vector<Reaches> best_;
+  double best_sum_ = -std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
 void dropDominated(const std::vector<Eigen::Vector3d>& points, const Cone& corners, double sign,
                    double margin, PointIndices& candidates) {
-  const Eigen::MatrixXd reaches = reachesOf(points, corners, sign, candidates);
-  const Eigen::MatrixXd champions = championsOf(reaches);
+  std::vector<Reaches> reaches;
+  reaches.reserve(candidates.size());
+  Champions champions(corners.size());
+  for (const std::uint32_t candidate : candidates) {
+    reaches.push_back(reachesOf(points[candidate], corners, sign));
+    champions.add(reaches.back());
+  }
   std::size_t left = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto reach = reaches.col(static_cast<Eigen::Index>(i)).array();
-    bool is_dominated = false;
-    for (Eigen::Index j = 0; j < champions.cols() && !is_dominated; ++j)
-      is_dominated = (champions.col(j).array() - reach > margin).all();
-    if (!is_dominated) candidates[left++] = candidates[i];
+    if (!champions.beat(reaches[i], margin)) candidates[left++] = candidates[i];
   }
   candidates.resize(left);
 }

@@ -15,7 +15,7 @@ namespace {
 /// 2^depth of them; ties at one direction, one inside the other.
 constexpr std::size_t kContenders = 48;
 constexpr int kDeepest = 40;
-constexpr std::size_t kLooks = 128;
+constexpr std::size_t kLooks = 64;
 
 Eigen::Vector3d middle(const Cone& cone) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

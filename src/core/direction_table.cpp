@@ -68,6 +68,10 @@ CandidateGrid listOfAll(std::size_t count) {
   return result;
 }
 
+bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
+  return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.pointCount());
+}
+
 }  // namespace
 
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
@@ -77,10 +81,12 @@ DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
   while (grid.grid < kCoarsestGrid)
     grid = builder.refined(grid);
   DirectionTable table = packed(points, grid);
-  while (grid.meanListSize() > kMeanListSize && grid.grid < kFinestGrid) {
+  // A finer grid never names fewer points, so that what is above the limit stays above it.
+  while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
+         grid.grid < kFinestGrid) {
     grid = builder.refined(grid);
     DirectionTable finer = packed(points, grid);
-    if (finer.bytes() > std::max(kBytesPerTable, kBytesPerPoint * grid.pointCount())) break;
+    if (!isWithinLimit(finer, grid)) break;
     table = std::move(finer);
   }
   return table;

@@ -17,7 +17,7 @@ from std_srvs.srv import Trigger
 
 TOLERANCE = 1e-12  # m
 LONGEST_CALLBACK = 50.0  # ms of the update thread's own time
-TRIANGLES = 300000
+TRIANGLES = 60000
 
 
 def write_stl(path, size, triangles=1):
