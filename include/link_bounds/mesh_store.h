@@ -21,7 +21,7 @@ using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
 /// Told after each file: how many of how many are done. Calls do not overlap.
 using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// What became of a file: points, or the reason why there are none.
+/// What became of a file: points, or the reason why there are none and what to do.
 struct LoadedMesh {
   std::shared_ptr<const PointSet> points;
   std::string error;

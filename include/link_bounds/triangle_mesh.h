@@ -17,6 +17,12 @@ class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same where the file itself may be sound; what() ends with what to do instead.
+class ImportError : public MeshError {
+ public:
+  using MeshError::MeshError;
+};
+
 /// Metres, in the frame of the mesh file. A vertex is float32 by definition (see README,
 /// "Accuracy and cost").
 struct TriangleMesh {

@@ -93,8 +93,7 @@ void fillIn(Draft& draft, const std::vector<LoadedMesh>& meshes) {
     }
     draft.addProblem(link, request.element->purpose, request.element->number,
                      request.element->mesh_uri,
-                     "cannot use " + request.file.path + ": " + meshes[i].error +
-                         "; repair or replace the file");
+                     "cannot use " + request.file.path + ": " + meshes[i].error);
   }
 }
 

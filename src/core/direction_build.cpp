@@ -14,10 +14,10 @@
 namespace link_bounds {
 namespace {
 
-/// Lists go through at most four envelopes (grids of 8, 16, 32 and 64), each of which may leave out
-/// what is worth this much of the largest |coordinate|: 1e-14 in all. Evaluating a difference of
-/// two functionals errs by less than 7e-16 of it.
-constexpr double kTolerance = 2.5e-15;
+/// Lists go through at most eight envelopes (four of large sets in parts, then grids of 8, 16, 32
+/// and 64), each of which may leave out what is worth this much of the largest |coordinate|: 1e-14
+/// in all. Evaluating a difference of two functionals errs by less than 7e-16 of it.
+constexpr double kTolerance = 1.25e-15;
 
 /// Cells are grown by so much on every side, for directions that rounding puts into a neighbour.
 constexpr double kGrowth = 2e-6;
@@ -100,14 +100,14 @@ double CandidateGrid::meanListSize() const {
   return static_cast<double>(sum) / static_cast<double>(cells.size());
 }
 
-std::size_t CandidateGrid::pointCount() const {
-  PointIndices named;
+PointIndices CandidateGrid::named() const {
+  PointIndices result;
   for (const CellCandidates& cell : cells) {
-    named.insert(named.end(), cell.upper.begin(), cell.upper.end());
-    named.insert(named.end(), cell.lower.begin(), cell.lower.end());
+    result.insert(result.end(), cell.upper.begin(), cell.upper.end());
+    result.insert(result.end(), cell.lower.begin(), cell.lower.end());
   }
-  sortUnique(named);
-  return named.size();
+  sortUnique(result);
+  return result;
 }
 
 GridBuilder::GridBuilder(std::vector<Eigen::Vector3d> points)

@@ -25,8 +25,8 @@ struct CandidateGrid {
   std::vector<CellCandidates> cells;
 
   double meanListSize() const;
-  /// How many different points the lists name.
-  std::size_t pointCount() const;
+  /// The points that the lists name, each once.
+  PointIndices named() const;
 };
 
 /// Lists for grids of 2, 4, 8 ... cells per side. Only from 8 on are they as short as can be;

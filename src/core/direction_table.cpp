@@ -16,6 +16,8 @@ constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;
 constexpr std::size_t kBytesPerTable = 128 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
+constexpr std::size_t kPart = 1 << 16;
+constexpr int kPasses = 4;
 
 /// Four points of the list; what is beyond its end repeats the last one.
 PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
@@ -68,18 +70,39 @@ CandidateGrid listOfAll(std::size_t count) {
   return result;
 }
 
-bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
-  return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.pointCount());
-}
-
-}  // namespace
-
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
-  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
-  GridBuilder builder(toDouble(points));
+/// The grid of 8, the first whose lists are as short as can be.
+CandidateGrid coarsestLists(GridBuilder& builder) {
   CandidateGrid grid = builder.coarsest();
   while (grid.grid < kCoarsestGrid)
     grid = builder.refined(grid);
+  return grid;
+}
+
+void appendNamed(const std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& named) {
+  GridBuilder builder(toDouble(points));
+  for (const std::uint32_t index : coarsestLists(builder).named())
+    named.push_back(points[index]);
+}
+
+/// Of a large set what its parts cannot do without: a part fits into the processor's cache.
+std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<Eigen::Vector3f> left;
+  for (std::size_t first = 0; first < points.size(); first += kPart) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto size = static_cast<std::ptrdiff_t>(std::min(kPart, points.size() - first));
+    appendNamed({begin, begin + size}, left);
+  }
+  return left;
+}
+
+bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
+  return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.named().size());
+}
+
+DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
+  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
+  GridBuilder builder(toDouble(points));
+  CandidateGrid grid = coarsestLists(builder);
   DirectionTable table = packed(points, grid);
   // A finer grid never names fewer points, so that what is above the limit stays above it.
   while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
@@ -90,6 +113,18 @@ DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
     table = std::move(finer);
   }
   return table;
+}
+
+DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes) {
+  if (passes == 0 || points.size() <= 2 * kPart) return wholeTable(points);
+  const std::vector<Eigen::Vector3f> left = reducedByParts(points);
+  return reducedTable(left, 2 * left.size() < points.size() ? passes - 1 : 0);
+}
+
+}  // namespace
+
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
+  return reducedTable(points, kPasses);
 }
 
 DirectionGrid::DirectionGrid(int cells_per_side)

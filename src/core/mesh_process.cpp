@@ -31,11 +31,12 @@ CheckPatience patienceOf(const MeshLimits& limits, const std::function<bool()>& 
   const std::chrono::duration<double> wait(std::min(limits.timeout, kLongestTimeout));
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
   return [end, seconds = limits.timeout, &is_cancelled] {
-    if (is_cancelled && is_cancelled()) throw MeshError("reading it was cancelled");
+    if (is_cancelled && is_cancelled()) throw ImportError("reading it was cancelled; reload");
     if (Clock::now() < end) return;
     std::ostringstream reason;
-    reason << "reading it takes longer than the " << seconds << " s of mesh_timeout";
-    throw MeshError(reason.str());
+    reason << "reading it takes longer than the " << seconds
+           << " s of mesh_timeout; raise that or simplify the mesh";
+    throw ImportError(reason.str());
   };
 }
 
@@ -44,8 +45,9 @@ void checkSize(const MeshFile& file, const MeshLimits& limits) {
   const std::uintmax_t size = std::filesystem::file_size(file.path, error);
   if (error) throw MeshError("its size is not to be had (" + error.message() + ")");
   if (size <= limits.max_bytes) return;
-  throw MeshError("its " + std::to_string(size) + " bytes are more than the " +
-                  std::to_string(limits.max_bytes) + " of max_mesh_bytes");
+  throw ImportError("its " + std::to_string(size) + " bytes are more than the " +
+                    std::to_string(limits.max_bytes) +
+                    " of max_mesh_bytes; raise that or simplify the mesh");
 }
 
 /// See src/tools/mesh_worker.cpp.
@@ -92,7 +94,8 @@ TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
     checkSize(file, limits);
     return answerOf(worker, file, limits, check_patience);
   } catch (const std::system_error& error) {
-    throw MeshError("cannot run " + worker + " for it (" + error.code().message() + ")");
+    throw ImportError("cannot run " + worker + " (" + error.code().message() +
+                      "); install link_bounds as a whole, or end some processes");
   }
 }
 

@@ -50,15 +50,17 @@ LoadedMesh MeshStore::known(const MeshFile& file) const {
 
 LoadedMesh MeshStore::import(const MeshFile& file, const Version& version) const {
   try {
-    const TriangleMesh mesh = importer_(file);
+    const std::vector<Eigen::Vector3f> vertices = importer_(file).vertices;
     if (!(versionOf(file.path) == version)) {
-      return {nullptr, "it changed while it was read; call ~reload once it is complete"};
+      throw ImportError("it changed while it was read; reload when it is complete");
     }
-    return {std::make_shared<const PointSet>(mesh.vertices), ""};
+    return {std::make_shared<const PointSet>(vertices), ""};
   } catch (const std::bad_alloc&) {
-    return {nullptr, "it does not fit into memory"};
-  } catch (const std::exception& error) {
+    return {nullptr, "it does not fit into memory; simplify the mesh"};
+  } catch (const ImportError& error) {
     return {nullptr, error.what()};
+  } catch (const std::exception& error) {
+    return {nullptr, error.what() + std::string("; repair or replace the file")};
   }
 }
 

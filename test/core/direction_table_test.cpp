@@ -123,6 +123,14 @@ TEST(DirectionTable, TwoLongLines) {
   expectExact(points, 21, 20);
 }
 
+TEST(DirectionTable, LargeSetsInParts) {
+  brute_force::Random random(22);
+  Points points = onSphere(200000);
+  for (Eigen::Vector3f& point : points)
+    point *= 1 + 0.01f * random.vector(1).cast<float>().x();
+  expectExact(points, 23, 30);
+}
+
 TEST(DirectionTable, SmallSets) {
   brute_force::Random random(11);
   for (const std::size_t count : {4u, 15u, 16u, 17u, 18u, 33u}) {

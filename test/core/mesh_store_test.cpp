@@ -22,6 +22,8 @@ TriangleMesh readTriangle(const MeshFile& file) {
   return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
 }
 
+constexpr char kReason[] = "it is no number; repair or replace the file";
+
 class MeshStoreTest : public testing::Test {
  protected:
   MeshFile write(const std::string& name, const std::string& text) const {
@@ -83,7 +85,7 @@ TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
 TEST_F(MeshStoreTest, AFailureNamesItsReasonAndHarmsNoOtherFile) {
   const auto meshes = store_.load({write("bad", "x"), write("good", "1")});
   EXPECT_FALSE(meshes[0].points);
-  EXPECT_EQ(meshes[0].error, "it is no number");
+  EXPECT_EQ(meshes[0].error, kReason);
   EXPECT_TRUE(meshes[1].points);
   EXPECT_EQ(meshes[1].error, "");
 }
@@ -91,10 +93,10 @@ TEST_F(MeshStoreTest, AFailureNamesItsReasonAndHarmsNoOtherFile) {
 TEST_F(MeshStoreTest, FailuresAreRememberedUntilForgotten) {
   const MeshFile file = write("bad", "x");
   loadOne(file);
-  EXPECT_EQ(loadOne(file).error, "it is no number");
+  EXPECT_EQ(loadOne(file).error, kReason);
   EXPECT_EQ(imports(), 1);
   store_.forgetFailures();
-  EXPECT_EQ(loadOne(file).error, "it is no number");
+  EXPECT_EQ(loadOne(file).error, kReason);
   EXPECT_EQ(imports(), 2);
 }
 
@@ -170,6 +172,25 @@ TEST_F(MeshStoreTest, ManyFilesEachOnce) {
     EXPECT_EQ(sizeOf(meshes[i]), static_cast<double>(i + 1));
   }
   EXPECT_EQ(imports(), 200);
+}
+
+TEST_F(MeshStoreTest, AnImportThatFailsForAnotherReasonKeepsItsRemedy) {
+  MeshStore store([](const MeshFile&) -> TriangleMesh { throw ImportError("too slow; wait"); });
+  EXPECT_EQ(store.load({write("a", "1")}).at(0).error, "too slow; wait");
+}
+
+TEST_F(MeshStoreTest, AFileThatChangesWhileItIsReadIsRefusedUntilForgotten) {
+  const MeshFile file = write("a", "1");
+  bool changes = true;
+  MeshStore store([&](const MeshFile& mesh) {
+    if (changes) replace(mesh, "2");
+    return readTriangle(mesh);
+  });
+  EXPECT_NE(store.load({file}).at(0).error.find("changed while it was read"), std::string::npos);
+  changes = false;
+  EXPECT_FALSE(store.load({file}).at(0).points);
+  store.forgetFailures();
+  EXPECT_EQ(sizeOf(store.load({file}).at(0)), 2);
 }
 
 TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
