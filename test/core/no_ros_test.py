@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails if the core library knows ROS or assimp: usage no_ros_test.py LIBLINK_BOUNDS_SO."""
+"""Fails if the core library knows ROS or assimp, or if assimp gets into a process that must not die
+of a mesh: usage no_ros_test.py LIBLINK_BOUNDS_SO MESH_WORKER PROGRAM ..."""
 
 import pathlib
 import re
@@ -58,9 +59,22 @@ def check_library(path):
     return [f'{path} needs {library}' for library in forbidden_libraries(section)]
 
 
+def loads_assimp(program):
+    """With all libraries that it needs, directly or not."""
+    return 'libassimp' in subprocess.run(['ldd', program], check=True, capture_output=True,
+                                         text=True).stdout
+
+
+def check_programs(worker, programs):
+    assert loads_assimp(worker), 'mesh_worker is known to need assimp'
+    return [f'{program} loads assimp' for program in programs if loads_assimp(program)]
+
+
 def main():
+    library, worker, *programs = sys.argv[1:]
     check_patterns()
-    faults = check_sources(pathlib.Path(__file__).resolve().parents[2]) + check_library(sys.argv[1])
+    faults = (check_sources(pathlib.Path(__file__).resolve().parents[2]) + check_library(library) +
+              check_programs(worker, programs))
     print('\n'.join(faults) or 'the core library knows neither ROS nor assimp')
     return 1 if faults else 0
 

@@ -141,6 +141,10 @@ class NodeProcess:
         self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
                                          stdout=self._output, stderr=subprocess.STDOUT)
 
+    @property
+    def process_id(self):
+        return self._process.pid
+
     def interrupt(self, signal_number):
         self._process.send_signal(signal_number)
 

@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that are no meshes, readers that hang, and nodes that end while they load."""
+import itertools
+import os
+import pathlib
+import re
+import shutil
+import signal
+import struct
+import tempfile
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (Recorder, TfSender, box_link, box_of, names_of, robot, transform,
+                            visual, wait_for)
+from node_testing import Diagnostics, NodeProcess, Repeater, value_of
+from std_srvs.srv import Trigger
+
+TRIANGLES = 300000  # so many take the reader long enough to be caught
+SHORT_TIMEOUT = 3.0  # s
+LONGEST_CALLBACK = 50.0  # ms of the update thread's own time
+PROMPT = 5.0  # s, for the end of a node
+
+
+def write_stl(path, triangles):
+    triangle = struct.pack("<12fH", *[0] * 3, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0)
+    path.write_bytes(bytes(80) + struct.pack("<I", triangles) + triangle * triangles)
+
+
+def mesh_robot(uri):
+    """A mast beside the base, whose mesh is the case."""
+    mesh = visual('<mesh filename="%s"/>' % uri)
+    return robot([box_link("base", (1, 2, 3)), '<link name="mast">%s</link>' % mesh],
+                 [("base", "mast")])
+
+
+def parent_of(process):
+    """Also tells that it lives."""
+    try:
+        stat = pathlib.Path("/proc/%d/stat" % process).read_text()
+    except OSError:
+        return None
+    state, parent = stat.rsplit(")", 1)[1].split()[:2]
+    return None if state == "Z" else int(parent)
+
+
+def has_limits(process):
+    """It is past its beginning, in which it limits itself."""
+    try:
+        limits = pathlib.Path("/proc/%d/limits" % process).read_text()
+    except OSError:
+        return False
+    return bool(re.search(r"Max open files +32 ", limits))
+
+
+def workers_of(node):
+    """Process numbers of the mesh readers that a process has started."""
+    processes = [int(path.name) for path in pathlib.Path("/proc").glob("[0-9]*")]
+    return [p for p in processes if parent_of(p) == node and has_limits(p)]
+
+
+def is_alive(process):
+    return parent_of(process) is not None
+
+
+class MeshFaults(unittest.TestCase):
+    names = ("node_%d" % i for i in itertools.count())
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.package = self.folder / "meshes"
+        self.package.mkdir()
+        (self.package / "package.xml").write_text("<package><name>meshes</name></package>")
+        self.large = self.package / "large.stl"
+        write_stl(self.large, TRIANGLES)
+
+    def start(self, description, **parameters):
+        rospy.set_param("/robot_description", description)
+        environment = dict(os.environ, ROS_PACKAGE_PATH="%s:%s" % (
+            self.package, os.environ["ROS_PACKAGE_PATH"]))
+        node = NodeProcess(next(self.names), (), environment, timeout=0.0, **parameters)
+        self.addCleanup(node.end)
+        return node
+
+    def catch_worker(self, node):
+        """A reader at work, stopped; it hangs from now on."""
+        worker = wait_for(lambda: workers_of(node.process_id), "a mesh reader")[0]
+        os.kill(worker, signal.SIGSTOP)
+        self.addCleanup(lambda: is_alive(worker) and os.kill(worker, signal.SIGKILL))
+        return worker
+
+    def check_refused(self, uri, *words, **parameters):
+        node = self.start(mesh_robot(uri), **parameters)
+        message = Recorder(node.name + "/boxes").wait(lambda m: m.boxes, "the base")
+        self.assertEqual((names_of(message), message.incomplete), (["base"], ["mast"]))
+        wait_for(lambda: 'link "mast"' in node.output, "an error")
+        for word in words:
+            self.assertIn(word, node.output)
+        self.assertEqual(node.output.count("ERROR"), 1, node.output)
+        return node
+
+    def reload(self, node):
+        self.assertTrue(rospy.ServiceProxy(node.name + "/reload", Trigger)().success)
+
+    def test_what_is_no_regular_file(self):
+        os.mkfifo(self.folder / "pipe.stl")
+        for path in (self.folder / "pipe.stl", pathlib.Path("/dev/zero"), self.folder):
+            with self.subTest(path=path):
+                self.check_refused("file://%s" % path, str(path), "not a regular file")
+
+    def test_a_link_that_leads_out_of_the_package(self):
+        outside = self.folder / "outside.stl"
+        write_stl(outside, 1)
+        (self.package / "link.stl").symlink_to(outside)
+        self.check_refused("package://meshes/link.stl", str(outside), "outside package")
+
+    def test_a_link_within_the_package(self):
+        write_stl(self.package / "small.stl", 1)
+        (self.package / "link.stl").symlink_to("small.stl")
+        node = self.start(mesh_robot("package://meshes/link.stl"))
+        message = Recorder(node.name + "/boxes").wait(lambda m: m.boxes, "the base")
+        self.assertEqual(message.incomplete, ["mast"])  # no transform yet
+        self.assertNotIn("ERROR", node.output)
+
+    def test_max_mesh_bytes(self):
+        size = self.large.stat().st_size
+        node = self.check_refused("file://%s" % self.large, "max_mesh_bytes", str(size),
+                                  max_mesh_bytes=size - 1)
+        rospy.set_param(node.name + "/max_mesh_bytes", size)
+        self.reload(node)
+        self.assertEqual(node.output.count("ERROR"), 1, node.output)
+
+    def test_a_reader_that_hangs_delays_no_other_box(self):
+        links, joints = [box_link("base", (1, 2, 3)), box_link("arm", (1, 1, 1))], [("base", "arm")]
+        node = self.start(robot(links, joints), mesh_timeout=SHORT_TIMEOUT)
+        boxes, tf, sent = Recorder(node.name + "/boxes"), TfSender(), itertools.count()
+        tf.wait_for_listener()
+        sender = Repeater(100, lambda: tf.send(
+            transform("base", "arm", rospy.Time(1000, next(sent) * 1000000))))
+        self.addCleanup(sender.stop)
+        boxes.wait(lambda m: box_of(m, "arm"), "the arm")
+        mast = '<link name="mast">%s</link>' % visual('<mesh filename="file://%s"/>' % self.large)
+        rospy.set_param("/robot_description", robot(links + [mast], joints + [("base", "mast")]))
+        reloading = threading.Thread(target=self.reload, args=(node,))
+        reloading.start()
+        worker = self.catch_worker(node)
+        begin = len(boxes.messages)
+        wait_for(lambda: not is_alive(worker), "the end of the reader")
+        self.check_no_gap(node, [m.header.stamp for m in boxes.messages[begin:]])
+        reloading.join()
+        self.assertIn("mesh_timeout", node.output)
+        boxes.wait(lambda m: names_of(m) == ["base", "arm"] and m.incomplete == ["mast"],
+                   "the mast is named")
+
+    def check_no_gap(self, node, stamps):
+        milliseconds = sorted({stamp.nsecs // 1000000 for stamp in stamps})
+        self.assertGreater(len(milliseconds), 100)
+        self.assertEqual(milliseconds, list(range(milliseconds[0], milliseconds[-1] + 1)))
+        status = Diagnostics(node.name).wait_for_new(lambda *_: True, "a status")
+        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), LONGEST_CALLBACK)
+
+    def test_a_node_that_is_killed_leaves_no_reader(self):
+        node = self.start(mesh_robot("file://%s" % self.large))
+        worker = self.catch_worker(node)
+        node.interrupt(signal.SIGKILL)
+        wait_for(lambda: not is_alive(worker), "the end of the reader")
+
+    def test_a_node_that_is_stopped_waits_for_no_reader(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            node = self.start(mesh_robot("file://%s" % self.large))
+            worker = self.catch_worker(node)
+            start = time.monotonic()
+            node.interrupt(number)
+            self.assertEqual(node.wait(), 0)
+            self.assertLess(time.monotonic() - start, PROMPT)
+            self.assertFalse(is_alive(worker))
+
+
+if __name__ == "__main__":
+    rospy.init_node("mesh_faults_test")
+    rostest.rosrun("link_bounds", "mesh_faults", MeshFaults)
