@@ -30,8 +30,8 @@ struct LoadedMesh {
 /// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
 /// number of links and scales share one geometry. Failures are remembered until forgetFailures().
 /// A file that loaded and was then replaced on disk is read anew by the next load(); one that
-/// changes while it is read is refused. Not
-/// thread-safe itself; the points it hands out are immutable.
+/// changes while it is read is refused. Not thread-safe itself; the points it hands out are
+/// immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer) : importer_(std::move(importer)) {}
@@ -63,6 +63,7 @@ class MeshStore {
   };
 
   static Version versionOf(const std::string& path);
+  static Version settledVersionOf(const std::string& path);
   LoadedMesh known(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version) const;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,

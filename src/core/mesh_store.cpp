@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
 namespace link_bounds {
 namespace {
+
+/// Times of files come from a clock that moves in ticks of at most so much.
+constexpr std::chrono::nanoseconds kTickOfFiles = std::chrono::milliseconds(20);
 
 /// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores.
 void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
@@ -37,6 +41,16 @@ MeshStore::Version MeshStore::versionOf(const std::string& path) {
   if (stat(path.c_str(), &status) != 0) return {};
   return {static_cast<std::uintmax_t>(status.st_size),
           status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec, status.st_ino};
+}
+
+/// The version of a file that was not written just now, so that every further write shows.
+MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
+  const Version version = versionOf(path);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto age = std::chrono::nanoseconds(now).count() - version.changed;
+  if (age < 0 || age > kTickOfFiles.count()) return version;
+  std::this_thread::sleep_for(kTickOfFiles);
+  return versionOf(path);
 }
 
 LoadedMesh MeshStore::known(const MeshFile& file) const {
@@ -74,7 +88,7 @@ std::map<std::string, MeshStore::Imported> MeshStore::importAll(
   std::size_t done = 0;
   inParallel(jobs.size(), [&](std::size_t i) {
     const MeshFile& file = *jobs[i].first;
-    const Version version = versionOf(file.path);
+    const Version version = settledVersionOf(file.path);
     *jobs[i].second = {version, import(file, version)};
     const std::lock_guard<std::mutex> lock(mutex);
     ++done;

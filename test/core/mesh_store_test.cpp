@@ -193,6 +193,17 @@ TEST_F(MeshStoreTest, AFileThatChangesWhileItIsReadIsRefusedUntilForgotten) {
   EXPECT_EQ(sizeOf(store.load({file}).at(0)), 2);
 }
 
+TEST_F(MeshStoreTest, AChangeRightAfterTheFileWasWrittenIsSeen) {
+  for (int i = 0; i < 20; ++i) {
+    const MeshFile file = write("a" + std::to_string(i), "1");
+    MeshStore store([](const MeshFile& mesh) {
+      std::ofstream(mesh.path) << "2";
+      return readTriangle(mesh);
+    });
+    EXPECT_FALSE(store.load({file}).at(0).points);
+  }
+}
+
 TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "a single core";
   constexpr auto kDeadline = std::chrono::seconds(20);
