@@ -3,9 +3,14 @@
 // A flat table of edges.
 #include "frame_tree.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace link_bounds {
+namespace {
+
+constexpr std::size_t kAboveTarget = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
 
 FrameTree::Frame FrameTree::frame(const std::string& name) {
   const auto found = frames_.find(name);
@@ -21,18 +26,29 @@ void FrameTree::heard(Frame child, Frame parent, bool is_static, std::int64_t st
   edge.is_known = true;
   edge.heard = now;
   edge.message = message_;
+  edge.is_distrusted = false;
   if (edge.exists && !edge.is_static && stamp < edge.newest) return;
-  edge.newest = stamp;
+  edge.newest = edge.is_static ? 0 : stamp;
   if (!edge.exists || edge.parent != parent) ++structure_;
   edge.exists = true;
   edge.parent = parent;
 }
 
 void FrameTree::forgetDynamic() {
-  for (Edge& edge : edges_) {
-    if (!edge.is_static) edge.exists = false;
+  for (Frame edge = 0; edge < edges_.size(); ++edge) {
+    if (!edges_[edge].is_static) forget(edge);
   }
+}
+
+void FrameTree::forget(Frame edge) {
+  edges_[edge].exists = false;
+  edges_[edge].newest = 0;
   ++structure_;
+}
+
+void FrameTree::distrustStampsAfter(std::int64_t stamp) {
+  for (Edge& edge : edges_)
+    edge.is_distrusted = edge.newest > stamp;
 }
 
 void FrameTree::clockStarted(std::int64_t now) {
@@ -41,23 +57,28 @@ void FrameTree::clockStarted(std::int64_t now) {
   }
 }
 
-/// `from` and everything above it; cut off where a loop would close.
-std::vector<FrameTree::Frame> FrameTree::ancestors(Frame from) const {
-  std::vector<Frame> chain{from};
-  while (edges_[chain.back()].exists && chain.size() <= edges_.size()) {
-    chain.push_back(edges_[chain.back()].parent);
-  }
-  return chain;
-}
-
+/// Climbs from `from` as far as it goes, then from `to` until it meets that way.
 std::optional<std::vector<FrameTree::Frame>> FrameTree::path(Frame from, Frame to) const {
-  std::vector<Frame> up = ancestors(from);
-  std::vector<Frame> down = ancestors(to);
-  if (up.back() != down.back()) return std::nullopt;
-  while (!up.empty() && !down.empty() && up.back() == down.back()) {
-    up.pop_back();
-    down.pop_back();
+  marks_.begin(edges_.size());
+  std::vector<Frame> up;
+  Frame top = from;
+  marks_.set(top, 0);
+  while (top != to && edges_[top].exists && !marks_.position(edges_[top].parent)) {
+    up.push_back(top);
+    top = edges_[top].parent;
+    marks_.set(top, up.size());
   }
+  std::vector<Frame> down;
+  Frame below = to;
+  while (!marks_.position(below)) {
+    if (!edges_[below].exists) return std::nullopt;
+    marks_.set(below, kAboveTarget);
+    down.push_back(below);
+    below = edges_[below].parent;
+  }
+  const std::size_t meeting = *marks_.position(below);
+  if (meeting == kAboveTarget) return std::nullopt;
+  up.resize(meeting);
   up.insert(up.end(), down.begin(), down.end());
   return up;
 }

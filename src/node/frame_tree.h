@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Who is whose parent in tf, and when each edge was last heard of.
 //
-// tf2 keeps the transforms; it does not tell when one arrived or what a message touched, which is
-// what decides about recomputing boxes and about stale links.
+// tf2's histories keep the transforms; they do not tell when one arrived or what a message touched,
+// which is what decides about recomputing boxes and about stale links.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "walk_marks.h"
 
 namespace link_bounds {
 
@@ -31,10 +33,18 @@ class FrameTree {
   /// tf was cleared: only static edges remain.
   void forgetDynamic();
 
+  /// The history of one edge was cleared.
+  void forget(Frame edge);
+
+  /// Until they are heard again, edges with a newer stamp than this are distrusted.
+  void distrustStampsAfter(std::int64_t stamp);
+  bool isDistrusted(Frame edge) const { return edges_[edge].is_distrusted; }
+
   /// Edges heard before the clock ran count as heard now.
   void clockStarted(std::int64_t now);
 
-  /// The edges between two frames, by the newest parents; nothing if they are not connected.
+  /// The edges between two frames, by the newest parents; nothing if they are not connected. A loop
+  /// above both does not matter.
   std::optional<std::vector<Frame>> path(Frame from, Frame to) const;
 
   /// True if the edge was heard in this message.
@@ -42,6 +52,9 @@ class FrameTree {
 
   bool isStatic(Frame edge) const { return edges_[edge].is_static; }
   std::int64_t lastHeard(Frame edge) const { return edges_[edge].heard; }
+
+  /// The newest stamp of the edge; 0 if it is static or forgotten.
+  std::int64_t newest(Frame edge) const { return edges_[edge].newest; }
 
   /// Changes whenever a path may have changed.
   std::uint64_t structure() const { return structure_; }
@@ -52,17 +65,17 @@ class FrameTree {
     bool exists = false;    ///< a transform was heard since the last forgetDynamic()
     bool is_known = false;  ///< a transform was ever heard
     bool is_static = false;
+    bool is_distrusted = false;
     std::int64_t newest = 0;
     std::int64_t heard = 0;
     std::uint64_t message = 0;
   };
 
-  std::vector<Frame> ancestors(Frame from) const;
-
   std::unordered_map<std::string, Frame> frames_;
   std::vector<Edge> edges_;  ///< by child
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;
+  mutable WalkMarks marks_;
 };
 
 }  // namespace link_bounds

@@ -104,7 +104,7 @@ LiveBoxes::Trouble LiveBoxes::place(std::size_t i, const TransformSource& tf, ro
   if (link.shapes.empty()) return Trouble::kNone;
   if (!links_[i].path) return Trouble::kNoTransform;
   if (isStale(links_[i], tf.tree(), now)) return Trouble::kStale;
-  const std::optional<StampedPose> pose = tf.latest(model_->fixed_frame, model_->frames[i]);
+  const std::optional<StampedPose> pose = tf.latest(fixed_frame_, links_[i].frame, *links_[i].path);
   if (!pose) return Trouble::kNoTransform;
   state.box = linkBox(link, pose->world_from_link, reaches_[i]);
   if (!state.box) return Trouble::kPoseNotFinite;

@@ -89,45 +89,50 @@ void PublisherNode::advertise() {
 /// Without tcpNoDelay small messages wait for each other in the kernel.
 void PublisherNode::subscribe() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
-  tf_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
+  tf_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
       kTfTopic.name, kTfQueue,
-      [this](const tf2_msgs::TFMessageConstPtr& message) {
-        timed([&] { onTransforms(*message, false); });
-      },
-      {}, no_delay);
-  tf_static_subscriber_ = node_.subscribe<tf2_msgs::TFMessage>(
+      [this](const TfEvent& event) { timed([&] { onTransforms(event, false); }); }, {}, no_delay);
+  tf_static_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
       kTfStaticTopic.name, kTfQueue,
-      [this](const tf2_msgs::TFMessageConstPtr& message) {
-        timed([&] { onTransforms(*message, true); });
-      },
-      {}, no_delay);
+      [this](const TfEvent& event) { timed([&] { onTransforms(event, true); }); }, {}, no_delay);
 }
 
 ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   std::swap(model, model_);
   boxes_output_.setRate(model_->parameters.max_rate);
   markers_output_.setRate(model_->parameters.marker_rate);
-  live_.adopt(model_, tf_, ros::Time::now());
+  const ros::Time now = ros::Time::now();
+  tf_.distrustStampsAhead(now);
+  live_.adopt(model_, tf_, now);
   boxes_output_.emitNow();
   markers_output_.request();
   return model;
 }
 
-void PublisherNode::onTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
+void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {
   const ros::Time now = ros::Time::now();
   observeClock(now);
   const auto is_late = [&](const geometry_msgs::TransformStamped& transform) {
     return clock_.isFromBeforeJump(transform.header.stamp, now);
   };
-  const auto& transforms = message.transforms;
+  const auto& transforms = event.getConstMessage()->transforms;
   if (!is_static && std::any_of(transforms.begin(), transforms.end(), is_late)) {
     std::vector<geometry_msgs::TransformStamped> kept;
     std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
-    tf_.add(kept, is_static, now);
+    addTransforms(kept, is_static, now, event);
   } else {
-    tf_.add(transforms, is_static, now);
+    addTransforms(transforms, is_static, now, event);
   }
   if (live_.update(tf_, now)) onNews();
+}
+
+void PublisherNode::addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms,
+                                  bool is_static, ros::Time now, const TfEvent& event) {
+  for (const Refusal& refusal : tf_.add(transforms, is_static, now)) {
+    const auto line = refusal_log_.line(transforms[refusal.index].child_frame_id, refusal.reason,
+                                        event.getPublisherName(), ros::SteadyTime::now());
+    if (line) ROS_WARN_STREAM(*line);
+  }
 }
 
 void PublisherNode::onTick() {

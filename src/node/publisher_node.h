@@ -4,6 +4,7 @@
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -16,6 +17,7 @@
 #include "live_boxes.h"
 #include "model_loader.h"
 #include "paced_output.h"
+#include "refusal_log.h"
 #include "transform_source.h"
 
 namespace link_bounds {
@@ -29,10 +31,14 @@ class PublisherNode {
   int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
 
  private:
+  using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;
+
   void advertise();
   void subscribe();
   ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
-  void onTransforms(const tf2_msgs::TFMessage& message, bool is_static);
+  void onTransforms(const TfEvent& event, bool is_static);
+  void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
+                     ros::Time now, const TfEvent& event);
   void onTick();
   void observeClock(ros::Time now);
   void onNews();
@@ -53,6 +59,7 @@ class PublisherNode {
   LiveBoxes live_;
   ModelLoader::ModelPtr model_;
   ClockWatch clock_;
+  RefusalLog refusal_log_;
   Health health_;
   ShownMarkers shown_;
   AxisAlignedBoxArray boxes_message_;

@@ -1,56 +1,99 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Feeds tf2 and the frame tree side by side.
+// Feeds the histories and the frame tree side by side.
 #include "transform_source.h"
 
-#include <tf2/exceptions.h>
+#include <algorithm>
+#include <limits>
+
+#include "transform_refusal.h"
 
 namespace link_bounds {
 namespace {
 
-/// The number of a frame as it is written in a message; tf2 strips one slash as well.
+constexpr std::int64_t kHistory = tf2::TimeCache::DEFAULT_MAX_STORAGE_TIME;  // ns
+constexpr const char* kTooOld =
+    "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks, "
+    "and if that newest one is wrong, call ~reload";
+
+/// The number of a frame as it is written in a message; tf strips one slash.
 FrameTree::Frame frameOf(FrameTree& tree, const std::string& name) {
   if (!name.empty() && name.front() == '/') return tree.frame(name.substr(1));
   return tree.frame(name);
 }
 
-Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
-  const auto& q = transform.rotation;
-  const auto& t = transform.translation;
+Eigen::Isometry3d toIsometry(const Tf2Pose& pose) {
+  const tf2::Quaternion& q = pose.rotation;
+  const tf2::Vector3& t = pose.translation;
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  result.translation() = Eigen::Vector3d(t.x, t.y, t.z);
+  result.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized().toRotationMatrix();
+  result.translation() = Eigen::Vector3d(t.x(), t.y(), t.z());
   return result;
+}
+
+std::int64_t nanoseconds(ros::Time time) {
+  return static_cast<std::int64_t>(time.toNSec());
 }
 
 }  // namespace
 
-void TransformSource::add(const std::vector<geometry_msgs::TransformStamped>& transforms,
-                          bool is_static, ros::Time now) {
+std::vector<Refusal> TransformSource::add(
+    const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static, ros::Time now) {
+  std::vector<Refusal> refusals;
   tree_.beginMessage();
-  for (const geometry_msgs::TransformStamped& transform : transforms) {
-    if (!buffer_.setTransform(transform, "link_bounds", is_static)) continue;
-    tree_.heard(frameOf(tree_, transform.child_frame_id), frameOf(tree_, transform.header.frame_id),
-                is_static, static_cast<std::int64_t>(transform.header.stamp.toNSec()),
-                static_cast<std::int64_t>(now.toNSec()));
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    const char* reason = whyRefused(transforms[i]);
+    if (!reason) reason = insert(transforms[i], is_static, now);
+    if (reason) refusals.push_back({i, reason});
   }
+  return refusals;
 }
 
-std::optional<StampedPose> TransformSource::latest(const std::string& target,
-                                                   const std::string& source) const {
-  try {
-    const geometry_msgs::TransformStamped transform =
-        buffer_.lookupTransform(target, source, ros::Time(0));
-    return StampedPose{toIsometry(transform.transform),
-                       static_cast<std::int64_t>(transform.header.stamp.toNSec())};
-  } catch (const tf2::TransformException&) {
-    return std::nullopt;
+/// Returns why it was refused, if that is worth telling.
+const char* TransformSource::insert(const geometry_msgs::TransformStamped& transform,
+                                    bool is_static, ros::Time now) {
+  const Frame child = frameOf(tree_, transform.child_frame_id);
+  const Frame parent = frameOf(tree_, transform.header.frame_id);
+  const std::int64_t stamp = nanoseconds(transform.header.stamp);
+  if (!histories_.insert(transform, child, parent, is_static)) {
+    if (stamp + kHistory >= tree_.newest(child)) return nullptr;
+    if (!tree_.isDistrusted(child)) return kTooOld;
+    tree_.forget(child);
+    histories_.clear(child);
+    histories_.insert(transform, child, parent, is_static);
   }
+  tree_.heard(child, parent, is_static, stamp, nanoseconds(now));
+  return nullptr;
+}
+
+/// tf2's rule: the least of the newest stamps that are not 0. A frame in itself has the stamp of
+/// its own edge.
+std::int64_t TransformSource::latestCommonTime(Frame source, const std::vector<Frame>& path) const {
+  if (path.empty()) return tree_.newest(source);
+  std::int64_t common = std::numeric_limits<std::int64_t>::max();
+  for (const Frame edge : path) {
+    if (tree_.newest(edge) != 0) common = std::min(common, tree_.newest(edge));
+  }
+  return common == std::numeric_limits<std::int64_t>::max() ? 0 : common;
+}
+
+std::optional<StampedPose> TransformSource::latest(Frame target, Frame source,
+                                                   const std::vector<Frame>& path) const {
+  const std::int64_t stamp = latestCommonTime(source, path);
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(stamp));
+  const std::optional<Tf2Pose> pose = histories_.pose(target, source, time);
+  if (!pose) return std::nullopt;
+  return StampedPose{toIsometry(*pose), stamp};
 }
 
 void TransformSource::clear() {
-  buffer_.clear();
+  histories_.clear();
   tree_.forgetDynamic();
+}
+
+void TransformSource::distrustStampsAhead(ros::Time now) {
+  tree_.distrustStampsAfter(nanoseconds(now) + kHistory);
 }
 
 }  // namespace link_bounds

@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// tf as the node sees it: tf2 keeps the transforms and gives poses, a FrameTree beside it knows
-// what arrived when.
+// tf as the node sees it: histories that give poses, and a FrameTree of what arrived when.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
-#include <tf2/buffer_core.h>
 
 #include <Eigen/Geometry>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "edge_histories.h"
 #include "frame_tree.h"
 
 namespace link_bounds {
@@ -22,24 +20,43 @@ struct StampedPose {
   std::int64_t stamp = 0;  ///< nanoseconds; latest common time of the path, 0 if it is all static
 };
 
+/// A transform that was not taken.
+struct Refusal {
+  std::size_t index;   ///< its place in the message
+  const char* reason;  ///< with the remedy
+};
+
 class TransformSource {
  public:
-  /// Adds the transforms of one message, received at `now`. Those that tf2 refuses change nothing.
-  void add(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
-           ros::Time now);
+  using Frame = FrameTree::Frame;
 
-  /// The pose at the latest common time, interpolated; as lookupTransform(target, source, 0).
-  /// The quaternion is normalised; the result may still not be finite. Nothing if tf2 cannot say.
-  std::optional<StampedPose> latest(const std::string& target, const std::string& source) const;
+  /// Adds the transforms of one message, received at `now`. Those that are refused change nothing;
+  /// a stamp that is there already is refused without a word.
+  std::vector<Refusal> add(const std::vector<geometry_msgs::TransformStamped>& transforms,
+                           bool is_static, ros::Time now);
+
+  /// The pose at the latest common time, interpolated; as tf2's lookupTransform(target, source, 0).
+  /// `path` is tree().path(source, target). The quaternion is normalised; the result may still not
+  /// be finite. Nothing if a history does not reach that time.
+  std::optional<StampedPose> latest(Frame target, Frame source,
+                                    const std::vector<Frame>& path) const;
 
   /// Forgets everything that is not static, after a clock jump.
   void clear();
+
+  /// An edge whose newest stamp is so far ahead of `now` that it makes tf refuse all that honest
+  /// clocks send may begin anew: the next transform that is too old replaces its history.
+  void distrustStampsAhead(ros::Time now);
 
   FrameTree& tree() { return tree_; }
   const FrameTree& tree() const { return tree_; }
 
  private:
-  tf2::BufferCore buffer_;
+  const char* insert(const geometry_msgs::TransformStamped& transform, bool is_static,
+                     ros::Time now);
+  std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
+
+  EdgeHistories histories_;
   FrameTree tree_;
 };
 

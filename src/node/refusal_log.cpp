@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names come from the network: they are shortened, and only plain ASCII reaches the log.
+#include "refusal_log.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+const ros::WallDuration kPeriod(10.0);
+constexpr std::size_t kMostFrames = 10;
+constexpr std::size_t kLongestName = 80;
+
+std::string shown(const std::string& name) {
+  std::string result = name.substr(0, kLongestName);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + result + '"' + (name.size() > kLongestName ? " (shortened)" : "");
+}
+
+}  // namespace
+
+std::optional<std::string> RefusalLog::line(const std::string& child_frame,
+                                            const std::string& reason, const std::string& publisher,
+                                            ros::SteadyTime now) {
+  if (now - begin_ > kPeriod) {
+    told_.clear();
+    begin_ = now;
+  }
+  if (told_.size() > kMostFrames || !told_.insert(child_frame).second) return std::nullopt;
+  if (told_.size() > kMostFrames) return "transforms of further frames are refused";
+  return "a transform of " + shown(child_frame) + " from " + shown(publisher) +
+         " is refused: " + reason;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// tf2 itself would print a line for each refused transform, a thousand a second for a bad sensor.
+#include "transform_refusal.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace link_bounds {
+namespace {
+
+constexpr double kNormTolerance = 0.01;  // tf2's, of the squared length of a quaternion
+
+/// tf2 adds its ten seconds of history to a stamp and throws where that leaves 32 bits.
+constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
+constexpr std::uint32_t kLastNanosecond = 999999999;
+
+bool hasNan(const geometry_msgs::Transform& transform) {
+  const auto& t = transform.translation;
+  const auto& q = transform.rotation;
+  return std::isnan(t.x) || std::isnan(t.y) || std::isnan(t.z) || std::isnan(q.x) ||
+         std::isnan(q.y) || std::isnan(q.z) || std::isnan(q.w);
+}
+
+bool isUnit(const geometry_msgs::Quaternion& q) {
+  const double squared_length = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  return std::abs(squared_length - 1) < kNormTolerance;
+}
+
+}  // namespace
+
+std::string_view strippedFrame(std::string_view name) {
+  if (!name.empty() && name.front() == '/') name.remove_prefix(1);
+  return name;
+}
+
+const char* whyRefused(const geometry_msgs::TransformStamped& transform) {
+  const std::string_view child = strippedFrame(transform.child_frame_id);
+  const std::string_view parent = strippedFrame(transform.header.frame_id);
+  if (child.empty()) return "child_frame_id is empty; name the frame";
+  if (parent.empty()) return "header.frame_id is empty; name the parent frame";
+  if (child == parent) return "the frame is its own parent; correct one of the names";
+  if (hasNan(transform.transform))
+    return "it has a number that is not a number (NaN); correct the publisher";
+  if (!isUnit(transform.transform.rotation)) {
+    return "the length of its quaternion is not 1; normalise it";
+  }
+  const ros::Time stamp = transform.header.stamp;
+  if (stamp.sec > kLastSecond || stamp.nsec > kLastNanosecond) {
+    return "its stamp is no time that tf can handle; correct the publisher's clock";
+  }
+  return nullptr;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where on a walk through the frames a frame was met, without a search and without clearing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace link_bounds {
+
+class WalkMarks {
+ public:
+  /// Begins a walk among so many frames; none of them is marked.
+  void begin(std::size_t frame_count) {
+    ++walk_;
+    if (marks_.size() < frame_count) marks_.resize(frame_count);
+  }
+
+  void set(std::size_t frame, std::size_t position) { marks_[frame] = {walk_, position}; }
+
+  /// Nothing if the frame was not met.
+  std::optional<std::size_t> position(std::size_t frame) const {
+    if (marks_[frame].walk != walk_) return std::nullopt;
+    return marks_[frame].position;
+  }
+
+ private:
+  struct Mark {
+    std::uint64_t walk = 0;
+    std::size_t position = 0;
+  };
+
+  std::vector<Mark> marks_;
+  std::uint64_t walk_ = 0;
+};
+
+}  // namespace link_bounds
