@@ -4,15 +4,22 @@
 #include "clock_watch.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace link_bounds {
 namespace {
 
-const ros::Duration kSmallestJump(0.1);
-const ros::Duration kFarAhead(0.5);
+constexpr double kSmallestJump = 0.1;  // s
+constexpr double kFarAhead = 0.5;      // s
 const ros::WallDuration kDoubtAfterJump(0.5);
 const ros::WallDuration kNewsOfJump(5.0);
 const ros::WallDuration kPatience(5.0);
+
+/// Seconds; the difference of two ros::Time throws when it is too large for a ros::Duration.
+double since(ros::Time earlier, ros::Time later) {
+  const auto nanoseconds = [](ros::Time time) { return static_cast<std::int64_t>(time.toNSec()); };
+  return static_cast<double>(nanoseconds(later) - nanoseconds(earlier)) / 1e9;
+}
 
 }  // namespace
 
@@ -21,7 +28,7 @@ ClockWatch::ClockWatch() : start_(ros::SteadyTime::now()) {}
 ClockWatch::Event ClockWatch::observe(ros::Time now) {
   const ros::Time last = last_;
   // Small steps back are no jump, and do not add up to one that goes unnoticed.
-  if (now + kSmallestJump >= last) {
+  if (since(now, last) <= kSmallestJump) {
     last_ = std::max(last, now);
     return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
   }
@@ -32,7 +39,7 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
   if (jump_.isZero() || ros::SteadyTime::now() - jump_ > kDoubtAfterJump) return false;
-  return stamp > now + kFarAhead;
+  return since(now, stamp) > kFarAhead;
 }
 
 bool ClockWatch::hasJustJumped() const {

@@ -38,5 +38,14 @@ TEST(ClockWatch, DoubtsStampsAheadOnlyAfterAJump) {
   EXPECT_FALSE(clock.isFromBeforeJump(ros::Time(90.4), ros::Time(90)));
 }
 
+TEST(ClockWatch, TheEndsOfTimeAreTimesLikeOthers) {
+  ClockWatch clock;
+  EXPECT_EQ(clock.observe(ros::Time(1)), Event::kStarted);
+  EXPECT_EQ(clock.observe(ros::TIME_MAX), Event::kNone);
+  EXPECT_FALSE(clock.isFromBeforeJump(ros::TIME_MAX, ros::TIME_MAX));
+  EXPECT_EQ(clock.observe(ros::Time(1)), Event::kJumpedBack);
+  EXPECT_TRUE(clock.isFromBeforeJump(ros::TIME_MAX, ros::Time(1)));
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -50,6 +50,19 @@ TEST_F(FrameTreeTest, LoopsEnd) {
   EXPECT_FALSE(path("a", "y"));
 }
 
+TEST_F(FrameTreeTest, LoopsAboveBothDoNotMatter) {
+  hear("a", "b");
+  hear("b", "a");
+  hear("a", "x");
+  hear("a", "y");
+  EXPECT_EQ(path("x", "y"), (Frames{tree.frame("x"), tree.frame("y")}));
+  EXPECT_EQ(path("x", "b"), (Frames{tree.frame("x"), tree.frame("a")}));
+  EXPECT_EQ(path("a", "x"), (Frames{tree.frame("x")}));
+  hear("base", "z");
+  EXPECT_FALSE(path("z", "x"));
+  EXPECT_FALSE(path("x", "z"));
+}
+
 TEST_F(FrameTreeTest, TheNewestParentCounts) {
   hear("old", "child", 10);
   hear("new", "child", 20);
