@@ -101,7 +101,10 @@ class TfSender:
         wait_for(lambda: self.listeners() > 0, "somebody listens to tf")
 
     def send(self, *transforms):
-        self._publisher.publish(TFMessage(list(transforms)))
+        self.publish(TFMessage(list(transforms)))
+
+    def publish(self, message):
+        self._publisher.publish(message)
 
 
 def names_of(message):

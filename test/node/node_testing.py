@@ -8,12 +8,13 @@ import time
 
 import roslib.packages
 import rospy
-from bounds_testing import (DEADLINE, Pose, TfSender, box_link, robot, transform, turn,
-                            wait_for)
+from bounds_testing import (DEADLINE, Pose, TfSender, box_link, corners_of, difference, names_of,
+                            robot, transform, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
 NODE = "/link_bounds_publisher"
+TOLERANCE = 1e-12  # m
 ALL = ["base", "mast", "left", "left_tip", "right"]
 STATIC = ["base", "mast"]
 DYNAMIC = ["left", "left_tip", "right"]
@@ -42,6 +43,19 @@ def arm_bounds(name, degrees):
     return pose.box_bounds(SIZES[name])
 
 
+def shows(message, degrees, incomplete=()):
+    """True if a message has exactly these links, each in the box of its angle."""
+    return (names_of(message) == [name for name in ALL if name in degrees] and
+            message.incomplete == list(incomplete) and
+            all(difference(corners_of(box), arm_bounds(box.name, degrees[box.name])) < TOLERANCE
+                for box in message.boxes))
+
+
+def at_angles(left, right):
+    """All links; the arms are turned by different angles."""
+    return {"base": 0, "mast": 0, "left": left, "left_tip": left, "right": right}
+
+
 class ArmsTf:
     """Sends the poses of the arms; the mast is static."""
 
@@ -51,15 +65,28 @@ class ArmsTf:
         self._tf_static = TfSender(is_static=True)
         self._tf.wait_for_listener()
         self._tf_static.wait_for_listener()
-        self._tf_static.send(self._transform("mast", rospy.Time(), 0))
+        self._tf_static.send(self.transform("mast", rospy.Time(), 0))
 
-    def _transform(self, child, stamp, degrees):
+    def transform(self, child, stamp, degrees):
         pose = joint_pose(child, degrees)
         return transform(self._prefix + PARENTS[child], self._prefix + child, stamp, pose.xyz,
                          pose.xyzw)
 
     def send(self, stamp, degrees=30, links=tuple(DYNAMIC)):
-        self._tf.send(*(self._transform(link, stamp, degrees) for link in links))
+        self.send_transforms(*(self.transform(link, stamp, degrees) for link in links))
+
+    def send_arms(self, stamp, left, right):
+        """One message of the arms at two angles."""
+        self.send_transforms(self.transform("left", stamp, left),
+                             self.transform("left_tip", stamp, left),
+                             self.transform("right", stamp, right))
+
+    def send_transforms(self, *transforms):
+        """One message, in order with those of send()."""
+        self._tf.send(*transforms)
+
+    def publish(self, message):
+        self._tf.publish(message)
 
 
 class Repeater:
