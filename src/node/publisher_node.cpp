@@ -103,6 +103,7 @@ ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   markers_output_.setRate(model_->parameters.marker_rate);
   const ros::Time now = ros::Time::now();
   tf_.distrustStampsAhead(now);
+  refusal_log_ = RefusalLog();
   live_.adopt(model_, tf_, now);
   boxes_output_.emitNow();
   markers_output_.request();

@@ -40,8 +40,7 @@ const char* whyRefused(const geometry_msgs::TransformStamped& transform) {
   if (child.empty()) return "child_frame_id is empty; name the frame";
   if (parent.empty()) return "header.frame_id is empty; name the parent frame";
   if (child == parent) return "the frame is its own parent; correct one of the names";
-  if (hasNan(transform.transform))
-    return "it has a NaN (not a number); correct the publisher";
+  if (hasNan(transform.transform)) return "it has a NaN (not a number); correct the publisher";
   if (!isUnit(transform.transform.rotation)) {
     return "the length of its quaternion is not 1; normalise it";
   }

@@ -12,6 +12,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::int64_t kHistory = tf2::TimeCache::DEFAULT_MAX_STORAGE_TIME;  // ns
+constexpr std::int64_t kSilence = 1000000000;  // ns without a transform that is worth a warning
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks, "
     "and if that newest one is wrong, call ~reload";
@@ -57,7 +58,9 @@ const char* TransformSource::insert(const geometry_msgs::TransformStamped& trans
   const std::int64_t stamp = nanoseconds(transform.header.stamp);
   if (!histories_.insert(transform, child, parent, is_static)) {
     if (stamp + kHistory >= tree_.newest(child)) return nullptr;
-    if (!tree_.isDistrusted(child)) return kTooOld;
+    if (!tree_.isDistrusted(child)) {
+      return nanoseconds(now) - tree_.lastHeard(child) > kSilence ? kTooOld : nullptr;
+    }
     tree_.forget(child);
     histories_.clear(child);
     histories_.insert(transform, child, parent, is_static);

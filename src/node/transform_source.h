@@ -30,8 +30,8 @@ class TransformSource {
  public:
   using Frame = FrameTree::Frame;
 
-  /// Adds the transforms of one message, received at `now`. Those that are refused change nothing;
-  /// a stamp that is there already is refused without a word.
+  /// Adds the transforms of one message, received at `now`. Those that are refused change nothing.
+  /// Not told are a stamp that is there already, and one that is too old while others are taken.
   std::vector<Refusal> add(const std::vector<geometry_msgs::TransformStamped>& transforms,
                            bool is_static, ros::Time now);
 

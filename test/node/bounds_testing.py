@@ -89,10 +89,10 @@ def transform(parent, child, stamp, xyz=(0, 0, 0), xyzw=(0, 0, 0, 1)):
 class TfSender:
     """Publishes /tf or /tf_static and has at least one listener before it sends."""
 
-    def __init__(self, is_static=False):
+    def __init__(self, is_static=False, namespace=""):
         self._publisher = rospy.Publisher(
-            "/tf_static" if is_static else "/tf", TFMessage, queue_size=10000, latch=is_static,
-            tcp_nodelay=True)
+            namespace + ("/tf_static" if is_static else "/tf"), TFMessage, queue_size=10000,
+            latch=is_static, tcp_nodelay=True)
 
     def listeners(self):
         return self._publisher.get_num_connections()

@@ -56,6 +56,11 @@ def at_angles(left, right):
     return {"base": 0, "mast": 0, "left": left, "left_tip": left, "right": right}
 
 
+def arm_transform(child, stamp, degrees, prefix=""):
+    pose = joint_pose(child, degrees)
+    return transform(prefix + PARENTS[child], prefix + child, stamp, pose.xyz, pose.xyzw)
+
+
 class ArmsTf:
     """Sends the poses of the arms; the mast is static."""
 
@@ -68,9 +73,7 @@ class ArmsTf:
         self._tf_static.send(self.transform("mast", rospy.Time(), 0))
 
     def transform(self, child, stamp, degrees):
-        pose = joint_pose(child, degrees)
-        return transform(self._prefix + PARENTS[child], self._prefix + child, stamp, pose.xyz,
-                         pose.xyzw)
+        return arm_transform(child, stamp, degrees, self._prefix)
 
     def send(self, stamp, degrees=30, links=tuple(DYNAMIC)):
         self.send_transforms(*(self.transform(link, stamp, degrees) for link in links))
@@ -87,6 +90,9 @@ class ArmsTf:
 
     def publish(self, message):
         self._tf.publish(message)
+
+    def listeners(self):
+        return self._tf.listeners()
 
 
 class Repeater:

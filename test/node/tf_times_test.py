@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Stamps from the future, the past and twice, gaps, and publishers that disagree."""
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (NodeLog, Recorder, TfSender, box_of, corners_of, difference, load,
+                            names_of, wait_for)
+from node_testing import (ALL, ARMS, NODE, TOLERANCE, ArmsTf, NodeProcess, Repeater, arm_bounds,
+                          at_angles, shows)
+from rosgraph_msgs.msg import Log
+
+LEFT = ["left", "left_tip"]
+ARM_AT_45 = {"base": 0, "mast": 0, "left": 45, "left_tip": 45}
+WITHOUT_LEFT = {"base": 0, "mast": 0, "right": 30}
+TIMEOUT = 2.0  # ROS seconds; long enough for the senders on a busy machine
+GAP = 5.0  # wall seconds
+YEAR_2100 = rospy.Time(4102444800)
+AGREED = 50  # transforms of each publisher
+
+
+class TfTimes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.boxes = Recorder(NODE + "/boxes")
+        cls.tf = ArmsTf()
+        cls.log = NodeLog(NODE)
+        wait_for(lambda: load(NODE, ARMS, no_such_parameter=1) or cls.log.messages,
+                 "a warning arrives")
+
+    def setUp(self):
+        """Arms at 30 degrees, fifty times a second; self.left says what the left one does."""
+        load(NODE, ARMS, timeout=TIMEOUT)
+        self.lock = threading.Lock()
+        self.left = self.send_left
+        self.sender = Repeater(50, self.send_both)
+        self.addCleanup(self.sender.stop)
+        self.wait_for(at_angles(30, 30))
+
+    def send_both(self):
+        with self.lock:
+            now = rospy.Time.now()
+            self.tf.send(now, 30, ["right"])
+            self.left(now)
+
+    def send_left(self, stamp):
+        self.tf.send(stamp, 30, LEFT)
+
+    def now_on(self, left):
+        """Replaces what the left arm does; no call of the old one is under way afterwards."""
+        with self.lock:
+            self.left = left
+
+    def wait_for(self, degrees, incomplete=()):
+        self.boxes.clear()
+        return self.boxes.wait(lambda m: shows(m, degrees, incomplete), "the expected boxes")
+
+    def check_others(self, messages):
+        """Whatever happened to the left arm, all others were there, and exact."""
+        self.assertTrue(messages)
+        for message in messages:
+            for name in WITHOUT_LEFT:
+                self.assertLess(difference(corners_of(box_of(message, name)),
+                                           arm_bounds(name, 30)), TOLERANCE, name)
+            self.assertLessEqual(set(message.incomplete), set(LEFT))
+
+    def poison(self):
+        """One stamp of the year 2100 on one edge; the link becomes stale."""
+        begin = len(self.log.messages)
+        with self.lock:
+            self.boxes.clear()
+            self.tf.send(YEAR_2100, 30, ["left"])
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
+        return begin
+
+    def test_a_stamp_of_2100_blocks_its_link_alone_until_a_reload(self):
+        begin = self.poison()
+        wait_for(lambda: [line for line in self.log.lines(Log.WARN, begin, None)
+                          if '"left"' in line and "older" in line and "~reload" in line],
+                 "a warning that names the frame and the remedy")
+        load(NODE, ARMS, timeout=TIMEOUT)
+        self.boxes.wait(lambda m: shows(m, at_angles(30, 30)) and m is self.boxes.messages[-1],
+                        "the arm again")
+        self.check_others(self.boxes.messages)
+
+    def test_a_reload_heals_also_when_the_next_transform_comes_later(self):
+        self.poison()
+        self.now_on(lambda stamp: None)
+        load(NODE, ARMS, timeout=TIMEOUT)
+        self.wait_for(WITHOUT_LEFT, LEFT)
+        self.now_on(self.send_left)
+        self.wait_for(at_angles(30, 30))
+
+    def test_repeated_stamps_become_stale(self):
+        repeated = rospy.Time.now()
+        self.boxes.clear()
+        self.now_on(lambda stamp: self.send_left(repeated))
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
+        self.check_others(self.boxes.messages)
+        self.now_on(self.send_left)
+        self.wait_for(at_angles(30, 30))
+
+    def test_stamps_that_run_backwards_neither_move_nor_lose_a_link(self):
+        """They are accepted as history, so they count for the timeout."""
+        self.boxes.clear()
+        last = self.boxes.wait(lambda m: shows(m, at_angles(30, 30)), "news")
+        begin, end = rospy.Time.now(), time.monotonic() + 2 * TIMEOUT
+        late = [begin - rospy.Duration(0.01)]
+
+        def send_earlier_and_earlier(_):
+            late[0] -= rospy.Duration(0.001)
+            self.tf.send(late[0], 45, LEFT)
+        self.now_on(send_earlier_and_earlier)
+        wait_for(lambda: time.monotonic() > end, "two timeouts")
+        after = self.boxes.messages[self.boxes.messages.index(last):]
+        self.check_others(after)
+        self.assertTrue(all(shows(m, at_angles(30, 30)) for m in after))
+
+    def test_stamps_older_than_the_history_become_stale(self):
+        self.boxes.clear()
+        self.now_on(lambda stamp: self.tf.send(stamp - rospy.Duration(20), 45, LEFT))
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
+        self.check_others(self.boxes.messages)
+        self.now_on(self.send_left)
+        self.wait_for(at_angles(30, 30))
+
+    def test_a_gap_of_five_seconds(self):
+        silent = time.monotonic()
+        self.now_on(lambda stamp: None)
+        self.boxes.clear()
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
+        self.assertGreater(time.monotonic() - silent, 0.9 * TIMEOUT)
+        wait_for(lambda: time.monotonic() > silent + GAP, "the end of the gap")
+        with self.lock:
+            self.tf.send(rospy.Time.now(), 45, LEFT)
+        self.boxes.wait(lambda m: shows(m, at_angles(45, 30)), "the arm where it is now")
+        self.check_others(self.boxes.messages)
+
+    def test_publishers_that_disagree(self):
+        """The newest stamp counts, and the box is that of its own stamp."""
+        self.sender.stop()
+        load(NODE, ARMS)
+        tfs = ArmsTf(), ArmsTf()
+        begin = rospy.Time.now()
+        degrees = {begin + rospy.Duration(0.01 * i): (30, 45)[i % 2] for i in range(1, 2 * AGREED)}
+        self.boxes.clear()
+        for i, (stamp, angle) in enumerate(degrees.items(), 1):
+            tfs[i % 2].send(stamp, angle)
+        self.boxes.wait(lambda m: m.header.stamp == max(degrees), "the last stamp")
+        shown = [m for m in self.boxes.messages if m.header.stamp in degrees]
+        self.assertGreater(len(shown), AGREED // 2)
+        for message in shown:
+            angle = degrees[message.header.stamp]
+            self.assertTrue(shows(message, at_angles(angle, angle)), message)
+
+    def start_fresh(self, name):
+        """A node whose tf has not heard of any frame; its own tf topics."""
+        self.sender.stop()
+        rospy.set_param("/robot_description", ARMS)
+        node = NodeProcess(name, ["/tf:=/%s/tf" % name, "/tf_static:=/%s/tf_static" % name],
+                           timeout=TIMEOUT)
+        self.addCleanup(node.end)
+        boxes = Recorder(node.name + "/boxes")
+        boxes.wait(lambda m: True, "the node has started")
+        senders = TfSender(False, node.name), TfSender(True, node.name)
+        for sender in senders:
+            sender.wait_for_listener()
+        return boxes, *senders
+
+    def arm(self, stamp, degrees):
+        return [self.tf.transform(link, stamp, degrees) for link in ("mast", "left", "left_tip")]
+
+    def test_first_static_then_dynamic_stays_static(self):
+        boxes, dynamic, static = self.start_fresh("static_first")
+        static.send(*self.arm(rospy.Time(), 30))
+        boxes.wait(lambda m: "left" in names_of(m), "the static arm")
+        dynamic.send(*self.arm(rospy.Time.now(), 45))
+        message = boxes.wait(lambda m: shows(m, ARM_AT_45, ["right"]),
+                             "the arm where it was put last")
+        self.assertEqual({box.stamp for box in message.boxes}, {rospy.Time(0)})
+        end = time.monotonic() + 1.5 * TIMEOUT
+        wait_for(lambda: time.monotonic() > end, "the time")
+        self.assertEqual(boxes.messages[-1], message)
+
+    def test_first_dynamic_then_static_stays_dynamic(self):
+        boxes, dynamic, static = self.start_fresh("dynamic_first")
+        dynamic.send(*self.arm(rospy.Time.now(), 45))
+        boxes.wait(lambda m: "left" in names_of(m), "the dynamic arm")
+        static.send(*self.arm(rospy.Time(), 30))
+        boxes.wait(lambda m: shows(m, {"base": 0}, [n for n in ALL if n != "base"]), "stale links")
+        self.assertTrue(all(shows(m, ARM_AT_45, ["right"])
+                            for m in boxes.messages if box_of(m, "left")))
+
+
+if __name__ == "__main__":
+    rospy.init_node("tf_times_test")
+    rostest.rosrun("link_bounds", "tf_times", TfTimes)
