@@ -76,7 +76,8 @@ class BesideTf2 {
   TransformSource ours_;
 };
 
-/// Every frame hangs on one before it; some change to another, some come late, some are repeated.
+/// Every frame hangs on one before it; some change to another, some come late, some are repeated,
+/// one is static, one has a static and a dynamic publisher.
 class RandomTf {
  public:
   explicit RandomTf(std::uint64_t seed) : random_(seed) {}
@@ -109,7 +110,8 @@ TEST(TransformSource, PosesAndStampsAreThoseOfTf2) {
     BesideTf2 both;
     for (int i = 0; i < kMessages; ++i) {
       const auto transform = random.next();
-      both.add(transform, transform.child_frame_id == name(5));
+      both.add(transform, transform.child_frame_id == name(5) ||
+                              (transform.child_frame_id == name(6) && random.pick(2) == 0));
       known += both.expectSame(name(random.pick(kFrames)), name(random.pick(kFrames)));
       if (i == kMessages / 2) both.clear();
     }
