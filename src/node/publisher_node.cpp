@@ -65,6 +65,7 @@ PublisherNode::PublisherNode()
     timed([&] { model = adopt(std::move(model)); });
     return model;
   });
+  master_watch_ = std::make_unique<MasterWatch>();
 }
 
 void PublisherNode::advertise() {

@@ -15,6 +15,7 @@
 #include "diagnostics.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "live_boxes.h"
+#include "master_watch.h"
 #include "model_loader.h"
 #include "paced_output.h"
 #include "refusal_log.h"
@@ -75,7 +76,8 @@ class PublisherNode {
   ros::Subscriber tf_static_subscriber_;
   ros::WallTimer tick_timer_;
   ros::WallTimer diagnostics_timer_;
-  std::unique_ptr<ModelLoader> loader_;  ///< last: its thread ends before the rest goes
+  std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes
+  std::unique_ptr<MasterWatch> master_watch_;
 };
 
 }  // namespace link_bounds

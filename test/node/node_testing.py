@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What tests of a node's life share: a robot in tf, steady senders, clock, status, processes."""
+import os
 import subprocess
 import tempfile
 import threading
@@ -171,6 +172,8 @@ class NodeProcess:
             rospy.set_param("%s/%s" % (self.name, key), value)
         path = roslib.packages.find_node("link_bounds", "link_bounds_publisher")[0]
         self._output = tempfile.TemporaryFile("w+")
+        environment = dict(os.environ if environment is None else environment,
+                           ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
         self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
                                          stdout=self._output, stderr=subprocess.STDOUT)
 

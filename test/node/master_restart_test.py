@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A master that dies takes nothing away that is connected, and its successor learns all of it."""
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+import unittest
+import xmlrpc.client
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+STRANGER = "stranger"  # the argument of a second process of this script
+
+# This test needs a master that it may kill; rospy reads the variable when it is imported.
+PORT = free_port()
+if STRANGER not in sys.argv:
+    os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % PORT
+
+import rosgraph  # noqa: E402
+import rospy  # noqa: E402
+from bounds_testing import DEADLINE, Recorder, wait_for  # noqa: E402
+from node_testing import ALL, ARMS, NODE, ArmsTf, NodeProcess, Repeater  # noqa: E402
+
+BACK_AT_MASTER = 5.0  # wall seconds
+PROMPT = 10.0  # wall seconds for the end of a node, with some for a busy machine
+RATE = 100  # Hz
+LOST = "lost the ROS master"
+BACK = "knows this node again"
+
+
+class Master:
+    """A master of its own, which can die and be born again on the same port."""
+
+    def __init__(self):
+        self.start()
+
+    def start(self):
+        self._process = subprocess.Popen(
+            ["rosmaster", "--core", "-p", str(PORT)], stdout=subprocess.DEVNULL)
+        wait_for(rosgraph.is_master_online, "the master answers")
+
+    def signal(self, number):
+        self._process.send_signal(number)
+
+    def kill(self):
+        self.signal(signal.SIGKILL)
+        self._process.wait()
+
+
+def entries(node):
+    """What the master says of a node: topics and services, and how they are reached."""
+    master = rosgraph.Master("/asking")
+    types = dict(master.getTopicTypes())
+    topics, subscriptions, services = (
+        sorted(name for name, nodes in kind for n in nodes if n == node)
+        for kind in master.getSystemState())
+    return {"uri": master.lookupNode(node),
+            "publications": [(name, types[name]) for name in topics],
+            "subscriptions": subscriptions,
+            "services": [(name, master.lookupService(name)) for name in services]}
+
+
+def is_known(node):
+    try:
+        return rosgraph.Master("/asking").lookupNode(node)
+    except (rosgraph.MasterException, OSError, xmlrpc.client.Error):
+        return None
+
+
+def run(*command):
+    """What a command that is new to the graph prints."""
+    return subprocess.run(command, check=True, timeout=DEADLINE,
+                          stdout=subprocess.PIPE).stdout.decode()
+
+
+class MasterRestart(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.master = Master()
+        rospy.init_node("master_restart_test", disable_signals=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        rospy.signal_shutdown("the end")
+        cls.master.kill()
+
+    def setUp(self):
+        rospy.set_param("/robot_description", ARMS)
+        self.node = NodeProcess(NODE[1:], timeout=0.0)
+        self.addCleanup(self.node.end)
+        self.boxes = Recorder(NODE + "/boxes")
+        self.addCleanup(self.boxes.subscriber.unregister)
+        self.boxes.wait(lambda m: True, "boxes")
+
+    def wait_for_output(self, text, count):
+        wait_for(lambda: self.node.output.count(text) >= count, "%s, time %d" % (text, count))
+
+    def restart_master(self):
+        self.master.kill()
+        self.wait_for_output(LOST, 1)
+        self.master.start()
+        start = time.monotonic()
+        wait_for(lambda: is_known(NODE), "the new master knows the node")
+        self.assertLess(time.monotonic() - start, BACK_AT_MASTER)
+        self.wait_for_output(BACK, 1)
+
+    def check_said_once(self):
+        self.assertEqual(self.node.output.count(LOST), 1, self.node.output)
+        self.assertEqual(self.node.output.count(BACK), 1, self.node.output)
+
+    def test_what_is_connected_goes_on(self):
+        tf = ArmsTf()
+        sent = []
+
+        def send():
+            sent.append(rospy.Time(1000 + len(sent) // RATE, len(sent) % RATE * (10 ** 9 // RATE)))
+            tf.send(sent[-1])
+        sender = Repeater(RATE, send)
+        try:
+            self.boxes.wait(lambda m: not m.incomplete, "all boxes")
+            self.restart_master()
+            after_restart = len(sent)
+            wait_for(lambda: len(sent) > after_restart + RATE, "a second more")
+        finally:
+            sender.stop()
+        self.boxes.wait(lambda m: m.header.stamp == sent[-1], "the last update")
+        first = next(m.header.stamp for m in self.boxes.messages if not m.incomplete)
+        answered = {m.header.stamp for m in self.boxes.messages}
+        self.assertEqual([stamp for stamp in sent if stamp >= first and stamp not in answered], [])
+        self.check_said_once()
+
+    def test_a_new_master_learns_everything(self):
+        before = entries(NODE)
+        self.assertEqual(len(before["services"]), 3)
+        self.restart_master()
+        self.assertEqual(entries(NODE), before)
+        self.assertIn(NODE, run("rosnode", "list"))
+        self.check_said_once()
+
+    def test_who_comes_after_the_restart_is_served(self):
+        self.restart_master()
+        for topic in ("/boxes", "/markers", "/groups"):
+            self.assertIn("base", run("rostopic", "echo", "-n", "1", NODE + topic))
+        rospy.set_param("/robot_description", ARMS)
+        self.assertIn("success: True", run("rosservice", "call", NODE + "/reload"))
+        stranger = subprocess.Popen([sys.executable, __file__, STRANGER])
+        self.addCleanup(stranger.wait)
+        self.addCleanup(stranger.kill)
+        message = self.boxes.wait(lambda m: not m.incomplete, "boxes by the tf of a new node")
+        self.assertEqual([box.name for box in message.boxes], ALL)
+
+    def test_a_master_that_pauses_is_only_spoken_of(self):
+        before = entries(NODE)
+        self.master.signal(signal.SIGSTOP)
+        try:
+            self.wait_for_output(LOST, 1)
+        finally:
+            self.master.signal(signal.SIGCONT)
+        self.wait_for_output(BACK, 1)
+        self.assertEqual(entries(NODE), before)
+        self.check_said_once()
+
+    def test_a_node_ends_promptly_without_a_master(self):
+        self.master.kill()
+        self.addCleanup(self.master.start)
+        self.wait_for_output(LOST, 1)
+        start = time.monotonic()
+        self.node.interrupt(signal.SIGTERM)
+        self.assertEqual(self.node.wait(), 0)
+        self.assertLess(time.monotonic() - start, PROMPT)
+
+
+def send_tf_for_ever():
+    """A node that the first master never saw."""
+    rospy.init_node(STRANGER)
+    tf = ArmsTf()
+    rate = rospy.Rate(RATE)
+    while not rospy.is_shutdown():
+        tf.send(rospy.Time.now())
+        rate.sleep()
+
+
+if __name__ == "__main__":
+    if STRANGER in sys.argv:
+        send_tf_for_ever()
+    else:
+        unittest.main()
