@@ -89,8 +89,12 @@ diagnostic_msgs::DiagnosticArray diagnose(const LiveBoxes& live, const Health& h
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
+  const DurationHistogram& tf = health.tf_callbacks_ms;
+  add(status, "tf messages", std::to_string(tf.count()));
   add(status, "updates", std::to_string(health.updates));
   add(status, "publications", std::to_string(health.publications));
+  add(status, "time per tf message, p99 [ms]", std::to_string(tf.quantile(0.99)));
+  add(status, "time per tf message, longest [ms]", std::to_string(tf.longest()));
   add(status, "longest callback [ms]", std::to_string(health.longest_callback_ms));
   add(status, "longest callback, CPU [ms]", std::to_string(health.longest_callback_cpu_ms));
   diagnostic_msgs::DiagnosticArray array;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "duration_histogram.h"
 #include "live_boxes.h"
 
 namespace link_bounds {
@@ -21,6 +22,7 @@ struct Health {
   std::uint64_t publications = 0;      ///< of ~boxes
   double longest_callback_ms = 0;      ///< wall time of the slowest callback of the update thread
   double longest_callback_cpu_ms = 0;  ///< the most CPU time one of them took
+  DurationHistogram tf_callbacks_ms;   ///< wall time, one per tf message received
 };
 
 /// One status named "<node name>: boxes". ERROR: there is no model, or not one box though links

@@ -17,7 +17,9 @@ namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kTfQueue = 5000;
-constexpr std::uint32_t kBoxesQueue = 1000;
+/// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
+/// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
+constexpr std::uint32_t kBoxesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 constexpr std::uint32_t kFootprintQueue = 10;
 const ros::WallDuration kTick(0.05);
@@ -41,7 +43,7 @@ double threadCpuMilliseconds() {
 }  // namespace
 
 template <class Body>
-void PublisherNode::timed(Body&& body) {
+double PublisherNode::timed(Body&& body) {
   const ros::SteadyTime start = ros::SteadyTime::now();
   const double start_cpu = threadCpuMilliseconds();
   guarded(body);
@@ -49,6 +51,7 @@ void PublisherNode::timed(Body&& body) {
   health_.longest_callback_ms = std::max(health_.longest_callback_ms, wall);
   health_.longest_callback_cpu_ms =
       std::max(health_.longest_callback_cpu_ms, threadCpuMilliseconds() - start_cpu);
+  return wall;
 }
 
 PublisherNode::PublisherNode()
@@ -92,10 +95,16 @@ void PublisherNode::subscribe() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   tf_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
       kTfTopic.name, kTfQueue,
-      [this](const TfEvent& event) { timed([&] { onTransforms(event, false); }); }, {}, no_delay);
+      [this](const TfEvent& event) {
+        health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, false); }));
+      },
+      {}, no_delay);
   tf_static_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
       kTfStaticTopic.name, kTfQueue,
-      [this](const TfEvent& event) { timed([&] { onTransforms(event, true); }); }, {}, no_delay);
+      [this](const TfEvent& event) {
+        health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, true); }));
+      },
+      {}, no_delay);
 }
 
 ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {

@@ -50,9 +50,9 @@ class PublisherNode {
   void welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber);
   void publishDiagnostics();
 
-  /// Guards a callback and takes its time.
+  /// Guards a callback and takes its time [ms], which it returns.
   template <class Body>
-  void timed(Body&& body);
+  double timed(Body&& body);
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};

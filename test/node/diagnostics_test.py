@@ -10,6 +10,7 @@ from bounds_testing import box_link, load, robot, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, value_of
 
+MESSAGES = 20
 PERIODS = 5
 PERIOD = 1.0  # wall seconds
 LATE = 0.5  # wall seconds by which their mean may be off on a busy machine
@@ -47,6 +48,19 @@ class DiagnosticsTest(unittest.TestCase):
         load(NODE, "<robot name='r'><link name='bare'/></robot>")
         status = self.wait_for_level(DiagnosticStatus.OK)
         self.assertEqual(value_of(status, "bounded links"), "0")
+
+    def test_counts_tf_messages_and_takes_their_time(self):
+        before = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        for i in range(MESSAGES):
+            self.tf.send(rospy.Time(2000 + i))
+        count = int(value_of(before, "tf messages")) + MESSAGES
+        status = self.diagnostics.wait_for_new(
+            lambda _, status: int(value_of(status, "tf messages")) >= count, "%d messages" % count)
+        self.assertEqual(int(value_of(status, "tf messages")), count)
+        longest = float(value_of(status, "time per tf message, longest [ms]"))
+        self.assertGreater(longest, 0)
+        p99 = float(value_of(status, "time per tf message, p99 [ms]"))
+        self.assertTrue(0 < p99 <= longest, "%g, %g" % (p99, longest))
 
     def test_comes_every_second(self):
         start = len(self.diagnostics.received)

@@ -90,7 +90,7 @@ class MeshFaults(unittest.TestCase):
 
     def catch_worker(self, node):
         """A reader at work, stopped; it hangs from now on."""
-        worker = wait_for(lambda: workers_of(node.process_id), "a mesh reader")[0]
+        worker = wait_for(lambda: workers_of(node.pid), "a mesh reader")[0]
         os.kill(worker, signal.SIGSTOP)
         self.addCleanup(lambda: is_alive(worker) and os.kill(worker, signal.SIGKILL))
         return worker

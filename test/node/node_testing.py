@@ -163,6 +163,13 @@ class SimulatedClock:
             lambda stamp, _: stamp == rospy.Time.from_sec(seconds), "time %g" % seconds)
 
 
+def resident_bytes(pid):
+    """The memory of a process that is in use."""
+    with open("/proc/%d/status" % pid, encoding="ascii") as file:
+        line = next(line for line in file if line.startswith("VmRSS:"))
+    return int(line.split()[1]) * 1024
+
+
 class NodeProcess:
     """A publisher node started here and now, with private parameters; keeps what it prints."""
 
@@ -178,7 +185,7 @@ class NodeProcess:
                                          stdout=self._output, stderr=subprocess.STDOUT)
 
     @property
-    def process_id(self):
+    def pid(self):
         return self._process.pid
 
     def interrupt(self, signal_number):

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A subscriber that stops reading costs a bounded amount of memory and nobody else's messages."""
+import os
+import signal
+import struct
+import subprocess
+import sys
+import threading
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import TfSender, box_link, robot, transform, wait_for
+from node_testing import NODE, NodeProcess, Repeater, resident_bytes
+
+LISTENER = "--listener"  # the argument of a second process of this script
+RATE = 1000  # Hz
+LINKS = 200
+WARM_UP = 500  # messages
+STOPPED = 5000  # messages, more than the buffers of both kernels and our queue hold
+KERNEL_BUFFERS = 40e6  # bytes
+LOSS = 0.02  # part of the messages that a healthy subscriber may miss on a busy machine
+GROWTH = 8e6  # bytes; twice the 200 messages that may wait
+
+
+class Counter:
+    """The stamps of all boxes that arrive, which are not parsed any further."""
+
+    def __init__(self):
+        self._lock = threading.Lock()
+        self._stamps = set()
+        self.bytes = 0
+        self._subscriber = rospy.Subscriber(
+            NODE + "/boxes", rospy.AnyMsg, self._add, queue_size=10000, tcp_nodelay=True)
+
+    def _add(self, message):
+        with self._lock:
+            self._stamps.add(struct.unpack_from("<II", message._buff, 4))
+            self.bytes += len(message._buff)
+
+    @property
+    def stamps(self):
+        with self._lock:
+            return set(self._stamps)
+
+
+class StoppedSubscriber(unittest.TestCase):
+    def setUp(self):
+        names = ["link_%d" % i for i in range(LINKS)]
+        rospy.set_param("/robot_description", robot(
+            [box_link(name, (0.1, 0.2, 0.3)) for name in ["base"] + names],
+            [("base", name) for name in names]))
+        # What ASan keeps for its reports would pass for growth.
+        options = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"
+        self.node = NodeProcess(NODE[1:], environment=dict(os.environ, ASAN_OPTIONS=options),
+                                timeout=0.0)
+        self.addCleanup(self.node.end)
+        self.healthy = Counter()
+        self.start_listener()
+        self.start_tf(names)
+
+    def start_listener(self):
+        self.listener = subprocess.Popen([sys.executable, __file__, LISTENER],
+                                         stdout=subprocess.PIPE)
+        self.addCleanup(self.listener.stdout.close)
+        self.addCleanup(self.listener.wait)
+        self.addCleanup(self.listener.kill)
+        self.listener.stdout.readline()
+
+    def start_tf(self, names):
+        self.tf = TfSender()
+        self.tf.wait_for_listener()
+        fixed = TfSender(is_static=True)
+        fixed.send(*(transform("base", name, rospy.Time()) for name in names[1:]))
+        self.sent = []
+
+        def send():
+            stamp = rospy.Time(1000 + len(self.sent) // RATE,
+                               len(self.sent) % RATE * (10 ** 9 // RATE))
+            self.tf.send(transform("base", names[0], stamp, (len(self.sent) * 1e-3, 0, 0)))
+            self.sent.append((stamp.secs, stamp.nsecs))
+        sender = Repeater(RATE, send)
+        self.addCleanup(sender.stop)
+
+    def check_next(self, count):
+        """The healthy subscriber gets this many messages and misses hardly one of them."""
+        start = len(self.sent)
+        wait_for(lambda: len(self.sent) >= start + count, "%d messages" % count, 60)
+        phase = self.sent[start:start + count]
+        wait_for(lambda: phase[-1] <= max(self.healthy.stamps, default=(0, 0)), "the last of them")
+        missed = set(phase) - self.healthy.stamps
+        self.assertLess(len(missed), LOSS * count)
+
+    def test_others_and_memory_stay_as_they_are(self):
+        self.check_next(WARM_UP)
+        before, bytes_before = resident_bytes(self.node.pid), self.healthy.bytes
+        self.listener.send_signal(signal.SIGSTOP)
+        self.check_next(STOPPED)
+        self.assertGreater(self.healthy.bytes - bytes_before, KERNEL_BUFFERS + GROWTH)
+        growth = resident_bytes(self.node.pid) - before
+        print("memory grew by %g bytes, %g sent" % (growth, self.healthy.bytes - bytes_before))
+        self.assertLess(growth, GROWTH)
+        self.listener.send_signal(signal.SIGCONT)
+        self.check_next(WARM_UP)
+
+
+def listen():
+    """Says when the first boxes have come."""
+    rospy.init_node("stopped_listener")
+    first = threading.Event()
+    rospy.Subscriber(NODE + "/boxes", rospy.AnyMsg, lambda _: first.set(), tcp_nodelay=True)
+    first.wait()
+    print("listening", flush=True)
+    rospy.spin()
+
+
+if __name__ == "__main__":
+    if LISTENER in sys.argv:
+        listen()
+    else:
+        rospy.init_node("stopped_subscriber_test")
+        rostest.rosrun("link_bounds", "stopped_subscriber", StoppedSubscriber)
