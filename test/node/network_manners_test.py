@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""After a life with meshes, reloads and listeners the node holds nothing open that ROS does not."""
+import os
+import re
+import socket
+import unittest
+import xmlrpc.client
+from urllib.parse import urlparse
+
+import rosgraph
+import rospkg
+import rospy
+import rostest
+from bounds_testing import Recorder, box_link, load, names_of, robot, visual
+from geometry_msgs.msg import Polygon
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics
+from visualization_msgs.msg import MarkerArray
+
+DEMO = "package://link_bounds/launch/demo/meshes/"
+LISTENS_TCP = "0A"  # states in /proc/net/tcp
+ACCEPTS_UNIX = 0x10000  # a flag in /proc/net/unix
+HARMLESS = re.compile(r"pipe:|anon_inode:|/dev/(null|pts/\d+|tty)$")
+
+
+def mesh_link(name, uri):
+    return '<link name="%s">%s</link>' % (name, visual('<mesh filename="%s"/>' % uri))
+
+
+class Process:
+    """What the kernel tells of a process; its sockets are told by their inodes."""
+
+    def __init__(self, pid):
+        self._folder = "/proc/%d/" % pid
+
+    def open_files(self):
+        folder = self._folder + "fd/"
+        return [os.readlink(folder + number) for number in os.listdir(folder)]
+
+    def _sockets(self, kind, inode_column):
+        with open(self._folder + "net/" + kind, encoding="utf-8") as file:
+            rows = [line.split() for line in file.readlines()[1:]]
+        own = self.open_files()
+        return [row for row in rows if "socket:[%s]" % row[inode_column] in own]
+
+    def listening_ports(self):
+        rows = self._sockets("tcp", 9) + self._sockets("tcp6", 9)
+        return sorted(int(row[1].split(":")[1], 16) for row in rows if row[3] == LISTENS_TCP)
+
+    def udp_sockets(self):
+        return self._sockets("udp", 9) + self._sockets("udp6", 9)
+
+    def listening_unix_sockets(self):
+        return [row for row in self._sockets("unix", 6) if int(row[3], 16) & ACCEPTS_UNIX]
+
+
+class NetworkManners(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.boxes = Recorder(NODE + "/boxes")
+        cls.others = [Recorder(NODE + "/markers", MarkerArray), Diagnostics(),
+                      Recorder(NODE + "/footprint", Polygon)]
+        cls.master = rosgraph.Master(rospy.get_name())
+        cls.live_with_meshes()
+        cls.live_with_tf()
+        cls.uri = cls.master.lookupNode(NODE)
+        cls.process = Process(xmlrpc.client.ServerProxy(cls.uri).getPid(rospy.get_name())[2])
+
+    @classmethod
+    def live_with_meshes(cls):
+        load(NODE, robot([mesh_link("base", DEMO + "pedestal.stl"),
+                          mesh_link("arm", DEMO + "forearm.obj"),
+                          mesh_link("lost", DEMO + "no_such.stl")],
+                         [("base", "arm"), ("base", "lost")]))
+        cls.boxes.wait(lambda m: names_of(m) == ["base"], "the box of a mesh")
+
+    @classmethod
+    def live_with_tf(cls):
+        load(NODE, ARMS)
+        tf = ArmsTf()
+        tf.send(rospy.Time(1000))
+        cls.boxes.wait(lambda m: names_of(m) == ALL, "all boxes")
+
+    def test_only_the_two_ports_of_roscpp_listen(self):
+        service_uri = self.master.lookupService(NODE + "/reload")
+        ports = sorted(urlparse(uri).port for uri in (self.uri, service_uri))
+        self.assertEqual(self.process.listening_ports(), ports)
+        self.assertEqual(self.process.listening_unix_sockets(), [])
+
+    def test_only_roscpp_waits_for_datagrams(self):
+        self.assertLessEqual(len(self.process.udp_sockets()), 1)
+
+    def test_only_log_files_are_open(self):
+        log_folder = os.path.realpath(rospkg.get_log_dir())
+        for file in self.process.open_files():
+            if HARMLESS.match(file) or file.startswith("socket:"):
+                continue
+            self.assertEqual(os.path.commonpath([log_folder, os.path.realpath(file)]), log_folder)
+
+    def test_no_url_is_read(self):
+        with socket.create_server(("localhost", 0)) as server:
+            load(NODE, robot([box_link("base", (1, 1, 1)), mesh_link(
+                "far", "http://localhost:%d/mesh.stl" % server.getsockname()[1])],
+                             [("base", "far")]))
+            self.boxes.wait(lambda m: m.incomplete == ["far"], "the mesh's refusal")
+            server.setblocking(False)
+            with self.assertRaises(BlockingIOError):
+                server.accept()
+
+
+if __name__ == "__main__":
+    rospy.init_node("network_manners_test")
+    rostest.rosrun("link_bounds", "network_manners", NetworkManners)
