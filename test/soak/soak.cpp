@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A long life of a node: tf at 1 kHz, jumps in time, reloads. Does its memory grow, is a message
+// lost, how long does an update take?
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include "soak_listener.h"
+#include "soak_sender.h"
+
+namespace link_bounds {
+namespace {
+
+using Seconds = ros::WallDuration;
+
+const std::string kPublisher = "/link_bounds_publisher";
+const Seconds kPoll(0.01);
+const Seconds kPatience(60);
+const Seconds kQuiet(3);  // three diagnostics without news
+const Seconds kMinute(60);
+const Seconds kReloadPeriod(15);
+const Seconds kFirstReload(7);       // so that none is under way when memory is measured
+constexpr double kMostGrowth = 1e6;  // bytes after the first minute
+
+/// Memory of a process in use [bytes].
+double residentBytes(int pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("VmRSS:", 0) == 0) return std::atof(line.c_str() + 6) * 1024;
+  }
+  throw std::runtime_error("the node is gone");
+}
+
+void waitFor(const std::function<bool()>& condition, const char* what) {
+  const ros::SteadyTime end = ros::SteadyTime::now() + kPatience;
+  while (!condition()) {
+    if (!ros::ok() || ros::SteadyTime::now() > end) {
+      throw std::runtime_error(std::string("waited in vain until ") + what);
+    }
+    kPoll.sleep();
+  }
+}
+
+/// What was counted on both sides at one moment.
+struct Counts {
+  double tf_received;
+  double boxes_published;
+  double boxes_received;
+  bool operator==(const Counts& other) const {
+    return tf_received == other.tf_received && boxes_published == other.boxes_published &&
+           boxes_received == other.boxes_received;
+  }
+};
+
+Counts countsNow(const SoakListener& listener) {
+  return {listener.told("tf messages"), listener.told("publications"),
+          static_cast<double>(listener.boxes())};
+}
+
+/// The counts when nothing is under way any more.
+Counts settledCounts(const SoakListener& listener) {
+  Counts last = countsNow(listener);
+  ros::SteadyTime since = ros::SteadyTime::now();
+  waitFor(
+      [&] {
+        const Counts now = countsNow(listener);
+        if (!(now == last)) {
+          last = now;
+          since = ros::SteadyTime::now();
+        }
+        return ros::SteadyTime::now() - since > kQuiet;
+      },
+      "all is quiet");
+  return last;
+}
+
+/// Reloads at its times until the end; returns how often. Throws if the node refuses.
+int liveUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
+  int reloads = 0;
+  while (ros::ok() && ros::SteadyTime::now() < end) {
+    kPoll.sleep();
+    if (ros::SteadyTime::now() < next_reload) continue;
+    next_reload += kReloadPeriod;
+    std_srvs::Trigger reload;
+    if (!ros::service::call(kPublisher + "/reload", reload) || !reload.response.success) {
+      throw std::runtime_error("the node does not reload: " + reload.response.message);
+    }
+    ++reloads;
+  }
+  return reloads;
+}
+
+/// Returns the growth of memory after the first minute [bytes].
+double liveFor(int minutes, int pid, const SoakSender& sender, const SoakListener& listener) {
+  const ros::SteadyTime start = ros::SteadyTime::now();
+  ros::SteadyTime next_reload = start + kFirstReload;
+  double first = 0;
+  double resident = 0;
+  int reloads = 0;
+  for (int minute = 1; minute <= minutes; ++minute) {
+    reloads += liveUntil(start + kMinute * minute, next_reload);
+    resident = residentBytes(pid);
+    if (minute == 1) first = resident;
+    std::printf(
+        "minute %3d: %9llu tf messages in, %9llu boxes and %7llu markers out, %4d reloads, "
+        "%3llu time jumps, %.3f MB resident\n",
+        minute, static_cast<unsigned long long>(sender.sent()),
+        static_cast<unsigned long long>(listener.boxes()),
+        static_cast<unsigned long long>(listener.markers()), reloads,
+        static_cast<unsigned long long>(sender.jumps()), resident / 1e6);
+    std::fflush(stdout);
+  }
+  std::printf("memory: %.3f MB after the first minute, %.3f MB at the end, %+.3f MB\n", first / 1e6,
+              resident / 1e6, (resident - first) / 1e6);
+  return resident - first;
+}
+
+int soak(int minutes, int pid) {
+  ros::NodeHandle node;
+  std::string description;
+  node.getParam("robot_description", description);
+  const Robot robot = parseRobot(description);
+  SoakListener listener(node, kPublisher);
+  SoakSender sender(node, robot);
+  waitFor([&] { return sender.isHeard(); }, "the node listens to tf");
+  waitFor([&] { return listener.told("bounded links") > 0; }, "the robot is loaded");
+  const Counts before = settledCounts(listener);
+  std::printf("%s: %.0f links bounded\n", robot.name.c_str(), listener.told("bounded links"));
+  sender.start();
+  const double growth = liveFor(minutes, pid, sender, listener);
+  sender.stop();
+  const Counts after = settledCounts(listener);
+  const double tf_lost =
+      static_cast<double>(sender.sent()) - (after.tf_received - before.tf_received);
+  const double boxes_lost = (after.boxes_published - before.boxes_published) -
+                            (after.boxes_received - before.boxes_received);
+  std::printf("lost: %.0f of %llu tf messages, %.0f of %.0f boxes\n", tf_lost,
+              static_cast<unsigned long long>(sender.sent()), boxes_lost,
+              after.boxes_published - before.boxes_published);
+  std::printf("update: p99 %.3f ms, worst %.3f ms\n",
+              listener.told("time per tf message, p99 [ms]"),
+              listener.told("time per tf message, longest [ms]"));
+  const double missing = listener.told("bounded links") - listener.told("boxes");
+  if (missing > 0) std::printf("%.0f links have no box\n", missing);
+  const bool is_good = growth < kMostGrowth && tf_lost == 0 && boxes_lost == 0 && missing == 0;
+  std::printf("%s\n", is_good ? "passed" : "FAILED");
+  return is_good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "soak");
+  const int minutes = argc == 3 ? std::atoi(argv[1]) : 0;
+  const int pid = argc == 3 ? std::atoi(argv[2]) : 0;
+  if (minutes < 1 || pid < 1) {
+    std::cerr << "usage: soak MINUTES PID_OF_THE_NODE\n";
+    return 2;
+  }
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  try {
+    return link_bounds::soak(minutes, pid);
+  } catch (const std::exception& error) {
+    std::cerr << "soak: " << error.what() << "\n";
+    return 1;
+  }
+}

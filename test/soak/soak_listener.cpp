@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Queues without limit: what is lost was lost before.
+#include "soak_listener.h"
+
+#include <geometry_msgs/Polygon.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cstdlib>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kUnlimited = 0;
+
+}  // namespace
+
+SoakListener::SoakListener(ros::NodeHandle& node, const std::string& publisher)
+    : publisher_(publisher) {
+  const auto hear = [&](const std::string& topic, auto type, auto callback) {
+    using Message = decltype(type);
+    subscribers_.push_back(node.subscribe<Message>(
+        topic, kUnlimited,
+        [callback](const boost::shared_ptr<const Message>& message) { callback(*message); }, {},
+        ros::TransportHints().tcpNoDelay()));
+  };
+  const auto ignore = [](const auto&) {};
+  hear(publisher_ + "/boxes", AxisAlignedBoxArray(), [this](const auto&) { ++boxes_; });
+  hear(publisher_ + "/groups", AxisAlignedBoxArray(), ignore);
+  hear(publisher_ + "/footprint", geometry_msgs::Polygon(), ignore);
+  hear(publisher_ + "/markers", visualization_msgs::MarkerArray(),
+       [this](const auto&) { ++markers_; });
+  hear("/diagnostics", diagnostic_msgs::DiagnosticArray(),
+       [this](const auto& array) { onDiagnostics(array); });
+}
+
+void SoakListener::onDiagnostics(const diagnostic_msgs::DiagnosticArray& array) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& status : array.status) {
+    if ("/" + status.name != publisher_ + ": boxes") continue;
+    told_.clear();
+    for (const auto& pair : status.values)
+      told_[pair.key] = pair.value;
+  }
+}
+
+double SoakListener::told(const std::string& key) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = told_.find(key);
+  return found == told_.end() ? 0 : std::strtod(found->second.c_str(), nullptr);
+}
+
+}  // namespace link_bounds
