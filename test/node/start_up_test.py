@@ -17,6 +17,7 @@ BAD_DESCRIPTIONS = {
     "no xml": "not a usable URDF",
     "<robot name='r'><link name='a'/><link name='b'/></robot>": "root",
     "<robot name='r'/>": "not a usable URDF",
+    5: "not a string",
 }
 BAD_PARAMETERS = {
     "fixed_frame": [1, ["base"]],

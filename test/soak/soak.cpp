@@ -5,12 +5,12 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "soak_listener.h"
@@ -54,11 +54,12 @@ struct Counts {
   double tf_received;
   double boxes_published;
   double boxes_received;
-  bool operator==(const Counts& other) const {
-    return tf_received == other.tf_received && boxes_published == other.boxes_published &&
-           boxes_received == other.boxes_received;
-  }
 };
+
+bool operator==(const Counts& a, const Counts& b) {
+  return a.tf_received == b.tf_received && a.boxes_published == b.boxes_published &&
+         a.boxes_received == b.boxes_received;
+}
 
 Counts countsNow(const SoakListener& listener) {
   return {listener.told("tf messages"), listener.told("publications"),
@@ -123,7 +124,18 @@ double liveFor(int minutes, int pid, const SoakSender& sender, const SoakListene
   return resident - first;
 }
 
-int soak(int minutes, int pid) {
+/// Prints what was lost between two moments; true if nothing was.
+bool reportLosses(double sent, const Counts& before, const Counts& after) {
+  const double tf_lost = sent - (after.tf_received - before.tf_received);
+  const double published = after.boxes_published - before.boxes_published;
+  const double boxes_lost = published - (after.boxes_received - before.boxes_received);
+  std::printf("lost: %.0f of %.0f tf messages, %.0f of %.0f boxes\n", tf_lost, sent, boxes_lost,
+              published);
+  return tf_lost == 0 && boxes_lost == 0;
+}
+
+/// Returns whether all went well.
+bool soak(int minutes, int pid) {
   ros::NodeHandle node;
   std::string description;
   node.getParam("robot_description", description);
@@ -132,27 +144,22 @@ int soak(int minutes, int pid) {
   SoakSender sender(node, robot);
   waitFor([&] { return sender.isHeard(); }, "the node listens to tf");
   waitFor([&] { return listener.told("bounded links") > 0; }, "the robot is loaded");
+  const double links = listener.told("bounded links");
+  std::printf("%s: %.0f links bounded\n", robot.name.c_str(), links);
   const Counts before = settledCounts(listener);
-  std::printf("%s: %.0f links bounded\n", robot.name.c_str(), listener.told("bounded links"));
   sender.start();
   const double growth = liveFor(minutes, pid, sender, listener);
   sender.stop();
   const Counts after = settledCounts(listener);
-  const double tf_lost =
-      static_cast<double>(sender.sent()) - (after.tf_received - before.tf_received);
-  const double boxes_lost = (after.boxes_published - before.boxes_published) -
-                            (after.boxes_received - before.boxes_received);
-  std::printf("lost: %.0f of %llu tf messages, %.0f of %.0f boxes\n", tf_lost,
-              static_cast<unsigned long long>(sender.sent()), boxes_lost,
-              after.boxes_published - before.boxes_published);
+  const bool is_complete = reportLosses(static_cast<double>(sender.sent()), before, after);
   std::printf("update: p99 %.3f ms, worst %.3f ms\n",
               listener.told("time per tf message, p99 [ms]"),
               listener.told("time per tf message, longest [ms]"));
-  const double missing = listener.told("bounded links") - listener.told("boxes");
+  const double missing = links - listener.told("boxes");
   if (missing > 0) std::printf("%.0f links have no box\n", missing);
-  const bool is_good = growth < kMostGrowth && tf_lost == 0 && boxes_lost == 0 && missing == 0;
+  const bool is_good = is_complete && growth < kMostGrowth && missing == 0;
   std::printf("%s\n", is_good ? "passed" : "FAILED");
-  return is_good ? 0 : 1;
+  return is_good;
 }
 
 }  // namespace
@@ -169,7 +176,7 @@ int main(int argc, char** argv) {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   try {
-    return link_bounds::soak(minutes, pid);
+    return link_bounds::soak(minutes, pid) ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << "soak: " << error.what() << "\n";
     return 1;
