@@ -3,8 +3,6 @@
 // Extents of the table beside those of the scan over all points, bit by bit.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "brute_force.h"
 #include "link_bounds/point_set.h"
 #include "link_bounds/rounding.h"

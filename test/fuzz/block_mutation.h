@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Damage that does not care what is in a file.
+#pragma once
+
+#include <string>
+
+#include "brute_force.h"
+
+namespace link_bounds {
+
+/// In [0, count); 0 if count is.
+std::size_t below(std::size_t count, brute_force::Random& random);
+
+/// One byte or a few become others.
+std::string hitBytes(std::string text, brute_force::Random& random);
+
+std::string cutShort(std::string text, brute_force::Random& random);
+
+/// The copy stands behind the block or anywhere.
+std::string duplicateBlock(std::string text, brute_force::Random& random);
+
+std::string deleteBlock(std::string text, brute_force::Random& random);
+
+}  // namespace link_bounds

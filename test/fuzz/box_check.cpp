@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The oracles of test/core, on one link.
+#include "box_check.h"
+
+#include "exactness.h"
+#include "quad.h"
+
+namespace link_bounds {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+constexpr double kExcessPerReach = 4e-14;        // of A |r|_1, as shape.h says
+constexpr double kExcessPerTranslation = 2e-15;  // of |t|
+constexpr double kExcessOfUnderflow = 1e-307;    // metres
+
+double largestCoordinate(const Points& points) {
+  float result = 0;
+  for (const Eigen::Vector3f& point : points)
+    result = std::max(result, point.cwiseAbs().maxCoeff());
+  return result;
+}
+
+double allowedExcess(const Eigen::Affine3d& pose, int axis, double reach) {
+  return kExcessPerReach * reach * pose.linear().row(axis).lpNorm<1>() +
+         kExcessPerTranslation * std::abs(pose.translation()[axis]) + kExcessOfUnderflow;
+}
+
+std::string faultAt(const BoundedLink& link, const Points& points,
+                    const Eigen::Affine3d& world_from_link) {
+  const std::optional<Aabb> box = linkBox(link, world_from_link);
+  if (!box) return "there is no box";
+  if (!box->min().allFinite() || !box->max().allFinite()) return "the box is not finite";
+  const Eigen::Affine3d world_from_shape = world_from_link * link.shapes[0].link_from_shape;
+  const QuadBox exact = exactBox(points, world_from_shape);
+  if (!contains(*box, exact)) return "a vertex is outside of the box";
+  for (int k = 0; k < 3; ++k) {
+    if (excess(*box, exact, k) > allowedExcess(world_from_shape, k, largestCoordinate(points))) {
+      return "the box is larger than its pad explains";
+    }
+  }
+  const bool is_exact =
+      compare(points, *link.shapes[0].points, world_from_shape.linear()).wrong == 0;
+  return is_exact ? "" : "the extents are not those of a loop over the vertices";
+}
+
+}  // namespace
+
+std::vector<Eigen::Affine3d> obliquePoses(brute_force::Random& random) {
+  Eigen::Affine3d yaw(brute_force::turned(30, Eigen::Vector3d::UnitZ()));
+  Eigen::Affine3d roll(brute_force::turned(45, Eigen::Vector3d::UnitX()));
+  Eigen::Affine3d tilt(brute_force::turned(45, {1, 1, 0}) *
+                       brute_force::turned(30, Eigen::Vector3d::UnitY()));
+  yaw.pretranslate(random.vector(2));
+  roll.pretranslate(random.vector(1e3));
+  return {yaw, roll, tilt, random.rigid(5), random.affine(5)};
+}
+
+std::string faultOfLoaded(const BoundedLink& link, const Points& points,
+                          const std::vector<Eigen::Affine3d>& poses) {
+  if (!link.isWhole()) return "it is loaded and called incomplete: " + link.missing;
+  if (link.shapes.size() != 1 || !link.shapes[0].points) return "it has not one mesh";
+  for (const Eigen::Affine3d& pose : poses) {
+    const std::string fault = faultAt(link, points, pose);
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+std::string faultOfRefused(const BoundedLink& link) {
+  if (link.isWhole()) return "it is refused without a reason";
+  if (!link.shapes.empty()) return "it is refused and has a shape";
+  return linkBox(link, Eigen::Affine3d::Identity()) ? "it is refused and has a box" : "";
+}
+
+}  // namespace link_bounds

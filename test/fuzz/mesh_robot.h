@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot with one mesh file per link, loaded as the node loads it, by mesh_worker.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "link_bounds/link_boxes.h"
+#include "link_bounds/triangle_mesh.h"
+
+namespace link_bounds {
+
+struct MeshRobot {
+  std::vector<BoundedLink> links;              ///< one per file, in order; called like it
+  std::map<std::string, TriangleMesh> meshes;  ///< what the workers gave, by file
+};
+
+/// Everything that the node does to get boxes but reading XML. The files lie in `folder`; the first
+/// may take as long as it likes, the others `timeout` wall seconds each.
+MeshRobot meshRobot(const std::string& folder, const std::vector<std::string>& files,
+                    double timeout);
+
+}  // namespace link_bounds

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Damage as transmission, editors and malice do it, the same for the same random numbers.
+#pragma once
+
+#include <string>
+
+#include "brute_force.h"
+#include "mesh_seeds.h"
+
+namespace link_bounds {
+
+/// One change of a text: bytes, swapped words, swapped or odd numbers, a cut, a block lost or
+/// twice.
+std::string mutatedText(const std::string& text, brute_force::Random& random);
+
+/// One change of a binary file: bytes, swapped or odd words of four bytes, a cut, a block lost or
+/// twice.
+std::string mutatedBytes(const std::string& bytes, brute_force::Random& random);
+
+/// One change or two.
+std::string mutated(const MeshSeed& seed, brute_force::Random& random);
+
+}  // namespace link_bounds
