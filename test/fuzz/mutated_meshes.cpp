@@ -35,7 +35,7 @@ constexpr bool kIsSanitized = false;
 #endif
 
 struct Options {
-  std::size_t count = kIsSanitized ? 140 : 1050;
+  std::size_t count = kIsSanitized ? 140 : 700;
   std::uint64_t seed = 1;
   double timeout = kIsSanitized ? 5 : 1;  // wall seconds for one mesh
   std::string keep;
