@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts the node.
-#include <console_bridge/console.h>
 #include <ros/ros.h>
 
 #include <csignal>
@@ -19,8 +18,6 @@ int main(int argc, char** argv) {
     }
   }
   ros::init(argc, argv, "link_bounds_publisher");
-  // tf2 warns of every single transform that it has already or that comes late.
-  console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   link_bounds::PublisherNode node;
