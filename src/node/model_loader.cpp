@@ -5,6 +5,7 @@
 
 #include <ros/callback_queue_interface.h>
 #include <ros/init.h>
+#include <ros/master.h>
 #include <ros/param.h>
 
 #include <future>
@@ -139,6 +140,8 @@ void ModelLoader::load() {
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   try {
+    // Reading parameters would wait for it without end.
+    if (!ros::master::check()) throw std::runtime_error("the ROS master does not answer");
     store_.forgetFailures();
     const Parameters old_parameters = parameters_;
     parameters_ = readParametersAndWarn();

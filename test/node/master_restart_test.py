@@ -29,6 +29,7 @@ import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 from bounds_testing import DEADLINE, Recorder, wait_for  # noqa: E402
 from node_testing import ALL, ARMS, NODE, ArmsTf, NodeProcess, Repeater  # noqa: E402
+from std_srvs.srv import Trigger  # noqa: E402
 
 BACK_AT_MASTER = 5.0  # wall seconds
 PROMPT = 10.0  # wall seconds for the end of a node, with some for a busy machine
@@ -168,6 +169,18 @@ class MasterRestart(unittest.TestCase):
         self.wait_for_output(BACK, 1)
         self.assertEqual(entries(NODE), before)
         self.check_said_once()
+
+    def test_a_reload_without_a_master_changes_nothing(self):
+        reload = rospy.ServiceProxy(NODE + "/reload", Trigger, persistent=True)
+        self.assertTrue(reload().success)
+        wait_for(lambda: len(self.boxes.messages) > 1, "the boxes of the reload")
+        self.master.kill()
+        self.addCleanup(self.master.start)
+        count = len(self.boxes.messages)
+        answer = reload()
+        self.assertFalse(answer.success)
+        self.assertIn("master", answer.message)
+        self.assertEqual(len(self.boxes.messages), count)
 
     def test_a_node_ends_promptly_without_a_master(self):
         self.master.kill()

@@ -85,6 +85,16 @@ class ReadmeTablesTest(unittest.TestCase):
             self.assertEqual([row[:2] for row in table[1:]],
                              fields_of(os.path.join(PACKAGE, 'msg', message)))
 
+    def test_faults_name_their_tests(self):
+        with open(os.path.join(PACKAGE, 'test', 'CMakeLists.txt'), encoding='utf-8') as file:
+            known = set(re.findall(r'(?:core/|node/|NAME )(\w+)', file.read()))
+        rows = [row for row in rows_below(self.readme, ['fault', 'what happens', 'test']) if row[1]]
+        self.assertGreater(len(rows), 20)
+        for fault, _, names in rows:
+            for name in names.split(', '):
+                is_script = os.access(os.path.join(PACKAGE, name), os.X_OK)
+                self.assertTrue(name in known or is_script, '%s: no test %s' % (fault, name))
+
 
 if __name__ == '__main__':
     PACKAGE, PUBLISHER = sys.argv.pop(), sys.argv.pop()
