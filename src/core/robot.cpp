@@ -126,6 +126,10 @@ std::vector<const urdf::Joint*> jointsAbove(const urdf::ModelInterface& model,
   return above;
 }
 
+/// urdfdom 3 skips as many bytes as the first one of a UTF-8 character promises, even if the text
+/// ends before; these are what it then skips instead of what lies behind the text.
+const std::string kAfterText = "\n\n\n\n";
+
 /// Breadth first from the root, so that parents stand before their children.
 void addJoints(const urdf::ModelInterface& model, Robot& robot) {
   LinkIndex index;
@@ -168,8 +172,8 @@ const char* toText(Purpose purpose) {
 Robot parseRobot(const std::string& urdf) {
   if (isBlank(urdf)) throw RobotError("the robot description is empty");
   const std::vector<LinkOutline> outlines = outlineOf(urdf);
-  UrdfLog log;
-  const ModelHolder model(urdf::parseURDF(urdf));
+  const UrdfLog log(urdf);
+  const ModelHolder model(urdf::parseURDF(urdf + kAfterText));
   if (!model) {
     throw RobotError("the robot description is not a usable URDF: " + log.messages());
   }

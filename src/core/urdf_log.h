@@ -12,10 +12,12 @@
 namespace link_bounds {
 
 /// While it lives, keeps the messages that this thread sends to console_bridge (urdfdom's only
-/// channel for reasons) and passes on those of other threads.
+/// channel for reasons) and passes on those of other threads. If `urdf` contains a per cent sign,
+/// nobody hears anything: urdfdom hands pieces of the text to printf as its format, and "%n" there
+/// ends the process.
 class UrdfLog : public console_bridge::OutputHandler {
  public:
-  UrdfLog();
+  explicit UrdfLog(const std::string& urdf);
   ~UrdfLog() override;
   UrdfLog(const UrdfLog&) = delete;
   UrdfLog& operator=(const UrdfLog&) = delete;
@@ -23,12 +25,13 @@ class UrdfLog : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char* file,
            int line) override;
 
-  /// The messages so far that contain `part`, joined by "; ".
+  /// The messages so far that contain `part`, joined by "; "; why there are none if nobody listens.
   std::string messages(const std::string& part = "") const;
 
  private:
   std::thread::id owner_;
   console_bridge::OutputHandler* others_;
+  bool is_deaf_;
   std::vector<std::string> messages_;
 };
 

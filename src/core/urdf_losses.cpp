@@ -12,7 +12,7 @@ namespace {
 
 /// What urdfdom says against an element when it is alone; "" if it can be parsed.
 std::string faultOf(const std::string& element, Purpose purpose) {
-  UrdfLog log;
+  const UrdfLog log(element);
   const auto model =
       urdf::parseURDF("<robot name='r'><link name='l'>" + element + "</link></robot>");
   const auto link = model ? model->getLink("l") : nullptr;

@@ -5,8 +5,14 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
+#include <set>
+
 namespace link_bounds {
 namespace {
+
+/// An eighth of what fills a stack of 8 MB.
+constexpr std::size_t kDeepestBrokenXml = 4000;
 
 /// Whether a material is defined elsewhere must not matter when an element is looked at alone.
 std::string printedWithoutMaterial(const tinyxml2::XMLElement& element) {
@@ -43,6 +49,23 @@ std::string fromFirstElement(const std::string& urdf) {
   return "";
 }
 
+/// urdfdom refuses such links, so if it accepts the text it has read something else in it.
+bool hasTwins(const std::vector<LinkOutline>& links) {
+  std::set<std::string> names;
+  const auto is_twin = [&](const LinkOutline& link) { return !names.insert(link.name).second; };
+  return std::any_of(links.begin(), links.end(), is_twin);
+}
+
+/// urdfdom reads XML that tinyxml2 refuses, and by recursion, which ends in the process's death
+/// when the stack is full. How deep it sees such a text nest is hard to tell; not deeper than this.
+std::size_t countStarts(const std::string& xml) {
+  std::size_t starts = 0;
+  for (std::size_t i = 0; i + 1 < xml.size(); ++i) {
+    if (xml[i] == '<' && xml[i + 1] != '/') ++starts;
+  }
+  return starts;
+}
+
 }  // namespace
 
 std::vector<LinkOutline> outlineOf(const std::string& urdf) {
@@ -50,6 +73,11 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   document.Parse(fromFirstElement(urdf).c_str());
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
     throw RobotError("the robot description nests XML elements too deeply; flatten it");
+  }
+  if (document.Error() && countStarts(urdf) > kDeepestBrokenXml) {
+    throw RobotError(
+        "the robot description is not well-formed XML, and too long to be read all the "
+        "same; correct it");
   }
   const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
   if (document.Error() || !robot) return {};
@@ -59,6 +87,7 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
     const char* name = link->Attribute("name");
     if (name) links.push_back({name, childrenOf(*link, "visual"), childrenOf(*link, "collision")});
   }
+  if (hasTwins(links)) return {};
   return links;
 }
 

@@ -112,6 +112,27 @@ TEST(RobotRefusals, AnUnknownTypeOfJoint) {
       "rubber");
 }
 
+TEST(RobotRefusals, DeepNestingInXmlThatOnlyUrdfdomUnderstands) {
+  constexpr int kDepth = 100000;
+  std::string urdf = "<robot name=unquoted><link name='a'/>";
+  for (int i = 0; i < kDepth; ++i)
+    urdf += "<x>";
+  expectRefused(urdf, "not well-formed XML");
+}
+
+TEST(OddRobots, DirectivesOfPrintfAreNotObeyed) {
+  for (const char* percent : {"%", "&#37;", "&#x25;", "&#x0025;"}) {
+    SCOPED_TRACE(percent);
+    const std::string directives = std::string(percent) + "s" + percent + "n" + percent + "s" +
+                                   percent + "n" + percent + "s" + percent + "n";
+    const Robot robot =
+        parseRobot(inRobot("<link name='a'><visual><origin xyz='" + directives +
+                           "'/><geometry><sphere radius='1'/></geometry></visual></link>"));
+    ASSERT_EQ(robot.links.at(0).lost.size(), 1u);
+    EXPECT_NE(robot.links[0].lost[0].reason.find("cannot be parsed"), std::string::npos);
+  }
+}
+
 TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
   const Robot robot = parseRobot("\n<!-- made by a tool -->\n<?xml version=\"1.0\"?>\n" +
                                  inRobot(links({"b", "a"}) + joint("j", "b", "a")));
@@ -133,6 +154,25 @@ TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
   EXPECT_NE(robot.warnings[0].find("well-formed XML"), std::string::npos);
   EXPECT_EQ(robot.links.at(0).name, "a") << "in alphabetical order";
   EXPECT_EQ(robot.links.at(robot.root).name, "b");
+}
+
+/// The byte begins a character of two, so urdfdom 3 takes the "<" behind it for the second half.
+TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
+  const std::string urdf = "<?xml version='1.0'?><robot name='r'>\xd2<link name='a'/>" +
+                           links({"a", "b"}) + joint("j", "a", "b") + "</robot>";
+  if (!refusal(urdf).empty()) GTEST_SKIP() << "this urdfdom sees them twice";
+  const Robot robot = parseRobot(urdf);
+  ASSERT_EQ(robot.links.size(), 2u);
+  EXPECT_EQ(robot.links[robot.joints.at(0).child].name, "b");
+  EXPECT_FALSE(robot.warnings.empty());
+}
+
+/// A reader that takes the terminating zero for the second half of a character finds a whole robot.
+TEST(RobotRefusals, ATextThatEndsInHalfACharacter) {
+  const std::string text = "<?xml version='1.0'?><robot name='r'><link name='a\xd6";
+  std::string urdf = text + "0" + "'/></robot>";
+  urdf.resize(text.size());
+  expectRefused(urdf, "not a usable URDF");
 }
 
 TEST(OddRobots, NamesWithEntities) {

@@ -88,6 +88,7 @@ std::vector<std::string> seeds() {
                   "<child link='c'/><axis xyz='1 0 0'/><limit effort='1' velocity='1'/></joint>"),
           inRobot("<!-- twice --><visual/><link name='a'><collision/></link>"
                   "<gazebo reference='a'/><transmission name='t'/>"),
+          inRobot("<link name='%s%n'><visual><origin xyz='%s%n%s%n'/></visual></link>"),
           "<robot name=unquoted><link name=a/></robot>"};
 }
 
