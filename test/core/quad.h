@@ -62,4 +62,19 @@ inline double excess(const Aabb& outer, const QuadBox& inner, int axis) {
                                       static_cast<Quad>(outer.max()[axis]) - inner.max[i]));
 }
 
+inline double largestCoordinate(const std::vector<Eigen::Vector3f>& points) {
+  float result = 0;
+  for (const Eigen::Vector3f& point : points)
+    result = std::max(result, point.cwiseAbs().maxCoeff());
+  return result;
+}
+
+/// What shape.h admits for vertices that reach so far from their origin.
+inline double allowedExcess(const Eigen::Affine3d& pose, int axis, double reach) {
+  constexpr double kPerReach = 4e-14;        // of A |r|_1
+  constexpr double kPerTranslation = 2e-15;  // of |t|
+  return kPerReach * reach * pose.linear().row(axis).lpNorm<1>() +
+         kPerTranslation * std::abs(pose.translation()[axis]);
+}
+
 }  // namespace link_bounds

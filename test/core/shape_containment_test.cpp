@@ -14,21 +14,7 @@ using Points = std::vector<Eigen::Vector3f>;
 
 constexpr int kMeshes = 40;
 constexpr int kPosesPerMesh = 100;
-constexpr double kExcessPerReach = 4e-14;        // of A |r|_1, as shape.h says
-constexpr double kExcessPerTranslation = 2e-15;  // of |t|
 const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
-
-double largestCoordinate(const Points& points) {
-  float result = 0;
-  for (const Eigen::Vector3f& point : points)
-    result = std::max(result, point.cwiseAbs().maxCoeff());
-  return result;
-}
-
-double allowedExcess(const Eigen::Affine3d& pose, int axis, double reach) {
-  return kExcessPerReach * reach * pose.linear().row(axis).lpNorm<1>() +
-         kExcessPerTranslation * std::abs(pose.translation()[axis]);
-}
 
 void expectContainment(const Points& points, const Eigen::Affine3d& pose) {
   const Shape shape{std::make_shared<const PointSet>(points), Solid::kNone, Eigen::Vector3d::Zero(),

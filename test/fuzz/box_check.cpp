@@ -11,21 +11,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-constexpr double kExcessPerReach = 4e-14;        // of A |r|_1, as shape.h says
-constexpr double kExcessPerTranslation = 2e-15;  // of |t|
-constexpr double kExcessOfUnderflow = 1e-307;    // metres
-
-double largestCoordinate(const Points& points) {
-  float result = 0;
-  for (const Eigen::Vector3f& point : points)
-    result = std::max(result, point.cwiseAbs().maxCoeff());
-  return result;
-}
-
-double allowedExcess(const Eigen::Affine3d& pose, int axis, double reach) {
-  return kExcessPerReach * reach * pose.linear().row(axis).lpNorm<1>() +
-         kExcessPerTranslation * std::abs(pose.translation()[axis]) + kExcessOfUnderflow;
-}
+constexpr double kExcessOfUnderflow = 1e-307;  // metres
 
 std::string faultAt(const BoundedLink& link, const Points& points,
                     const Eigen::Affine3d& world_from_link) {
@@ -36,7 +22,8 @@ std::string faultAt(const BoundedLink& link, const Points& points,
   const QuadBox exact = exactBox(points, world_from_shape);
   if (!contains(*box, exact)) return "a vertex is outside of the box";
   for (int k = 0; k < 3; ++k) {
-    if (excess(*box, exact, k) > allowedExcess(world_from_shape, k, largestCoordinate(points))) {
+    if (excess(*box, exact, k) >
+        allowedExcess(world_from_shape, k, largestCoordinate(points)) + kExcessOfUnderflow) {
       return "the box is larger than its pad explains";
     }
   }
