@@ -3,6 +3,7 @@
 // A thread that spins its own callback queue and, until the first model is there, looks for it.
 #include "model_loader.h"
 
+#include <malloc.h>
 #include <ros/callback_queue_interface.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -68,6 +69,13 @@ class QueuedFunction : public ros::CallbackInterface {
  private:
   std::function<void()> function_;
 };
+
+/// Of what loading took for a while; the C library would keep it for later.
+void giveBackMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 std::string privateName(const TopicName& topic) {
   return topic.name + 1;
@@ -136,6 +144,7 @@ void ModelLoader::load() {
   const auto model = std::make_shared<const Model>(makeModel(description, parameters_, store_));
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
+  giveBackMemory();
 }
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
