@@ -3,6 +3,7 @@
 /// From the mesh URI of a URDF to a file that is safe to open.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -18,6 +19,9 @@ struct MeshFile {
   std::string path;  ///< absolute, without symbolic links
   std::string root;  ///< folder below which the mesh may name further files; absolute, real
 };
+
+/// Whether a path is that of the folder or leads into it; both absolute, without symbolic links.
+bool isBelow(const std::filesystem::path& folder, const std::filesystem::path& path);
 
 /// Accepts package://PACKAGE/PATH, whose real path must lie below the package, and
 /// file:///PATH. With a base folder also plain paths, relative to it. Percent-escapes in URIs

@@ -62,11 +62,6 @@ MeshFile checkedFile(const fs::path& path, const fs::path& root) {
   return {real.string(), (root.empty() ? real.parent_path() : root).string()};
 }
 
-bool isBelow(const fs::path& folder, const fs::path& path) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
-}
-
 MeshFile resolvePackageUri(const std::string& rest, const PackagePath& package_path) {
   const std::size_t slash = rest.find('/');
   const std::string package = rest.substr(0, slash);
@@ -95,6 +90,11 @@ MeshFile resolveFileUri(const std::string& rest) {
 }
 
 }  // namespace
+
+bool isBelow(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
 
 MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
                         const std::string& base_folder) {

@@ -8,12 +8,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
+
+#include "link_bounds/mesh_uri.h"
 
 namespace link_bounds {
 namespace {
@@ -46,21 +47,14 @@ class ReadStream : public Assimp::IOStream {
   std::size_t size_;
 };
 
-bool isBelow(const std::string& root, int descriptor) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder(root);
-  const fs::path real = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
-  if (error) return false;
-  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
-         folder.end();
-}
-
 /// The size of a regular file below root that is open.
 std::optional<std::uint64_t> allowedSize(const std::string& root, int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  if (!isBelow(root, descriptor)) return std::nullopt;
+  std::error_code error;
+  const auto real =
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
+  if (error || !isBelow(root, real)) return std::nullopt;
   return static_cast<std::uint64_t>(status.st_size);
 }
 

@@ -15,6 +15,7 @@
 #include "mutation.h"
 #include "outcomes.h"
 #include "process_census.h"
+#include "sanitized.h"
 #include "temporary_folder.h"
 
 namespace link_bounds {
@@ -26,13 +27,6 @@ constexpr char kUsage[] =
 constexpr std::size_t kBatch = 100;       // meshes of one robot
 constexpr long kMemoryGrowth = 32 << 20;  // bytes, from the second batch to the last
 constexpr char kGoodFile[] = "good.stl";
-
-/// Such a build is slow, keeps freed memory for a while, and gives its workers no memory limit.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 struct Options {
   std::size_t count = kIsSanitized ? 140 : 700;

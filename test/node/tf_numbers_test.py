@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Numbers in tf that are no pose: refused as tf2 does, told once, and nothing else is touched."""
 import math
-import unittest
 
 import rospy
 import rostest
-from bounds_testing import (Recorder, TfSender, box_of, corners_of, difference, load, transform,
+from arms_testing import ArmsTest
+from bounds_testing import (Recorder, TfSender, box_of, corners_of, difference, transform,
                             wait_for)
-from node_testing import (ARMS, NODE, TOLERANCE, ArmsTf, NodeProcess, arm_bounds, at_angles, shows)
+from node_testing import ARMS, TOLERANCE, NodeProcess, arm_bounds, at_angles, shows
 
 HUGE = 1e300  # m
 LARGEST = 1.7e308  # m; twice as much is not finite
@@ -17,28 +17,7 @@ RELATIVE = 1e-12
 FLOOD = 2000
 
 
-class TfNumbers(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.boxes = Recorder(NODE + "/boxes")
-        cls.tf = ArmsTf()
-        cls.now = 1000
-
-    def setUp(self):
-        load(NODE, ARMS)
-        self.send_good(30, 30)
-
-    def next_stamp(self):
-        TfNumbers.now += 1
-        return rospy.Time(self.now)
-
-    def send_good(self, left, right):
-        stamp = self.next_stamp()
-        self.boxes.clear()
-        self.tf.send_arms(stamp, left, right)
-        self.boxes.wait(lambda m: m.header.stamp == stamp and shows(m, at_angles(left, right)),
-                        "good boxes")
-
+class TfNumbers(ArmsTest):
     def changed(self, child="left", degrees=45, scale=1.0, **translation):
         """A transform with a quaternion of another length or other coordinates."""
         result = self.tf.transform(child, rospy.Time(self.now + 1), degrees)

@@ -2,13 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Loops, changed parents, strange names, many frames: whoever is not touched stays exact."""
-import unittest
-
 import rospy
 import rostest
-from bounds_testing import (Pose, Recorder, box_of, corners_of, difference, load, transform, turn)
-from node_testing import (ARMS, NODE, SIZES, TOLERANCE, ArmsTf, arm_bounds, at_angles, joint_pose,
-                          shows)
+from arms_testing import ArmsTest
+from bounds_testing import Pose, box_of, corners_of, difference, transform, turn
+from node_testing import SIZES, TOLERANCE, arm_bounds, at_angles, joint_pose, shows
 from tf2_msgs.msg import TFMessage
 
 LEFT = ["left", "left_tip"]
@@ -31,30 +29,9 @@ class RawMessage(TFMessage):
         buff.write(data)
 
 
-class TfStructure(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.boxes = Recorder(NODE + "/boxes")
-        cls.tf = ArmsTf()
-        cls.now = 1000
-
-    def setUp(self):
-        load(NODE, ARMS)
-        self.send_good(30, 30)
-
-    def next_stamp(self):
-        TfStructure.now += 1
-        return rospy.Time(self.now)
-
+class TfStructure(ArmsTest):
     def wait_for(self, degrees, incomplete=()):
         return self.boxes.wait(lambda m: shows(m, degrees, incomplete), "the expected boxes")
-
-    def send_good(self, left, right):
-        stamp = self.next_stamp()
-        self.boxes.clear()
-        self.tf.send_arms(stamp, left, right)
-        self.boxes.wait(lambda m: m.header.stamp == stamp and shows(m, at_angles(left, right)),
-                        "good boxes")
 
     def send(self, *parents_and_children):
         """A message of turned transforms, and one of the right arm behind it."""

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether this is a build with a sanitizer: slow, and it claims more addresses than a limit allows.
+#pragma once
+
+namespace link_bounds {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+}  // namespace link_bounds
