@@ -10,30 +10,53 @@
 
 namespace link_bounds {
 
-/// Safe to read from several threads. Metres, in the frame of the mesh the points come from. Of the
-/// points only those are kept that can be extreme in some direction (see directionTable).
+/// Points in double, one per column; copies nothing.
+using DoublePoints = Eigen::Ref<const Eigen::Matrix3Xd>;
+
+/// Four points in three columns: their x, their y, their z. Unused places repeat a point.
+using PointLanes = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
+/// Safe to read from several threads. Metres, in the frame of what the points come from.
+///
+/// Vertices of meshes are float and stay for long: of them only those are kept that can be extreme
+/// in some direction, in a table. Points in double come and go, so preparing a table would cost
+/// more than it saves: all are kept and scanned at each query.
 class PointSet {
  public:
   /// `points` must be finite and not empty.
   explicit PointSet(const std::vector<Eigen::Vector3f>& points);
+  explicit PointSet(const DoublePoints& points);
 
+  /// Extents along the rows of `directions`, evaluated as those of a table (see there): the same to
+  /// the bit by every path of instructions. Of points in double the products must not overflow.
+  Extents extents(const Directions& directions) const {
+    return isScanned() ? scan(directions) : link_bounds::extents(table_, directions);
+  }
+
+  /// True for points in double, which have no table.
+  bool isScanned() const { return lanes_.cols() > 0; }
+
+  /// Of points in float.
   const DirectionTable& table() const { return table_; }
 
   /// The largest |x|, |y| and |z| of any point.
   const Eigen::Vector3d& magnitude() const { return magnitude_; }
 
-  /// The points that can be extreme, each once, in no particular order.
+  /// The points in float that can be extreme, each once, in no particular order.
   std::vector<Eigen::Vector3f> points() const;
 
-  /// Their number.
+  /// The number of points that are kept.
   std::size_t size() const { return size_; }
 
   /// Bytes kept in memory.
-  std::size_t bytes() const { return sizeof(*this) - sizeof(table_) + table_.bytes(); }
+  std::size_t bytes() const;
 
  private:
-  DirectionTable table_;
+  Extents scan(const Directions& directions) const;
+
+  DirectionTable table_;  ///< of points in float
   Eigen::Vector3d magnitude_;
+  PointLanes lanes_;  ///< of points in double
   std::size_t size_;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A direction table and what is known about all its points.
+// What is known about all points, and which of the two ways they are kept.
 #include "link_bounds/point_set.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
+
+#include "point_scan.h"
 
 namespace link_bounds {
 namespace {
@@ -23,6 +25,18 @@ PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
     : table_(directionTable(points)),
       magnitude_(magnitudeOf(points)),
       size_(this->points().size()) {}
+
+PointSet::PointSet(const DoublePoints& points)
+    : lanes_(packed(points, magnitude_)), size_(static_cast<std::size_t>(points.cols())) {}
+
+Extents PointSet::scan(const Directions& directions) const {
+  return scannedExtents(lanes_, directions);
+}
+
+std::size_t PointSet::bytes() const {
+  return sizeof(*this) - sizeof(table_) + table_.bytes() +
+         static_cast<std::size_t>(lanes_.size()) * sizeof(double);
+}
 
 std::vector<Eigen::Vector3f> PointSet::points() const {
   std::set<std::array<float, 3>> distinct;

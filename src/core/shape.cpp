@@ -65,7 +65,7 @@ bool isUsable(const Directions& linear) {
 /// False if an entry is too large or not a number. The sum tells that of all but the largest.
 bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
   if (shape.points) {
-    const Extents points = extents(shape.points->table(), linear);
+    const Extents points = shape.points->extents(linear);
     reach.low = points.low;
     reach.high = points.high;
   } else {
