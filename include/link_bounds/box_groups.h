@@ -26,6 +26,9 @@ struct BoxGroup {
   bool lacks_members = false;  ///< some member named by the user does not exist
 };
 
+/// Widens the state of a group by that of one more member.
+void addMember(BoxState& group, const BoxState& member);
+
 /// The union of the members that have a box; the oldest non-zero stamp of these; incomplete while
 /// any member is missing or incomplete.
 BoxState groupState(const BoxGroup& group, const std::vector<BoxState>& states);

@@ -5,18 +5,20 @@
 
 namespace link_bounds {
 
+void addMember(BoxState& group, const BoxState& member) {
+  group.incomplete |= member.incomplete;
+  if (!member.box) return;
+  group.box = group.box ? group.box->merged(*member.box) : *member.box;
+  if (member.stamp != 0 && (group.stamp == 0 || member.stamp < group.stamp)) {
+    group.stamp = member.stamp;
+  }
+}
+
 BoxState groupState(const BoxGroup& group, const std::vector<BoxState>& states) {
   BoxState result;
   result.incomplete = group.lacks_members;
-  for (const std::size_t member : group.members) {
-    const BoxState& state = states[member];
-    result.incomplete |= state.incomplete;
-    if (!state.box) continue;
-    result.box = result.box ? result.box->merged(*state.box) : *state.box;
-    if (state.stamp != 0 && (result.stamp == 0 || state.stamp < result.stamp)) {
-      result.stamp = state.stamp;
-    }
-  }
+  for (const std::size_t member : group.members)
+    addMember(result, states[member]);
   return result;
 }
 

@@ -11,6 +11,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
+/// Nodes like this one do not take markers of such namespaces for objects.
+constexpr char kObjectsNamespace[] = "link_bounds/objects/";
+
 enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
 
 constexpr double kThinnest = 1e-4;     ///< rviz cannot draw a box of zero size [m]
@@ -84,41 +87,49 @@ void addLabel(Marker marker, const Eigen::Vector3d& radius, const std::string& t
   array.markers.push_back(std::move(marker));
 }
 
+void addBox(const BoxState& state, const std::string& name, const std::string& ns,
+            const std_msgs::Header& header, const Parameters& parameters, MarkerArray& array) {
+  if (!state.box || !isDrawable(*state.box)) return;
+  const auto [center, exact_radius] = toCenterRadius(*state.box);
+  const Eigen::Vector3d radius = exact_radius.cwiseMax(kThinnest / 2);
+  const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
+  const auto marker = [&, &box_center = center](MarkerId id, int type) {
+    return commonMarker(header, ns, id, type, box_center);
+  };
+  if (parameters.marker_style != "edges") {
+    addFaces(marker(kFaces, Marker::CUBE), radius, color, array);
+  }
+  if (parameters.marker_style != "faces") {
+    addEdges(marker(kEdges, Marker::LINE_LIST), radius, color, array);
+  }
+  if (parameters.marker_labels) {
+    addLabel(marker(kLabel, Marker::TEXT_VIEW_FACING), radius, name, array);
+  }
+}
+
 }  // namespace
 
-std_msgs::Header markerHeader(const LiveBoxes& live) {
+std_msgs::Header markerHeader(const Scene& scene) {
   std::int64_t newest = 0;
-  for (const BoxState& state : live.states()) {
+  scene.forEach([&newest](const std::string&, const BoxState& state) {
     if (state.box) newest = std::max(newest, state.stamp);
-  }
+  });
   std_msgs::Header header;
-  header.frame_id = live.model()->fixed_frame;
+  header.frame_id = scene.model()->fixed_frame;
   header.stamp.fromNSec(static_cast<std::uint64_t>(newest));
   return header;
 }
 
-MarkerArray boxMarkers(const LiveBoxes& live, const std_msgs::Header& header) {
-  const Model& model = *live.model();
-  const Parameters& parameters = model.parameters;
-  const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
+MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header) {
+  const Model& model = *scene.model();
   MarkerArray array;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const std::optional<Aabb>& box = live.states()[i].box;
-    if (!box || !isDrawable(*box)) continue;
-    const auto [center, exact_radius] = toCenterRadius(*box);
-    const Eigen::Vector3d radius = exact_radius.cwiseMax(kThinnest / 2);
-    const auto marker = [&, &box_center = center](MarkerId id, int type) {
-      return commonMarker(header, model.frames[i], id, type, box_center);
-    };
-    if (parameters.marker_style != "edges") {
-      addFaces(marker(kFaces, Marker::CUBE), radius, color, array);
-    }
-    if (parameters.marker_style != "faces") {
-      addEdges(marker(kEdges, Marker::LINE_LIST), radius, color, array);
-    }
-    if (parameters.marker_labels) {
-      addLabel(marker(kLabel, Marker::TEXT_VIEW_FACING), radius, model.links[i].name, array);
-    }
+    addBox(scene.links.states()[i], model.links[i].name, model.frames[i], header, model.parameters,
+           array);
+  }
+  for (const auto& [key, object] : scene.objects.objects()) {
+    const std::string& name = object.content.bounded.name;
+    addBox(object.state, name, kObjectsNamespace + name, header, model.parameters, array);
   }
   return array;
 }

@@ -9,16 +9,17 @@
 #include <string>
 #include <utility>
 
-#include "live_boxes.h"
+#include "scene.h"
 
 namespace link_bounds {
 
 /// That of `~boxes`.
-std_msgs::Header markerHeader(const LiveBoxes& live);
+std_msgs::Header markerHeader(const Scene& scene);
 
 /// All boxes that exist as ADD: faces (id 0), edges (id 1) and label (id 2) as the model's
-/// marker_style and marker_labels say. Boxes farther out than rviz's float32 can draw are left out.
-visualization_msgs::MarkerArray boxMarkers(const LiveBoxes& live, const std_msgs::Header& header);
+/// marker_style and marker_labels say; ns is the tf name of a link, "link_bounds/objects/<name>" of
+/// an object. Boxes farther out than rviz's float32 can draw are left out.
+visualization_msgs::MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header);
 
 /// Remembers what rviz may be showing, so that every array can delete what is gone.
 class ShownMarkers {

@@ -54,21 +54,17 @@ class Filler {
 
 }  // namespace
 
-void fillBoxes(const LiveBoxes& live, AxisAlignedBoxArray& message) {
-  const Model& model = *live.model();
-  Filler filler(message, model.fixed_frame);
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    filler.add(model.links[i].name, live.states()[i]);
-  }
+void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {
+  Filler filler(message, scene.model()->fixed_frame);
+  scene.forEach([&](const std::string& name, const BoxState& state) { filler.add(name, state); });
   filler.finish();
 }
 
-void fillGroups(const LiveBoxes& live, AxisAlignedBoxArray& message) {
-  const Model& model = *live.model();
+void fillGroups(const Scene& scene, AxisAlignedBoxArray& message) {
+  const Model& model = *scene.model();
   Filler filler(message, model.fixed_frame);
-  for (const BoxGroup& group : model.groups) {
-    filler.add(group.name, groupState(group, live.states()));
-  }
+  for (const SceneGroup& group : model.groups)
+    filler.add(group.name, groupState(group, scene));
   filler.finish();
 }
 

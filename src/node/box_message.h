@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "link_bounds/box_groups.h"
-#include "live_boxes.h"
+#include "scene.h"
 
 namespace link_bounds {
 
-/// Overwrites `message` with the link boxes; reuses its memory.
-void fillBoxes(const LiveBoxes& live, AxisAlignedBoxArray& message);
+/// Overwrites `message` with the boxes of links and objects; reuses its memory. There must be a
+/// model.
+void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);
 
 /// The same for the groups.
-void fillGroups(const LiveBoxes& live, AxisAlignedBoxArray& message);
+void fillGroups(const Scene& scene, AxisAlignedBoxArray& message);
 
 }  // namespace link_bounds

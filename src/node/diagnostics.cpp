@@ -13,6 +13,8 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+constexpr std::size_t kMostObjectLines = 100;
+
 void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);
   status.message += (status.message.empty() ? "" : "; ") + text;
@@ -25,18 +27,40 @@ void add(DiagnosticStatus& status, const std::string& key, const std::string& va
   status.values.push_back(pair);
 }
 
-std::size_t countBoxes(const LiveBoxes& live) {
-  const auto& states = live.states();
-  return static_cast<std::size_t>(std::count_if(
-      states.begin(), states.end(), [](const BoxState& state) { return state.box.has_value(); }));
+std::size_t countBoxes(const Scene& scene) {
+  std::size_t count = 0;
+  scene.forEach(
+      [&count](const std::string&, const BoxState& state) { count += state.box ? 1 : 0; });
+  return count;
+}
+
+bool hasLinkBox(const LiveBoxes& links) {
+  return std::any_of(links.states().begin(), links.states().end(),
+                     [](const BoxState& state) { return state.box.has_value(); });
+}
+
+void addIncomplete(const std::string& name, const std::string& reason, DiagnosticStatus& status) {
+  add(status, "incomplete: " + name, reason);
 }
 
 /// Adds a line per incomplete link; returns how many there are.
-std::size_t addIncomplete(const LiveBoxes& live, DiagnosticStatus& status) {
+std::size_t addIncomplete(const LiveBoxes& links, DiagnosticStatus& status) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < live.states().size(); ++i) {
-    if (!live.states()[i].incomplete) continue;
-    add(status, "incomplete: " + live.model()->links[i].name, live.reason(i));
+  for (std::size_t i = 0; i < links.states().size(); ++i) {
+    if (!links.states()[i].incomplete) continue;
+    addIncomplete(links.model()->links[i].name, links.reason(i), status);
+    ++count;
+  }
+  return count;
+}
+
+/// The same for objects, of which there may be very many.
+std::size_t addIncomplete(const LiveObjects& objects, DiagnosticStatus& status) {
+  std::size_t count = 0;
+  for (const auto& [key, object] : objects.objects()) {
+    if (!object.state.incomplete) continue;
+    if (count < kMostObjectLines)
+      addIncomplete(object.content.bounded.name, object.reason(), status);
     ++count;
   }
   return count;
@@ -52,19 +76,21 @@ void addMeshes(const Model& model, DiagnosticStatus& status) {
     add(status, "memory of " + path + " [bytes]", std::to_string(bytes));
 }
 
-void describeModel(const LiveBoxes& live, DiagnosticStatus& status) {
-  const Model& model = *live.model();
-  const std::size_t boxes = countBoxes(live);
+void describeScene(const Scene& scene, DiagnosticStatus& status) {
+  const Model& model = *scene.model();
   add(status, "fixed frame", model.fixed_frame);
   add(status, "bounded links", std::to_string(model.links.size()));
-  add(status, "boxes", std::to_string(boxes));
+  add(status, "objects", std::to_string(scene.objects.objects().size()));
+  add(status, "boxes", std::to_string(countBoxes(scene)));
   addMeshes(model, status);
-  const std::size_t incomplete = addIncomplete(live, status);
-  if (boxes == 0 && !model.links.empty()) {
+  const std::size_t links = addIncomplete(scene.links, status);
+  const std::size_t objects = addIncomplete(scene.objects, status);
+  if (!hasLinkBox(scene.links) && !model.links.empty()) {
     raise(status, DiagnosticStatus::ERROR, "not one link has a box");
   }
-  if (incomplete > 0) {
-    raise(status, DiagnosticStatus::WARN, std::to_string(incomplete) + " links incomplete");
+  if (links > 0) raise(status, DiagnosticStatus::WARN, std::to_string(links) + " links incomplete");
+  if (objects > 0) {
+    raise(status, DiagnosticStatus::WARN, std::to_string(objects) + " objects incomplete");
   }
 }
 
@@ -75,11 +101,11 @@ std::string nodeName() {
 
 }  // namespace
 
-diagnostic_msgs::DiagnosticArray diagnose(const LiveBoxes& live, const Health& health) {
+diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& health) {
   DiagnosticStatus status;
   status.name = nodeName() + ": boxes";
-  if (live.model()) {
-    describeModel(live, status);
+  if (scene.model()) {
+    describeScene(scene, status);
   } else if (!health.waits_for_description) {
     raise(status, DiagnosticStatus::ERROR, "the robot is still loading");
   }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "duration_histogram.h"
-#include "live_boxes.h"
+#include "scene.h"
 
 namespace link_bounds {
 
@@ -27,6 +27,6 @@ struct Health {
 
 /// One status named "<node name>: boxes". ERROR: there is no model, or not one box though links
 /// are bounded. WARN: something is incomplete or waited for, or the clock jumped. Else OK.
-diagnostic_msgs::DiagnosticArray diagnose(const LiveBoxes& live, const Health& health);
+diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& health);
 
 }  // namespace link_bounds

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "package_path.h"
@@ -29,37 +30,51 @@ Selection selectionOf(const Parameters& parameters) {
   return selection;
 }
 
-BoxGroup allLinks(std::size_t count) {
-  BoxGroup group;
+SceneGroup allLinks(std::size_t count) {
+  SceneGroup group;
   group.name = "robot";
   for (std::size_t i = 0; i < count; ++i)
     group.members.push_back(i);
   return group;
 }
 
-/// What a member of a group can be: a bounded link, a link that needs no box, or nothing.
-struct Members {
+/// The links that a member of a group can be: one that is bounded, or one that needs no box.
+struct KnownLinks {
   std::map<std::string, std::size_t> bounded;
   std::set<std::string> without_geometry;
 };
 
-bool isPattern(const std::string& member) {
-  return member.size() >= 2 && member.compare(member.size() - 2, 2, "/*") == 0;
+/// The namespace that a member like "ns/*" stands for.
+std::optional<std::string> wholeNamespace(const std::string& member) {
+  if (member.size() < 2 || member.compare(member.size() - 2, 2, "/*") != 0) return std::nullopt;
+  return member.substr(0, member.size() - 2);
 }
 
-BoxGroup toGroup(const std::string& name, const std::vector<std::string>& members,
-                 const Members& known) {
-  BoxGroup group;
-  group.name = name;
-  for (const std::string& member : members) {
-    const auto found = known.bounded.find(member);
-    if (found != known.bounded.end()) {
-      group.members.push_back(found->second);
-    } else if (!known.without_geometry.count(member) && !isPattern(member)) {
-      group.lacks_members = true;
-    }
+/// A name that both a link and an object can have is that of the link.
+void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
+  const auto found = known.bounded.find(member);
+  if (found != known.bounded.end()) {
+    group.members.push_back(found->second);
+  } else if (known.without_geometry.count(member)) {
+    return;
+  } else if (const auto ns = wholeNamespace(member)) {
+    group.namespaces.push_back(*ns);
+  } else if (const auto key = parseObjectName(member)) {
+    group.objects.push_back(*key);
+  } else {
+    group.lacks_members = true;
   }
-  return group;
+}
+
+std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& parameters,
+                                   const KnownLinks& known) {
+  std::vector<SceneGroup> groups{allLinks(links)};
+  for (const auto& [name, members] : parameters.groups) {
+    groups.emplace_back().name = name;
+    for (const std::string& member : members)
+      addMember(groups.back(), member, known);
+  }
+  return groups;
 }
 
 bool hasGeometry(const Link& link, const Selection& selection) {
@@ -70,19 +85,14 @@ bool hasGeometry(const Link& link, const Selection& selection) {
          std::any_of(link.lost.begin(), link.lost.end(), counts);
 }
 
-std::vector<BoxGroup> makeGroups(const Robot& robot, const Model& model,
-                                 const Selection& selection) {
-  Members known;
+KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
+  KnownLinks known;
   for (std::size_t i = 0; i < model.links.size(); ++i)
     known.bounded[model.links[i].name] = i;
   for (const Link& link : robot.links) {
     if (!hasGeometry(link, selection)) known.without_geometry.insert(link.name);
   }
-  std::vector<BoxGroup> groups{allLinks(model.links.size())};
-  for (const auto& [name, members] : model.parameters.groups) {
-    groups.push_back(toGroup(name, members, known));
-  }
-  return groups;
+  return known;
 }
 
 /// One warning per unknown name, however often it is used. Names with a slash may be objects.
@@ -121,6 +131,14 @@ std::string tfName(const std::string& tf_prefix, const std::string& link) {
   return prefix.empty() ? link : prefix + "/" + link;
 }
 
+Model modelWithoutRobot(const Parameters& parameters) {
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = tfName("", parameters.fixed_frame);
+  model.groups = makeGroups(0, parameters, KnownLinks());
+  return model;
+}
+
 Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
   const Robot robot = parseRobot(description);
   const Selection selection = selectionOf(parameters);
@@ -134,7 +152,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Me
   for (const BoundedLink& link : model.links) {
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
-  model.groups = makeGroups(robot, model, selection);
+  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
   model.problems = std::move(bounded.problems);

@@ -10,16 +10,23 @@
 
 #include "link_bounds/bounded_robot.h"
 #include "link_bounds/box_groups.h"
+#include "object_key.h"
 #include "parameters.h"
 
 namespace link_bounds {
+
+/// A group whose members are links, single objects, and all objects of a namespace.
+struct SceneGroup : BoxGroup {
+  std::vector<ObjectKey> objects;
+  std::vector<std::string> namespaces;
+};
 
 struct Model {
   Parameters parameters;
   std::string fixed_frame;          ///< tf name
   std::vector<BoundedLink> links;   ///< in the order of the URDF
   std::vector<std::string> frames;  ///< tf name of each link
-  std::vector<BoxGroup> groups;     ///< "robot", then the user's by name; members index links
+  std::vector<SceneGroup> groups;   ///< "robot", then the user's by name; members index links
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
   std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
   std::vector<std::string> warnings;              ///< names in parameters that fit no link
@@ -28,6 +35,9 @@ struct Model {
 /// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
 /// name are stripped; a link name that begins with a slash takes no prefix.
 std::string tfName(const std::string& tf_prefix, const std::string& link);
+
+/// For objects alone, while there is no description; parameters must name the fixed frame.
+Model modelWithoutRobot(const Parameters& parameters);
 
 /// Parses the description and loads its meshes. Throws RobotError.
 Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store);

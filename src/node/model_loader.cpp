@@ -13,6 +13,8 @@
 #include <optional>
 
 #include "link_bounds/mesh_process.h"
+#include "object_meshes.h"
+#include "package_path.h"
 #include "topics.h"
 
 namespace link_bounds {
@@ -83,8 +85,10 @@ std::string privateName(const TopicName& topic) {
 
 }  // namespace
 
-ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt)
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt,
+                         MeshHandler on_mesh)
     : adopt_(std::move(adopt)),
+      on_mesh_(std::move(on_mesh)),
       worker_(siblingProgram("mesh_worker")),
       store_([this](const MeshFile& file) { return import(file); }) {
   ros::NodeHandle own_queue_node(private_node);
@@ -120,7 +124,13 @@ void ModelLoader::firstLoad() {
   } catch (const NoDescription&) {
     waits_for_description_ = true;
     sayWaiting();
+    if (!serves_objects_) serveObjectsMeanwhile();
   }
+}
+
+void ModelLoader::serveObjectsMeanwhile() {
+  if (parameters_.fixed_frame.empty()) return;
+  serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
 }
 
 void ModelLoader::sayWaiting() {
@@ -128,6 +138,30 @@ void ModelLoader::sayWaiting() {
   if (now - last_said_ < kWaitMessagePeriod) return;
   last_said_ = now;
   ROS_WARN("waiting for parameter robot_description");
+}
+
+void ModelLoader::requestMesh(const std::string& uri) {
+  {
+    const std::lock_guard<std::mutex> lock(requests_mutex_);
+    requests_.push_back(uri);
+  }
+  queue_.addCallback(boost::make_shared<QueuedFunction>([this] { loadRequestedMeshes(); }));
+}
+
+/// All that have gathered, so that files load side by side.
+void ModelLoader::loadRequestedMeshes() {
+  std::vector<std::string> uris;
+  {
+    const std::lock_guard<std::mutex> lock(requests_mutex_);
+    uris.swap(requests_);
+  }
+  if (uris.empty()) return;
+  const std::vector<LoadedMesh> meshes = loadObjectMeshes(uris, rosPackages(), store_);
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<QueuedFunction>(
+        [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); }));
+  }
+  giveBackMemory();
 }
 
 /// Called from several threads while load() waits; a node that ends does not wait for meshes.
@@ -156,6 +190,10 @@ bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
     parameters_ = readParametersAndWarn();
     try {
       load();
+    } catch (const NoDescription&) {
+      if (has_loaded_) parameters_ = old_parameters;
+      if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
+      serveObjectsMeanwhile();
     } catch (...) {
       if (has_loaded_) parameters_ = old_parameters;
       throw;

@@ -76,7 +76,9 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("padding", p.padding, rules::notNegative,
         "metres, >= 0, added on every side of link boxes (groups and markers follow)");
   visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
-  visit("groups", p.groups, rules::groups, "further group boxes; members are links");
+  visit("groups", p.groups, rules::groups,
+        "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
+        "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
   visit("timeout", p.timeout, rules::notNegative,
         "ROS seconds, counted by receipt, since tf last accepted a transform on the oldest "

@@ -17,6 +17,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kTfQueue = 5000;
+constexpr std::uint32_t kObjectsQueue = 1000;
 /// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
 /// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
 constexpr std::uint32_t kBoxesQueue = 200;
@@ -26,8 +27,8 @@ const ros::WallDuration kTick(0.05);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
 /// The union of all links: the first group of every model.
-BoxState robotState(const LiveBoxes& live) {
-  return groupState(live.model()->groups.front(), live.states());
+BoxState robotState(const Scene& scene) {
+  return groupState(scene.model()->groups.front(), scene);
 }
 
 std::string privateName(const TopicName& topic) {
@@ -55,19 +56,26 @@ double PublisherNode::timed(Body&& body) {
 }
 
 PublisherNode::PublisherNode()
-    : boxes_output_(node_, [this] { publishBoxes(); }),
+    : object_source_(scene_.objects, [this](const std::string& uri) { loader_->requestMesh(uri); }),
+      boxes_output_(node_, [this] { publishBoxes(); }),
       markers_output_(node_, [this] { publishMarkers(); }) {
   advertise();
-  subscribe();
   tick_timer_ = node_.createWallTimer(
       kTick, [this](const ros::WallTimerEvent&) { timed([&] { onTick(); }); });
   diagnostics_timer_ = node_.createWallTimer(
       kDiagnosticsPeriod,
       [this](const ros::WallTimerEvent&) { timed([&] { publishDiagnostics(); }); });
-  loader_ = std::make_unique<ModelLoader>(private_node_, [this](ModelLoader::ModelPtr model) {
-    timed([&] { model = adopt(std::move(model)); });
-    return model;
-  });
+  loader_ = std::make_unique<ModelLoader>(
+      private_node_,
+      [this](ModelLoader::ModelPtr model) {
+        timed([&] { model = adopt(std::move(model)); });
+        return model;
+      },
+      [this](const std::string& uri, const LoadedMesh& mesh) {
+        timed([&] { onMesh(uri, mesh); });
+      });
+  subscribe();
+  subscribeToObjects();
   master_watch_ = std::make_unique<MasterWatch>();
 }
 
@@ -107,14 +115,30 @@ void PublisherNode::subscribe() {
       {}, no_delay);
 }
 
+void PublisherNode::subscribeToObjects() {
+  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
+  objects_subscriber_ =
+      private_node_.subscribe<visualization_msgs::MarkerArray, const MarkersEvent&>(
+          privateName(kObjectsTopic), kObjectsQueue,
+          [this](const MarkersEvent& event) {
+            timed([&] { onMarkers(event.getConstMessage()->markers, event.getPublisherName()); });
+          },
+          {}, no_delay);
+  object_subscriber_ = private_node_.subscribe<visualization_msgs::Marker, const MarkerEvent&>(
+      privateName(kObjectTopic), kObjectsQueue,
+      [this](const MarkerEvent& event) { timed([&] { onMarker(event); }); }, {}, no_delay);
+}
+
 ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   std::swap(model, model_);
   boxes_output_.setRate(model_->parameters.max_rate);
   markers_output_.setRate(model_->parameters.marker_rate);
   const ros::Time now = ros::Time::now();
   tf_.distrustStampsAhead(now);
-  refusal_log_ = RefusalLog();
-  live_.adopt(model_, tf_, now);
+  refusal_log_.forget();
+  scene_.links.adopt(model_, tf_, now);
+  scene_.objects.adopt(model_->fixed_frame, model_->parameters.timeout, tf_, now);
+  object_source_.reloadMeshes();
   boxes_output_.emitNow();
   markers_output_.request();
   return model;
@@ -134,7 +158,9 @@ void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {
   } else {
     addTransforms(transforms, is_static, now, event);
   }
-  if (live_.update(tf_, now)) onNews();
+  const bool links_changed = scene_.links.update(tf_, now);
+  const bool objects_changed = scene_.objects.update(tf_, now);
+  if (links_changed || objects_changed) onNews();
 }
 
 void PublisherNode::addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms,
@@ -149,7 +175,9 @@ void PublisherNode::addTransforms(const std::vector<geometry_msgs::TransformStam
 void PublisherNode::onTick() {
   const ros::Time now = ros::Time::now();
   observeClock(now);
-  if (live_.expire(tf_, now)) onNews();
+  const bool links_changed = scene_.links.expire(tf_, now);
+  const bool objects_changed = scene_.objects.expire(tf_, now);
+  if (links_changed || objects_changed) onNews();
   if (clock_.isMissing()) {
     ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
   }
@@ -161,16 +189,43 @@ void PublisherNode::observeClock(ros::Time now) {
       return;
     case ClockWatch::Event::kStarted:
       tf_.tree().clockStarted(static_cast<std::int64_t>(now.toNSec()));
+      if (scene_.objects.restart(tf_, now)) onNews();
       return;
-    case ClockWatch::Event::kJumpedBack:
+    case ClockWatch::Event::kJumpedBack: {
       ROS_WARN("the clock jumped back; forgetting all transforms that are not static");
       tf_.clear();
-      if (live_.updateAll(tf_, now)) onNews();
+      const bool links_changed = scene_.links.updateAll(tf_, now);
+      const bool objects_changed = scene_.objects.restart(tf_, now);
+      if (links_changed || objects_changed) onNews();
       return;
+    }
   }
 }
 
+/// All markers of one message lead to one publication.
+void PublisherNode::onMarkers(const std::vector<visualization_msgs::Marker>& markers,
+                              const std::string& publisher) {
+  const ros::Time now = ros::Time::now();
+  observeClock(now);
+  bool is_changed = false;
+  for (const visualization_msgs::Marker& marker : markers)
+    is_changed |= object_source_.take(marker, publisher, tf_, now);
+  if (is_changed) onNews();
+}
+
+void PublisherNode::onMarker(const MarkerEvent& event) {
+  const ros::Time now = ros::Time::now();
+  observeClock(now);
+  if (object_source_.take(*event.getConstMessage(), event.getPublisherName(), tf_, now)) onNews();
+}
+
+void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
+  if (object_source_.fillMesh(uri, mesh, tf_, ros::Time::now())) onNews();
+}
+
+/// Nothing to publish before the first model.
 void PublisherNode::onNews() {
+  if (!scene_.model()) return;
   ++health_.updates;
   boxes_output_.request();
   if (markers_publisher_.getNumSubscribers() > 0) markers_output_.request();
@@ -178,8 +233,8 @@ void PublisherNode::onNews() {
 
 void PublisherNode::publishBoxes() {
   ++health_.publications;
-  fillBoxes(live_, boxes_message_);
-  fillGroups(live_, groups_message_);
+  fillBoxes(scene_, boxes_message_);
+  fillGroups(scene_, groups_message_);
   boxes_publisher_.publish(boxes_message_);
   groups_publisher_.publish(groups_message_);
   publishFootprint();
@@ -187,29 +242,29 @@ void PublisherNode::publishBoxes() {
 
 void PublisherNode::publishFootprint() {
   if (footprint_publisher_.getNumSubscribers() == 0) return;
-  if (const auto footprint = footprintOf(robotState(live_))) {
+  if (const auto footprint = footprintOf(robotState(scene_))) {
     footprint_publisher_.publish(*footprint);
   }
 }
 
 void PublisherNode::welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!live_.model()) return;
-  if (const auto footprint = footprintOf(robotState(live_))) subscriber.publish(*footprint);
+  if (!scene_.model()) return;
+  if (const auto footprint = footprintOf(robotState(scene_))) subscriber.publish(*footprint);
 }
 
 void PublisherNode::publishMarkers() {
   if (markers_publisher_.getNumSubscribers() == 0) return;
-  const std_msgs::Header header = markerHeader(live_);
-  visualization_msgs::MarkerArray markers = boxMarkers(live_, header);
+  const std_msgs::Header header = markerHeader(scene_);
+  visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
   shown_.replaceBy(markers, header);
   markers_publisher_.publish(markers);
 }
 
 /// A new subscriber to the markers is shown everything at once.
 void PublisherNode::welcome(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!live_.model()) return;
-  const std_msgs::Header header = markerHeader(live_);
-  visualization_msgs::MarkerArray markers = boxMarkers(live_, header);
+  if (!scene_.model()) return;
+  const std_msgs::Header header = markerHeader(scene_);
+  visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
   shown_.extendBy(markers, header);
   subscriber.publish(markers);
 }
@@ -218,7 +273,7 @@ void PublisherNode::publishDiagnostics() {
   health_.waits_for_description = loader_->waitsForDescription();
   health_.waits_for_clock = clock_.isMissing();
   health_.clock_jumped = clock_.hasJustJumped();
-  diagnostics_publisher_.publish(diagnose(live_, health_));
+  diagnostics_publisher_.publish(diagnose(scene_, health_));
 }
 
 }  // namespace link_bounds

@@ -7,6 +7,7 @@
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <memory>
 
@@ -14,11 +15,12 @@
 #include "clock_watch.h"
 #include "diagnostics.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "live_boxes.h"
 #include "master_watch.h"
 #include "model_loader.h"
+#include "object_source.h"
 #include "paced_output.h"
 #include "refusal_log.h"
+#include "scene.h"
 #include "transform_source.h"
 
 namespace link_bounds {
@@ -33,13 +35,20 @@ class PublisherNode {
 
  private:
   using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;
+  using MarkersEvent = ros::MessageEvent<const visualization_msgs::MarkerArray>;
+  using MarkerEvent = ros::MessageEvent<const visualization_msgs::Marker>;
 
   void advertise();
   void subscribe();
+  void subscribeToObjects();
   ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfEvent& event, bool is_static);
   void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
                      ros::Time now, const TfEvent& event);
+  void onMarkers(const std::vector<visualization_msgs::Marker>& markers,
+                 const std::string& publisher);
+  void onMarker(const MarkerEvent& event);
+  void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
   void observeClock(ros::Time now);
   void onNews();
@@ -57,10 +66,11 @@ class PublisherNode {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   TransformSource tf_;
-  LiveBoxes live_;
+  Scene scene_;
+  ObjectSource object_source_;
   ModelLoader::ModelPtr model_;
   ClockWatch clock_;
-  RefusalLog refusal_log_;
+  RefusalLog refusal_log_{"a transform of", "transforms of further frames"};
   Health health_;
   ShownMarkers shown_;
   AxisAlignedBoxArray boxes_message_;
@@ -74,6 +84,8 @@ class PublisherNode {
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;
   ros::Subscriber tf_static_subscriber_;
+  ros::Subscriber objects_subscriber_;
+  ros::Subscriber object_subscriber_;
   ros::WallTimer tick_timer_;
   ros::WallTimer diagnostics_timer_;
   std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes

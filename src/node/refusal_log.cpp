@@ -9,7 +9,7 @@ namespace link_bounds {
 namespace {
 
 const ros::WallDuration kPeriod(10.0);
-constexpr std::size_t kMostFrames = 10;
+constexpr std::size_t kMostNames = 10;
 constexpr std::size_t kLongestName = 80;
 
 std::string shown(const std::string& name) {
@@ -21,17 +21,15 @@ std::string shown(const std::string& name) {
 
 }  // namespace
 
-std::optional<std::string> RefusalLog::line(const std::string& child_frame,
-                                            const std::string& reason, const std::string& publisher,
-                                            ros::SteadyTime now) {
+std::optional<std::string> RefusalLog::line(const std::string& name, const std::string& reason,
+                                            const std::string& publisher, ros::SteadyTime now) {
   if (now - begin_ > kPeriod) {
     told_.clear();
     begin_ = now;
   }
-  if (told_.size() > kMostFrames || !told_.insert(child_frame).second) return std::nullopt;
-  if (told_.size() > kMostFrames) return "transforms of further frames are refused";
-  return "a transform of " + shown(child_frame) + " from " + shown(publisher) +
-         " is refused: " + reason;
+  if (told_.size() > kMostNames || !told_.insert(name).second) return std::nullopt;
+  if (told_.size() > kMostNames) return others_ + " are refused";
+  return what_ + " " + shown(name) + " from " + shown(publisher) + " is refused: " + reason;
 }
 
 }  // namespace link_bounds

@@ -16,7 +16,7 @@ struct TopicName {
 constexpr TopicName kBoxesTopic{
     "~boxes", "link_bounds/AxisAlignedBoxArray",
     "with each tf message that brings news of a bounded link, and whenever boxes or incomplete "
-    "change for another reason; limited by max_rate; latched"};
+    "change for another reason, such as an object; limited by max_rate; latched"};
 constexpr TopicName kGroupsTopic{
     "~groups", "link_bounds/AxisAlignedBoxArray",
     "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
@@ -29,12 +29,16 @@ constexpr TopicName kFootprintTopic{
     "and y of the fixed frame, rounded outward; a new subscriber gets one at once"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
+constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
+                                  "subscribed; each marker becomes a box, see \"Objects\""};
+constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
+                                 "subscribed; one marker, as those of ~objects"};
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 7> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic,
+constexpr std::array<TopicName, 9> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic,
                                             kFootprintTopic, kDiagnosticsTopic, kTfTopic,
-                                            kTfStaticTopic}};
+                                            kTfStaticTopic, kObjectsTopic, kObjectTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

@@ -83,11 +83,18 @@ std::int64_t TransformSource::latestCommonTime(Frame source, const std::vector<F
 std::optional<StampedPose> TransformSource::latest(Frame target, Frame source,
                                                    const std::vector<Frame>& path) const {
   const std::int64_t stamp = latestCommonTime(source, path);
+  const std::optional<Eigen::Isometry3d> pose = at(target, source, stamp);
+  if (!pose) return std::nullopt;
+  return StampedPose{*pose, stamp};
+}
+
+std::optional<Eigen::Isometry3d> TransformSource::at(Frame target, Frame source,
+                                                     std::int64_t stamp) const {
   ros::Time time;
   time.fromNSec(static_cast<std::uint64_t>(stamp));
   const std::optional<Tf2Pose> pose = histories_.pose(target, source, time);
   if (!pose) return std::nullopt;
-  return StampedPose{toIsometry(*pose), stamp};
+  return toIsometry(*pose);
 }
 
 void TransformSource::clear() {

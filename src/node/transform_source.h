@@ -41,6 +41,10 @@ class TransformSource {
   std::optional<StampedPose> latest(Frame target, Frame source,
                                     const std::vector<Frame>& path) const;
 
+  /// The pose at that time [ns], interpolated, by the edges as they were; as
+  /// lookupTransform(target, source, stamp). A frame in itself needs no transform.
+  std::optional<Eigen::Isometry3d> at(Frame target, Frame source, std::int64_t stamp) const;
+
   /// Forgets everything that is not static, after a clock jump.
   void clear();
 

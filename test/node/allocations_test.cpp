@@ -83,7 +83,7 @@ class Chain {
     std::vector<BoundedLink> links;
     for (int i = 0; i < kLinks; ++i)
       links.push_back(meshLink(name(i), static_cast<std::uint64_t>(i)));
-    live_.adopt(modelOf("the_frame_that_is_fixed", links), tf_, ros::Time(1));
+    scene_.links.adopt(modelOf("the_frame_that_is_fixed", links), tf_, ros::Time(1));
   }
 
   /// What arrives from the network.
@@ -105,9 +105,9 @@ class Chain {
     is_roscpp = false;
     const ros::Time now(1 + 0.01 * update);
     tf_.add(message.transforms, false, now);
-    ASSERT_TRUE(live_.update(tf_, now));
-    fillBoxes(live_, boxes_);
-    fillGroups(live_, groups_);
+    ASSERT_TRUE(scene_.links.update(tf_, now));
+    fillBoxes(scene_, boxes_);
+    fillGroups(scene_, groups_);
     is_roscpp = true;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);
@@ -120,7 +120,7 @@ class Chain {
   static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
 
   TransformSource tf_;
-  LiveBoxes live_;
+  Scene scene_;
   AxisAlignedBoxArray boxes_;
   AxisAlignedBoxArray groups_;
 };

@@ -46,16 +46,16 @@ QuadBox boxOf(const Marker& cube) {
 TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
   brute_force::Random random(1);
   TransformSource tf;
-  LiveBoxes live;
-  live.adopt(modelOf("base", {meshLink("l", 1)}), tf, ros::Time(1));
+  Scene scene;
+  scene.links.adopt(modelOf("base", {meshLink("l", 1)}), tf, ros::Time(1));
   for (int i = 0; i < 2000; ++i) {
     const ros::Time now(10 + i);
     const Eigen::Quaterniond turn(random.rotation());
     tf.add({edge("base", "l", now.toSec(), turn, random.vector(random.magnitude(-3, 6)))}, false,
            now);
-    ASSERT_TRUE(live.update(tf, now));
-    const Aabb box = live.states()[0].box.value();
-    const QuadBox cube = boxOf(boxMarkers(live, markerHeader(live)).markers.front());
+    ASSERT_TRUE(scene.links.update(tf, now));
+    const Aabb box = scene.links.states()[0].box.value();
+    const QuadBox cube = boxOf(boxMarkers(scene, markerHeader(scene)).markers.front());
     for (int k = 0; k < 3; ++k) {
       const auto axis = static_cast<std::size_t>(k);
       ASSERT_LE(cube.min[axis], static_cast<Quad>(box.min()[k]));

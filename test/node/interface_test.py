@@ -41,8 +41,8 @@ class Interface(unittest.TestCase):
         types = dict(self.master.getTopicTypes())
         self.assertEqual({name: types[name] for name in topics}, topics)
 
-    def test_only_tf_is_subscribed(self):
-        self.assertEqual(self.offered(1), {"/tf", "/tf_static"})
+    def test_only_tf_and_objects_are_subscribed(self):
+        self.assertEqual(self.offered(1), {"/tf", "/tf_static", NODE + "/objects", NODE + "/object"})
 
     def test_services_and_their_types(self):
         services = self.promised("Services")

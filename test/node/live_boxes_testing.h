@@ -23,7 +23,8 @@ inline std::shared_ptr<const Model> modelOf(const std::string& fixed_frame,
   auto model = std::make_shared<Model>();
   model->fixed_frame = fixed_frame;
   model->links = links;
-  BoxGroup robot{"robot", {}, false};
+  SceneGroup robot;
+  robot.name = "robot";
   for (const BoundedLink& link : links) {
     robot.members.push_back(model->frames.size());
     model->frames.push_back(link.name);

@@ -14,7 +14,7 @@ class RefusalLogTest : public testing::Test {
     return log_.line(frame, "it is bad; mend it", "/driver", ros::SteadyTime(1000 + time));
   }
 
-  RefusalLog log_;
+  RefusalLog log_{"a transform of", "transforms of further frames"};
 };
 
 TEST_F(RefusalLogTest, NamesFramePublisherAndRemedy) {

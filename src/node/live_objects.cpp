@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Bounds an object anew when its content, the pose of its frame, or its age gives cause.
+#include "live_objects.h"
+
+#include <utility>
+
+namespace link_bounds {
+namespace {
+
+using Trouble = LiveObject::Trouble;
+
+/// How long to wait for a transform if nothing ever becomes stale [ROS s].
+constexpr double kPatience = 10;
+
+bool isSame(const BoxState& a, const BoxState& b) {
+  if (a.stamp != b.stamp || a.incomplete != b.incomplete) return false;
+  if (!a.box || !b.box) return a.box.has_value() == b.box.has_value();
+  return a.box->min() == b.box->min() && a.box->max() == b.box->max();
+}
+
+bool isSame(const Shape& a, const Shape& b) {
+  return a.points == b.points && a.solid == b.solid && a.size == b.size &&
+         a.link_from_shape.matrix() == b.link_from_shape.matrix();
+}
+
+bool isSame(const ObjectContent& a, const ObjectContent& b) {
+  const std::vector<Shape>& shapes = b.bounded.shapes;
+  return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
+         a.bounded.missing == b.bounded.missing &&
+         std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
+                    [](const Shape& x, const Shape& y) { return isSame(x, y); });
+}
+
+Trouble toTrouble(FollowedFrame::Trouble trouble) {
+  switch (trouble) {
+    case FollowedFrame::Trouble::kNone:
+      return Trouble::kNone;
+    case FollowedFrame::Trouble::kNoTransform:
+      return Trouble::kNoTransform;
+    case FollowedFrame::Trouble::kStale:
+      return Trouble::kStale;
+  }
+  return Trouble::kNone;
+}
+
+bool hasExpired(const LiveObject& object, ros::Time now) {
+  const ros::Duration lifetime = object.content.lifetime;
+  return lifetime > ros::Duration(0) && now - object.received >= lifetime;
+}
+
+}  // namespace
+
+std::string LiveObject::reason() const {
+  if (!content.bounded.isWhole()) return content.bounded.missing;
+  if (content.isLoading()) return "its mesh " + content.mesh_uri + " is still loading";
+  switch (trouble) {
+    case Trouble::kNone:
+      return "";
+    case Trouble::kNoTransform:
+      return "no transform from \"" + content.frame + "\" to the fixed frame";
+    case Trouble::kStale:
+      return "stale: no transform accepted for longer than timeout";
+    case Trouble::kPoseNotFinite:
+      return "its pose is not finite or too large";
+    case Trouble::kWaiting:
+      return "the transform from \"" + content.frame + "\" at its stamp is not there yet";
+    case Trouble::kGivenUp:
+      return "there was no transform from \"" + content.frame + "\" at its stamp";
+  }
+  return "";
+}
+
+void LiveObjects::adopt(const std::string& fixed_frame, double timeout, TransformSource& tf,
+                        ros::Time now) {
+  const FollowedFrame::Frame frame = tf.tree().frame(fixed_frame);
+  const bool is_moved = target_ && target_->fixed_frame != frame;
+  target_ = FollowedFrame::Target{frame, timeout};
+  for (auto& [key, object] : objects_) {
+    if (is_moved) object.fixed_from_header.reset();
+    if (!object.fixed_from_header) object.received = now;
+  }
+  refreshAll(tf, now);
+}
+
+bool LiveObjects::put(const ObjectKey& key, ObjectContent content, TransformSource& tf,
+                      ros::Time now) {
+  const auto [entry, is_new] = objects_.try_emplace(key);
+  LiveObject& object = entry->second;
+  object.received = now;
+  object.content.lifetime = content.lifetime;
+  if (!is_new && object.trouble != Trouble::kGivenUp && isSame(object.content, content)) {
+    return false;
+  }
+  if (!is_new) release(object);
+  object.content = std::move(content);
+  object.reach = LinkReach(object.content.bounded);
+  object.trouble = Trouble::kNone;
+  object.frame = tf.tree().frame(object.content.frame);
+  object.fixed_from_header.reset();
+  follow(object, tf, now);
+  return refresh(object, tf, now) || is_new;
+}
+
+bool LiveObjects::remove(const ObjectKey& key) {
+  const auto found = objects_.find(key);
+  if (found == objects_.end()) return false;
+  erase(found);
+  return true;
+}
+
+bool LiveObjects::removeAll() {
+  const bool is_changed = !objects_.empty();
+  objects_.clear();
+  frames_.clear();
+  waiting_ = 0;
+  return is_changed;
+}
+
+void LiveObjects::follow(LiveObject& object, const TransformSource& tf, ros::Time now) {
+  if (!object.content.follows()) return;
+  const auto [entry, is_new] =
+      frames_.try_emplace(object.frame, HeaderFrame{FollowedFrame(object.frame), 0, false});
+  ++entry->second.users;
+  if (is_new && target_) entry->second.followed.refresh(*target_, tf, now);
+}
+
+/// Takes back what follow() and refresh() counted.
+void LiveObjects::release(const LiveObject& object) {
+  if (object.trouble == Trouble::kWaiting) --waiting_;
+  if (!object.content.follows()) return;
+  const auto frame = frames_.find(object.frame);
+  if (--frame->second.users == 0) frames_.erase(frame);
+}
+
+LiveObjects::Objects::iterator LiveObjects::erase(Objects::iterator object) {
+  release(object->second);
+  return objects_.erase(object);
+}
+
+bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh,
+                           const TransformSource& tf, ros::Time now) {
+  bool is_changed = false;
+  for (auto& [key, object] : objects_) {
+    BoundedLink& bounded = object.content.bounded;
+    if (object.content.mesh_uri != uri) continue;
+    if (bounded.shapes.front().points == mesh.points && bounded.missing == mesh.error) continue;
+    bounded.shapes.front().points = mesh.points;
+    bounded.missing = mesh.error;
+    object.reach = LinkReach(bounded);
+    is_changed |= refresh(object, tf, now);
+  }
+  return is_changed;
+}
+
+bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
+  if (!target_) return false;
+  const bool paths_may_differ = structure_ != tf.tree().structure();
+  structure_ = tf.tree().structure();
+  bool is_news = false;
+  for (auto& [frame, header] : frames_) {
+    header.is_news = header.followed.update(*target_, tf, now, paths_may_differ);
+    is_news |= header.is_news;
+  }
+  bool is_changed = waiting_ > 0 && refreshWaiting(tf, now);
+  if (!is_news) return is_changed;
+  for (auto& [key, object] : objects_) {
+    if (object.content.follows() && frames_.at(object.frame).is_news) {
+      is_changed |= refresh(object, tf, now);
+    }
+  }
+  return is_changed;
+}
+
+bool LiveObjects::refreshWaiting(const TransformSource& tf, ros::Time now) {
+  bool is_changed = false;
+  for (auto& [key, object] : objects_) {
+    if (object.trouble == Trouble::kWaiting) is_changed |= refresh(object, tf, now);
+  }
+  return is_changed;
+}
+
+bool LiveObjects::refreshAll(const TransformSource& tf, ros::Time now) {
+  if (!target_) return false;
+  structure_ = tf.tree().structure();
+  for (auto& [frame, header] : frames_)
+    header.followed.refresh(*target_, tf, now);
+  bool is_changed = false;
+  for (auto& [key, object] : objects_)
+    is_changed |= refresh(object, tf, now);
+  return is_changed;
+}
+
+bool LiveObjects::restart(const TransformSource& tf, ros::Time now) {
+  for (auto& [key, object] : objects_)
+    object.received = now;
+  return refreshAll(tf, now);
+}
+
+bool LiveObjects::expire(const TransformSource& tf, ros::Time now) {
+  bool is_changed = false;
+  for (auto entry = objects_.begin(); entry != objects_.end();) {
+    const bool is_over = hasExpired(entry->second, now);
+    is_changed |= is_over;
+    entry = is_over ? erase(entry) : std::next(entry);
+  }
+  if (!target_) return is_changed;
+  bool is_stale = false;
+  for (auto& [frame, header] : frames_) {
+    header.is_news = header.followed.expire(*target_, tf, now);
+    is_stale |= header.is_news;
+  }
+  is_changed |= waiting_ > 0 && refreshWaiting(tf, now);
+  if (!is_stale) return is_changed;
+  for (auto& [key, object] : objects_) {
+    if (object.content.follows() && frames_.at(object.frame).is_news) refresh(object, tf, now);
+  }
+  return true;
+}
+
+bool LiveObjects::refresh(LiveObject& object, const TransformSource& tf, ros::Time now) {
+  if (object.trouble == Trouble::kWaiting) --waiting_;
+  BoxState state;
+  const Trouble before = std::exchange(object.trouble, place(object, tf, now, state));
+  if (object.trouble == Trouble::kWaiting) ++waiting_;
+  const bool is_loading = object.content.isLoading();
+  if (object.trouble == Trouble::kWaiting || is_loading) state = object.state;
+  state.incomplete =
+      object.trouble != Trouble::kNone || is_loading || !object.content.bounded.isWhole();
+  const bool is_changed = before != object.trouble || !isSame(state, object.state);
+  object.state = state;
+  return is_changed;
+}
+
+Trouble LiveObjects::place(LiveObject& object, const TransformSource& tf, ros::Time now,
+                           BoxState& state) {
+  if (!target_) return Trouble::kNoTransform;
+  if (!object.content.bounded.isWhole() || object.content.isLoading()) return Trouble::kNone;
+  return object.content.follows() ? placeFollowing(object, state)
+                                  : placeOnce(object, tf, now, state);
+}
+
+Trouble LiveObjects::placeFollowing(LiveObject& object, BoxState& state) {
+  const FollowedFrame& frame = frames_.at(object.frame).followed;
+  if (frame.trouble() != FollowedFrame::Trouble::kNone) return toTrouble(frame.trouble());
+  state.box = linkBox(object.content.bounded, frame.pose().world_from_link, object.reach);
+  state.stamp = frame.pose().stamp;
+  return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
+}
+
+Trouble LiveObjects::placeOnce(LiveObject& object, const TransformSource& tf, ros::Time now,
+                               BoxState& state) {
+  if (object.trouble == Trouble::kGivenUp && !object.fixed_from_header) return Trouble::kGivenUp;
+  if (!object.fixed_from_header) {
+    object.fixed_from_header = tf.at(target_->fixed_frame, object.frame, object.content.stamp);
+  }
+  if (!object.fixed_from_header) {
+    const double patience = target_->timeout > 0 ? target_->timeout : kPatience;
+    return (now - object.received).toSec() > patience ? Trouble::kGivenUp : Trouble::kWaiting;
+  }
+  state.box = linkBox(object.content.bounded, *object.fixed_from_header, object.reach);
+  state.stamp = object.content.stamp;
+  return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
+}
+
+}  // namespace link_bounds

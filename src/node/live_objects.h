@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of objects that come and go, kept up to date with tf and with time.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "followed_frame.h"
+#include "link_bounds/box_groups.h"
+#include "link_bounds/link_boxes.h"
+#include "link_bounds/mesh_store.h"
+#include "object_key.h"
+
+namespace link_bounds {
+
+/// What a publisher says of an object.
+struct ObjectContent {
+  BoundedLink bounded;     ///< what it draws, in the header frame; the name is that of the box
+  std::string frame;       ///< header frame, tf name
+  std::int64_t stamp = 0;  ///< nanoseconds; placed once, by the transform of then. 0: follows tf
+  ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
+  std::string mesh_uri;    ///< of a mesh, whose shape has no points until they are loaded
+
+  bool follows() const { return stamp == 0; }
+  bool isLoading() const {
+    return !mesh_uri.empty() && bounded.isWhole() && !bounded.shapes.front().points;
+  }
+};
+
+/// One object and its box.
+struct LiveObject {
+  enum class Trouble { kNone, kNoTransform, kStale, kPoseNotFinite, kWaiting, kGivenUp };
+
+  ObjectContent content;
+  LinkReach reach{content.bounded};
+  FollowedFrame::Frame frame = 0;                      ///< content.frame
+  std::optional<Eigen::Isometry3d> fixed_from_header;  ///< of an object that was placed once
+  ros::Time received;
+  Trouble trouble = Trouble::kNone;
+  BoxState state;
+
+  /// Why the object is incomplete, in words; "" if it is not.
+  std::string reason() const;
+};
+
+/// Until a fixed frame is known the objects are kept and none has a box. All functions that return
+/// bool tell whether a box, a stamp or an incomplete name changed.
+class LiveObjects {
+ public:
+  using Objects = std::map<ObjectKey, LiveObject>;
+
+  /// In the order of ~boxes.
+  const Objects& objects() const { return objects_; }
+
+  /// Starts over with another fixed frame and timeout [ROS s].
+  void adopt(const std::string& fixed_frame, double timeout, TransformSource& tf, ros::Time now);
+
+  /// Adds an object or replaces it. Until the new one can be placed, the box of the one before
+  /// goes on, named as incomplete.
+  bool put(const ObjectKey& key, ObjectContent content, TransformSource& tf, ros::Time now);
+  bool remove(const ObjectKey& key);
+  bool removeAll();
+
+  /// The points of a mesh that objects wait for or have in another version, or why there are none.
+  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
+                ros::Time now);
+
+  /// To be called after each tf message.
+  bool update(const TransformSource& tf, ros::Time now);
+
+  /// After the clock jumped or began to run: ages count from now on.
+  bool restart(const TransformSource& tf, ros::Time now);
+
+  /// To be called now and then: ends lifetimes, finds stale frames, gives up waiting.
+  bool expire(const TransformSource& tf, ros::Time now);
+
+ private:
+  /// A frame that objects follow, and how many do.
+  struct HeaderFrame {
+    FollowedFrame followed;
+    std::size_t users = 0;
+    bool is_news = false;
+  };
+
+  void follow(LiveObject& object, const TransformSource& tf, ros::Time now);
+  void release(const LiveObject& object);
+  Objects::iterator erase(Objects::iterator object);
+  bool refresh(LiveObject& object, const TransformSource& tf, ros::Time now);
+  bool refreshAll(const TransformSource& tf, ros::Time now);
+  bool refreshWaiting(const TransformSource& tf, ros::Time now);
+  LiveObject::Trouble place(LiveObject& object, const TransformSource& tf, ros::Time now,
+                            BoxState& state);
+  LiveObject::Trouble placeFollowing(LiveObject& object, BoxState& state);
+  LiveObject::Trouble placeOnce(LiveObject& object, const TransformSource& tf, ros::Time now,
+                                BoxState& state);
+
+  Objects objects_;
+  std::map<FollowedFrame::Frame, HeaderFrame> frames_;
+  std::optional<FollowedFrame::Target> target_;
+  std::uint64_t structure_ = 0;
+  std::size_t waiting_ = 0;  ///< objects whose transform is not there yet
+};
+
+}  // namespace link_bounds
