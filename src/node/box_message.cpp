@@ -14,6 +14,14 @@ ros::Time toTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
 }
 
+/// Keeps memory for what may come back soon, not for ten thousand objects that are gone.
+template <class T>
+void shorten(std::vector<T>& entries, std::size_t size) {
+  constexpr std::size_t kSpare = 1000;
+  entries.resize(size);
+  if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
+}
+
 /// Adds entries to a message whose arrays keep their memory from one filling to the next.
 class Filler {
  public:
@@ -34,8 +42,8 @@ class Filler {
   }
 
   void finish() {
-    message_.boxes.resize(boxes_);
-    message_.incomplete.resize(incomplete_);
+    shorten(message_.boxes, boxes_);
+    shorten(message_.incomplete, incomplete_);
     message_.header.stamp = toTime(newest_);
   }
 

@@ -154,6 +154,7 @@ bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh,
 }
 
 bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
+  past_pose_.reset();
   if (!target_) return false;
   const bool paths_may_differ = structure_ != tf.tree().structure();
   structure_ = tf.tree().structure();
@@ -175,12 +176,15 @@ bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
 bool LiveObjects::refreshWaiting(const TransformSource& tf, ros::Time now) {
   bool is_changed = false;
   for (auto& [key, object] : objects_) {
-    if (object.trouble == Trouble::kWaiting) is_changed |= refresh(object, tf, now);
+    if (object.trouble != Trouble::kWaiting) continue;
+    is_changed |= refresh(object, tf, now);
+    if (object.trouble == Trouble::kGivenUp) given_up_.push_back(key);
   }
   return is_changed;
 }
 
 bool LiveObjects::refreshAll(const TransformSource& tf, ros::Time now) {
+  past_pose_.reset();
   if (!target_) return false;
   structure_ = tf.tree().structure();
   for (auto& [frame, header] : frames_)
@@ -252,7 +256,7 @@ Trouble LiveObjects::placeOnce(LiveObject& object, const TransformSource& tf, ro
                                BoxState& state) {
   if (object.trouble == Trouble::kGivenUp && !object.fixed_from_header) return Trouble::kGivenUp;
   if (!object.fixed_from_header) {
-    object.fixed_from_header = tf.at(target_->fixed_frame, object.frame, object.content.stamp);
+    object.fixed_from_header = poseAt(object.content.stamp, object.frame, tf);
   }
   if (!object.fixed_from_header) {
     const double patience = target_->timeout > 0 ? target_->timeout : kPatience;
@@ -261,6 +265,26 @@ Trouble LiveObjects::placeOnce(LiveObject& object, const TransformSource& tf, ro
   state.box = linkBox(object.content.bounded, *object.fixed_from_header, object.reach);
   state.stamp = object.content.stamp;
   return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
+}
+
+const std::optional<Eigen::Isometry3d>& LiveObjects::poseAt(std::int64_t stamp,
+                                                            FollowedFrame::Frame frame,
+                                                            const TransformSource& tf) {
+  if (!past_pose_ || past_pose_->frame != frame || past_pose_->stamp != stamp) {
+    past_pose_ = PastPose{frame, stamp, tf.at(target_->fixed_frame, frame, stamp)};
+  }
+  return past_pose_->fixed_from_frame;
+}
+
+std::vector<const LiveObject*> LiveObjects::takeGivenUp() {
+  std::vector<const LiveObject*> result;
+  for (const ObjectKey& key : given_up_) {
+    const auto found = objects_.find(key);
+    if (found == objects_.end()) continue;
+    if (found->second.trouble == Trouble::kGivenUp) result.push_back(&found->second);
+  }
+  given_up_.clear();
+  return result;
 }
 
 }  // namespace link_bounds

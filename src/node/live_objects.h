@@ -23,6 +23,7 @@ struct ObjectContent {
   std::int64_t stamp = 0;  ///< nanoseconds; placed once, by the transform of then. 0: follows tf
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
   std::string mesh_uri;    ///< of a mesh, whose shape has no points until they are loaded
+  std::string publisher;   ///< name of the node that sent it
 
   bool follows() const { return stamp == 0; }
   bool isLoading() const {
@@ -68,7 +69,7 @@ class LiveObjects {
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
                 ros::Time now);
 
-  /// To be called after each tf message.
+  /// To be called after each tf message, and before any other function sees its transforms.
   bool update(const TransformSource& tf, ros::Time now);
 
   /// After the clock jumped or began to run: ages count from now on.
@@ -77,12 +78,22 @@ class LiveObjects {
   /// To be called now and then: ends lifetimes, finds stale frames, gives up waiting.
   bool expire(const TransformSource& tf, ros::Time now);
 
+  /// The objects that were given up since the last call and still are.
+  std::vector<const LiveObject*> takeGivenUp();
+
  private:
   /// A frame that objects follow, and how many do.
   struct HeaderFrame {
     FollowedFrame followed;
     std::size_t users = 0;
     bool is_news = false;
+  };
+
+  /// What tf last said of a frame at a time: objects of one message have it in common.
+  struct PastPose {
+    FollowedFrame::Frame frame;
+    std::int64_t stamp;
+    std::optional<Eigen::Isometry3d> fixed_from_frame;
   };
 
   void follow(LiveObject& object, const TransformSource& tf, ros::Time now);
@@ -97,9 +108,14 @@ class LiveObjects {
   LiveObject::Trouble placeOnce(LiveObject& object, const TransformSource& tf, ros::Time now,
                                 BoxState& state);
 
+  const std::optional<Eigen::Isometry3d>& poseAt(std::int64_t stamp, FollowedFrame::Frame frame,
+                                                 const TransformSource& tf);
+
   Objects objects_;
   std::map<FollowedFrame::Frame, HeaderFrame> frames_;
   std::optional<FollowedFrame::Target> target_;
+  std::optional<PastPose> past_pose_;  ///< until tf says more
+  std::vector<ObjectKey> given_up_;
   std::uint64_t structure_ = 0;
   std::size_t waiting_ = 0;  ///< objects whose transform is not there yet
 };

@@ -73,7 +73,7 @@ class QueuedFunction : public ros::CallbackInterface {
 };
 
 /// Of what loading took for a while; the C library would keep it for later.
-void giveBackMemory() {
+void trimHeap() {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
@@ -148,6 +148,10 @@ void ModelLoader::requestMesh(const std::string& uri) {
   queue_.addCallback(boost::make_shared<QueuedFunction>([this] { loadRequestedMeshes(); }));
 }
 
+void ModelLoader::giveBackMemory() {
+  queue_.addCallback(boost::make_shared<QueuedFunction>([] { trimHeap(); }));
+}
+
 /// All that have gathered, so that files load side by side.
 void ModelLoader::loadRequestedMeshes() {
   std::vector<std::string> uris;
@@ -161,7 +165,7 @@ void ModelLoader::loadRequestedMeshes() {
     ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<QueuedFunction>(
         [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); }));
   }
-  giveBackMemory();
+  trimHeap();
 }
 
 /// Called from several threads while load() waits; a node that ends does not wait for meshes.
@@ -178,7 +182,7 @@ void ModelLoader::load() {
   const auto model = std::make_shared<const Model>(makeModel(description, parameters_, store_));
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
-  giveBackMemory();
+  trimHeap();
 }
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

@@ -40,6 +40,9 @@ class ModelLoader {
   /// Loads the mesh of an object when there is time; returns at once.
   void requestMesh(const std::string& uri);
 
+  /// Gives back to the system what the C library keeps of freed memory, on this thread.
+  void giveBackMemory();
+
   bool waitsForDescription() const { return waits_for_description_; }
 
   /// True if the first load failed for good; the node is then shutting down.

@@ -50,6 +50,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, const Marker& marker
   ObjectContent content;
   content.bounded.name = objectName(key);
   content.bounded.missing = whyMarkerRefused(marker);
+  content.publisher = publisher;
   if (!content.bounded.isWhole()) {
     const auto line = marker_log_.line(content.bounded.name, content.bounded.missing, publisher,
                                        ros::SteadyTime::now());
@@ -88,6 +89,16 @@ bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh,
     if (line) ROS_ERROR_STREAM(*line);
   }
   return objects_.fillMesh(uri, mesh, tf, now);
+}
+
+void ObjectSource::warnOfGivenUp() {
+  for (const LiveObject* object : objects_.takeGivenUp()) {
+    const auto line =
+        marker_log_.line(object->content.bounded.name,
+                         object->reason() + "; publish that frame, or stamp 0 to follow it",
+                         object->content.publisher, ros::SteadyTime::now());
+    if (line) ROS_WARN_STREAM(*line);
+  }
 }
 
 void ObjectSource::reloadMeshes() {

@@ -28,6 +28,9 @@ class ObjectSource {
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
                 ros::Time now);
 
+  /// Says which objects waited in vain for a transform.
+  void warnOfGivenUp();
+
   /// Asks again for the meshes of all objects: files may have been repaired or replaced.
   void reloadMeshes();
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint32_t kTfQueue = 5000;
 constexpr std::uint32_t kObjectsQueue = 1000;
+constexpr std::size_t kManyObjects = 1000;  ///< so many together take a megabyte
 /// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
 /// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
 constexpr std::uint32_t kBoxesQueue = 200;
@@ -177,10 +178,21 @@ void PublisherNode::onTick() {
   observeClock(now);
   const bool links_changed = scene_.links.expire(tf_, now);
   const bool objects_changed = scene_.objects.expire(tf_, now);
+  object_source_.warnOfGivenUp();
+  watchMemory();
   if (links_changed || objects_changed) onNews();
   if (clock_.isMissing()) {
     ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
   }
+}
+
+/// Many objects that are gone leave holes all over the heap.
+void PublisherNode::watchMemory() {
+  const std::size_t objects = scene_.objects.objects().size();
+  most_objects_ = std::max(most_objects_, objects);
+  if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;
+  most_objects_ = objects;
+  loader_->giveBackMemory();
 }
 
 void PublisherNode::observeClock(ros::Time now) {

@@ -51,6 +51,7 @@ class PublisherNode {
   void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
   void observeClock(ros::Time now);
+  void watchMemory();
   void onNews();
   void publishBoxes();
   void publishMarkers();
@@ -68,6 +69,7 @@ class PublisherNode {
   TransformSource tf_;
   Scene scene_;
   ObjectSource object_source_;
+  std::size_t most_objects_ = 0;  ///< since memory was given back
   ModelLoader::ModelPtr model_;
   ClockWatch clock_;
   RefusalLog refusal_log_{"a transform of", "transforms of further frames"};

@@ -236,6 +236,10 @@ class NodeLog:
     def messages(self):
         return [m for m in self._recorder.messages if m.name == self._node]
 
+    def wait(self, condition, what):
+        """The first of the messages that satisfies the condition."""
+        return self._recorder.wait(lambda m: m.name == self._node and condition(m), what)
+
     def lines(self, level, begin, end):
         """Of the messages from one number to another, those of a level."""
         return [m.msg for m in self.messages[begin:end] if m.level == level]

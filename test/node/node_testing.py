@@ -15,6 +15,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
 NODE = "/link_bounds_publisher"
+SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ
 TOLERANCE = 1e-12  # m
 ALL = ["base", "mast", "left", "left_tip", "right"]
 STATIC = ["base", "mast"]

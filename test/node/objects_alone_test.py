@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Objects without a robot and without tf; their meshes; very many of them, and the memory after."""
+import pathlib
+import shutil
+import struct
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import Pose, Recorder, box_of, names_of, turn, wait_for
+from diagnostic_msgs.msg import DiagnosticStatus
+from node_testing import ARMS, SANITIZED, Diagnostics, NodeProcess, resident_bytes
+from object_testing import ObjectSender, ellipsoid_bounds, marker, shows_box
+from std_srvs.srv import Trigger
+from visualization_msgs.msg import Marker
+
+TURNED = Pose((1, 2, 3), turn((3, 2, 1), 45))
+MANY = 10000
+ROUNDS = 3
+MEBIBYTE = 1 << 20
+KEPT = 3 * MEBIBYTE  # of the memory of many objects, by the C library and in buffers
+
+
+def write_tetrahedron(path, size):
+    """A binary STL; returns its corners."""
+    corners = [(0, 0, 0), (size, 0, 0), (0, size, 0), (0, 0, size)]
+    faces = [[corners[i] for i in range(4) if i != left_out] for left_out in range(4)]
+    data = b"".join(struct.pack("<12fH", 0, 0, 0, *a, *b, *c, 0) for a, b, c in faces)
+    path.write_bytes(bytes(80) + struct.pack("<I", len(faces)) + data)
+    return corners
+
+
+class ObjectsAlone(unittest.TestCase):
+    def setUp(self):
+        self.node = NodeProcess("objects_" + self._testMethodName, fixed_frame="map")
+        self.addCleanup(self.node.end)
+        self.boxes = Recorder(self.node.name + "/boxes")
+        self.addCleanup(self.boxes.subscriber.unregister)
+        self.objects = ObjectSender(self.node.name)
+        self.boxes.wait(lambda m: m.header.frame_id == "map" and not m.boxes, "an empty array")
+
+    def expect(self, name, bounds):
+        return self.boxes.wait(lambda m: shows_box(m, name, bounds), "box of " + name)
+
+    def reload(self):
+        return rospy.ServiceProxy(self.node.name + "/reload", Trigger)()
+
+    def test_without_robot_and_tf(self):
+        diagnostics = Diagnostics(self.node.name)
+        self.objects.send(marker("a/1", Marker.SPHERE, (1, 2, 3), TURNED, "map"),
+                          marker("a/2", frame="elsewhere"))
+        message = self.expect("a/1", ellipsoid_bounds(TURNED, (1, 2, 3)))
+        self.assertEqual(message.incomplete, ["a/2"])
+        status = diagnostics.wait_for_new(lambda _, s: "1 objects" in s.message, "a status")
+        self.assertEqual(status.level, DiagnosticStatus.WARN)
+        self.assertIn("waiting for robot_description", status.message)
+        rospy.set_param("/robot_description", ARMS)
+        self.addCleanup(rospy.delete_param, "/robot_description")
+        self.boxes.wait(lambda m: "base" in m.incomplete and names_of(m) == ["a/1"],
+                        "the robot's links are known")
+
+    def test_meshes(self):
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        path = folder / "body.stl"
+        corners = write_tetrahedron(path, 0.5)
+        body = dict(kind=Marker.MESH_RESOURCE, frame="map", mesh_resource="file://%s" % path)
+        first = marker("body/1", pose=TURNED, scale=(1, 2, 3), **body)
+        bounds = TURNED.bounds([(x, 2 * y, 3 * z) for x, y, z in corners])
+        self.objects.send(first)
+        self.expect("body/1", bounds)
+        path.unlink()
+        self.boxes.clear()
+        self.objects.send(first, marker("body/2", **body), marker("end/1", frame="map"))
+        message = self.expect("body/2", Pose().bounds(corners))
+        self.assertTrue(shows_box(message, "body/1", bounds), "nothing is read again")
+        self.assertFalse(message.incomplete)
+        missing = folder / "missing.stl"
+        self.objects.send_alone(marker("body/2", Marker.MESH_RESOURCE, frame="map",
+                                       mesh_resource="file://%s" % missing))
+        self.boxes.wait(lambda m: m.incomplete == ["body/2"] and not box_of(m, "body/2"), "named")
+        wait_for(lambda: str(missing) in self.node.output, "an error with the file's name")
+        corners = write_tetrahedron(missing, 0.25)
+        write_tetrahedron(path, 0.5)
+        self.assertTrue(self.reload().success)
+        message = self.expect("body/2", Pose().bounds(corners))
+        self.boxes.wait(lambda m: not m.incomplete and shows_box(m, "body/1", bounds), "mended")
+
+    def test_very_many_and_the_memory_after(self):
+        before = resident_bytes(self.node.pid)
+        for step in range(ROUNDS):
+            poses = [Pose((i * 0.1, step, 0), turn((1, 1, 1), 30)) for i in range(MANY)]
+            markers = [marker("many/%d" % i, scale=(0.1, 0.2, 0.3), pose=pose, frame="map")
+                       for i, pose in enumerate(poses)]
+            for begin in range(0, MANY, MANY // 10):
+                self.objects.send(*markers[begin:begin + MANY // 10])
+            message = self.boxes.wait(lambda m: len(m.boxes) == MANY and not m.incomplete, "all")
+            for i in (0, 1, MANY // 2, MANY - 1):
+                self.assertTrue(shows_box(message, "many/%d" % i,
+                                          poses[i].box_bounds((0.1, 0.2, 0.3))))
+            full = resident_bytes(self.node.pid)
+            self.assertGreater(full, before + KEPT)
+            self.boxes.clear()
+            self.objects.clear()
+            self.boxes.wait(lambda m: not m.boxes, "none left")
+            if SANITIZED:
+                print("skipped: a sanitizer keeps the memory of objects that are gone")
+                continue
+            wait_for(lambda: resident_bytes(self.node.pid) < before + KEPT, "the memory is back")
+            print("memory [MiB]: %.1f before, %.1f with %d objects, %.1f after" % (
+                before / MEBIBYTE, full / MEBIBYTE, MANY,
+                resident_bytes(self.node.pid) / MEBIBYTE))
+
+
+if __name__ == "__main__":
+    rospy.init_node("objects_alone_test")
+    rostest.rosrun("link_bounds", "objects_alone", ObjectsAlone)

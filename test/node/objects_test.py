@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Objects appear by themselves, follow, deform, are refused and go; groups and markers follow."""
+import itertools
+import math
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (NodeLog, Pose, Recorder, box_of, latched, load, names_of, turn, union)
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, arm_bounds, joint_pose
+from object_testing import ObjectSender, deletion, ellipsoid_bounds, marker, shows_box
+from rosgraph_msgs.msg import Log
+from visualization_msgs.msg import Marker, MarkerArray
+
+TURNED = Pose((1, 2, 3), turn((1, 2, 3), 30))
+SIZE = (0.2, 0.3, 0.4)
+POINTS = [(0, 0, 0), (0.5, 0, 0.1), (0, 0.7, -0.2), (0.3, 0.2, 0.9), (0.1, 0.8, 0.4),
+          (0.6, 0.5, 0.3)]
+
+
+def swept(pose, bounds_of):
+    """Around all points, each swept by a solid at the pose's turn."""
+    return union([bounds_of(Pose(pose.moved(p), pose.xyzw)) for p in POINTS])
+
+
+class Objects(unittest.TestCase):
+    stamps = itertools.count(1000)
+
+    @classmethod
+    def setUpClass(cls):
+        cls.tf = ArmsTf()
+        cls.objects = ObjectSender(NODE)
+        cls.boxes = Recorder(NODE + "/boxes")
+
+    def setUp(self):
+        load(NODE, ARMS, fixed_frame="base")
+        self.move(0)
+        self.boxes.clear()
+
+    def tearDown(self):
+        self.objects.clear()
+        self.boxes.wait(lambda m: not [n for n in names_of(m) + m.incomplete if "/" in n],
+                        "no object")
+
+    def move(self, degrees):
+        stamp = rospy.Time(next(self.stamps))
+        self.tf.send(stamp, degrees)
+        return stamp
+
+    def expect(self, name, bounds):
+        return self.boxes.wait(lambda m: shows_box(m, name, bounds), "box of " + name)
+
+    def expect_incomplete(self, name):
+        return self.boxes.wait(
+            lambda m: name in m.incomplete and not box_of(m, name), name + " without a box")
+
+    def test_each_kind_is_bounded_as_it_is_drawn(self):
+        cube = lambda pose: pose.box_bounds(SIZE)  # noqa: E731
+        ball = lambda d: lambda pose: ellipsoid_bounds(pose, (d, d, d))  # noqa: E731
+        scaled = [[c * s for c, s in zip(p, SIZE)] for p in POINTS]
+        arrow_tip = TURNED.moved((SIZE[0], 0, 0))
+        cases = [
+            (Marker.CUBE, (), cube(TURNED)),
+            (Marker.SPHERE, (), ellipsoid_bounds(TURNED, SIZE)),
+            (Marker.CUBE_LIST, POINTS, swept(TURNED, cube)),
+            (Marker.SPHERE_LIST, POINTS, swept(TURNED, lambda p: ellipsoid_bounds(p, SIZE))),
+            (Marker.LINE_STRIP, POINTS, swept(TURNED, ball(SIZE[0]))),
+            (Marker.LINE_LIST, POINTS, swept(TURNED, ball(SIZE[0]))),
+            (Marker.POINTS, POINTS, swept(TURNED, ball(math.hypot(SIZE[0], SIZE[1])))),
+            (Marker.TRIANGLE_LIST, POINTS, TURNED.bounds(scaled)),
+        ]
+        self.objects.send(*(marker("kind/%d" % kind, kind, SIZE, TURNED, points=points)
+                            for kind, points, _ in cases))
+        for kind, _, bounds in cases:
+            self.expect("kind/%d" % kind, bounds)
+        self.objects.send_alone(marker("kind/0", Marker.ARROW, SIZE, TURNED))
+        message = self.boxes.wait(lambda m: box_of(m, "kind/0"), "the arrow")
+        box = box_of(message, "kind/0")
+        for tip, low, high in zip(arrow_tip, (box.min.x, box.min.y, box.min.z),
+                                  (box.max.x, box.max.y, box.max.z)):
+            self.assertTrue(low <= tip <= high)
+
+    def test_links_first_then_objects_by_namespace_and_number(self):
+        self.objects.send(*(marker(name) for name in ("b/2", "b/10", "a/3", "/7", "b/-1")))
+        self.boxes.wait(
+            lambda m: names_of(m) == ALL + ["/7", "a/3", "b/-1", "b/2", "b/10"], "the order")
+
+    def test_groups_and_markers_follow(self):
+        load(NODE, ARMS, fixed_frame="base",
+             groups={"held": ["right", "scene/1"], "scene": ["scene/*"], "void": ["void/*"]})
+        groups = Recorder(NODE + "/groups")
+        markers = Recorder(NODE + "/markers", MarkerArray)
+        groups.wait(lambda m: m.incomplete == ["held"] and not box_of(m, "scene"), "no object yet")
+        self.objects.send(marker("scene/1", scale=SIZE, pose=TURNED),
+                          marker("scene/2", scale=SIZE, pose=Pose((-1, 0, 0))))
+        first, second = TURNED.box_bounds(SIZE), Pose((-1, 0, 0)).box_bounds(SIZE)
+        groups.wait(lambda m: not m.incomplete and shows_box(m, "scene", union([first, second])) and
+                    shows_box(m, "held", union([first, arm_bounds("right", 0)])), "both groups")
+        self.assertIsNone(box_of(latched(NODE + "/groups"), "void"))
+        markers.wait(lambda m: {n.ns for n in m.markers if n.action == Marker.ADD} >= {
+            "link_bounds/objects/scene/1", "link_bounds/objects/scene/2"}, "objects drawn")
+        self.objects.send_alone(deletion("scene/1"))
+        groups.wait(lambda m: m.incomplete == ["held"] and shows_box(m, "scene", second), "one left")
+        markers.wait(lambda m: [n for n in m.markers if n.action == Marker.DELETE and
+                                n.ns == "link_bounds/objects/scene/1"], "the drawing deleted")
+        groups.subscriber.unregister()
+        markers.subscriber.unregister()
+
+    def test_replaced_deleted_and_ignored(self):
+        other = ObjectSender(NODE)
+        self.objects.send(marker("a/1", scale=SIZE), marker("b/1", scale=SIZE))
+        self.expect("b/1", Pose().box_bounds(SIZE))
+        other.send(marker("a/1", Marker.SPHERE, SIZE, TURNED),
+                   marker("link_bounds/objects/a/1", scale=SIZE), marker("link_bounds/x/1"))
+        self.expect("a/1", ellipsoid_bounds(TURNED, SIZE))
+        other.send(deletion("a/1"), deletion("a/2"))
+        message = self.boxes.wait(lambda m: not box_of(m, "a/1") and box_of(m, "b/1"), "a/1 gone")
+        self.assertEqual(names_of(message), ALL + ["b/1"])
+        other.send_alone(marker("b/1", Marker.TEXT_VIEW_FACING, text="now a text"))
+        self.boxes.wait(lambda m: names_of(m) == ALL, "no box for a text")
+        self.objects.send(marker("a/1"), marker("c/1"))
+        self.boxes.wait(lambda m: names_of(m) == ALL + ["a/1", "c/1"], "back")
+        other.clear()
+        self.boxes.wait(lambda m: names_of(m) == ALL and not m.incomplete, "all deleted")
+
+    def test_a_sheet_deforms(self):
+        for step in range(20):
+            wave = [(x / 4, y / 4, 0.1 * math.sin(x + 0.3 * step + 0.1)) for x in range(4)
+                    for y in range(3)]
+            self.objects.send_alone(marker("sheet/1", Marker.TRIANGLE_LIST, (1, 1, 1), TURNED,
+                                           points=wave))
+            self.expect("sheet/1", TURNED.bounds(wave))
+        flat = [(0, 0, 0.25), (1, 0, 0.25), (0, 1, 0.25)]
+        self.objects.send_alone(marker("sheet/1", Marker.TRIANGLE_LIST, points=flat))
+        message = self.expect("sheet/1", Pose().bounds(flat))
+        box = box_of(message, "sheet/1")
+        self.assertLess(box.max.z - box.min.z, 1e-12)
+
+    def test_refused_with_a_reason_and_named(self):
+        log = NodeLog(NODE)
+        log.connect()
+        self.objects.send(marker("bad/1", scale=SIZE), marker("bad/2", scale=SIZE))
+        self.expect("bad/2", Pose().box_bounds(SIZE))
+        before = len(log.messages)
+        self.objects.send(
+            marker("bad/1", scale=(math.nan, 1, 1)), marker("bad/3", frame=""),
+            marker("bad/4", scale=(1, -1, 1)), marker("bad/5", Marker.TRIANGLE_LIST, points=POINTS[:2]),
+            marker("bad/6", Marker.POINTS), marker("bad/7", Marker.MESH_RESOURCE),
+            marker("bad/8", kind=77), marker("bad/9", pose=Pose((math.inf, 0, 0))))
+        bad = ["bad/%d" % i for i in (1, 3, 4, 5, 6, 7, 8, 9)]
+        self.boxes.wait(lambda m: m.incomplete == bad and names_of(m) == ALL + ["bad/2"],
+                        "each of the bad ones named")
+        for name in bad:
+            log.wait(lambda m, n=name: '"%s"' % n in m.msg and m.level == Log.ERROR,
+                     "an error about " + name)
+        self.assertEqual(len([m for m in log.messages[before:] if '"bad/2"' in m.msg]), 0)
+        self.objects.send(marker("bad/1", scale=SIZE), deletion("bad/3"))
+        self.boxes.wait(lambda m: m.incomplete == bad[2:] and box_of(m, "bad/1"), "mended")
+
+    def test_follows_its_frame_or_stays_where_it_was(self):
+        hand = Pose((0, 0, 0.1), turn((1, 1, 0), 45))
+        start = self.move(30)
+        self.objects.send(marker("held/1", scale=SIZE, pose=hand, frame="right"),
+                          marker("held/2", scale=SIZE, pose=hand, frame="/right", stamp=start,
+                                 frame_locked=True),
+                          marker("left/3", scale=SIZE, pose=hand, frame="right", stamp=start))
+        at_30 = (joint_pose("right", 30) * hand).box_bounds(SIZE)
+        at_45 = (joint_pose("right", 45) * hand).box_bounds(SIZE)
+        for name in ("held/1", "held/2", "left/3"):
+            self.expect(name, at_30)
+        self.boxes.clear()
+        stamp = self.move(45)
+        message = self.expect("held/1", at_45)
+        self.assertTrue(shows_box(message, "held/2", at_45))
+        self.assertTrue(shows_box(message, "left/3", at_30))
+        self.assertEqual(box_of(message, "held/1").stamp, stamp)
+        self.assertEqual(box_of(message, "left/3").stamp, start)
+
+    def test_waits_for_the_transform_at_its_stamp(self):
+        start = self.move(30)
+        self.objects.send(marker("seen/1", scale=SIZE, frame="right",
+                                 stamp=start + rospy.Duration(0.5)))
+        self.expect_incomplete("seen/1")
+        self.move(30)
+        self.expect("seen/1", joint_pose("right", 30).box_bounds(SIZE))
+
+    def test_a_transform_that_never_comes_is_given_up(self):
+        log = NodeLog(NODE)
+        log.connect()
+        load(NODE, ARMS, fixed_frame="base", timeout=0.5)
+        self.objects.send(marker("lost/1", frame="nowhere", stamp=rospy.Time(1)))
+        self.expect_incomplete("lost/1")
+        log.wait(lambda m: "lost/1" in m.msg and "nowhere" in m.msg and m.level == Log.WARN,
+                 "a warning")
+        self.assertIn("lost/1", latched(NODE + "/boxes").incomplete)
+
+    def test_lifetime(self):
+        self.objects.send(marker("brief/1", lifetime=rospy.Duration(0.3)), marker("stays/1"))
+        self.boxes.wait(lambda m: box_of(m, "brief/1") and box_of(m, "stays/1"), "both")
+        self.boxes.wait(lambda m: not box_of(m, "brief/1") and box_of(m, "stays/1") and
+                        "brief/1" not in m.incomplete, "one gone")
+
+    def test_diagnostics_count_objects(self):
+        diagnostics = Diagnostics()
+        self.objects.send(marker("a/1"), marker("a/2", frame="nowhere"))
+        self.expect_incomplete("a/2")
+        status = diagnostics.wait_for_new(
+            lambda _, s: "1 objects incomplete" in s.message, "one object incomplete")
+        values = {pair.key: pair.value for pair in status.values}
+        self.assertEqual(values["objects"], "2")
+        self.assertIn("nowhere", values["incomplete: a/2"])
+
+
+if __name__ == "__main__":
+    rospy.init_node("objects_test")
+    rostest.rosrun("link_bounds", "objects", Objects)
