@@ -152,6 +152,15 @@ TEST_F(ImportRefusals, ABufferBesideTheMeshIsRead) {
   EXPECT_EQ(import("a.gltf", gltf("data.bin")).vertices.size(), 3u);
 }
 
+TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {
+  const std::string buffer(10000, '\0');
+  folder_.write("meshes/data.bin", threeVertices() + buffer);
+  const MeshFile mesh{folder_.write("meshes/a.gltf", gltf("data.bin")), folder_ / "meshes"};
+  const std::uint64_t size = threeVertices().size() + buffer.size();
+  EXPECT_EQ(importMesh(mesh, size).vertices.size(), 3u);
+  EXPECT_THROW(importMesh(mesh, size - 1), MeshError);
+}
+
 TEST_F(ImportRefusals, ABufferOutsideTheRootIsNot) {
   const std::string secret = folder_.write("secret.bin", threeVertices());
   expectRefused("a.gltf", gltf("../secret.bin"));

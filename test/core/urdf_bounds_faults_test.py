@@ -10,7 +10,7 @@ import os
 import pty
 import re
 
-from urdf_bounds_testing import (ARM, UrdfBoundsTest, boxes, main, mesh, run, solid, tetrahedron, tree)
+from urdf_bounds_testing import (ARM, UrdfBoundsTest, main, mesh, run, solid, tetrahedron, tree)
 
 
 class MeshTest(UrdfBoundsTest):

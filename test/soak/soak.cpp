@@ -14,6 +14,7 @@
 #include <string>
 
 #include "soak_listener.h"
+#include "soak_objects.h"
 #include "soak_sender.h"
 
 namespace link_bounds {
@@ -100,7 +101,8 @@ int liveUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
 }
 
 /// Returns the growth of memory after the first minute [bytes].
-double liveFor(int minutes, int pid, const SoakSender& sender, const SoakListener& listener) {
+double liveFor(int minutes, int pid, const SoakSender& sender, const SoakObjects& objects,
+               const SoakListener& listener) {
   const ros::SteadyTime start = ros::SteadyTime::now();
   ros::SteadyTime next_reload = start + kFirstReload;
   double first = 0;
@@ -112,11 +114,12 @@ double liveFor(int minutes, int pid, const SoakSender& sender, const SoakListene
     if (minute == 1) first = resident;
     std::printf(
         "minute %3d: %9llu tf messages in, %9llu boxes and %7llu markers out, %4d reloads, "
-        "%3llu time jumps, %.3f MB resident\n",
+        "%3llu time jumps, %8llu objects, %.3f MB resident\n",
         minute, static_cast<unsigned long long>(sender.sent()),
         static_cast<unsigned long long>(listener.boxes()),
         static_cast<unsigned long long>(listener.markers()), reloads,
-        static_cast<unsigned long long>(sender.jumps()), resident / 1e6);
+        static_cast<unsigned long long>(sender.jumps()),
+        static_cast<unsigned long long>(objects.sent()), resident / 1e6);
     std::fflush(stdout);
   }
   std::printf("memory: %.3f MB after the first minute, %.3f MB at the end, %+.3f MB\n", first / 1e6,
@@ -142,14 +145,18 @@ bool soak(int minutes, int pid) {
   const Robot robot = parseRobot(description);
   SoakListener listener(node, kPublisher);
   SoakSender sender(node, robot);
-  waitFor([&] { return sender.isHeard(); }, "the node listens to tf");
+  SoakObjects objects(node, kPublisher, {robot.links[robot.root].name, robot.links.back().name});
+  waitFor([&] { return sender.isHeard() && objects.isHeard(); }, "the node listens");
   waitFor([&] { return listener.told("bounded links") > 0; }, "the robot is loaded");
   const double links = listener.told("bounded links");
   std::printf("%s: %.0f links bounded\n", robot.name.c_str(), links);
   const Counts before = settledCounts(listener);
   sender.start();
-  const double growth = liveFor(minutes, pid, sender, listener);
+  objects.start();
+  const double growth = liveFor(minutes, pid, sender, objects, listener);
+  objects.stop();
   sender.stop();
+  waitFor([&] { return listener.told("objects") == 0; }, "all objects are gone");
   const Counts after = settledCounts(listener);
   const bool is_complete = reportLosses(static_cast<double>(sender.sent()), before, after);
   std::printf("update: p99 %.3f ms, worst %.3f ms\n",

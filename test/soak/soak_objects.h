@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Objects that come, deform and go, beside the robot.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+namespace link_bounds {
+
+/// Sends them from start() to stop(), on a thread of its own; stop() deletes what is left.
+class SoakObjects {
+ public:
+  /// `frames` are those of the robot that objects may follow.
+  SoakObjects(ros::NodeHandle& node, const std::string& publisher, std::vector<std::string> frames);
+  ~SoakObjects() { stop(); }
+  SoakObjects(const SoakObjects&) = delete;
+  SoakObjects& operator=(const SoakObjects&) = delete;
+
+  bool isHeard() const { return publisher_.getNumSubscribers() > 0; }
+  void start();
+  void stop();
+  std::uint64_t sent() const { return sent_; }  ///< objects
+
+ private:
+  void run();
+  void step();
+
+  std::vector<std::string> frames_;
+  ros::Publisher publisher_;
+  std::atomic<bool> ends_{false};
+  std::atomic<std::uint64_t> sent_{0};
+  std::uint64_t steps_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace link_bounds
