@@ -110,6 +110,14 @@ TEST_F(LiveObjectsTest, FollowsThroughReparenting) {
   expectBox(30, 2);
 }
 
+TEST_F(LiveObjectsTest, APathThatIsCutTakesTheBoxAway) {
+  put(boxIn("tray"));
+  hear("map", "tray", 99, 30, 5);
+  EXPECT_TRUE(hear("elsewhere", "tray", 99.5, 30, 5));
+  EXPECT_FALSE(state().box);
+  EXPECT_EQ(object().trouble, LiveObject::Trouble::kNoTransform);
+}
+
 TEST_F(LiveObjectsTest, ASilentFrameIsStale) {
   put(boxIn("tray"));
   hear("map", "tray", 100, 30);
