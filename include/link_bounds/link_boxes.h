@@ -20,6 +20,10 @@ struct BoundedLink {
   bool isWhole() const { return missing.empty(); }
 };
 
+/// The largest |coordinate| that computing with the link's shapes in its frame meets, which is at
+/// least that of any of their points [m]; rounding errors are in proportion to it. Without padding.
+double magnitude(const BoundedLink& link);
+
 /// What linkBox keeps of one link from one update to the next; see ShapeReach.
 struct LinkReach {
   explicit LinkReach(const BoundedLink& link) : shapes(link.shapes.begin(), link.shapes.end()) {}

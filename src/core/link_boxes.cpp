@@ -3,7 +3,21 @@
 // The union of the boxes of a link's shapes.
 #include "link_bounds/link_boxes.h"
 
+#include <algorithm>
+
 namespace link_bounds {
+
+double magnitude(const BoundedLink& link) {
+  double result = 0;
+  for (const Shape& shape : link.shapes) {
+    Eigen::Vector3d own = shape.size / 2;
+    if (shape.points) own += shape.points->magnitude();
+    const Eigen::Vector3d placed = shape.link_from_shape.linear().cwiseAbs() * own +
+                                   shape.link_from_shape.translation().cwiseAbs();
+    result = std::max(result, placed.maxCoeff());
+  }
+  return result;
+}
 
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
                             LinkReach& reach) {

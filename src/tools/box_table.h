@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "link_bounds/aabb.h"
+#include "table_text.h"
 
 namespace link_bounds {
 
 /// The three pairs of vectors (a, b) of the paper's Figure 3.
 enum class Representation { kMinMax, kMinWidth, kCenterRadius };
-
-enum class Format { kTable, kCsv, kJson };
 
 /// All lengths in metres, along the axes of `frame`.
 struct BoxTable {
@@ -24,8 +23,7 @@ struct BoxTable {
   std::string frame;
   std::vector<NamedBox> boxes;
   std::vector<NamedBox> groups;
-  /// Names whose box is missing or known not to cover everything, each with the reason.
-  std::vector<std::pair<std::string, std::string>> incomplete;
+  Reasons incomplete;
 };
 
 /// JSON is always min-max.

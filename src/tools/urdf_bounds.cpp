@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a URDF file and joint values to boxes on standard output.
+// From a URDF file and joint values to boxes, or other volumes, on standard output.
 #include <sys/resource.h>
 
 #include <cerrno>
@@ -20,6 +20,7 @@
 #include "package_path.h"
 #include "terminal.h"
 #include "urdf_bounds_options.h"
+#include "volume_table.h"
 
 namespace link_bounds {
 namespace {
@@ -70,31 +71,80 @@ void checkJoints(const Robot& robot, const std::map<std::string, double>& given)
   }
 }
 
-/// A link whose box is missing or covers only part is named, with a reason, as incomplete.
-BoxTable boxTable(const Robot& robot, const BoundedRobot& bounded,
-                  const std::vector<Eigen::Isometry3d>& root_from_link) {
-  std::unordered_map<std::string, std::size_t> index;
-  for (const Link& link : robot.links)
-    index.emplace(link.name, index.size());
-  BoxTable table;
-  table.frame = robot.links[robot.root].name;
-  Aabb robot_box;
-  for (const BoundedLink& link : bounded.links) {
-    const std::optional<Aabb> box =
-        linkBox(link, Eigen::Affine3d(root_from_link[index.at(link.name)]));
-    if (box) {
-      table.boxes.emplace_back(link.name, *box);
-      robot_box.extend(*box);
-    }
+using LinkPoses = std::unordered_map<std::string, Eigen::Isometry3d>;
+
+/// In the frame of the root link.
+LinkPoses posesByName(const Robot& robot, const std::vector<double>& values) {
+  const std::vector<Eigen::Isometry3d> poses = linkPoses(robot, values);
+  LinkPoses result;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    result.emplace(robot.links[i].name, poses[i]);
+  return result;
+}
+
+/// The volume of each link that has one by `volume_of`, which gives an optional. A link whose
+/// volume is missing or covers only part is named, with a reason, as incomplete.
+template <class Volume, class VolumeOf>
+void fillTable(const std::vector<BoundedLink>& links, const LinkPoses& root_from_link,
+               const VolumeOf& volume_of, std::vector<std::pair<std::string, Volume>>& volumes,
+               Reasons& incomplete) {
+  for (const BoundedLink& link : links) {
+    const std::optional<Volume> volume = volume_of(link, root_from_link.at(link.name));
+    if (volume) volumes.emplace_back(link.name, *volume);
     if (!link.isWhole()) {
-      table.incomplete.emplace_back(link.name, link.missing);
-    } else if (!box) {
-      table.incomplete.emplace_back(link.name, "its size and pose give no finite box");
-      warn("link \"" + link.name + "\": " + table.incomplete.back().second);
+      incomplete.emplace_back(link.name, link.missing);
+    } else if (!volume) {
+      incomplete.emplace_back(link.name, "its size and pose give no finite box");
+      warn("link \"" + link.name + "\": " + incomplete.back().second);
     }
   }
+}
+
+/// Writes the boxes of the links and the box around them; returns what is incomplete.
+Reasons writeBoxes(const UrdfBoundsOptions& options, const std::string& frame,
+                   const std::vector<BoundedLink>& links, const LinkPoses& root_from_link) {
+  BoxTable table;
+  table.frame = frame;
+  const auto box_of = [](const BoundedLink& link, const Eigen::Isometry3d& pose) {
+    return linkBox(link, Eigen::Affine3d(pose));
+  };
+  fillTable(links, root_from_link, box_of, table.boxes, table.incomplete);
+  Aabb robot_box;
+  for (const auto& named : table.boxes)
+    robot_box.extend(named.second);
   if (!table.boxes.empty()) table.groups.emplace_back("robot", robot_box);
-  return table;
+  writeBoxes(table, options.format, options.representation.value_or(Representation::kMinMax),
+             std::cout);
+  return table.incomplete;
+}
+
+/// The same with another volume, which `volume_of` computes in the frame of a link.
+template <class Volume>
+Reasons writeVolumes(const UrdfBoundsOptions& options, const std::string& frame,
+                     const std::vector<BoundedLink>& links, const LinkPoses& root_from_link,
+                     std::optional<Volume> (*volume_of)(const BoundedLink&)) {
+  VolumeTable<Volume> table;
+  table.frame = frame;
+  const auto placed_volume = [volume_of](const BoundedLink& link, const Eigen::Isometry3d& pose) {
+    const std::optional<Volume> volume = volume_of(link);
+    return volume ? placed(*volume, pose) : std::nullopt;
+  };
+  fillTable(links, root_from_link, placed_volume, table.volumes, table.incomplete);
+  writeVolumes(table, options.format, std::cout);
+  return table.incomplete;
+}
+
+Reasons writeTable(const UrdfBoundsOptions& options, const std::string& frame,
+                   const std::vector<BoundedLink>& links, const LinkPoses& root_from_link) {
+  switch (options.volume) {
+    case VolumeKind::kBox:
+      break;
+    case VolumeKind::kSphere:
+      return writeVolumes(options, frame, links, root_from_link, boundingSphere);
+    case VolumeKind::kOrientedBox:
+      return writeVolumes(options, frame, links, root_from_link, orientedBox);
+  }
+  return writeBoxes(options, frame, links, root_from_link);
 }
 
 /// Each mesh file with the memory it keeps, and what loading took at most.
@@ -123,7 +173,7 @@ int run(const UrdfBoundsOptions& options) {
   for (const std::string& warning : robot.warnings)
     warn(warning);
   checkJoints(robot, options.joints);
-  const auto root_from_link = linkPoses(robot, jointValues(robot, options.joints));
+  const LinkPoses root_from_link = posesByName(robot, jointValues(robot, options.joints));
 
   Selection selection;
   selection.visual = options.visual;
@@ -136,11 +186,11 @@ int run(const UrdfBoundsOptions& options) {
   for (const std::string& problem : bounded.problems)
     warn(problem);
 
-  const BoxTable table = boxTable(robot, bounded, root_from_link);
+  const std::string& frame = robot.links[robot.root].name;
+  const Reasons incomplete = writeTable(options, frame, bounded.links, root_from_link);
   if (options.verbose) reportMemory(bounded);
-  writeBoxes(table, options.format, options.representation, std::cout);
   if (!finishOutput()) return 1;
-  return options.strict && !table.incomplete.empty() ? 2 : 0;
+  return options.strict && !incomplete.empty() ? 2 : 0;
 }
 
 int runGuarded(int argc, char** argv) {

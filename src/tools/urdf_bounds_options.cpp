@@ -28,6 +28,10 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --format F          table (default): rounded to micrometres
                       csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
                       json: always min-max; also says what is incomplete and why
+  --volume V          instead of the box, for every link but not for the whole robot:
+                      sphere: centre and radius of a bounding sphere
+                      obb: centre, full widths and orientation (a quaternion) of a small box that
+                      turns with the link
   --verbose           the memory that each mesh takes, on standard error
   --strict            exit with 2 if any geometry was lost
   -h, --help          this text
@@ -37,11 +41,12 @@ Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see 
 
 namespace {
 
-enum Code { kGeometry = 256, kRepresentation, kFormat, kVerbose, kStrict, kHelp };
+enum Code { kGeometry = 256, kRepresentation, kFormat, kVolume, kVerbose, kStrict, kHelp };
 
 constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeometry},
                                    {"representation", required_argument, nullptr, kRepresentation},
                                    {"format", required_argument, nullptr, kFormat},
+                                   {"volume", required_argument, nullptr, kVolume},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"help", no_argument, nullptr, kHelp},
@@ -123,6 +128,10 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
           "--format", optarg,
           {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
       return;
+    case kVolume:
+      options.volume = chosen<VolumeKind>(
+          "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
+      return;
     case kVerbose:
       options.verbose = true;
       return;
@@ -154,6 +163,11 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
   for (; optind < argc; ++optind)
     addArgument(argv[optind], options);
   if (options.file.empty()) throw UsageError("no URDF file is given");
+  if (options.representation && options.volume != VolumeKind::kBox) {
+    throw UsageError(
+        "--representation is about axis-aligned boxes, --volume asks for another one;"
+        " give only one of them");
+  }
   return options;
 }
 

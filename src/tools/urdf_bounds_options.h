@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -17,12 +18,16 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Of the paper's Figure 2; kBox is axis-aligned.
+enum class VolumeKind { kBox, kSphere, kOrientedBox };
+
 struct UrdfBoundsOptions {
   std::string file;                      ///< "-" is standard input
   std::map<std::string, double> joints;  ///< rad or m
   bool visual = true;
   bool collision = false;
-  Representation representation = Representation::kMinMax;
+  VolumeKind volume = VolumeKind::kBox;
+  std::optional<Representation> representation;  ///< of kBox; absent: min-max
   Format format = Format::kTable;
   bool verbose = false;
   bool strict = false;

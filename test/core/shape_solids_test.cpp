@@ -5,6 +5,7 @@
 
 #include "brute_force.h"
 #include "link_bounds/shape.h"
+#include "solid_samples.h"
 
 namespace link_bounds {
 namespace {
@@ -13,8 +14,7 @@ using brute_force::turned;
 
 constexpr double kTolerance = 1e-12;  // metres, for closed forms
 constexpr int kSteps = 720;           // samples around a circle
-/// A circle's samples miss its extreme by at most this part of its radius: 1 - cos(half a step).
-const double kSamplingLoss = 1 - std::cos(M_PI / kSteps);
+const double kSamplingLoss = samplingLoss(kSteps);
 const Eigen::Vector3d kSize(0.4, 0.6, 1.0);
 const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
@@ -87,38 +87,12 @@ TEST(Solids, EllipsoidTurnedAboutZ) {
   });
 }
 
-/// Points of the surface of a unit solid (extent 1 along each axis) that include every extreme
-/// one up to kSamplingLoss.
-std::vector<Eigen::Vector3d> surface(Solid solid) {
-  std::vector<Eigen::Vector3d> result;
-  if (solid == Solid::kBox) {
-    for (int i = 0; i < 8; ++i) {
-      result.emplace_back(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
-    }
-    return result;
-  }
-  for (int i = 0; i < kSteps; ++i) {
-    const double around = 2 * M_PI * i / kSteps;
-    const Eigen::Vector3d rim(0.5 * std::cos(around), 0.5 * std::sin(around), 0);
-    if (solid == Solid::kCylinder) {
-      result.push_back(rim + Eigen::Vector3d(0, 0, 0.5));
-      result.push_back(rim - Eigen::Vector3d(0, 0, 0.5));
-      continue;
-    }
-    for (int j = 0; j <= kSteps / 2; ++j) {
-      const double down = 2 * M_PI * j / kSteps;
-      result.push_back(rim * std::sin(down) + Eigen::Vector3d(0, 0, 0.5 * std::cos(down)));
-    }
-  }
-  return result;
-}
-
 /// The box of surface samples around each of `points`, under a pose.
 Aabb sampledBox(Solid solid, const std::vector<Eigen::Vector3f>& points,
                 const Eigen::Affine3d& pose) {
   Aabb around_origin;
   const Eigen::Matrix3d linear = pose.linear() * kSize.asDiagonal();
-  for (const Eigen::Vector3d& sample : surface(solid))
+  for (const Eigen::Vector3d& sample : surface(solid, kSteps))
     around_origin.extend(linear * sample);
   Aabb result;
   for (const Eigen::Vector3f& point : points) {

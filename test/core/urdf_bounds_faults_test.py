@@ -140,11 +140,10 @@ class RefusalTest(UrdfBoundsTest):
         self.check_refused('one file too many', '-', 'other.urdf')
         self.check_refused('no option --bogus', '-', '--bogus')
         self.check_refused('no option -x', '-x', '-')
-        self.check_refused('no option --volume', '-', '--volume', 'obb')
         self.check_refused('takes no value', '-', '--strict=1')
 
     def test_values_of_options(self):
-        for option in ('--geometry', '--representation', '--format'):
+        for option in ('--geometry', '--representation', '--format', '--volume'):
             self.check_refused(option + ' needs a value', '-', option)
             self.check_refused(option + ' is "odd".* one of: ', '-', option, 'odd')
             self.check_refused(option + ' is "".* one of: ', '-', option + '=')

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A search over orientations; each one costs an axis-aligned box of the turned link.
+#include "link_bounds/oriented_box.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "direction_fold.h"
+#include "link_bounds/rounding.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kDirections = 16;               ///< per side of the square of all directions
+constexpr int kSpins = 12;                    ///< about each of them, in a quarter turn
+constexpr double kFirstStep = 0.08;           ///< rad, about half the way between samples
+constexpr double kLastStep = 1e-8;            ///< rad
+constexpr double kLeastGain = 1e-6;           ///< of the volume, to turn at all
+constexpr double kThin = 1e-9;                ///< of the diagonal: widths below count as this more
+constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude, for turning there and back
+constexpr double kPlacedPad = 64 * kUnitRoundoff;
+
+struct Candidate {
+  Eigen::Quaterniond orientation;
+  double measure;  ///< the smaller the better
+};
+
+/// Boxes of one link in any orientation.
+class Search {
+ public:
+  explicit Search(const BoundedLink& link) : link_(link), reach_(link) {}
+
+  std::optional<Aabb> box(const Eigen::Quaterniond& orientation) {
+    const Eigen::Matrix3d link_from_box = orientation.toRotationMatrix();
+    return linkBox(link_, Eigen::Affine3d(link_from_box.transpose()), reach_);
+  }
+
+  /// The volume, but boxes of flat shapes are compared by area, those of straight ones by length.
+  Candidate candidate(const Eigen::Quaterniond& orientation) {
+    const std::optional<Aabb> found = box(orientation);
+    if (!found) return {orientation, std::numeric_limits<double>::infinity()};
+    const Eigen::Array3d widths = found->sizes();
+    if (diagonal_ < 0) diagonal_ = std::max(found->sizes().stableNorm(), 1e-300);
+    return {orientation, (widths / diagonal_ + kThin).prod()};
+  }
+
+ private:
+  const BoundedLink& link_;
+  LinkReach reach_;
+  double diagonal_ = -1;  ///< of the first candidate [m]
+};
+
+void keepBetter(const Candidate& candidate, Candidate& best) {
+  if (candidate.measure < best.measure) best = candidate;
+}
+
+/// The shapes' own axes.
+void tryShapes(const BoundedLink& link, Search& search, Candidate& best) {
+  for (const Shape& shape : link.shapes) {
+    const Eigen::Quaterniond axes(shape.link_from_shape.rotation());
+    if (axes.coeffs().allFinite()) keepBetter(search.candidate(axes.normalized()), best);
+  }
+}
+
+/// Directions over the half sphere for the third axis of the box, and turns about it. Since any of
+/// the three may be the third one, every orientation has three samples around it.
+void tryGrid(Search& search, Candidate& best) {
+  for (int i = 0; i < kDirections * kDirections; ++i) {
+    const double s = (2 * (i % kDirections) + 1.0) / kDirections - 1;
+    const double t = (2 * (i / kDirections) + 1.0) / kDirections - 1;
+    const auto third = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                          directionAt(s, t, faceAt(s, t)));
+    for (int spin = 0; spin < kSpins; ++spin) {
+      const Eigen::AngleAxisd turn(M_PI / 2 * spin / kSpins, Eigen::Vector3d::UnitZ());
+      keepBetter(search.candidate((third * turn).normalized()), best);
+    }
+  }
+}
+
+/// Axes of the box, its diagonals and those of its faces, in both senses.
+std::vector<Eigen::Vector3d> turnAxes() {
+  std::vector<Eigen::Vector3d> result;
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3d axis(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (!axis.isZero(0)) result.push_back(axis.normalized());
+  }
+  return result;
+}
+
+/// Turns by steps that shrink once none of them helps.
+void refine(Search& search, Candidate& best) {
+  const std::vector<Eigen::Vector3d> axes = turnAxes();
+  for (double step = kFirstStep; step > kLastStep;) {
+    const Candidate center = best;
+    for (const Eigen::Vector3d& axis : axes) {
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));
+      keepBetter(search.candidate((center.orientation * turn).normalized()), best);
+    }
+    if (best.measure == center.measure) step /= 2;
+  }
+}
+
+OrientedBox toOrientedBox(const Aabb& box, const Eigen::Quaterniond& orientation, double pad) {
+  const CenterRadius form = toCenterRadius(padded(box, pad));
+  return {orientation * form.center, orientation, 2 * form.radius};
+}
+
+std::optional<OrientedBox> ifFinite(const OrientedBox& box) {
+  const bool is_finite =
+      box.center.allFinite() && box.orientation.coeffs().allFinite() && box.size.allFinite();
+  if (!is_finite) return std::nullopt;
+  return box;
+}
+
+}  // namespace
+
+std::optional<OrientedBox> orientedBox(const BoundedLink& link) {
+  Search search(link);
+  const Eigen::Quaterniond unturned = Eigen::Quaterniond::Identity();
+  const std::optional<Aabb> box = search.box(unturned);
+  if (!box) return std::nullopt;
+  const OrientedBox at_rest = toOrientedBox(*box, unturned, 0);
+  Candidate best = search.candidate(unturned);
+  tryShapes(link, search, best);
+  tryGrid(search, best);
+  refine(search, best);
+  const OrientedBox turned =
+      toOrientedBox(*search.box(best.orientation), best.orientation, kPad * magnitude(link));
+  const bool is_better = turned.size.prod() < (1 - kLeastGain) * at_rest.size.prod();
+  return ifFinite(is_better ? turned : at_rest);
+}
+
+std::optional<OrientedBox> placed(const OrientedBox& box,
+                                  const Eigen::Isometry3d& world_from_link) {
+  const Eigen::Matrix3d linear = world_from_link.linear();
+  const Eigen::Vector3d translation = world_from_link.translation();
+  const Eigen::Quaterniond rotation = Eigen::Quaterniond(linear).normalized();
+  // The part of the pose that is no rotation moves a point of the box by this part of its distance
+  // from the centre.
+  const double deviation =
+      (rotation.toRotationMatrix().transpose() * linear - Eigen::Matrix3d::Identity()).norm();
+  const double reach = (linear.cwiseAbs() * box.center.cwiseAbs() + translation.cwiseAbs()).sum();
+  const double pad = (deviation + kPlacedPad) * box.size.norm() + kPlacedPad * reach;
+  return ifFinite({linear * box.center + translation, (rotation * box.orientation).normalized(),
+                   (box.size.array() + pad + std::numeric_limits<double>::min()).matrix()});
+}
+
+}  // namespace link_bounds
