@@ -211,14 +211,14 @@ std::optional<BoundingSphere> placed(const BoundingSphere& sphere,
   constexpr double kRoundingPad = 16 * kUnitRoundoff;
   const Eigen::Matrix3d linear = world_from_link.linear();
   const Eigen::Vector3d translation = world_from_link.translation();
-  const Eigen::Matrix3d gram = linear.transpose() * linear;
-  // Not below the largest singular value, and 1 for a rotation.
-  const double stretch = std::sqrt(gram.cwiseAbs().rowwise().sum().maxCoeff());
+  // Lengths grow at most by the root of 1 + deviation, which is 0 for a rotation.
+  const double deviation =
+      (linear.transpose() * linear - Eigen::Matrix3d::Identity()).cwiseAbs().sum();
+  const double radius = (1 + deviation / 2) * sphere.radius;
   const double reach =
       (linear.cwiseAbs() * sphere.center.cwiseAbs() + translation.cwiseAbs()).sum();
-  const double pad = kRoundingPad * (stretch * sphere.radius + reach);
-  return ifFinite({linear * sphere.center + translation,
-                   stretch * sphere.radius + pad + std::numeric_limits<double>::min()});
+  const double pad = kRoundingPad * (radius + reach) + std::numeric_limits<double>::min();
+  return ifFinite({linear * sphere.center + translation, radius + pad});
 }
 
 }  // namespace link_bounds

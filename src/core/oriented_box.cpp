@@ -140,9 +140,11 @@ std::optional<OrientedBox> placed(const OrientedBox& box,
   // The part of the pose that is no rotation moves a point of the box by this part of its distance
   // from the centre.
   const double deviation =
-      (rotation.toRotationMatrix().transpose() * linear - Eigen::Matrix3d::Identity()).norm();
+      (rotation.toRotationMatrix().transpose() * linear - Eigen::Matrix3d::Identity())
+          .cwiseAbs()
+          .sum();
   const double reach = (linear.cwiseAbs() * box.center.cwiseAbs() + translation.cwiseAbs()).sum();
-  const double pad = (deviation + kPlacedPad) * box.size.norm() + kPlacedPad * reach;
+  const double pad = (deviation + kPlacedPad) * box.size.sum() + kPlacedPad * reach;
   return ifFinite({linear * box.center + translation, (rotation * box.orientation).normalized(),
                    (box.size.array() + pad + std::numeric_limits<double>::min()).matrix()});
 }

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which volume bounds a link best, and at what price: volumes_bench [--quick] [--json FILE]
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <numeric>
+#include <stdexcept>
+
+#include "json.h"
+#include "machine.h"
+#include "volumes_measure.h"
+
+namespace link_bounds::bench {
+namespace {
+
+struct Options {
+  bool is_quick = false;
+  std::string json;
+};
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--quick") {
+      options.is_quick = true;
+    } else if (argument == "--json" && i + 1 < argc) {
+      options.json = argv[++i];
+    } else {
+      throw std::runtime_error("unknown argument or no value for it: " + argument);
+    }
+  }
+  return options;
+}
+
+using Value = double Result::*;
+
+/// The mean over the links of all robots, or of one; `value` is what the row has.
+double mean(const Results& results, const std::string& method, Value value,
+            const std::string& robot = "") {
+  double sum = 0;
+  double links = 0;
+  for (const Result& result : results) {
+    const bool is_meant = result.method == method && (robot.empty() || result.mesh == robot);
+    if (!is_meant || std::isnan(result.*value)) continue;
+    sum += result.*value * static_cast<double>(result.vertices);
+    links += static_cast<double>(result.vertices);
+  }
+  return sum / links;
+}
+
+void printRobot(const Results& results, const MeasuredRobot& robot, std::ostream& out) {
+  out << "| " << robot.name << " | " << robot.links.size();
+  for (const char* method : {kAabb, kAabbAtJoints, kSphere, kOrientedBox})
+    out << " | " << mean(results, method, &Result::volume_ratio, robot.name);
+  out << " |\n";
+}
+
+void printCosts(const Results& results, const char* name, const char* method, const char* once,
+                const char* overlap, std::ostream& out) {
+  out << "| " << name << " | " << mean(results, method, &Result::volume_ratio) << " | "
+      << mean(results, method, &Result::ns) << " | " << mean(results, once, &Result::ns) / 1e6
+      << " | " << mean(results, overlap, &Result::ns) << " |\n";
+}
+
+void print(const Results& results, const std::vector<MeasuredRobot>& robots, std::ostream& out) {
+  out << std::fixed << std::setprecision(2)
+      << "Mean volume, divided by that of the axis-aligned box of the same link turned at "
+         "random\n\n"
+         "| robot | links | box, turned at random | box, joints at random | sphere | oriented box "
+         "|\n|---|---|---|---|---|---|\n";
+  for (const MeasuredRobot& robot : robots)
+    printRobot(results, robot, out);
+  out << "\nMeans over all links; nan: not measured\n\n"
+         "| volume | volume | ns per update | ms once, beside the table | ns per overlap test "
+         "|\n|---|---|---|---|---|\n";
+  printCosts(results, "axis-aligned box", kAabb, "", kOverlapAabb, out);
+  printCosts(results, "sphere", kSphere, kPrepareSphere, kOverlapSphere, out);
+  printCosts(results, "oriented box", kOrientedBox, kPrepareOrientedBox, "", out);
+  out << "axis-aligned box, joints at random: "
+      << mean(results, kAabbAtJoints, &Result::volume_ratio) << "\n";
+}
+
+void benchmarkVolumes(const Options& options) {
+  std::ofstream json;
+  if (!options.json.empty()) json.open(options.json);
+  if (!json) throw std::runtime_error("cannot write " + options.json);
+  pinToOneCpu();
+  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName() << "\n";
+  const char* data = std::getenv("LINK_BOUNDS_DATA");
+  const auto robots = chooseRobots(data ? data : "", LINK_BOUNDS_DEMO_URDF, std::cout);
+  const Results results = measureVolumes(robots, options.is_quick);
+  std::cout << "\n";
+  print(results, robots, std::cout);
+  if (json.is_open()) writeJson(results, json);
+  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+}
+
+}  // namespace
+}  // namespace link_bounds::bench
+
+int main(int argc, char** argv) try {
+  using namespace link_bounds::bench;
+  benchmarkVolumes(parse(argc, argv));
+} catch (const std::exception& error) {
+  std::cerr << "volumes_bench: " << error.what() << "\n";
+  return 1;
+}

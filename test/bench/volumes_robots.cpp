@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Read as the node reads them, but in this process.
+#include "volumes_robots.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <sstream>
+
+#include "mesh_import.h"
+
+namespace link_bounds::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A flat link has no volume to compare with.
+constexpr double kThinnest = 1e-6;  // of the longest side
+
+bool isFlat(const BoundedLink& link) {
+  const std::optional<Aabb> box = linkBox(link, Eigen::Affine3d::Identity());
+  return !box || box->sizes().minCoeff() <= kThinnest * box->sizes().maxCoeff();
+}
+
+MeasuredRobot readRobot(const fs::path& urdf, const PackagePath& package_path,
+                        std::ostream& notes) {
+  std::ostringstream text;
+  text << std::ifstream(urdf).rdbuf();
+  MeasuredRobot result{urdf.stem().string(), parseRobot(text.str()), {}, {}};
+  MeshStore store([](const MeshFile& file) { return importMesh(file); });
+  const MeshSource source{package_path, urdf.parent_path().string(), nullptr};
+  const BoundedRobot bounded = boundRobot(result.robot, Selection(), source, store);
+  const std::vector<Link>& links = result.robot.links;
+  for (const BoundedLink& link : bounded.links) {
+    if (!link.isWhole() || isFlat(link)) {
+      notes << "left out, because it is flat or not whole: link " << link.name << " of "
+            << result.name << "\n";
+      continue;
+    }
+    const auto found = std::find_if(links.begin(), links.end(), [&link](const Link& candidate) {
+      return candidate.name == link.name;
+    });
+    result.links.push_back(link);
+    result.index.push_back(static_cast<std::size_t>(found - links.begin()));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
+                                        const std::string& demo_urdf, std::ostream& notes) {
+  const fs::path demo = fs::canonical(demo_urdf);
+  if (data_folder.empty()) {
+    notes << "LINK_BOUNDS_DATA is not set: the demo's robot stands in for public ones\n";
+    const fs::path package = demo.parent_path().parent_path().parent_path();
+    return {readRobot(
+        demo, [&package](const std::string&) { return package.string(); }, notes)};
+  }
+  const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
+  std::vector<fs::path> paths;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const bool is_model = fs::relative(entry.path(), folder).string().rfind("stanford", 0) == 0;
+    if (entry.path().extension() == ".urdf" && !is_model) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<MeasuredRobot> result;
+  for (const fs::path& path : paths) {
+    const auto package_path = [&folder](const std::string& name) {
+      return (folder / name).string();
+    };
+    result.push_back(readRobot(path, package_path, notes));
+  }
+  return result;
+}
+
+}  // namespace link_bounds::bench

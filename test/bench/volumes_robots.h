@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The robots whose links are bounded by boxes and other volumes.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "link_bounds/bounded_robot.h"
+
+namespace link_bounds::bench {
+
+struct MeasuredRobot {
+  std::string name;  ///< of its URDF file
+  Robot robot;
+  std::vector<BoundedLink> links;  ///< with visual geometry that encloses some volume
+  std::vector<std::size_t> index;  ///< of the links, in `robot`
+};
+
+/// Those of `data_folder`/robots; without a data folder that of `demo_urdf`, which is in the folder
+/// launch/demo of its package. What is left out is said in `notes`.
+std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
+                                        const std::string& demo_urdf, std::ostream& notes);
+
+}  // namespace link_bounds::bench
