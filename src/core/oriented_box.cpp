@@ -18,13 +18,12 @@ constexpr int kSpins = 12;                    ///< about each of them, in a quar
 constexpr double kFirstStep = 0.08;           ///< rad, about half the way between samples
 constexpr double kLastStep = 1e-8;            ///< rad
 constexpr double kLeastGain = 1e-6;           ///< of the volume, to turn at all
-constexpr double kThin = 1e-9;                ///< of the diagonal: widths below count as this more
 constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude, for turning there and back
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
 struct Candidate {
   Eigen::Quaterniond orientation;
-  double measure;  ///< the smaller the better
+  double volume;  ///< in units that neither overflow nor vanish
 };
 
 /// Boxes of one link in any orientation.
@@ -37,23 +36,22 @@ class Search {
     return linkBox(link_, Eigen::Affine3d(link_from_box.transpose()), reach_);
   }
 
-  /// The volume, but boxes of flat shapes are compared by area, those of straight ones by length.
   Candidate candidate(const Eigen::Quaterniond& orientation) {
     const std::optional<Aabb> found = box(orientation);
     if (!found) return {orientation, std::numeric_limits<double>::infinity()};
     const Eigen::Array3d widths = found->sizes();
     if (diagonal_ < 0) diagonal_ = std::max(found->sizes().stableNorm(), 1e-300);
-    return {orientation, (widths / diagonal_ + kThin).prod()};
+    return {orientation, (widths / diagonal_).prod()};
   }
 
  private:
   const BoundedLink& link_;
   LinkReach reach_;
-  double diagonal_ = -1;  ///< of the first candidate [m]
+  double diagonal_ = -1;  ///< of the first candidate [m], the unit of length
 };
 
 void keepBetter(const Candidate& candidate, Candidate& best) {
-  if (candidate.measure < best.measure) best = candidate;
+  if (candidate.volume < best.volume) best = candidate;
 }
 
 /// The shapes' own axes.
@@ -98,7 +96,7 @@ void refine(Search& search, Candidate& best) {
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));
       keepBetter(search.candidate((center.orientation * turn).normalized()), best);
     }
-    if (best.measure == center.measure) step /= 2;
+    if (best.volume == center.volume) step /= 2;
   }
 }
 

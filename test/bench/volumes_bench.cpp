@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 #include "json.h"
@@ -52,36 +52,42 @@ double mean(const Results& results, const std::string& method, Value value,
   return sum / links;
 }
 
+std::string toText(double value) {
+  if (std::isnan(value)) return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << value;
+  return text.str();
+}
+
 void printRobot(const Results& results, const MeasuredRobot& robot, std::ostream& out) {
   out << "| " << robot.name << " | " << robot.links.size();
   for (const char* method : {kAabb, kAabbAtJoints, kSphere, kOrientedBox})
-    out << " | " << mean(results, method, &Result::volume_ratio, robot.name);
+    out << " | " << toText(mean(results, method, &Result::volume_ratio, robot.name));
   out << " |\n";
 }
 
 void printCosts(const Results& results, const char* name, const char* method, const char* once,
                 const char* overlap, std::ostream& out) {
-  out << "| " << name << " | " << mean(results, method, &Result::volume_ratio) << " | "
-      << mean(results, method, &Result::ns) << " | " << mean(results, once, &Result::ns) / 1e6
-      << " | " << mean(results, overlap, &Result::ns) << " |\n";
+  out << "| " << name << " | " << toText(mean(results, method, &Result::volume_ratio)) << " | "
+      << toText(mean(results, method, &Result::ns)) << " | "
+      << toText(mean(results, once, &Result::ns) / 1e6) << " | "
+      << toText(mean(results, overlap, &Result::ns)) << " |\n";
 }
 
 void print(const Results& results, const std::vector<MeasuredRobot>& robots, std::ostream& out) {
-  out << std::fixed << std::setprecision(2)
-      << "Mean volume, divided by that of the axis-aligned box of the same link turned at "
+  out << "Mean volume, divided by that of the axis-aligned box of the same link turned at "
          "random\n\n"
          "| robot | links | box, turned at random | box, joints at random | sphere | oriented box "
          "|\n|---|---|---|---|---|---|\n";
   for (const MeasuredRobot& robot : robots)
     printRobot(results, robot, out);
-  out << "\nMeans over all links; nan: not measured\n\n"
-         "| volume | volume | ns per update | ms once, beside the table | ns per overlap test "
+  out << "\nMeans over all links; -: not measured\n\n"
+         "| bounded by | volume | ns per update | ms once, beside the table | ns per overlap test "
          "|\n|---|---|---|---|---|\n";
   printCosts(results, "axis-aligned box", kAabb, "", kOverlapAabb, out);
+  printCosts(results, "axis-aligned box, joints at random", kAabbAtJoints, "", "", out);
   printCosts(results, "sphere", kSphere, kPrepareSphere, kOverlapSphere, out);
   printCosts(results, "oriented box", kOrientedBox, kPrepareOrientedBox, "", out);
-  out << "axis-aligned box, joints at random: "
-      << mean(results, kAabbAtJoints, &Result::volume_ratio) << "\n";
 }
 
 void benchmarkVolumes(const Options& options) {

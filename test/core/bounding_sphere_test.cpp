@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 
+#include "mesh_import.h"
 #include "sanitized.h"
 #include "smallest_sphere.h"
 
@@ -83,6 +85,18 @@ TEST(BoundingSphere, OfPointsOnOneSphereIsTheSmallest) {
   for (int i = 0; i < 500; ++i)
     points.push_back(random.vector(1).normalized().cast<float>() + Eigen::Vector3f(3, 0, 0));
   expectSmallest(points);
+}
+
+TEST(BoundingSphere, OfMeshFilesIsTheSmallest) {
+  const auto folder = std::filesystem::canonical("../launch/demo/meshes");
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".mtl") continue;
+    SCOPED_TRACE(entry.path().string());
+    expectSmallest(importMesh({entry.path().string(), folder.string()}).vertices);
+    ++count;
+  }
+  EXPECT_GT(count, 2);
 }
 
 TEST(BoundingSphere, OfSolids) {
@@ -163,6 +177,23 @@ TEST(PlacedSphere, KeepsItsRadiusAndMovesItsCenter) {
   EXPECT_LE((sphere->center - Eigen::Vector3d(1 + std::sqrt(3), 3, 3)).norm(), kRounding);
   EXPECT_GE(sphere->radius, 0.5);
   EXPECT_LE(sphere->radius, 0.5 + kRounding);
+}
+
+TEST(PlacedSphere, ContainsItselfFarFromTheOrigin) {
+  Random random(9);
+  const BoundingSphere sphere{{1, 2, 3}, 1.5};
+  for (int i = 0; i < kLinks; ++i) {
+    const Eigen::Isometry3d pose = posed(random.rotation(), random.vector(1e6));
+    const auto here = placed(sphere, pose);
+    ASSERT_TRUE(here);
+    for (int k = 0; k < 3; ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        const Eigen::Vector3d point =
+            sphere.center + side * sphere.radius * Eigen::Vector3d::Unit(k);
+        expectContains(*here, moved(point.cast<long double>(), pose));
+      }
+    }
+  }
 }
 
 TEST(PlacedSphere, ContainsWhatAPoseThatIsNotRigidStretches) {

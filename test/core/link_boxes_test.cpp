@@ -91,6 +91,16 @@ TEST(LinkBox, ALinkThatIsNotWholeHasABoxOfWhatIsThere) {
   EXPECT_TRUE(linkBox(link, kIdentity));
 }
 
+TEST(Magnitude, CountsWhatCancelsOut) {
+  Eigen::Affine3d far_and_back(Eigen::Translation3d(0, 0, -30));
+  far_and_back.scale(10);
+  EXPECT_DOUBLE_EQ(magnitude({"l", {meshShape(kIdentity)}, 0.5, ""}), 3);
+  EXPECT_DOUBLE_EQ(magnitude({"l", {ballShape(1, {0, -4, 0}), meshShape(far_and_back)}, 0, ""}),
+                   60);
+  EXPECT_DOUBLE_EQ(magnitude({"l", {ballShape(1, {0, -4, 0})}, 0, ""}), 4.5);
+  EXPECT_EQ(magnitude({"l", {}, 0, ""}), 0);
+}
+
 TEST(LinkBox, OneShapeWithoutABoxLeavesTheLinkWithoutOne) {
   Eigen::Affine3d unusable = kIdentity;
   unusable.linear()(0, 0) = 2e30;

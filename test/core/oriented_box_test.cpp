@@ -216,6 +216,20 @@ TEST(PlacedOrientedBox, TurnsWithTheLinkAndKeepsItsSize) {
   EXPECT_LE((box->size - Eigen::Vector3d(1, 2, 3)).norm(), kRounding);
 }
 
+TEST(PlacedOrientedBox, ContainsItselfFarFromTheOrigin) {
+  Random random(8);
+  const OrientedBox box{{1, 2, 3}, Eigen::Quaterniond::Identity(), {0.5, 1, 2}};
+  std::vector<LongVector> points;
+  for (const Eigen::Vector3d& corner : surface(Solid::kBox, 0))
+    points.emplace_back((box.center + corner.cwiseProduct(box.size)).cast<long double>());
+  for (int i = 0; i < kLinks; ++i) {
+    const Eigen::Isometry3d pose = posed(random.rotation(), random.vector(1e6));
+    const auto here = placed(box, pose);
+    ASSERT_TRUE(here);
+    expectContains(*here, points, pose);
+  }
+}
+
 TEST(PlacedOrientedBox, ContainsWhatAPoseThatIsNotRigidStretches) {
   Random random(7);
   const BoundedLink link = linkOf({solidShape(Solid::kBox, {1, 2, 3})});
