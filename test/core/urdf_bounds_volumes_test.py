@@ -17,6 +17,8 @@ RADIUS = 2e-6  # of a radius
 SPHERE_HEADER = ['link', 'center_x', 'center_y', 'center_z', 'radius']
 BOX_HEADER = ['link', 'center_x', 'center_y', 'center_z', 'size_x', 'size_y', 'size_z',
               'q_x', 'q_y', 'q_z', 'q_w']
+TILTED = '''<robot name="r"><link name="base"><visual><origin rpy="0.3 0.5 0.7" xyz="1 2 3"/>
+<geometry><box size="1 2 4"/></geometry></visual></link></robot>'''
 BALL = '''<robot name="r"><link name="base"><visual><origin xyz="1 2 3"/><geometry>
 <sphere radius="0.5"/></geometry></visual></link></robot>'''
 
@@ -118,9 +120,9 @@ class VolumesTest(UrdfBoundsTest):
 
     def test_csv_has_the_numbers_of_json(self):
         for kind, header, found in (
-                ('sphere', SPHERE_HEADER, spheres('turn:=0.7')['spheres']),
-                ('obb', BOX_HEADER, oriented('turn:=0.7')['oriented_boxes'])):
-            code, out, err = run('-', 'turn:=0.7', '--format=csv', '--volume', kind)
+                ('sphere', SPHERE_HEADER, spheres(urdf=TILTED)['spheres']),
+                ('obb', BOX_HEADER, oriented(urdf=TILTED)['oriented_boxes'])):
+            code, out, err = run('-', '--format=csv', '--volume', kind, urdf=TILTED)
             self.assertEqual((code, err), (0, ''))
             rows = list(csv.reader(io.StringIO(out, newline='')))
             self.assertEqual(rows[0], header)
