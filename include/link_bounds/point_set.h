@@ -45,6 +45,9 @@ class PointSet {
   /// The points in float that can be extreme, each once, in no particular order.
   std::vector<Eigen::Vector3f> points() const;
 
+  /// All points that are kept, in double; some may be there twice.
+  std::vector<Eigen::Vector3d> keptPoints() const;
+
   /// The number of points that are kept.
   std::size_t size() const { return size_; }
 

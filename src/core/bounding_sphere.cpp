@@ -75,8 +75,8 @@ SweptPoints sweptPoints(const Shape& shape, double unit) {
   };
   if (!shape.points) add(Eigen::Vector3d::Zero());
   if (!shape.points) return result;
-  for (const Eigen::Vector3f& point : shape.points->points())
-    add(point.cast<double>());
+  for (const Eigen::Vector3d& point : shape.points->keptPoints())
+    add(point);
   return result;
 }
 

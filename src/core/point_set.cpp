@@ -56,4 +56,15 @@ std::vector<Eigen::Vector3f> PointSet::points() const {
   return result;
 }
 
+std::vector<Eigen::Vector3d> PointSet::keptPoints() const {
+  std::vector<Eigen::Vector3d> result;
+  for (const Eigen::Vector3f& point : points())
+    result.push_back(point.cast<double>());
+  for (Eigen::Index first = 0; first < lanes_.cols(); first += 3) {
+    for (Eigen::Index lane = 0; lane < lanes_.rows(); ++lane)
+      result.emplace_back(lanes_.block<1, 3>(lane, first).transpose());
+  }
+  return result;
+}
+
 }  // namespace link_bounds

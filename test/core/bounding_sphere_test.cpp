@@ -99,6 +99,21 @@ TEST(BoundingSphere, OfMeshFilesIsTheSmallest) {
   EXPECT_GT(count, 2);
 }
 
+TEST(BoundingSphere, OfPointsInDouble) {
+  Eigen::Matrix3Xd points(3, 5);      // one more than four, which are kept together
+  points << 0.1, 6.1, 0.1, 0.2, 0.3,  //
+      0.2, 0.2, 8.2, 0.3, 0.4,        //
+      0.3, 0.3, 0.3, 0.4, 5.3;
+  const Shape shape{std::make_shared<const PointSet>(DoublePoints(points)), Solid::kNone,
+                    Eigen::Vector3d::Zero(), Eigen::Affine3d::Identity()};
+  std::vector<LongVector> exact;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    exact.emplace_back(points.col(i).cast<long double>());
+  const auto smallest = brute_force::smallestSphere(exact);
+  expectSphere(linkOf({shape}), smallest.center.cast<double>(),
+               static_cast<double>(smallest.radius));
+}
+
 TEST(BoundingSphere, OfSolids) {
   Random random(5);
   for (const double degrees : {0.0, 30.0, 45.0}) {
