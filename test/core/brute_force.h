@@ -15,21 +15,23 @@
 
 namespace link_bounds::brute_force {
 
-/// r . p in the one order of operations that the library promises.
-inline double reach(const Eigen::Vector3d& row, const Eigen::Vector3f& point) {
+/// r . p in the one order of operations that the library promises. Here and below points may be
+/// float, as vertices of meshes, or double, as those of markers.
+template <class Point>
+double reach(const Eigen::Vector3d& row, const Point& point) {
   const double x = point.x();
   const double y = point.y();
   const double z = point.z();
   return (row.x() * x + row.y() * y) + row.z() * z;
 }
 
-inline Extents extents(const std::vector<Eigen::Vector3f>& points,
-                       const Eigen::Matrix3d& directions) {
+template <class Point>
+Extents extents(const std::vector<Point>& points, const Eigen::Matrix3d& directions) {
   Extents result;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d row = directions.row(k);
     result.low[k] = result.high[k] = reach(row, points.front());
-    for (const Eigen::Vector3f& point : points) {
+    for (const Point& point : points) {
       result.low[k] = std::min(result.low[k], reach(row, point));
       result.high[k] = std::max(result.high[k], reach(row, point));
     }
@@ -38,7 +40,8 @@ inline Extents extents(const std::vector<Eigen::Vector3f>& points,
 }
 
 /// The exact box up to the rounding of its evaluation.
-inline Aabb box(const std::vector<Eigen::Vector3f>& points, const Eigen::Affine3d& pose) {
+template <class Point>
+Aabb box(const std::vector<Point>& points, const Eigen::Affine3d& pose) {
   const Extents local = extents(points, pose.linear());
   return {local.low + pose.translation(), local.high + pose.translation()};
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes in quadruple precision, in which a double times a float is exact: what a claim about
-// rounding is checked against.
+// Boxes in quadruple precision, in which a double times a float or a double is exact: what a claim
+// about rounding is checked against. Points are float or double.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -24,7 +24,8 @@ struct QuadBox {
   std::array<Quad, 3> max;
 };
 
-inline Quad exactCoordinate(const Eigen::Affine3d& pose, int axis, const Eigen::Vector3f& point) {
+template <class Point>
+Quad exactCoordinate(const Eigen::Affine3d& pose, int axis, const Point& point) {
   Quad sum = pose.translation()[axis];
   for (int j = 0; j < 3; ++j) {
     sum += static_cast<Quad>(pose.linear()(axis, j)) * static_cast<Quad>(point[j]);
@@ -32,12 +33,13 @@ inline Quad exactCoordinate(const Eigen::Affine3d& pose, int axis, const Eigen::
   return sum;
 }
 
-inline QuadBox exactBox(const std::vector<Eigen::Vector3f>& points, const Eigen::Affine3d& pose) {
+template <class Point>
+QuadBox exactBox(const std::vector<Point>& points, const Eigen::Affine3d& pose) {
   QuadBox result;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
     result.min[i] = result.max[i] = exactCoordinate(pose, k, points.front());
-    for (const Eigen::Vector3f& point : points) {
+    for (const Point& point : points) {
       const Quad coordinate = exactCoordinate(pose, k, point);
       result.min[i] = std::min(result.min[i], coordinate);
       result.max[i] = std::max(result.max[i], coordinate);
@@ -62,10 +64,11 @@ inline double excess(const Aabb& outer, const QuadBox& inner, int axis) {
                                       static_cast<Quad>(outer.max()[axis]) - inner.max[i]));
 }
 
-inline double largestCoordinate(const std::vector<Eigen::Vector3f>& points) {
-  float result = 0;
-  for (const Eigen::Vector3f& point : points)
-    result = std::max(result, point.cwiseAbs().maxCoeff());
+template <class Point>
+double largestCoordinate(const std::vector<Point>& points) {
+  double result = 0;
+  for (const Point& point : points)
+    result = std::max<double>(result, point.cwiseAbs().maxCoeff());
   return result;
 }
 
