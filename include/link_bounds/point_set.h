@@ -4,28 +4,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "link_bounds/direction_table.h"
 
 namespace link_bounds {
 
-/// Points in double, one per column; copies nothing.
-using DoublePoints = Eigen::Ref<const Eigen::Matrix3Xd>;
-
-/// Four points in three columns: their x, their y, their z. Unused places repeat a point.
-using PointLanes = Eigen::Matrix<double, 4, Eigen::Dynamic>;
-
 /// Safe to read from several threads. Metres, in the frame of what the points come from.
 ///
 /// Vertices of meshes are float and stay for long: of them only those are kept that can be extreme
 /// in some direction, in a table. Points in double come and go, so preparing a table would cost
-/// more than it saves: all are kept and scanned at each query.
+/// more than it saves: they stay where they are, and all are scanned at each query.
 class PointSet {
  public:
   /// `points` must be finite and not empty.
   explicit PointSet(const std::vector<Eigen::Vector3f>& points);
-  explicit PointSet(const DoublePoints& points);
+
+  /// The same of `count` points in double: `xyz` is the first of 3 `count` numbers, the coordinates
+  /// of one point after the other, which must not change while this lives.
+  PointSet(std::shared_ptr<const double> xyz, std::size_t count);
 
   /// Extents along the rows of `directions`, evaluated as those of a table (see there): the same to
   /// the bit by every path of instructions. Of points in double the products must not overflow.
@@ -34,7 +32,7 @@ class PointSet {
   }
 
   /// True for points in double, which have no table.
-  bool isScanned() const { return lanes_.cols() > 0; }
+  bool isScanned() const { return xyz_ != nullptr; }
 
   /// Of points in float.
   const DirectionTable& table() const { return table_; }
@@ -57,9 +55,9 @@ class PointSet {
  private:
   Extents scan(const Directions& directions) const;
 
-  DirectionTable table_;  ///< of points in float
+  DirectionTable table_;               ///< of points in float
+  std::shared_ptr<const double> xyz_;  ///< of points in double
   Eigen::Vector3d magnitude_;
-  PointLanes lanes_;  ///< of points in double
   std::size_t size_;
 };
 

@@ -26,16 +26,16 @@ PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
       magnitude_(magnitudeOf(points)),
       size_(this->points().size()) {}
 
-PointSet::PointSet(const DoublePoints& points)
-    : lanes_(packed(points, magnitude_)), size_(static_cast<std::size_t>(points.cols())) {}
+PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
+    : xyz_(std::move(xyz)), magnitude_(scannedMagnitude(xyz_.get(), count)), size_(count) {}
 
 Extents PointSet::scan(const Directions& directions) const {
-  return scannedExtents(lanes_, directions);
+  return scannedExtents(xyz_.get(), size_, directions);
 }
 
 std::size_t PointSet::bytes() const {
-  return sizeof(*this) - sizeof(table_) + table_.bytes() +
-         static_cast<std::size_t>(lanes_.size()) * sizeof(double);
+  const std::size_t scanned = isScanned() ? 3 * sizeof(double) * size_ : 0;
+  return sizeof(*this) - sizeof(table_) + table_.bytes() + scanned;
 }
 
 std::vector<Eigen::Vector3f> PointSet::points() const {
@@ -60,10 +60,9 @@ std::vector<Eigen::Vector3d> PointSet::keptPoints() const {
   std::vector<Eigen::Vector3d> result;
   for (const Eigen::Vector3f& point : points())
     result.push_back(point.cast<double>());
-  for (Eigen::Index first = 0; first < lanes_.cols(); first += 3) {
-    for (Eigen::Index lane = 0; lane < lanes_.rows(); ++lane)
-      result.emplace_back(lanes_.block<1, 3>(lane, first).transpose());
-  }
+  if (!isScanned()) return result;
+  for (std::size_t i = 0; i < size_; ++i)
+    result.emplace_back(xyz_.get() + 3 * i);
   return result;
 }
 

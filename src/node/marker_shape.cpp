@@ -23,11 +23,27 @@ Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
   return {p.x, p.y, p.z};
 }
 
-std::shared_ptr<const PointSet> pointSet(const std::vector<geometry_msgs::Point>& points) {
+/// What is drawn at each of the points, rather than given by them as an arrow.
+bool isList(const Marker& marker) {
+  switch (marker.type) {
+    case Marker::LINE_STRIP:
+    case Marker::LINE_LIST:
+    case Marker::CUBE_LIST:
+    case Marker::SPHERE_LIST:
+    case Marker::POINTS:
+    case Marker::TRIANGLE_LIST:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Of points that are where they stay.
+std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> points) {
   static_assert(sizeof(geometry_msgs::Point) == 3 * sizeof(double));
-  const auto count = static_cast<Eigen::Index>(points.size());
-  return std::make_shared<const PointSet>(
-      Eigen::Map<const Eigen::Matrix3Xd>(&points.front().x, 3, count));
+  const auto owner = std::make_shared<const std::vector<geometry_msgs::Point>>(std::move(points));
+  return std::make_shared<const PointSet>(std::shared_ptr<const double>(owner, &owner->front().x),
+                                          owner->size());
 }
 
 /// A disc around `center`, perpendicular to the third of `axes`; diameters along the first two.
@@ -79,13 +95,10 @@ Shape scaledPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
   return shape;
 }
 
+/// Those of lists lack their points.
 std::vector<Shape> shapesOf(const Marker& marker) {
   const Eigen::Isometry3d pose = markerPose(marker);
   const auto solid = [&](Solid kind) { return Shape{nullptr, kind, toVector(marker.scale), pose}; };
-  const auto swept = [&](Shape shape) {
-    shape.points = pointSet(marker.points);
-    return std::vector<Shape>{std::move(shape)};
-  };
   const auto ball = [&](double diameter) {
     return Shape{nullptr, Solid::kEllipsoid, Eigen::Vector3d::Constant(diameter), pose};
   };
@@ -93,22 +106,19 @@ std::vector<Shape> shapesOf(const Marker& marker) {
     case Marker::ARROW:
       return marker.points.empty() ? arrowByPose(marker, pose) : arrowByPoints(marker, pose);
     case Marker::CUBE:
+    case Marker::CUBE_LIST:
       return {solid(Solid::kBox)};
     case Marker::SPHERE:
+    case Marker::SPHERE_LIST:
       return {solid(Solid::kEllipsoid)};
     case Marker::CYLINDER:
       return {solid(Solid::kCylinder)};
-    case Marker::CUBE_LIST:
-      return swept(solid(Solid::kBox));
-    case Marker::SPHERE_LIST:
-      return swept(solid(Solid::kEllipsoid));
     case Marker::LINE_STRIP:
     case Marker::LINE_LIST:
-      return swept(ball(marker.scale.x));
+      return {ball(marker.scale.x)};
     case Marker::POINTS:
-      return swept(ball(std::hypot(marker.scale.x, marker.scale.y)));
+      return {ball(std::hypot(marker.scale.x, marker.scale.y))};
     case Marker::TRIANGLE_LIST:
-      return swept(scaledPoints(marker, pose));
     case Marker::MESH_RESOURCE:
       return {scaledPoints(marker, pose)};
     default:
@@ -137,9 +147,15 @@ Eigen::Isometry3d markerPose(const Marker& marker) {
   return pose;
 }
 
-MarkerShape markerShape(const Marker& marker) {
+MarkerShape markerShape(Marker&& marker) {
   const bool is_mesh = marker.type == Marker::MESH_RESOURCE;
-  return {shapesOf(marker), is_mesh ? marker.mesh_resource : ""};
+  MarkerShape result{shapesOf(marker), is_mesh ? marker.mesh_resource : ""};
+  if (isList(marker)) result.shapes.front().points = pointSet(std::move(marker.points));
+  return result;
+}
+
+MarkerShape markerShape(const Marker& marker) {
+  return markerShape(Marker(marker));
 }
 
 }  // namespace link_bounds

@@ -49,8 +49,12 @@ bool hasShape(const visualization_msgs::Marker& marker);
 /// normalised. The marker must not be refused.
 Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);
 
-/// The marker must have a shape and not be refused. Copies the points and keeps nothing of the
-/// message, of which an array with many other markers may be a part.
+/// The marker must have a shape and not be refused. Takes its list of points away, for a copy would
+/// cost more than all else; nothing else of the message is kept, neither colours nor the array in
+/// which it came.
+MarkerShape markerShape(visualization_msgs::Marker&& marker);
+
+/// The same with a copy of the points.
 MarkerShape markerShape(const visualization_msgs::Marker& marker);
 
 }  // namespace link_bounds

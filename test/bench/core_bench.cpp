@@ -12,31 +12,12 @@
 #include "machine.h"
 #include "mesh_choice.h"
 #include "methods.h"
+#include "options.h"
 #include "table.h"
 #include "targets.h"
 
 namespace link_bounds::bench {
 namespace {
-
-struct Options {
-  bool quick = false;
-  std::string json;
-};
-
-Options parse(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--quick") {
-      options.quick = true;
-    } else if (argument == "--json" && i + 1 < argc) {
-      options.json = argv[++i];
-    } else {
-      throw std::runtime_error("unknown argument or no value for it: " + argument);
-    }
-  }
-  return options;
-}
 
 void printHead(std::ostream& out) {
   out << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()

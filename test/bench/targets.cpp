@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each target is a limit for the median of some ratios.
+// Ratios of times, one per mesh.
 #include "targets.h"
 
 #include <algorithm>
@@ -8,17 +8,10 @@
 #include <iomanip>
 #include <ostream>
 
+#include "target.h"
+
 namespace link_bounds::bench {
 namespace {
-
-enum class Wanted { kAtLeast, kAtMost };
-
-struct Target {
-  std::string text;
-  Wanted wanted;
-  double limit;
-  std::vector<double> ratios;  ///< one per mesh
-};
 
 Filter withVertices(std::size_t least) {
   return [least](const Result& result) {
@@ -69,29 +62,13 @@ std::vector<Target> targets(const Results& results, const std::string& ours) {
            ratioOfMeshes(results, ours, "links:1000:shared16", "links:50:shared16")}};
 }
 
-void print(const Target& target, std::ostream& out) {
-  const bool wants_more = target.wanted == Wanted::kAtLeast;
-  out << std::left << std::setw(76) << target.text << std::right << (wants_more ? " >= " : " <= ")
-      << std::setw(7) << target.limit << ": ";
-  if (target.ratios.empty()) {
-    out << "not measured\n";
-    return;
-  }
-  const auto [smallest, largest] = std::minmax_element(target.ratios.begin(), target.ratios.end());
-  const double value = median(target.ratios);
-  const double gain = wants_more ? value / target.limit : target.limit / value;
-  out << std::setw(9) << value << (gain >= 1 ? "  reached" : "  MISSED ") << " (from " << *smallest
-      << " to " << *largest << " on " << target.ratios.size()
-      << (target.ratios.size() == 1 ? " mesh)\n" : " meshes)\n");
-}
-
 }  // namespace
 
 void printTargets(const Results& results, const std::string& ours, std::ostream& out) {
   out << "\nTargets, by medians over the robot meshes unless said\n"
       << std::fixed << std::setprecision(2);
   for (const Target& target : targets(results, ours))
-    print(target, out);
+    print(target, "mesh", "meshes", out);
 }
 
 }  // namespace link_bounds::bench

@@ -100,12 +100,14 @@ TEST(BoundingSphere, OfMeshFilesIsTheSmallest) {
 }
 
 TEST(BoundingSphere, OfPointsInDouble) {
-  Eigen::Matrix3Xd points(3, 5);      // one more than four, which are kept together
+  Eigen::Matrix3Xd points(3, 5);
   points << 0.1, 6.1, 0.1, 0.2, 0.3,  //
       0.2, 0.2, 8.2, 0.3, 0.4,        //
       0.3, 0.3, 0.3, 0.4, 5.3;
-  const Shape shape{std::make_shared<const PointSet>(DoublePoints(points)), Solid::kNone,
-                    Eigen::Vector3d::Zero(), Eigen::Affine3d::Identity()};
+  const auto owner = std::make_shared<const Eigen::Matrix3Xd>(points);
+  const std::shared_ptr<const double> xyz(owner, owner->data());
+  const Shape shape{std::make_shared<const PointSet>(xyz, 5), Solid::kNone, Eigen::Vector3d::Zero(),
+                    Eigen::Affine3d::Identity()};
   std::vector<LongVector> exact;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     exact.emplace_back(points.col(i).cast<long double>());

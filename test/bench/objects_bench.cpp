@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From markers that have arrived to boxes: objects_bench [--quick] [--json FILE]
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "brute_force.h"
+#include "link_bounds/link_boxes.h"
+#include "machine.h"
+#include "marker_shape.h"
+#include "options.h"
+#include "suite.h"
+#include "target.h"
+
+namespace link_bounds::bench {
+namespace {
+
+using visualization_msgs::Marker;
+using MarkerPtr = std::shared_ptr<const Marker>;
+
+struct NamedType {
+  const char* name;
+  int type;
+};
+
+constexpr NamedType kTypes[] = {{"TRIANGLE_LIST", Marker::TRIANGLE_LIST},
+                                {"POINTS", Marker::POINTS},
+                                {"LINE_STRIP", Marker::LINE_STRIP},
+                                {"SPHERE_LIST", Marker::SPHERE_LIST}};
+constexpr std::size_t kCounts[] = {999, 9'999, 99'999, 999'999};  // threes for triangles
+constexpr std::size_t kFew = 9'999;
+constexpr std::size_t kMany = 99'999;
+const Eigen::Affine3d kTilted(brute_force::turned(30, {1, 2, 3}));
+
+MarkerPtr makeMarker(int type, std::size_t points) {
+  Marker marker;
+  marker.header.frame_id = "frame";
+  marker.type = type;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = 0.1;
+  brute_force::Random random(1);
+  marker.points.resize(points);
+  for (geometry_msgs::Point& point : marker.points) {
+    point.x = random.uniform(-1, 1);
+    point.y = random.uniform(-1, 1);
+    point.z = random.uniform(-1, 1);
+  }
+  return std::make_shared<const Marker>(std::move(marker));
+}
+
+/// As the node does, with a message of its own.
+BoundedLink makeObject(Marker message) {
+  const std::string refusal = whyMarkerRefused(message);
+  if (!refusal.empty()) throw std::runtime_error(refusal);
+  return {"object", markerShape(std::move(message)).shapes, 0, ""};
+}
+
+/// The whole way from messages that have arrived, some at a time so that the watch need not be
+/// stopped for each. As in the node, the old object goes when the new one is there.
+void runOurs(const Marker& marker, benchmark::State& state) {
+  const auto batch =
+      static_cast<std::int64_t>(std::max<std::size_t>(1, kFew / marker.points.size()));
+  BoundedLink object = makeObject(marker);
+  while (state.KeepRunningBatch(batch)) {
+    state.PauseTiming();
+    std::vector<Marker> messages(static_cast<std::size_t>(batch), marker);
+    state.ResumeTiming();
+    for (Marker& message : messages) {
+      object = makeObject(std::move(message));
+      benchmark::DoNotOptimize(linkBox(object, kTilted));
+    }
+  }
+}
+
+/// Only the pose has changed.
+void runRescan(const Marker& marker, benchmark::State& state) {
+  const BoundedLink object = makeObject(marker);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(linkBox(object, kTilted));
+}
+
+/// The box of the points where they are, as one would write it.
+void runMinMax(const Marker& marker, benchmark::State& state) {
+  for (auto _ : state) {
+    geometry_msgs::Point low = marker.points.front();
+    geometry_msgs::Point high = low;
+    for (const geometry_msgs::Point& point : marker.points) {
+      low.x = std::min(low.x, point.x);
+      low.y = std::min(low.y, point.y);
+      low.z = std::min(low.z, point.z);
+      high.x = std::max(high.x, point.x);
+      high.y = std::max(high.y, point.y);
+      high.z = std::max(high.z, point.z);
+    }
+    benchmark::DoNotOptimize(low);
+    benchmark::DoNotOptimize(high);
+  }
+}
+
+using Body = void (*)(const Marker&, benchmark::State&);
+
+void addCase(const NamedType& type, const MarkerPtr& marker, const char* method, Body body,
+             Suite& suite) {
+  Result result{};
+  result.mesh = type.name + (":" + std::to_string(marker->points.size()));
+  result.kind = type.name;
+  result.vertices = marker->points.size();
+  result.method = method;
+  suite.push_back({result, [marker, body](benchmark::State& state) { body(*marker, state); }, 1});
+}
+
+Suite makeSuite() {
+  Suite suite;
+  for (const NamedType& type : kTypes) {
+    for (const std::size_t count : kCounts) {
+      const MarkerPtr marker = makeMarker(type.type, count);
+      addCase(type, marker, "ours", runOurs, suite);
+      addCase(type, marker, "rescan", runRescan, suite);
+      addCase(type, marker, "minmax", runMinMax, suite);
+    }
+  }
+  return suite;
+}
+
+double nsPerPoint(const Result& result) {
+  return result.ns / static_cast<double>(result.vertices);
+}
+
+void printTable(const Results& results, std::ostream& out) {
+  out << "ns per point\n"
+      << std::left << std::setw(16) << "type" << std::right << std::setw(9) << "points"
+      << std::setw(9) << "ours" << std::setw(9) << "rescan" << std::setw(9) << "minmax"
+      << "\n"
+      << std::fixed << std::setprecision(2);
+  for (const Result& result : results) {
+    if (result.method == "ours")
+      out << std::left << std::setw(16) << result.kind << std::right << std::setw(9)
+          << result.vertices;
+    out << std::setw(9) << nsPerPoint(result) << (result.method == "minmax" ? "\n" : "");
+  }
+}
+
+std::vector<double> growth(const Results& results) {
+  std::vector<double> ratios;
+  for (const NamedType& type : kTypes) {
+    const std::string name = type.name;
+    const auto ns = [&](std::size_t count) {
+      return find(results, name + ":" + std::to_string(count), "ours")->ns;
+    };
+    ratios.push_back(ns(kMany) / ns(kFew));
+  }
+  return ratios;
+}
+
+void printTargets(const Results& results, std::ostream& out) {
+  const auto many = [](const Result& result) { return result.vertices == kMany; };
+  out << "\nTargets\n";
+  print({"ours, 100,000 points / 10,000 points", Wanted::kAtMost, 12, growth(results)}, "type",
+        "types", out);
+  print({"ours / minmax, 100,000 points", Wanted::kAtMost, 3,
+         ratios(results, "ours", "minmax", many)},
+        "type", "types", out);
+}
+
+void writeJson(const Results& results, std::ostream& out) {
+  const char* separator = "[\n";
+  for (const Result& result : results) {
+    out << separator << "{\"method\": \"" << result.method << "\", \"type\": \"" << result.kind
+        << "\", \"points\": " << result.vertices << ", \"ns_per_point\": " << nsPerPoint(result)
+        << "}";
+    separator = ",\n";
+  }
+  out << "\n]\n";
+}
+
+void benchmarkObjects(const Options& options) {
+  std::ofstream json;
+  if (!options.json.empty()) json.open(options.json);
+  if (!json) throw std::runtime_error("cannot write " + options.json);
+  pinToOneCpu();
+  std::cout << "CPU: " << cpuName() << "\n\n" << std::flush;
+  const Results results = run(makeSuite(), options.quick ? 5 : 15, options.quick ? 0.01 : 0.05);
+  printTable(results, std::cout);
+  printTargets(results, std::cout);
+  if (json.is_open()) writeJson(results, json);
+  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+}
+
+}  // namespace
+}  // namespace link_bounds::bench
+
+int main(int argc, char** argv) try {
+  using namespace link_bounds::bench;
+  benchmarkObjects(parse(argc, argv));
+} catch (const std::exception& error) {
+  std::cerr << "objects_bench: " << error.what() << "\n";
+  return 1;
+}
