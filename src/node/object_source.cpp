@@ -35,17 +35,17 @@ ObjectSource::ObjectSource(LiveObjects& objects,
                            std::function<void(const std::string& uri)> request_mesh)
     : objects_(objects), request_mesh_(std::move(request_mesh)) {}
 
-bool ObjectSource::take(const Marker& marker, const std::string& publisher, TransformSource& tf,
+bool ObjectSource::take(Marker&& marker, const std::string& publisher, TransformSource& tf,
                         ros::Time now) {
   if (marker.action == Marker::DELETEALL) return objects_.removeAll();
   if (isOurs(marker)) return false;
   const ObjectKey key{marker.ns, marker.id};
   if (marker.action == Marker::DELETE) return objects_.remove(key);
   if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);
-  return objects_.put(key, contentOf(key, marker, publisher), tf, now);
+  return objects_.put(key, contentOf(key, std::move(marker), publisher), tf, now);
 }
 
-ObjectContent ObjectSource::contentOf(const ObjectKey& key, const Marker& marker,
+ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
                                       const std::string& publisher) {
   ObjectContent content;
   content.bounded.name = objectName(key);
@@ -57,12 +57,12 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, const Marker& marker
     if (line) ROS_ERROR_STREAM(*line);
     return content;
   }
-  MarkerShape shape = markerShape(marker);
-  content.bounded.shapes = std::move(shape.shapes);
-  content.mesh_uri = std::move(shape.mesh_uri);
   content.frame = tfName("", marker.header.frame_id);
   content.stamp = placementStamp(marker);
   content.lifetime = marker.lifetime;
+  MarkerShape shape = markerShape(std::move(marker));
+  content.bounded.shapes = std::move(shape.shapes);
+  content.mesh_uri = std::move(shape.mesh_uri);
   if (!content.mesh_uri.empty()) useMesh(content);
   return content;
 }

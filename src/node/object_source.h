@@ -22,8 +22,9 @@ class ObjectSource {
  public:
   ObjectSource(LiveObjects& objects, std::function<void(const std::string& uri)> request_mesh);
 
-  bool take(const visualization_msgs::Marker& marker, const std::string& publisher,
-            TransformSource& tf, ros::Time now);
+  /// Takes the points of a list out of the marker.
+  bool take(visualization_msgs::Marker&& marker, const std::string& publisher, TransformSource& tf,
+            ros::Time now);
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
                 ros::Time now);
@@ -42,7 +43,7 @@ class ObjectSource {
     bool is_loading = false;
   };
 
-  ObjectContent contentOf(const ObjectKey& key, const visualization_msgs::Marker& marker,
+  ObjectContent contentOf(const ObjectKey& key, visualization_msgs::Marker&& marker,
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
   void request(const std::string& uri);

@@ -121,10 +121,7 @@ void PublisherNode::subscribeToObjects() {
   objects_subscriber_ =
       private_node_.subscribe<visualization_msgs::MarkerArray, const MarkersEvent&>(
           privateName(kObjectsTopic), kObjectsQueue,
-          [this](const MarkersEvent& event) {
-            timed([&] { onMarkers(event.getConstMessage()->markers, event.getPublisherName()); });
-          },
-          {}, no_delay);
+          [this](const MarkersEvent& event) { timed([&] { onMarkers(event); }); }, {}, no_delay);
   object_subscriber_ = private_node_.subscribe<visualization_msgs::Marker, const MarkerEvent&>(
       privateName(kObjectTopic), kObjectsQueue,
       [this](const MarkerEvent& event) { timed([&] { onMarker(event); }); }, {}, no_delay);
@@ -215,20 +212,20 @@ void PublisherNode::observeClock(ros::Time now) {
 }
 
 /// All markers of one message lead to one publication.
-void PublisherNode::onMarkers(const std::vector<visualization_msgs::Marker>& markers,
-                              const std::string& publisher) {
+void PublisherNode::onMarkers(const MarkersEvent& event) {
   const ros::Time now = ros::Time::now();
   observeClock(now);
   bool is_changed = false;
-  for (const visualization_msgs::Marker& marker : markers)
-    is_changed |= object_source_.take(marker, publisher, tf_, now);
+  for (visualization_msgs::Marker& marker : event.getMessage()->markers)
+    is_changed |= object_source_.take(std::move(marker), event.getPublisherName(), tf_, now);
   if (is_changed) onNews();
 }
 
 void PublisherNode::onMarker(const MarkerEvent& event) {
   const ros::Time now = ros::Time::now();
   observeClock(now);
-  if (object_source_.take(*event.getConstMessage(), event.getPublisherName(), tf_, now)) onNews();
+  visualization_msgs::Marker& marker = *event.getMessage();
+  if (object_source_.take(std::move(marker), event.getPublisherName(), tf_, now)) onNews();
 }
 
 void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {

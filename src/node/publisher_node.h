@@ -35,8 +35,9 @@ class PublisherNode {
 
  private:
   using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;
-  using MarkersEvent = ros::MessageEvent<const visualization_msgs::MarkerArray>;
-  using MarkerEvent = ros::MessageEvent<const visualization_msgs::Marker>;
+  /// Not const: as the only reader of the topic the node may take points out of the message.
+  using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
+  using MarkerEvent = ros::MessageEvent<visualization_msgs::Marker>;
 
   void advertise();
   void subscribe();
@@ -45,8 +46,7 @@ class PublisherNode {
   void onTransforms(const TfEvent& event, bool is_static);
   void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
                      ros::Time now, const TfEvent& event);
-  void onMarkers(const std::vector<visualization_msgs::Marker>& markers,
-                 const std::string& publisher);
+  void onMarkers(const MarkersEvent& event);
   void onMarker(const MarkerEvent& event);
   void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
