@@ -106,13 +106,16 @@ TEST(PointScan, KeepsTheDigitsThatFloatLacks) {
 }
 
 TEST(PointScan, ZerosArePositive) {
-  const PointSet set = setOf({{-0.0, 0.0, -0.0}, {0.0, -0.0, -0.0}});
-  for (const Eigen::Matrix3d& map :
-       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), Eigen::Matrix3d(-Eigen::Matrix3d::Ones())}) {
-    const Extents extents = set.extents(map);
-    for (int k = 0; k < 3; ++k) {
-      EXPECT_FALSE(std::signbit(extents.low[k]));
-      EXPECT_FALSE(std::signbit(extents.high[k]));
+  for (const std::size_t count : {1u, 2u, 9u}) {
+    const PointSet set = setOf(Points(count, Eigen::Vector3d::Constant(-0.0)));
+    for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+      if (!isSupported(path)) continue;
+      useQueryPath(path);
+      const Extents extents = set.extents(Eigen::Matrix3d::Ones());
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_FALSE(std::signbit(extents.low[k]));
+        EXPECT_FALSE(std::signbit(extents.high[k]));
+      }
     }
   }
 }
