@@ -37,6 +37,9 @@ class PointSet {
   /// Of points in float.
   const DirectionTable& table() const { return table_; }
 
+  /// True for the very same set, and for points in double that are equal one by one.
+  bool isSame(const PointSet& other) const;
+
   /// The largest |x|, |y| and |z| of any point.
   const Eigen::Vector3d& magnitude() const { return magnitude_; }
 

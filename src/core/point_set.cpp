@@ -38,6 +38,12 @@ std::size_t PointSet::bytes() const {
   return sizeof(*this) - sizeof(table_) + table_.bytes() + scanned;
 }
 
+bool PointSet::isSame(const PointSet& other) const {
+  if (this == &other) return true;
+  return isScanned() && other.isScanned() && size_ == other.size_ &&
+         std::equal(xyz_.get(), xyz_.get() + 3 * size_, other.xyz_.get());
+}
+
 std::vector<Eigen::Vector3f> PointSet::points() const {
   std::set<std::array<float, 3>> distinct;
   const auto insert = [&distinct](const PointBlock& block) {

@@ -20,7 +20,8 @@ bool isSame(const BoxState& a, const BoxState& b) {
 }
 
 bool isSame(const Shape& a, const Shape& b) {
-  return a.points == b.points && a.solid == b.solid && a.size == b.size &&
+  if (!a.points != !b.points || (a.points && !a.points->isSame(*b.points))) return false;
+  return a.solid == b.solid && a.size == b.size &&
          a.link_from_shape.matrix() == b.link_from_shape.matrix();
 }
 

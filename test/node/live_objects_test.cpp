@@ -197,6 +197,27 @@ TEST_F(LiveObjectsTest, AgesBeginAnewAfterAJumpBack) {
   EXPECT_TRUE(pass(0.2));
 }
 
+/// Points of a marker, in memory of their own each time.
+ObjectContent sheet(double height) {
+  const auto points = std::make_shared<std::vector<double>>(
+      std::vector<double>{0, 0, height, 1, 0, height, 0, 1, height});
+  ObjectContent content = boxIn("map");
+  Shape& shape = content.bounded.shapes.front();
+  shape.solid = Solid::kNone;
+  shape.points =
+      std::make_shared<const PointSet>(std::shared_ptr<const double>(points, points->data()), 3);
+  return content;
+}
+
+TEST_F(LiveObjectsTest, UnchangedPointsAreNotScannedAgain) {
+  EXPECT_TRUE(put(sheet(1)));
+  const PointSet* first = object().content.bounded.shapes.front().points.get();
+  EXPECT_FALSE(put(sheet(1)));
+  EXPECT_EQ(object().content.bounded.shapes.front().points.get(), first);
+  EXPECT_TRUE(put(sheet(2)));
+  EXPECT_NEAR(state().box->max().z(), 2, kTolerance);
+}
+
 TEST_F(LiveObjectsTest, AMeshIsWaitedForAndKeepsTheBoxOfBefore) {
   put(boxIn("map"));
   EXPECT_TRUE(put(meshOf("package://a/b.stl")));
