@@ -18,7 +18,9 @@
 //                            diameter scale.y and length scale.z, but no longer than the arrow, and
 //                            23 % of it for scale.z = 0
 //   TEXT_VIEW_FACING         its size depends on a font; ignored
-// Zero in scale makes it flat, for rviz and here.
+// Zero in scale makes it flat, for rviz and here. Of POINTS and SPHERE_LIST rviz 1.14 draws only
+// the first number of scale, as side and as diameter, where the graphics card has geometry shaders,
+// and the first two where it has none: with uneven scale its picture depends on the machine.
 #pragma once
 
 #include <visualization_msgs/Marker.h>
