@@ -22,6 +22,7 @@ struct Selection {
   std::vector<std::string> ignore_links;       ///< none of these
   double padding = 0;                          ///< metres, >= 0
   std::map<std::string, double> link_padding;  ///< replaces padding for that link
+  int parts_per_link = 1;  ///< at most so many parts are made of each link, >= 1
 };
 
 /// Where the meshes of a robot are found.
@@ -36,6 +37,9 @@ struct BoundedRobot {
   std::vector<std::string> problems;  ///< one per element that is not bounded: link, element,
                                       ///< file, reason, remedy
   std::map<std::string, std::shared_ptr<const PointSet>> meshes;  ///< those in use, by real path
+  /// Of each link its parts, named, padded and missing something as the link is; none of a link
+  /// without shapes. Empty if there is to be one per link: that is the link.
+  std::vector<std::vector<BoundedLink>> parts;
 };
 
 /// Loads every mesh that is needed. Never throws for bad geometry: that link is then not whole.

@@ -78,6 +78,10 @@ struct DirectionTable {
 /// than 128 KiB or 48 bytes per point that can be extreme, whichever is more.
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points);
 
+/// The same in less memory, for a set that is one of many: a grid of 8 if there are many points and
+/// it takes no more than `most_bytes`, else one list of all points that can be extreme.
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes);
+
 constexpr std::size_t kScannedPoints = 16;
 
 /// Three directions, as the rows of a matrix or of the linear part of a pose; copies nothing.

@@ -25,20 +25,25 @@ using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
 struct LoadedMesh {
   std::shared_ptr<const PointSet> points;
   std::string error;
+  std::shared_ptr<const TriangleMesh> triangles = nullptr;  ///< only if they were asked for
 };
+
+/// What is wanted of a mesh file.
+enum class MeshContent { kPoints, kPointsAndTriangles };
 
 /// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
 /// number of links and scales share one geometry. Failures are remembered until forgetFailures().
 /// A file that loaded and was then replaced on disk is read anew by the next load(); one that
-/// changes while it is read is refused. Not thread-safe itself; the points it hands out are
-/// immutable.
+/// changes while it is read is refused. Triangles are not kept: who wants them causes an import.
+/// Not thread-safe itself; what it hands out is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer) : importer_(std::move(importer)) {}
 
   /// One result per file, in order. New files are imported side by side on the cores there are.
   std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
-                               const LoadProgress& progress = nullptr);
+                               const LoadProgress& progress = nullptr,
+                               MeshContent content = MeshContent::kPoints);
 
   void forgetFailures();
 
@@ -65,9 +70,10 @@ class MeshStore {
   static Version versionOf(const std::string& path);
   static Version settledVersionOf(const std::string& path);
   LoadedMesh known(const MeshFile& file) const;
-  LoadedMesh import(const MeshFile& file, const Version& version) const;
+  LoadedMesh import(const MeshFile& file, const Version& version, MeshContent content) const;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
-                                            const LoadProgress& progress) const;
+                                            const LoadProgress& progress,
+                                            MeshContent content) const;
 
   MeshImporter importer_;
   std::map<std::string, Entry> entries_;

@@ -25,6 +25,9 @@ class PointSet {
   /// of one point after the other, which must not change while this lives.
   PointSet(std::shared_ptr<const double> xyz, std::size_t count);
 
+  /// With a table of at most `most_bytes` where that is possible (see directionTable).
+  PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes);
+
   /// Extents along the rows of `directions`, evaluated as those of a table (see there): the same to
   /// the bit by every path of instructions. Of points in double the products must not overflow.
   Extents extents(const Directions& directions) const {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "link_splitter.h"
+
 namespace link_bounds {
 namespace {
 
@@ -98,12 +100,34 @@ void fillIn(Draft& draft, const std::vector<LoadedMesh>& meshes) {
 }
 
 /// A mesh that has no points would otherwise count as a point at its origin.
+bool isEmpty(const Shape& shape) {
+  return shape.solid == Solid::kNone && !shape.points;
+}
+
 void dropEmptyShapes(BoundedLink& link) {
-  const auto is_empty = [](const Shape& shape) {
-    return shape.solid == Solid::kNone && !shape.points;
-  };
-  link.shapes.erase(std::remove_if(link.shapes.begin(), link.shapes.end(), is_empty),
+  link.shapes.erase(std::remove_if(link.shapes.begin(), link.shapes.end(), isEmpty),
                     link.shapes.end());
+}
+
+/// To be called when all shapes are there, also the empty ones, by whose places meshes are found.
+void addParts(Draft& draft, const std::vector<LoadedMesh>& meshes, std::size_t most) {
+  std::vector<std::vector<DivisibleShape>> divisible;
+  for (const BoundedLink& link : draft.robot.links) {
+    divisible.emplace_back();
+    for (const Shape& shape : link.shapes)
+      divisible.back().push_back({shape, nullptr});
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const Request& request = draft.requests[i];
+    divisible[request.link][request.shape].mesh = meshes[i].triangles;
+  }
+  LinkSplitter splitter(most);
+  for (std::size_t i = 0; i < divisible.size(); ++i) {
+    std::vector<DivisibleShape>& shapes = divisible[i];
+    const auto is_empty = [](const DivisibleShape& shape) { return isEmpty(shape.shape); };
+    shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_empty), shapes.end());
+    draft.robot.parts.push_back(splitter.split(draft.robot.links[i], shapes));
+  }
 }
 
 }  // namespace
@@ -117,7 +141,11 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   std::vector<MeshFile> files;
   for (const Request& request : draft.requests)
     files.push_back(request.file);
-  fillIn(draft, store.load(files, source.progress));
+  const bool has_parts = selection.parts_per_link > 1;
+  const std::vector<LoadedMesh> meshes = store.load(
+      files, source.progress, has_parts ? MeshContent::kPointsAndTriangles : MeshContent::kPoints);
+  fillIn(draft, meshes);
+  if (has_parts) addParts(draft, meshes, static_cast<std::size_t>(selection.parts_per_link));
   for (BoundedLink& link : draft.robot.links)
     dropEmptyShapes(link);
   return std::move(draft.robot);

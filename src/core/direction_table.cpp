@@ -17,6 +17,8 @@ constexpr double kMeanListSize = 8;
 constexpr std::size_t kBytesPerTable = 128 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
 constexpr std::size_t kPart = 1 << 16;
+/// A scan over so many points takes about as long as going to a grid that is in no cache.
+constexpr std::size_t kGriddedPoints = 64;
 constexpr int kPasses = 4;
 
 /// Four points of the list; what is beyond its end repeats the last one.
@@ -115,16 +117,39 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
   return table;
 }
 
-DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes) {
-  if (passes == 0 || points.size() <= 2 * kPart) return wholeTable(points);
+DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
+  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
+  GridBuilder builder(toDouble(points));
+  const CandidateGrid grid = coarsestLists(builder);
+  const PointIndices named = grid.named();
+  if (named.size() > kGriddedPoints) {
+    DirectionTable table = packed(points, grid);
+    if (table.bytes() <= most_bytes) return table;
+  }
+  CandidateGrid list = listOfAll(0);
+  list.cells[0].upper = named;
+  return packed(points, list);
+}
+
+/// `finish` makes the table of what is left of the points.
+template <class Finish>
+DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes,
+                            const Finish& finish) {
+  if (passes == 0 || points.size() <= 2 * kPart) return finish(points);
   const std::vector<Eigen::Vector3f> left = reducedByParts(points);
-  return reducedTable(left, 2 * left.size() < points.size() ? passes - 1 : 0);
+  return reducedTable(left, 2 * left.size() < points.size() ? passes - 1 : 0, finish);
 }
 
 }  // namespace
 
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
-  return reducedTable(points, kPasses);
+  return reducedTable(points, kPasses, wholeTable);
+}
+
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
+  return reducedTable(points, kPasses, [most_bytes](const std::vector<Eigen::Vector3f>& left) {
+    return smallTable(left, most_bytes);
+  });
 }
 
 DirectionGrid::DirectionGrid(int cells_per_side)

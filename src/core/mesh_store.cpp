@@ -62,13 +62,18 @@ LoadedMesh MeshStore::known(const MeshFile& file) const {
   return {entry.points.lock(), ""};
 }
 
-LoadedMesh MeshStore::import(const MeshFile& file, const Version& version) const {
+/// Points that are in use stay those that all links share.
+LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
+                             MeshContent content) const {
   try {
-    const std::vector<Eigen::Vector3f> vertices = importer_(file).vertices;
+    auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
     if (!(versionOf(file.path) == version)) {
       throw ImportError("it changed while it was read; reload when it is complete");
     }
-    return {std::make_shared<const PointSet>(vertices), ""};
+    std::shared_ptr<const PointSet> points = known(file).points;
+    if (!points) points = std::make_shared<const PointSet>(mesh->vertices);
+    if (content == MeshContent::kPoints) mesh = nullptr;
+    return {std::move(points), "", std::move(mesh)};
   } catch (const std::bad_alloc&) {
     return {nullptr, "it does not fit into memory; simplify the mesh"};
   } catch (const ImportError& error) {
@@ -79,7 +84,8 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version) const
 }
 
 std::map<std::string, MeshStore::Imported> MeshStore::importAll(
-    const std::map<std::string, MeshFile>& files, const LoadProgress& progress) const {
+    const std::map<std::string, MeshFile>& files, const LoadProgress& progress,
+    MeshContent content) const {
   std::map<std::string, Imported> results;
   std::vector<std::pair<const MeshFile*, Imported*>> jobs;
   for (const auto& [path, file] : files)
@@ -89,7 +95,7 @@ std::map<std::string, MeshStore::Imported> MeshStore::importAll(
   inParallel(jobs.size(), [&](std::size_t i) {
     const MeshFile& file = *jobs[i].first;
     const Version version = settledVersionOf(file.path);
-    *jobs[i].second = {version, import(file, version)};
+    *jobs[i].second = {version, import(file, version, content)};
     const std::lock_guard<std::mutex> lock(mutex);
     ++done;
     if (progress) progress(done, jobs.size());
@@ -98,19 +104,20 @@ std::map<std::string, MeshStore::Imported> MeshStore::importAll(
 }
 
 std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
-                                        const LoadProgress& progress) {
+                                        const LoadProgress& progress, MeshContent content) {
   std::map<std::string, LoadedMesh> meshes;
   std::map<std::string, MeshFile> unknown;
   for (const MeshFile& file : files) {
     if (meshes.count(file.path) || unknown.count(file.path)) continue;
     LoadedMesh mesh = known(file);
-    if (mesh.points || !mesh.error.empty()) {
+    const bool has_content = mesh.points && content == MeshContent::kPoints;
+    if (has_content || !mesh.error.empty()) {
       meshes.emplace(file.path, std::move(mesh));
     } else {
       unknown.emplace(file.path, file);
     }
   }
-  for (auto& [path, imported] : importAll(unknown, progress)) {
+  for (auto& [path, imported] : importAll(unknown, progress, content)) {
     entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
     meshes.emplace(path, std::move(imported.mesh));
   }

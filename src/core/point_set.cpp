@@ -26,6 +26,11 @@ PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
       magnitude_(magnitudeOf(points)),
       size_(this->points().size()) {}
 
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes)
+    : table_(directionTable(points, most_bytes)),
+      magnitude_(magnitudeOf(points)),
+      size_(this->points().size()) {}
+
 PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
     : xyz_(std::move(xyz)), magnitude_(scannedMagnitude(xyz_.get(), count)), size_(count) {}
 
