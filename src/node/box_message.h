@@ -3,12 +3,31 @@
 // Boxes as messages.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "scene.h"
 
 namespace link_bounds {
+
+/// Adds entries to a message whose arrays keep their memory from one filling to the next.
+class BoxFiller {
+ public:
+  BoxFiller(AxisAlignedBoxArray& message, const std::string& frame);
+
+  void add(const std::string& name, const BoxState& state);
+
+  /// To be called at the end.
+  void finish();
+
+ private:
+  void addIncomplete(const std::string& name);
+
+  AxisAlignedBoxArray& message_;
+  std::size_t boxes_ = 0;
+  std::size_t incomplete_ = 0;
+  std::int64_t newest_ = 0;
+};
 
 /// Overwrites `message` with the boxes of links and objects; reuses its memory. There must be a
 /// model.

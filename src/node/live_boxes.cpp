@@ -21,6 +21,7 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, r
   fixed_frame_ = tf.tree().frame(model_->fixed_frame);
   links_.assign(model_->links.size(), Link());
   states_.assign(model_->links.size(), BoxState());
+  poses_.assign(model_->links.size(), Eigen::Isometry3d::Identity());
   reaches_.clear();
   for (const BoundedLink& link : model_->links)
     reaches_.emplace_back(link);
@@ -109,6 +110,7 @@ LiveBoxes::Trouble LiveBoxes::place(std::size_t i, const TransformSource& tf, ro
   state.box = linkBox(link, pose->world_from_link, reaches_[i]);
   if (!state.box) return Trouble::kPoseNotFinite;
   state.stamp = pose->stamp;
+  poses_[i] = pose->world_from_link;
   return Trouble::kNone;
 }
 

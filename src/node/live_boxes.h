@@ -36,6 +36,9 @@ class LiveBoxes {
   /// One per link of the model.
   const std::vector<BoxState>& states() const { return states_; }
 
+  /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
+  const Eigen::Isometry3d& pose(std::size_t i) const { return poses_[i]; }
+
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;
 
@@ -58,6 +61,7 @@ class LiveBoxes {
   std::vector<Link> links_;
   std::vector<LinkReach> reaches_;
   std::vector<BoxState> states_;
+  std::vector<Eigen::Isometry3d> poses_;
 };
 
 }  // namespace link_bounds

@@ -27,6 +27,7 @@ Selection selectionOf(const Parameters& parameters) {
   selection.ignore_links = parameters.ignore_links;
   selection.padding = parameters.padding;
   selection.link_padding = parameters.link_padding;
+  selection.parts_per_link = parameters.parts_per_link;
   return selection;
 }
 
@@ -149,6 +150,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Me
                           ? tfName(parameters.tf_prefix, robot.links[robot.root].name)
                           : tfName("", parameters.fixed_frame);
   model.links = std::move(bounded.links);
+  model.parts = std::move(bounded.parts);
   for (const BoundedLink& link : model.links) {
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }

@@ -23,10 +23,11 @@ struct SceneGroup : BoxGroup {
 
 struct Model {
   Parameters parameters;
-  std::string fixed_frame;          ///< tf name
-  std::vector<BoundedLink> links;   ///< in the order of the URDF
-  std::vector<std::string> frames;  ///< tf name of each link
-  std::vector<SceneGroup> groups;   ///< "robot", then the user's by name; members index links
+  std::string fixed_frame;                      ///< tf name
+  std::vector<BoundedLink> links;               ///< in the order of the URDF
+  std::vector<std::string> frames;              ///< tf name of each link
+  std::vector<std::vector<BoundedLink>> parts;  ///< of each link; see BoundedRobot
+  std::vector<SceneGroup> groups;  ///< "robot", then the user's by name; members index links
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
   std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
   std::vector<std::string> warnings;              ///< names in parameters that fit no link

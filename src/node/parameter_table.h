@@ -31,6 +31,10 @@ inline std::string positiveInt(int value) {
   return value > 0 ? "" : "must be a whole number > 0";
 }
 
+inline std::string partCount(int value) {
+  return value >= 1 && value <= 256 ? "" : "must be a whole number from 1 to 256";
+}
+
 inline std::string geometry(const std::string& value) {
   const bool known = value == "visual" || value == "collision" || value == "both";
   return known ? "" : "must be visual, collision or both";
@@ -74,7 +78,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
         "none of these links");
   visit("padding", p.padding, rules::notNegative,
-        "metres, >= 0, added on every side of link boxes (groups and markers follow)");
+        "metres, >= 0, added on every side of link boxes and their parts (groups and markers "
+        "follow)");
   visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
   visit("groups", p.groups, rules::groups,
         "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
@@ -93,6 +98,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
   visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
   visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
+  visit("parts_per_link", p.parts_per_link, rules::partCount,
+        "at most so many boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
   visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
 }

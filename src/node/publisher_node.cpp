@@ -90,6 +90,11 @@ void PublisherNode::advertise() {
       [this](const ros::SingleSubscriberPublisher& subscriber) {
         timed([&] { welcome(subscriber); });
       });
+  parts_publisher_ = private_node_.advertise<AxisAlignedBoxArray>(
+      privateName(kPartsTopic), kBoxesQueue,
+      [this](const ros::SingleSubscriberPublisher& subscriber) {
+        timed([&] { welcomeToParts(subscriber); });
+      });
   footprint_publisher_ = private_node_.advertise<geometry_msgs::Polygon>(
       privateName(kFootprintTopic), kFootprintQueue,
       [this](const ros::SingleSubscriberPublisher& subscriber) {
@@ -135,6 +140,7 @@ ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   tf_.distrustStampsAhead(now);
   refusal_log_.forget();
   scene_.links.adopt(model_, tf_, now);
+  parts_.adopt(*model_);
   scene_.objects.adopt(model_->fixed_frame, model_->parameters.timeout, tf_, now);
   object_source_.reloadMeshes();
   boxes_output_.emitNow();
@@ -246,7 +252,20 @@ void PublisherNode::publishBoxes() {
   fillGroups(scene_, groups_message_);
   boxes_publisher_.publish(boxes_message_);
   groups_publisher_.publish(groups_message_);
+  publishParts();
   publishFootprint();
+}
+
+void PublisherNode::publishParts() {
+  if (!parts_.areWanted() || parts_publisher_.getNumSubscribers() == 0) return;
+  parts_.fill(scene_.links, parts_message_);
+  parts_publisher_.publish(parts_message_);
+}
+
+void PublisherNode::welcomeToParts(const ros::SingleSubscriberPublisher& subscriber) {
+  if (!parts_.areWanted()) return;
+  parts_.fill(scene_.links, parts_message_);
+  subscriber.publish(parts_message_);
 }
 
 void PublisherNode::publishFootprint() {

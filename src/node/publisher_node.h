@@ -19,6 +19,7 @@
 #include "model_loader.h"
 #include "object_source.h"
 #include "paced_output.h"
+#include "part_boxes.h"
 #include "refusal_log.h"
 #include "scene.h"
 #include "transform_source.h"
@@ -55,8 +56,10 @@ class PublisherNode {
   void onNews();
   void publishBoxes();
   void publishMarkers();
+  void publishParts();
   void publishFootprint();
   void welcome(const ros::SingleSubscriberPublisher& subscriber);
+  void welcomeToParts(const ros::SingleSubscriberPublisher& subscriber);
   void welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber);
   void publishDiagnostics();
 
@@ -77,11 +80,14 @@ class PublisherNode {
   ShownMarkers shown_;
   AxisAlignedBoxArray boxes_message_;
   AxisAlignedBoxArray groups_message_;
+  PartBoxes parts_;
+  AxisAlignedBoxArray parts_message_;
   PacedOutput boxes_output_;
   PacedOutput markers_output_;
   ros::Publisher boxes_publisher_;
   ros::Publisher groups_publisher_;
   ros::Publisher markers_publisher_;
+  ros::Publisher parts_publisher_;
   ros::Publisher footprint_publisher_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;

@@ -23,6 +23,10 @@ constexpr TopicName kGroupsTopic{
 constexpr TopicName kMarkersTopic{
     "~markers", "visualization_msgs/MarkerArray",
     "at most marker_rate, computed only while somebody listens; a new subscriber gets all boxes"};
+constexpr TopicName kPartsTopic{
+    "~parts", "link_bounds/AxisAlignedBoxArray",
+    "with each ~boxes, only while somebody listens and parts_per_link > 1: several boxes of one "
+    "name, which together cover the link; a new subscriber gets all at once"};
 constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
@@ -36,9 +40,9 @@ constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 9> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic,
-                                            kFootprintTopic, kDiagnosticsTopic, kTfTopic,
-                                            kTfStaticTopic, kObjectsTopic, kObjectTopic}};
+constexpr std::array<TopicName, 10> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic,
+                                             kFootprintTopic, kDiagnosticsTopic, kTfTopic,
+                                             kTfStaticTopic, kObjectsTopic, kObjectTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

@@ -175,5 +175,53 @@ TEST_F(BoundRobot, TellsProgressOnTheFiles) {
   EXPECT_EQ(last, 11u);
 }
 
+Selection inParts(int most) {
+  Selection selection;
+  selection.parts_per_link = most;
+  selection.padding = 0.25;
+  return selection;
+}
+
+TEST_F(BoundRobot, OnePartPerLinkIsNotMade) {
+  folder_.write("part.stl");
+  EXPECT_TRUE(bound(meshLink("a", "1 1 1"), inParts(1)).parts.empty());
+}
+
+TEST_F(BoundRobot, PartsHaveTheNameAndThePaddingOfTheLink) {
+  const std::string two_balls =
+      "<visual><origin xyz='-3 0 0'/><geometry><sphere radius='1'/></geometry></visual>"
+      "<visual><origin xyz='3 0 1'/><geometry><sphere radius='1'/></geometry></visual>";
+  const BoundedRobot robot = bound("<link name='a'>" + two_balls + "</link>", inParts(2));
+  ASSERT_EQ(robot.parts.size(), 1u);
+  ASSERT_EQ(robot.parts[0].size(), 2u);
+  EXPECT_EQ(robot.parts[0][1].name, "a");
+  expectBox(robot.parts[0][0], {-4.25, -1.25, -1.25}, {-1.75, 1.25, 1.25});
+  expectBox(robot.parts[0][1], {1.75, -1.25, -0.25}, {4.25, 1.25, 2.25});
+}
+
+TEST_F(BoundRobot, LinksOfEqualShapesShareThePointsOfTheirParts) {
+  folder_.write("part.stl");
+  const BoundedRobot robot = bound(meshLink("a", "1 1 1") + meshLink("b", "1 1 1") +
+                                       meshLink("c", "1 1 2") + fixed("a", "b") + fixed("a", "c"),
+                                   inParts(2));
+  ASSERT_EQ(robot.parts.size(), 3u);
+  ASSERT_EQ(robot.parts[0].size(), 2u);
+  EXPECT_EQ(robot.parts[0][0].shapes[0].points, robot.parts[1][0].shapes[0].points);
+  EXPECT_NE(robot.parts[0][0].shapes[0].points, robot.parts[2][0].shapes[0].points);
+  EXPECT_EQ(robot.parts[1][0].name, "b");
+}
+
+TEST_F(BoundRobot, AMeshThatFailsLeavesThePartsOfTheRest) {
+  const BoundedRobot robot = bound(
+      "<link name='a'><visual><geometry><mesh filename='lost.stl'/></geometry></visual>"
+      "<visual><geometry><sphere radius='1'/></geometry></visual></link>" +
+          meshLink("b", "1 1 1") + fixed("a", "b"),
+      inParts(8));
+  ASSERT_EQ(robot.parts.size(), 2u);
+  ASSERT_EQ(robot.parts[0].size(), 1u);
+  expectBox(robot.parts[0][0], {-1.25, -1.25, -1.25}, {1.25, 1.25, 1.25});
+  EXPECT_TRUE(robot.parts[1].empty());
+}
+
 }  // namespace
 }  // namespace link_bounds

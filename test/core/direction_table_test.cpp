@@ -204,5 +204,31 @@ TEST(DirectionTable, GridAndMemoryFollowTheRules) {
   }
 }
 
+TEST(DirectionTable, OfSetsThatAreManyIsExactToo) {
+  for (const Points& points : {onSphere(1000), onSphere(100), plate(), Points{{1, 2, 3}}}) {
+    for (const std::size_t most_bytes : {std::size_t{0}, std::size_t{16'000}}) {
+      const PointSet set(points, most_bytes);
+      LinearMaps maps(most_bytes);
+      Exactness result;
+      for (int i = 0; i < 500; ++i)
+        result += compare(points, set, maps.next());
+      EXPECT_EQ(result.wrong, 0) << result.wrong_map;
+    }
+  }
+}
+
+TEST(DirectionTable, OfSetsThatAreManyIsAListOrAGridWithinTheLimit) {
+  constexpr std::size_t kLimit = 16'000;
+  const auto side = [](int points, std::size_t limit) {
+    return directionTable(onSphere(points), limit).grid.side;
+  };
+  EXPECT_EQ(side(50, kLimit), 1) << "few points";
+  EXPECT_EQ(side(200, kLimit), 8);
+  EXPECT_LE(directionTable(onSphere(200), kLimit).bytes(), kLimit);
+  EXPECT_EQ(side(200, 5'000), 1) << "a grid would take more";
+  EXPECT_EQ(side(5'000, kLimit), 1);
+  EXPECT_LE(directionTable(plate(), 0).bytes(), 1'000u) << "only what can be extreme";
+}
+
 }  // namespace
 }  // namespace link_bounds

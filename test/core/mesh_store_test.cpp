@@ -39,6 +39,10 @@ class MeshStoreTest : public testing::Test {
 
   LoadedMesh loadOne(const MeshFile& file) { return store_.load({file}).at(0); }
 
+  LoadedMesh loadWithTriangles(const MeshFile& file) {
+    return store_.load({file}, nullptr, MeshContent::kPointsAndTriangles).at(0);
+  }
+
   int imports() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return imports_;
@@ -141,6 +145,33 @@ TEST_F(MeshStoreTest, MemoryIsFreedWhenNobodyUsesIt) {
   EXPECT_TRUE(watched.expired());
   EXPECT_TRUE(loadOne(file).points) << "and read again when needed";
   EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, TrianglesAreThereOnlyWhereTheyAreAskedFor) {
+  const MeshFile file = write("a", "1");
+  EXPECT_FALSE(loadOne(file).triangles);
+  const LoadedMesh mesh = loadWithTriangles(file);
+  ASSERT_TRUE(mesh.triangles);
+  EXPECT_EQ(mesh.triangles->triangles.size(), 1u);
+  EXPECT_FALSE(loadWithTriangles(write("bad", "x")).triangles);
+}
+
+TEST_F(MeshStoreTest, WhoAsksForTrianglesLaterSharesThePoints) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh without = loadOne(file);
+  const LoadedMesh with = loadWithTriangles(file);
+  EXPECT_EQ(with.points, without.points);
+  EXPECT_EQ(imports(), 2);
+  replace(file, "2");
+  EXPECT_EQ(sizeOf(loadWithTriangles(file)), 2);
+}
+
+TEST_F(MeshStoreTest, TrianglesAreNotKept) {
+  const MeshFile file = write("a", "1");
+  LoadedMesh mesh = loadWithTriangles(file);
+  const std::weak_ptr<const TriangleMesh> watched = mesh.triangles;
+  mesh.triangles = nullptr;
+  EXPECT_TRUE(watched.expired());
 }
 
 TEST_F(MeshStoreTest, RunningOutOfMemoryIsAFailureOfThatFileAlone) {

@@ -14,6 +14,7 @@
 
 #include "box_message.h"
 #include "live_boxes_testing.h"
+#include "part_boxes.h"
 
 namespace link_bounds {
 namespace {
@@ -83,7 +84,12 @@ class Chain {
     std::vector<BoundedLink> links;
     for (int i = 0; i < kLinks; ++i)
       links.push_back(meshLink(name(i), static_cast<std::uint64_t>(i)));
-    scene_.links.adopt(modelOf("the_frame_that_is_fixed", links), tf_, ros::Time(1));
+    auto model = std::make_shared<Model>(*modelOf("the_frame_that_is_fixed", links));
+    model->parameters.parts_per_link = 2;
+    for (const BoundedLink& link : links)
+      model->parts.push_back({link, link});
+    scene_.links.adopt(model, tf_, ros::Time(1));
+    parts_.adopt(*model);
   }
 
   /// What arrives from the network.
@@ -108,13 +114,16 @@ class Chain {
     ASSERT_TRUE(scene_.links.update(tf_, now));
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
+    parts_.fill(scene_.links, parts_message_);
     is_roscpp = true;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);
+    ros::serialization::serializeMessage(parts_message_);
     is_roscpp = false;
   }
 
   std::size_t boxCount() const { return boxes_.boxes.size(); }
+  std::size_t partCount() const { return parts_message_.boxes.size(); }
 
  private:
   static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
@@ -123,6 +132,8 @@ class Chain {
   Scene scene_;
   AxisAlignedBoxArray boxes_;
   AxisAlignedBoxArray groups_;
+  PartBoxes parts_;
+  AxisAlignedBoxArray parts_message_;
 };
 
 TEST(Allocations, NoneOfOursInAThousandUpdates) {
@@ -134,6 +145,7 @@ TEST(Allocations, NoneOfOursInAThousandUpdates) {
     is_counting = false;
   }
   EXPECT_EQ(chain.boxCount(), static_cast<std::size_t>(kLinks));
+  EXPECT_EQ(chain.partCount(), static_cast<std::size_t>(2 * kLinks));
   EXPECT_EQ(counts.ours, 0);
   EXPECT_GT(counts.tf2, 0);
   EXPECT_GT(counts.roscpp, 0);

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of the links' parts, computed only when they are asked for.
+#pragma once
+
+#include <vector>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "live_boxes.h"
+
+namespace link_bounds {
+
+class PartBoxes {
+ public:
+  void adopt(const Model& model);
+
+  /// True if the model wants more than one part per link.
+  bool areWanted() const { return are_wanted_; }
+
+  /// Overwrites `message` with the parts of all links that have a box, each named, stamped and
+  /// incomplete as its link; reuses its memory. `links` must have the adopted model.
+  void fill(const LiveBoxes& links, AxisAlignedBoxArray& message);
+
+ private:
+  bool are_wanted_ = false;
+  std::vector<std::vector<LinkReach>> reaches_;  ///< by link and part
+};
+
+}  // namespace link_bounds
