@@ -4,6 +4,7 @@
 #include "box_message.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "geometry_message.h"
 
