@@ -99,9 +99,16 @@ TEST(PartLimits, TheMemoryOfTheParts) {
 }
 
 TEST(PartLimits, AMeshThatCannotBeSplitInThatMemoryStaysWhole) {
-  // Every vertex of a ball can be extreme: 2 * 16 kB are not enough for 30000, 64 * 16 kB are.
-  const DivisibleShape dense = divisible(ball(120, 250));
-  const DivisibleShape box = solid(Solid::kBox, {1, 1, 1}, {5, 5, 5});
+  // Two balls. Every vertex can be extreme: 3 * 16 kB are too little for 10000 of them.
+  TriangleMesh mesh = ball(50, 100);
+  const TriangleMesh one = mesh;
+  const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Eigen::Vector3f& vertex : one.vertices)
+    mesh.vertices.push_back(vertex + Eigen::Vector3f(5, 5, 5));
+  for (const auto& [i, j, k] : one.triangles)
+    mesh.triangles.push_back({i + offset, j + offset, k + offset});
+  const DivisibleShape dense = divisible(mesh);
+  const DivisibleShape box = solid(Solid::kBox, {1, 1, 1}, {9, 9, 9});
   const auto few = splitIntoParts({dense, box}, 3);
   ASSERT_EQ(few.size(), 2u);
   EXPECT_EQ(bytesOf(few, dense), 0u);
