@@ -68,6 +68,7 @@ struct Joint {
   Eigen::Isometry3d parent_from_joint;
   Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero if the URDF says zero
   std::optional<Mimic> mimic;
+  bool is_fixed = false;
 };
 
 struct Robot {

@@ -103,6 +103,7 @@ Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
   joint.parent = index.at(source.parent_link_name);
   joint.child = index.at(source.child_link_name);
   joint.motion = motionOf(source);
+  joint.is_fixed = source.type == urdf::Joint::FIXED;
   joint.parent_from_joint = toIsometry(source.parent_to_joint_origin_transform);
   joint.axis = toVector(source.axis).stableNormalized();
   if (source.mimic) {
