@@ -12,7 +12,7 @@
 namespace link_bounds {
 
 /// Two boxes, by their positions in the list of boxes.
-struct BoxOverlap {
+struct BoxPair {
   std::size_t first;  ///< < second
   std::size_t second;
   double distance;  ///< signedDistance() of the two [m]
@@ -30,7 +30,7 @@ class OverlapSearch {
   /// All pairs with distance <= margin, sorted by first, then by second; valid until the next
   /// search. `margin` is finite and >= 0 [m]; with 0 boxes that touch count. Boxes are finite, not
   /// empty, and fewer than 2^32. Allocates only while there are more boxes or pairs than before.
-  const std::vector<BoxOverlap>& find(const std::vector<Aabb>& boxes, double margin);
+  const std::vector<BoxPair>& find(const std::vector<Aabb>& boxes, double margin);
 
  private:
   struct Memory;

@@ -9,7 +9,7 @@ namespace link_bounds {
 
 struct OverlapSearch::Memory {
   OverlapCandidates candidates;
-  std::vector<BoxOverlap> overlaps;
+  std::vector<BoxPair> overlaps;
 };
 
 OverlapSearch::OverlapSearch() : memory_(std::make_unique<Memory>()) {}
@@ -17,7 +17,7 @@ OverlapSearch::~OverlapSearch() = default;
 OverlapSearch::OverlapSearch(OverlapSearch&& other) noexcept = default;
 OverlapSearch& OverlapSearch::operator=(OverlapSearch&& other) noexcept = default;
 
-const std::vector<BoxOverlap>& OverlapSearch::find(const std::vector<Aabb>& boxes, double margin) {
+const std::vector<BoxPair>& OverlapSearch::find(const std::vector<Aabb>& boxes, double margin) {
   update(boxes, margin, memory_->candidates);
   memory_->overlaps.clear();
   for (const NumberPair pair : memory_->candidates.pairs) {

@@ -66,7 +66,7 @@ void benchmarkCore(const Options& options) {
 
 int main(int argc, char** argv) try {
   using namespace link_bounds::bench;
-  benchmarkCore(parse(argc, argv));
+  benchmarkCore(parseOptions(argc, argv));
 } catch (const std::exception& error) {
   std::cerr << "core_bench: " << error.what() << "\n";
   return 1;

@@ -194,7 +194,7 @@ void benchmarkObjects(const Options& options) {
 
 int main(int argc, char** argv) try {
   using namespace link_bounds::bench;
-  benchmarkObjects(parse(argc, argv));
+  benchmarkObjects(parseOptions(argc, argv));
 } catch (const std::exception& error) {
   std::cerr << "objects_bench: " << error.what() << "\n";
   return 1;

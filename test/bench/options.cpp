@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// [--quick] [--json FILE]
+// What is not known is an error.
 #include "options.h"
 
 #include <stdexcept>
 
 namespace link_bounds::bench {
 
-Options parse(int argc, char** argv) {
+Options parseOptions(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];

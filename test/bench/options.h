@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command lines of the benchmarks have in common.
+// The command line that all benchmarks understand: [--quick] [--json FILE]
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace link_bounds::bench {
 
 struct Options {
   bool quick = false;
-  std::string json;  ///< file for the rows; "" = none
+  std::string json;  ///< "" = none
 };
 
 /// Throws std::runtime_error.
-Options parse(int argc, char** argv);
+Options parseOptions(int argc, char** argv);
 
 }  // namespace link_bounds::bench

@@ -12,11 +12,11 @@
 
 namespace link_bounds {
 
-bool operator==(const BoxOverlap& a, const BoxOverlap& b) {
+bool operator==(const BoxPair& a, const BoxPair& b) {
   return a.first == b.first && a.second == b.second && a.distance == b.distance;
 }
 
-std::ostream& operator<<(std::ostream& out, const BoxOverlap& overlap) {
+std::ostream& operator<<(std::ostream& out, const BoxPair& overlap) {
   return out << overlap.first << " " << overlap.second << " at " << overlap.distance;
 }
 
@@ -24,7 +24,7 @@ namespace {
 
 using brute_force::Random;
 using Boxes = std::vector<Aabb>;
-using Overlaps = std::vector<BoxOverlap>;
+using Overlaps = std::vector<BoxPair>;
 
 constexpr std::array<double, 4> kMargins{0, 0.01, 0.1, 2.5};
 
@@ -114,7 +114,7 @@ TEST(BoxOverlaps, TouchingBoxesCount) {
   }
   OverlapSearch search;
   EXPECT_EQ(expectExact(search, boxes, 0), (10u * 10 * 10 - 64) / 2);
-  for (const BoxOverlap& overlap : search.find(boxes, 0))
+  for (const BoxPair& overlap : search.find(boxes, 0))
     EXPECT_EQ(overlap.distance, 0);
 }
 

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Ways to find overlaps. All do the same job: in each step every box is new, and out come all
+// pairs of boxes that overlap or touch (margin 0), each with its distance in double precision,
+// computed by the same function. Ours are sorted, those of the peers are not.
+//
+// A peer lives as long as its scene, so that it may profit from what it knows of earlier steps; it
+// gets the boxes in its own format before the clock runs. Of several settings that its
+// documentation offers, the one counts that is fastest in that scene.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/box_overlaps.h"
+#include "overlap_scenes.h"
+
+namespace link_bounds::bench {
+
+constexpr double kOverlapMargin = 0;
+
+class OverlapMethod {
+ public:
+  virtual ~OverlapMethod() = default;
+
+  /// Not measured; may convert the boxes of the next step.
+  virtual void prepare(const SceneBoxes&) {}
+
+  /// What is measured; fills `pairs`.
+  virtual void step(const SceneBoxes& boxes) = 0;
+
+  std::vector<BoxPair> pairs;
+
+ protected:
+  void addIfNear(std::size_t a, std::size_t b, const SceneBoxes& boxes) {
+    const double distance = signedDistance(boxes[a], boxes[b]);
+    if (distance <= kOverlapMargin) pairs.push_back({std::min(a, b), std::max(a, b), distance});
+  }
+};
+
+/// One setting of a method.
+struct OverlapSetting {
+  std::string method;
+  std::string setting;
+  std::function<std::unique_ptr<OverlapMethod>(const SceneBoxes& first)> make;
+};
+
+void addOurOverlaps(std::vector<OverlapSetting>& settings);
+void addFclOverlaps(std::vector<OverlapSetting>& settings);
+void addBulletOverlaps(std::vector<OverlapSetting>& settings);
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What was measured of overlaps, what was promised, and whether it holds.
+#pragma once
+
+#include <iosfwd>
+
+#include "overlap_rounds.h"
+
+namespace link_bounds::bench {
+
+void printOverlaps(const OverlapResults& results, std::ostream& out);
+void printOverlapTargets(const OverlapResults& results, std::ostream& out);
+
+/// An array with one object per result.
+void writeOverlapJson(const OverlapResults& results, std::ostream& out);
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// All methods on one scene, by turns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "overlap_methods.h"
+
+namespace link_bounds::bench {
+
+/// One method on one scene.
+struct OverlapResult {
+  std::string method;
+  std::string setting;
+  std::string scene;
+  std::size_t boxes = 0;
+  std::size_t pairs = 0;             ///< in the last step
+  std::vector<double> us_per_round;  ///< per step; one for each round
+};
+
+using OverlapResults = std::vector<OverlapResult>;
+
+/// In each round every method takes the same steps, in random order. Some rounds come first, after
+/// which each method keeps its fastest setting. Throws if two methods find different pairs.
+OverlapResults measureOverlaps(const std::vector<OverlapSetting>& settings, OverlapScene scene,
+                               int rounds);
+
+}  // namespace link_bounds::bench
