@@ -109,17 +109,6 @@ void addBox(const BoxState& state, const std::string& name, const std::string& n
 
 }  // namespace
 
-std_msgs::Header markerHeader(const Scene& scene) {
-  std::int64_t newest = 0;
-  scene.forEach([&newest](const std::string&, const BoxState& state) {
-    if (state.box) newest = std::max(newest, state.stamp);
-  });
-  std_msgs::Header header;
-  header.frame_id = scene.model()->fixed_frame;
-  header.stamp.fromNSec(static_cast<std::uint64_t>(newest));
-  return header;
-}
-
 MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header) {
   const Model& model = *scene.model();
   MarkerArray array;

@@ -13,9 +13,6 @@
 
 namespace link_bounds {
 
-/// That of `~boxes`.
-std_msgs::Header markerHeader(const Scene& scene);
-
 /// All boxes that exist as ADD: faces (id 0), edges (id 1) and label (id 2) as the model's
 /// marker_style and marker_labels say; ns is the tf name of a link, "link_bounds/objects/<name>" of
 /// an object. Boxes farther out than rviz's float32 can draw are left out.

@@ -7,20 +7,13 @@
 #include <vector>
 
 #include "geometry_message.h"
+#include "message_memory.h"
 
 namespace link_bounds {
 namespace {
 
 ros::Time toTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
-}
-
-/// Keeps memory for what may come back soon, not for ten thousand objects that are gone.
-template <class T>
-void shorten(std::vector<T>& entries, std::size_t size) {
-  constexpr std::size_t kSpare = 1000;
-  entries.resize(size);
-  if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
 }
 
 }  // namespace
@@ -50,6 +43,17 @@ void BoxFiller::finish() {
 void BoxFiller::addIncomplete(const std::string& name) {
   if (incomplete_ == message_.incomplete.size()) message_.incomplete.emplace_back();
   message_.incomplete[incomplete_++] = name;
+}
+
+std_msgs::Header headerOf(const Scene& scene) {
+  std::int64_t newest = 0;
+  scene.forEach([&newest](const std::string&, const BoxState& state) {
+    if (state.box) newest = std::max(newest, state.stamp);
+  });
+  std_msgs::Header header;
+  header.frame_id = scene.model()->fixed_frame;
+  header.stamp = toTime(newest);
+  return header;
 }
 
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {

@@ -29,6 +29,9 @@ class BoxFiller {
   std::int64_t newest_ = 0;
 };
 
+/// The header that the boxes of this moment have. There must be a model.
+std_msgs::Header headerOf(const Scene& scene);
+
 /// Overwrites `message` with the boxes of links and objects; reuses its memory. There must be a
 /// model.
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);

@@ -96,11 +96,53 @@ KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& s
   return known;
 }
 
+/// The bodies of those links that are bounded, by their numbers there.
+RigidBodies bodiesOf(const Robot& robot, const std::vector<BoundedLink>& links) {
+  std::map<std::string, std::size_t> numbers;
+  for (const Link& link : robot.links)
+    numbers.emplace(link.name, numbers.size());
+  const RigidBodies all = rigidBodies(robot);
+  RigidBodies bodies{{}, all.parents};
+  for (const BoundedLink& link : links)
+    bodies.of_links.push_back(all.of_links[numbers.at(link.name)]);
+  return bodies;
+}
+
+/// What an entry of ignore_pairs means for a robot with these links.
+std::vector<NamePair> pairsOf(const std::string& entry, const std::set<std::string>& links) {
+  return namePairs(entry, [&links](const std::string& name) {
+    return links.count(name) || parseObjectName(name);
+  });
+}
+
+std::vector<NamePair> ignoredPairs(const Parameters& parameters,
+                                   const std::set<std::string>& links) {
+  std::vector<NamePair> result;
+  for (const std::string& entry : parameters.ignore_pairs) {
+    const std::vector<NamePair> pairs = pairsOf(entry, links);
+    result.insert(result.end(), pairs.begin(), pairs.end());
+  }
+  return result;
+}
+
+void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>& links) {
+  for (const std::string& entry : parameters.ignore_pairs) {
+    if (!pairsOf(entry, links).empty()) continue;
+    throw ParameterError("parameter ~ignore_pairs: \"" + entry +
+                         "\" cannot be split into two names of links or objects; correct it");
+  }
+}
+
+std::set<std::string> linkNames(const Robot& robot) {
+  std::set<std::string> names;
+  for (const Link& link : robot.links)
+    names.insert(link.name);
+  return names;
+}
+
 /// One warning per unknown name, however often it is used. Names with a slash may be objects.
 std::vector<std::string> unknownNames(const Robot& robot, const Parameters& parameters) {
-  std::set<std::string> known;
-  for (const Link& link : robot.links)
-    known.insert(link.name);
+  const std::set<std::string> known = linkNames(robot);
   std::map<std::string, std::string> unknown;
   const auto check = [&](const std::string& name, const std::string& parameter) {
     if (!known.count(name)) unknown.emplace(name, parameter);
@@ -114,6 +156,11 @@ std::vector<std::string> unknownNames(const Robot& robot, const Parameters& para
   for (const auto& [group, members] : parameters.groups) {
     for (const std::string& name : members) {
       if (name.find('/') == std::string::npos) check(name, "groups/" + group);
+    }
+  }
+  for (const NamePair& pair : ignoredPairs(parameters, known)) {
+    for (const std::string& name : {pair.first, pair.second}) {
+      if (name.find('/') == std::string::npos) check(name, "ignore_pairs");
     }
   }
   std::vector<std::string> warnings;
@@ -137,11 +184,13 @@ Model modelWithoutRobot(const Parameters& parameters) {
   model.parameters = parameters;
   model.fixed_frame = tfName("", parameters.fixed_frame);
   model.groups = makeGroups(0, parameters, KnownLinks());
+  model.ignored_pairs = NamePairs(ignoredPairs(parameters, {}));
   return model;
 }
 
 Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
   const Robot robot = parseRobot(description);
+  checkIgnoredPairs(parameters, linkNames(robot));
   const Selection selection = selectionOf(parameters);
   BoundedRobot bounded = boundRobot(robot, selection, {rosPackages(), "", {}}, store);
   Model model;
@@ -155,6 +204,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Me
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
+  model.bodies = bodiesOf(robot, model.links);
+  model.ignored_pairs = NamePairs(ignoredPairs(parameters, linkNames(robot)));
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
   model.problems = std::move(bounded.problems);

@@ -10,6 +10,7 @@
 
 #include "link_bounds/bounded_robot.h"
 #include "link_bounds/box_groups.h"
+#include "link_bounds/overlap_filter.h"
 #include "object_key.h"
 #include "parameters.h"
 
@@ -28,6 +29,8 @@ struct Model {
   std::vector<std::string> frames;              ///< tf name of each link
   std::vector<std::vector<BoundedLink>> parts;  ///< of each link; see BoundedRobot
   std::vector<SceneGroup> groups;  ///< "robot", then the user's by name; members index links
+  RigidBodies bodies;              ///< of links, by the numbers they have here
+  NamePairs ignored_pairs;         ///< of links and objects, the overlaps of which nobody wants
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
   std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
   std::vector<std::string> warnings;              ///< names in parameters that fit no link
@@ -40,7 +43,7 @@ std::string tfName(const std::string& tf_prefix, const std::string& link);
 /// For objects alone, while there is no description; parameters must name the fixed frame.
 Model modelWithoutRobot(const Parameters& parameters);
 
-/// Parses the description and loads its meshes. Throws RobotError.
+/// Parses the description and loads its meshes. Throws RobotError, ParameterError.
 Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store);
 
 }  // namespace link_bounds

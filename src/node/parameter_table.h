@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "link_bounds/overlap_filter.h"
 #include "parameters.h"
 
 namespace link_bounds {
@@ -65,6 +66,15 @@ inline std::string groups(const std::map<std::string, std::vector<std::string>>&
   return value.count("robot") ? "must not define \"robot\", which is always all links" : "";
 }
 
+inline std::string ignorePairs(const std::vector<std::string>& value) {
+  const auto is_name = [](const std::string&) { return true; };
+  for (const std::string& entry : value) {
+    if (namePairs(entry, is_name).empty())
+      return "must be pairs of names with a space between them; see \"" + entry + "\"";
+  }
+  return "";
+}
+
 }  // namespace rules
 
 /// Calls visit(name, value, rule, meaning) for each private parameter.
@@ -98,6 +108,10 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
   visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
   visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
+  visit("overlap_margin", p.overlap_margin, rules::notNegative,
+        "metres, >= 0; pairs of boxes with distance <= it are in ~overlaps");
+  visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
+        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "at most so many boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

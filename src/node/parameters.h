@@ -33,6 +33,8 @@ struct Parameters {
   std::string marker_style = "both";
   std::array<double, 4> marker_color{{0.1, 0.7, 1.0, 0.25}};
   bool marker_labels = false;
+  double overlap_margin = 0.0;
+  std::vector<std::string> ignore_pairs;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;

@@ -100,6 +100,11 @@ void PublisherNode::advertise() {
       [this](const ros::SingleSubscriberPublisher& subscriber) {
         timed([&] { welcomeToFootprint(subscriber); });
       });
+  overlaps_publisher_ = private_node_.advertise<BoxOverlapArray>(
+      privateName(kOverlapsTopic), kBoxesQueue,
+      [this](const ros::SingleSubscriberPublisher& subscriber) {
+        timed([&] { welcomeToOverlaps(subscriber); });
+      });
   diagnostics_publisher_ =
       node_.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10);
 }
@@ -195,6 +200,7 @@ void PublisherNode::watchMemory() {
   most_objects_ = std::max(most_objects_, objects);
   if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;
   most_objects_ = objects;
+  overlaps_ = SceneOverlaps();
   loader_->giveBackMemory();
 }
 
@@ -254,6 +260,7 @@ void PublisherNode::publishBoxes() {
   groups_publisher_.publish(groups_message_);
   publishParts();
   publishFootprint();
+  publishOverlaps();
 }
 
 void PublisherNode::publishParts() {
@@ -280,9 +287,23 @@ void PublisherNode::welcomeToFootprint(const ros::SingleSubscriberPublisher& sub
   if (const auto footprint = footprintOf(robotState(scene_))) subscriber.publish(*footprint);
 }
 
+void PublisherNode::publishOverlaps() {
+  if (overlaps_publisher_.getNumSubscribers() == 0) return;
+  overlaps_message_.header = boxes_message_.header;
+  overlaps_.fill(scene_, overlaps_message_);
+  overlaps_publisher_.publish(overlaps_message_);
+}
+
+void PublisherNode::welcomeToOverlaps(const ros::SingleSubscriberPublisher& subscriber) {
+  if (!scene_.model()) return;
+  overlaps_message_.header = headerOf(scene_);
+  overlaps_.fill(scene_, overlaps_message_);
+  subscriber.publish(overlaps_message_);
+}
+
 void PublisherNode::publishMarkers() {
   if (markers_publisher_.getNumSubscribers() == 0) return;
-  const std_msgs::Header header = markerHeader(scene_);
+  const std_msgs::Header header = headerOf(scene_);
   visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
   shown_.replaceBy(markers, header);
   markers_publisher_.publish(markers);
@@ -291,7 +312,7 @@ void PublisherNode::publishMarkers() {
 /// A new subscriber to the markers is shown everything at once.
 void PublisherNode::welcome(const ros::SingleSubscriberPublisher& subscriber) {
   if (!scene_.model()) return;
-  const std_msgs::Header header = markerHeader(scene_);
+  const std_msgs::Header header = headerOf(scene_);
   visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
   shown_.extendBy(markers, header);
   subscriber.publish(markers);

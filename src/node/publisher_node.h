@@ -15,9 +15,11 @@
 #include "clock_watch.h"
 #include "diagnostics.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
+#include "link_bounds/BoxOverlapArray.h"
 #include "master_watch.h"
 #include "model_loader.h"
 #include "object_source.h"
+#include "overlap_message.h"
 #include "paced_output.h"
 #include "part_boxes.h"
 #include "refusal_log.h"
@@ -58,9 +60,11 @@ class PublisherNode {
   void publishMarkers();
   void publishParts();
   void publishFootprint();
+  void publishOverlaps();
   void welcome(const ros::SingleSubscriberPublisher& subscriber);
   void welcomeToParts(const ros::SingleSubscriberPublisher& subscriber);
   void welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber);
+  void welcomeToOverlaps(const ros::SingleSubscriberPublisher& subscriber);
   void publishDiagnostics();
 
   /// Guards a callback and takes its time [ms], which it returns.
@@ -78,8 +82,10 @@ class PublisherNode {
   RefusalLog refusal_log_{"a transform of", "transforms of further frames"};
   Health health_;
   ShownMarkers shown_;
+  SceneOverlaps overlaps_;
   AxisAlignedBoxArray boxes_message_;
   AxisAlignedBoxArray groups_message_;
+  BoxOverlapArray overlaps_message_;
   PartBoxes parts_;
   AxisAlignedBoxArray parts_message_;
   PacedOutput boxes_output_;
@@ -89,6 +95,7 @@ class PublisherNode {
   ros::Publisher markers_publisher_;
   ros::Publisher parts_publisher_;
   ros::Publisher footprint_publisher_;
+  ros::Publisher overlaps_publisher_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;
   ros::Subscriber tf_static_subscriber_;

@@ -31,6 +31,10 @@ constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
     "and y of the fixed frame, rounded outward; a new subscriber gets one at once"};
+constexpr TopicName kOverlapsTopic{
+    "~overlaps", "link_bounds/BoxOverlapArray",
+    "with each ~boxes, also when empty, only while somebody listens; a new subscriber gets one at "
+    "once"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
@@ -40,9 +44,9 @@ constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 10> kTopics{{kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic,
-                                             kFootprintTopic, kDiagnosticsTopic, kTfTopic,
-                                             kTfStaticTopic, kObjectsTopic, kObjectTopic}};
+constexpr std::array<TopicName, 11> kTopics{
+    {kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic, kFootprintTopic, kOverlapsTopic,
+     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

@@ -17,12 +17,13 @@
 namespace link_bounds::bench {
 namespace {
 
-constexpr std::size_t kStepsPerRound = 8;
+// Some methods do most of their work in a few of the steps.
+constexpr std::size_t kStepsPerRound = 32;
 // Trees that were built from nothing become better in the first steps; the choice of the settings
 // is made after that, by the last rounds of a trial.
-constexpr int kFirstRounds = 4;
-constexpr int kTrialRounds = 16;
-constexpr int kChoiceRounds = 20;
+constexpr int kFirstRounds = 1;
+constexpr int kTrialRounds = 4;
+constexpr int kChoiceRounds = 5;
 constexpr double kHopeless = 6;
 
 struct Contender {

@@ -43,7 +43,7 @@ void benchmarkOverlaps(const Options& options) {
   const std::vector<OverlapSetting> settings = overlapSettings();
   OverlapResults results;
   for (const std::size_t count : {kFewBoxes, kManyBoxes}) {
-    const int rounds = (options.quick ? 5 : 25) * (count == kFewBoxes ? 3 : 1);
+    const int rounds = (options.quick ? 3 : 11) * (count == kFewBoxes ? 3 : 1);
     for (const OverlapScene& scene : overlapScenes(count)) {
       for (OverlapResult& result : measureOverlaps(settings, scene, rounds))
         results.push_back(std::move(result));

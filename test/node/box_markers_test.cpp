@@ -55,7 +55,7 @@ TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
            now);
     ASSERT_TRUE(scene.links.update(tf, now));
     const Aabb box = scene.links.states()[0].box.value();
-    const QuadBox cube = boxOf(boxMarkers(scene, markerHeader(scene)).markers.front());
+    const QuadBox cube = boxOf(boxMarkers(scene, headerOf(scene)).markers.front());
     for (int k = 0; k < 3; ++k) {
       const auto axis = static_cast<std::size_t>(k);
       ASSERT_LE(cube.min[axis], static_cast<Quad>(box.min()[k]));

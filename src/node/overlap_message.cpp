@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes are those of ~boxes, in the same order.
+#include "overlap_message.h"
+
+#include "message_memory.h"
+
+namespace link_bounds {
+
+void SceneOverlaps::collect(const Scene& scene) {
+  boxes_.clear();
+  owners_.clear();
+  const std::size_t link_count = scene.model()->links.size();
+  std::size_t i = 0;
+  scene.forEach([&](const std::string& name, const BoxState& state) {
+    if (state.box) {
+      boxes_.push_back(*state.box);
+      owners_.push_back({&name, i < link_count ? std::optional(i) : std::nullopt});
+    }
+    ++i;
+  });
+}
+
+bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& b) const {
+  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link)) return false;
+  return !model.ignored_pairs.contains(*a.name, *b.name);
+}
+
+void SceneOverlaps::fill(const Scene& scene, BoxOverlapArray& message) {
+  const Model& model = *scene.model();
+  collect(scene);
+  std::size_t count = 0;
+  for (const BoxPair& pair : search_.find(boxes_, model.parameters.overlap_margin)) {
+    const Owner& first = owners_[pair.first];
+    const Owner& second = owners_[pair.second];
+    if (!isReported(model, first, second)) continue;
+    if (count == message.overlaps.size()) message.overlaps.emplace_back();
+    BoxOverlap& overlap = message.overlaps[count++];
+    overlap.first = *first.name;
+    overlap.second = *second.name;
+    overlap.distance = pair.distance;
+  }
+  shorten(message.overlaps, count);
+}
+
+}  // namespace link_bounds

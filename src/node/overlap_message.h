@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From states to BoxOverlapArray.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "link_bounds/BoxOverlapArray.h"
+#include "link_bounds/box_overlaps.h"
+#include "scene.h"
+
+namespace link_bounds {
+
+/// Searches the boxes of a scene again and again; keeps memory for it.
+class SceneOverlaps {
+ public:
+  /// Overwrites `message` but for its header; reuses its memory. There must be a model.
+  void fill(const Scene& scene, BoxOverlapArray& message);
+
+ private:
+  /// Whose box it is.
+  struct Owner {
+    const std::string* name;
+    std::optional<std::size_t> link;  ///< nothing for objects
+  };
+
+  void collect(const Scene& scene);
+  bool isReported(const Model& model, const Owner& a, const Owner& b) const;
+
+  std::vector<Aabb> boxes_;
+  std::vector<Owner> owners_;
+  OverlapSearch search_;
+};
+
+}  // namespace link_bounds
