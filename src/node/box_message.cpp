@@ -7,13 +7,20 @@
 #include <vector>
 
 #include "geometry_message.h"
-#include "message_memory.h"
 
 namespace link_bounds {
 namespace {
 
 ros::Time toTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
+}
+
+/// Keeps memory for what may come back soon, not for ten thousand objects that are gone.
+template <class T>
+void shorten(std::vector<T>& entries, std::size_t size) {
+  constexpr std::size_t kSpare = 1000;
+  entries.resize(size);
+  if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 // The boxes are those of ~boxes, in the same order.
 #include "overlap_message.h"
 
-#include "message_memory.h"
-
 namespace link_bounds {
 
 void SceneOverlaps::collect(const Scene& scene) {
@@ -26,6 +24,15 @@ bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& 
   return !model.ignored_pairs.contains(*a.name, *b.name);
 }
 
+/// Entry `count`, the last one or a new one.
+BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count) {
+  if (count < overlaps.size()) return overlaps[count];
+  if (spare_.empty()) return overlaps.emplace_back();
+  overlaps.push_back(std::move(spare_.back()));
+  spare_.pop_back();
+  return overlaps.back();
+}
+
 void SceneOverlaps::fill(const Scene& scene, BoxOverlapArray& message) {
   const Model& model = *scene.model();
   collect(scene);
@@ -34,13 +41,13 @@ void SceneOverlaps::fill(const Scene& scene, BoxOverlapArray& message) {
     const Owner& first = owners_[pair.first];
     const Owner& second = owners_[pair.second];
     if (!isReported(model, first, second)) continue;
-    if (count == message.overlaps.size()) message.overlaps.emplace_back();
-    BoxOverlap& overlap = message.overlaps[count++];
+    BoxOverlap& overlap = nextOf(message.overlaps, count++);
     overlap.first = *first.name;
     overlap.second = *second.name;
     overlap.distance = pair.distance;
   }
-  shorten(message.overlaps, count);
+  for (; message.overlaps.size() > count; message.overlaps.pop_back())
+    spare_.push_back(std::move(message.overlaps.back()));
 }
 
 }  // namespace link_bounds

@@ -27,11 +27,13 @@ class SceneOverlaps {
   };
 
   void collect(const Scene& scene);
+  BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
   bool isReported(const Model& model, const Owner& a, const Owner& b) const;
 
   std::vector<Aabb> boxes_;
   std::vector<Owner> owners_;
   OverlapSearch search_;
+  std::vector<BoxOverlap> spare_;  ///< entries with memory for names
 };
 
 }  // namespace link_bounds

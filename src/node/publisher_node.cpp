@@ -201,6 +201,7 @@ void PublisherNode::watchMemory() {
   if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;
   most_objects_ = objects;
   overlaps_ = SceneOverlaps();
+  overlaps_message_ = BoxOverlapArray();
   loader_->giveBackMemory();
 }
 

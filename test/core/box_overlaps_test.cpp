@@ -131,6 +131,15 @@ TEST(BoxOverlaps, GapsAsWideAsTheMargin) {
   }
 }
 
+TEST(BoxOverlaps, AGapThatIsRoundedDownToTheMargin) {
+  const double tiny = std::ldexp(0.9, -53);
+  ASSERT_EQ(1 + tiny, 1);
+  ASSERT_LT(1 - tiny, 1);
+  const Eigen::Vector3d side(1, 0, 0);
+  const Boxes boxes{{side, 2 * side}, {-side, -tiny * side}};
+  EXPECT_EQ(expectExact(boxes, 1), 1u);
+}
+
 TEST(BoxOverlaps, IdenticalBoxes) {
   const Boxes boxes(50, Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()));
   EXPECT_EQ(expectExact(boxes, 0), 50u * 49 / 2);
@@ -179,6 +188,9 @@ TEST(BoxOverlaps, AlongEachAxis) {
     for (int i = 0; i < 500; ++i)
       boxes.push_back(boxAround(0.14 * i * Eigen::Vector3d::Unit(axis), {0.1, 0.1, 0.1}));
     EXPECT_EQ(expectExact(boxes, 0), 499u);
+    for (int i = 0; i < 2; ++i)
+      boxes.push_back(boxAround({0, 0, 0}, Eigen::Vector3d::Constant(1e300)));
+    EXPECT_EQ(expectExact(boxes, 0), 499u + 2 * 500 + 1);
   }
 }
 
@@ -220,13 +232,18 @@ TEST(BoxOverlaps, OneBoxMovesAmongManyThatRest) {
 
 TEST(BoxOverlaps, GrowingAndShrinkingBoxes) {
   Random random(9);
-  OverlapSearch search;
   const Boxes resting = clutter(random, 100, 0.6);
-  for (int i = 0; i < 200; ++i) {
-    Boxes boxes = resting;
-    for (std::size_t k = 0; k < boxes.size(); ++k)
-      boxes[k] = padded(boxes[k], 0.04 * (1 + std::sin(0.1 * i + static_cast<double>(k))));
-    expectExact(search, boxes, 0);
+  for (const double low_share : {0.0, 0.5, 1.0}) {
+    OverlapSearch search;
+    for (int i = 0; i < 200; ++i) {
+      Boxes boxes = resting;
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const double growth = 0.1 * (1 + std::sin(0.1 * i + static_cast<double>(k)));
+        boxes[k].min().array() -= low_share * growth;
+        boxes[k].max().array() += (1 - low_share) * growth;
+      }
+      expectExact(search, boxes, 0);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -14,12 +15,14 @@
 
 #include "box_message.h"
 #include "live_boxes_testing.h"
+#include "overlap_message.h"
 #include "part_boxes.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr int kLinks = 50;
+constexpr int kPeriod = 50;  // of updates, in which the chain swings to and fro
 constexpr int kWarmUp = 200;
 constexpr int kUpdates = 1000;
 
@@ -77,7 +80,7 @@ __attribute__((noinline)) void operator delete(void* memory, std::size_t) noexce
 namespace link_bounds {
 namespace {
 
-/// A chain of links with long names, each turned a little more at each update.
+/// A chain of links with long names, each turned a little differently at each update.
 class Chain {
  public:
   Chain() {
@@ -95,7 +98,7 @@ class Chain {
   /// What arrives from the network.
   ros::SerializedMessage message(int update) const {
     tf2_msgs::TFMessage message;
-    const double angle = 0.001 * update;
+    const double angle = 0.5 + 0.5 * std::sin(2 * M_PI * update / kPeriod);
     for (int i = 0; i < kLinks; ++i) {
       const std::string parent = i == 0 ? "the_frame_that_is_fixed" : name(i - 1);
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
@@ -115,15 +118,18 @@ class Chain {
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
     parts_.fill(scene_.links, parts_message_);
+    scene_overlaps_.fill(scene_, overlaps_);
     is_roscpp = true;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);
     ros::serialization::serializeMessage(parts_message_);
+    ros::serialization::serializeMessage(overlaps_);
     is_roscpp = false;
   }
 
   std::size_t boxCount() const { return boxes_.boxes.size(); }
   std::size_t partCount() const { return parts_message_.boxes.size(); }
+  std::size_t overlapCount() const { return overlaps_.overlaps.size(); }
 
  private:
   static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
@@ -134,6 +140,8 @@ class Chain {
   AxisAlignedBoxArray groups_;
   PartBoxes parts_;
   AxisAlignedBoxArray parts_message_;
+  SceneOverlaps scene_overlaps_;
+  BoxOverlapArray overlaps_;
 };
 
 TEST(Allocations, NoneOfOursInAThousandUpdates) {
@@ -146,6 +154,7 @@ TEST(Allocations, NoneOfOursInAThousandUpdates) {
   }
   EXPECT_EQ(chain.boxCount(), static_cast<std::size_t>(kLinks));
   EXPECT_EQ(chain.partCount(), static_cast<std::size_t>(2 * kLinks));
+  EXPECT_GT(chain.overlapCount(), 0u);
   EXPECT_EQ(counts.ours, 0);
   EXPECT_GT(counts.tf2, 0);
   EXPECT_GT(counts.roscpp, 0);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "box_message.h"
 #include "live_boxes_testing.h"
 #include "quad.h"
 

@@ -17,7 +17,7 @@ inline BoundedLink meshLink(const std::string& name, std::uint64_t seed) {
   return {name, {shape}, 0, ""};
 }
 
-/// A group of all links; frames have the links' names.
+/// A group of all links; frames have the links' names, and no link is joined to another.
 inline std::shared_ptr<const Model> modelOf(const std::string& fixed_frame,
                                             const std::vector<BoundedLink>& links) {
   auto model = std::make_shared<Model>();
@@ -27,6 +27,8 @@ inline std::shared_ptr<const Model> modelOf(const std::string& fixed_frame,
   robot.name = "robot";
   for (const BoundedLink& link : links) {
     robot.members.push_back(model->frames.size());
+    model->bodies.of_links.push_back(model->frames.size());
+    model->bodies.parents.push_back(model->frames.size());
     model->frames.push_back(link.name);
   }
   model->groups.push_back(robot);

@@ -72,5 +72,30 @@ TEST(Model, EachUnknownLinkIsWarnedAboutOnce) {
   EXPECT_NE(model.warnings[1].find("\"typo\""), std::string::npos);
 }
 
+TEST(Model, BodiesAreThoseOfTheBoundedLinks) {
+  const Model model = modelWith({});
+  ASSERT_EQ(model.bodies.of_links.size(), 2u);
+  EXPECT_TRUE(areJoined(model.bodies, 0, 1)) << "by fixed joints across a link without geometry";
+}
+
+TEST(Model, IgnoredPairsAreWarnedAboutOnlyWhereALinkIsUnknown) {
+  Parameters parameters;
+  parameters.ignore_pairs = {"arm base", "bare typo", "arm scene/1"};
+  const Model model = modelWith(parameters);
+  EXPECT_TRUE(model.ignored_pairs.contains("base", "arm"));
+  EXPECT_TRUE(model.ignored_pairs.contains("scene/1", "arm"));
+  EXPECT_FALSE(model.ignored_pairs.contains("base", "scene/1"));
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("\"typo\""), std::string::npos) << model.warnings[0];
+}
+
+TEST(Model, MoreThanTwoWordsMustBeNames) {
+  Parameters parameters;
+  parameters.ignore_pairs = {"arm the scene/1"};
+  EXPECT_TRUE(modelWith(parameters).ignored_pairs.contains("arm", "the scene/1"));
+  parameters.ignore_pairs = {"arm bare base"};
+  EXPECT_THROW(modelWith(parameters), ParameterError);
+}
+
 }  // namespace
 }  // namespace link_bounds
