@@ -79,10 +79,6 @@ void trimHeap() {
 #endif
 }
 
-std::string privateName(const TopicName& topic) {
-  return topic.name + 1;
-}
-
 }  // namespace
 
 ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt,

@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a tf message to what is published, in the order of the functions below.
+// From what arrives to a scene and its output, in the order of the functions below.
 #include "publisher_node.h"
 
-#include <ros/single_subscriber_publisher.h>
 #include <time.h>
 
 #include <algorithm>
 
-#include "box_message.h"
-#include "footprint.h"
 #include "guarded.h"
 #include "topics.h"
 
@@ -19,22 +16,8 @@ namespace {
 constexpr std::uint32_t kTfQueue = 5000;
 constexpr std::uint32_t kObjectsQueue = 1000;
 constexpr std::size_t kManyObjects = 1000;  ///< so many together take a megabyte
-/// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
-/// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
-constexpr std::uint32_t kBoxesQueue = 200;
-constexpr std::uint32_t kMarkersQueue = 10;
-constexpr std::uint32_t kFootprintQueue = 10;
 const ros::WallDuration kTick(0.05);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
-
-/// The union of all links: the first group of every model.
-BoxState robotState(const Scene& scene) {
-  return groupState(scene.model()->groups.front(), scene);
-}
-
-std::string privateName(const TopicName& topic) {
-  return topic.name + 1;
-}
 
 double threadCpuMilliseconds() {
   timespec time{};
@@ -58,9 +41,10 @@ double PublisherNode::timed(Body&& body) {
 
 PublisherNode::PublisherNode()
     : object_source_(scene_.objects, [this](const std::string& uri) { loader_->requestMesh(uri); }),
-      boxes_output_(node_, [this] { publishBoxes(); }),
-      markers_output_(node_, [this] { publishMarkers(); }) {
-  advertise();
+      output_(node_, private_node_, scene_,
+              [this](const std::function<void()>& body) { timed(body); }),
+      diagnostics_publisher_(
+          node_.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10)) {
   tick_timer_ = node_.createWallTimer(
       kTick, [this](const ros::WallTimerEvent&) { timed([&] { onTick(); }); });
   diagnostics_timer_ = node_.createWallTimer(
@@ -78,35 +62,6 @@ PublisherNode::PublisherNode()
   subscribe();
   subscribeToObjects();
   master_watch_ = std::make_unique<MasterWatch>();
-}
-
-void PublisherNode::advertise() {
-  boxes_publisher_ =
-      private_node_.advertise<AxisAlignedBoxArray>(privateName(kBoxesTopic), kBoxesQueue, true);
-  groups_publisher_ =
-      private_node_.advertise<AxisAlignedBoxArray>(privateName(kGroupsTopic), kBoxesQueue, true);
-  markers_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>(
-      privateName(kMarkersTopic), kMarkersQueue,
-      [this](const ros::SingleSubscriberPublisher& subscriber) {
-        timed([&] { welcome(subscriber); });
-      });
-  parts_publisher_ = private_node_.advertise<AxisAlignedBoxArray>(
-      privateName(kPartsTopic), kBoxesQueue,
-      [this](const ros::SingleSubscriberPublisher& subscriber) {
-        timed([&] { welcomeToParts(subscriber); });
-      });
-  footprint_publisher_ = private_node_.advertise<geometry_msgs::Polygon>(
-      privateName(kFootprintTopic), kFootprintQueue,
-      [this](const ros::SingleSubscriberPublisher& subscriber) {
-        timed([&] { welcomeToFootprint(subscriber); });
-      });
-  overlaps_publisher_ = private_node_.advertise<BoxOverlapArray>(
-      privateName(kOverlapsTopic), kBoxesQueue,
-      [this](const ros::SingleSubscriberPublisher& subscriber) {
-        timed([&] { welcomeToOverlaps(subscriber); });
-      });
-  diagnostics_publisher_ =
-      node_.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10);
 }
 
 /// Without tcpNoDelay small messages wait for each other in the kernel.
@@ -139,17 +94,13 @@ void PublisherNode::subscribeToObjects() {
 
 ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   std::swap(model, model_);
-  boxes_output_.setRate(model_->parameters.max_rate);
-  markers_output_.setRate(model_->parameters.marker_rate);
   const ros::Time now = ros::Time::now();
   tf_.distrustStampsAhead(now);
   refusal_log_.forget();
   scene_.links.adopt(model_, tf_, now);
-  parts_.adopt(*model_);
   scene_.objects.adopt(model_->fixed_frame, model_->parameters.timeout, tf_, now);
   object_source_.reloadMeshes();
-  boxes_output_.emitNow();
-  markers_output_.request();
+  output_.adopt();
   return model;
 }
 
@@ -200,8 +151,7 @@ void PublisherNode::watchMemory() {
   most_objects_ = std::max(most_objects_, objects);
   if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;
   most_objects_ = objects;
-  overlaps_ = SceneOverlaps();
-  overlaps_message_ = BoxOverlapArray();
+  output_.forgetMemory();
   loader_->giveBackMemory();
 }
 
@@ -249,77 +199,11 @@ void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
 void PublisherNode::onNews() {
   if (!scene_.model()) return;
   ++health_.updates;
-  boxes_output_.request();
-  if (markers_publisher_.getNumSubscribers() > 0) markers_output_.request();
-}
-
-void PublisherNode::publishBoxes() {
-  ++health_.publications;
-  fillBoxes(scene_, boxes_message_);
-  fillGroups(scene_, groups_message_);
-  boxes_publisher_.publish(boxes_message_);
-  groups_publisher_.publish(groups_message_);
-  publishParts();
-  publishFootprint();
-  publishOverlaps();
-}
-
-void PublisherNode::publishParts() {
-  if (!parts_.areWanted() || parts_publisher_.getNumSubscribers() == 0) return;
-  parts_.fill(scene_.links, parts_message_);
-  parts_publisher_.publish(parts_message_);
-}
-
-void PublisherNode::welcomeToParts(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!parts_.areWanted()) return;
-  parts_.fill(scene_.links, parts_message_);
-  subscriber.publish(parts_message_);
-}
-
-void PublisherNode::publishFootprint() {
-  if (footprint_publisher_.getNumSubscribers() == 0) return;
-  if (const auto footprint = footprintOf(robotState(scene_))) {
-    footprint_publisher_.publish(*footprint);
-  }
-}
-
-void PublisherNode::welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!scene_.model()) return;
-  if (const auto footprint = footprintOf(robotState(scene_))) subscriber.publish(*footprint);
-}
-
-void PublisherNode::publishOverlaps() {
-  if (overlaps_publisher_.getNumSubscribers() == 0) return;
-  overlaps_message_.header = boxes_message_.header;
-  overlaps_.fill(scene_, overlaps_message_);
-  overlaps_publisher_.publish(overlaps_message_);
-}
-
-void PublisherNode::welcomeToOverlaps(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!scene_.model()) return;
-  overlaps_message_.header = headerOf(scene_);
-  overlaps_.fill(scene_, overlaps_message_);
-  subscriber.publish(overlaps_message_);
-}
-
-void PublisherNode::publishMarkers() {
-  if (markers_publisher_.getNumSubscribers() == 0) return;
-  const std_msgs::Header header = headerOf(scene_);
-  visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
-  shown_.replaceBy(markers, header);
-  markers_publisher_.publish(markers);
-}
-
-/// A new subscriber to the markers is shown everything at once.
-void PublisherNode::welcome(const ros::SingleSubscriberPublisher& subscriber) {
-  if (!scene_.model()) return;
-  const std_msgs::Header header = headerOf(scene_);
-  visualization_msgs::MarkerArray markers = boxMarkers(scene_, header);
-  shown_.extendBy(markers, header);
-  subscriber.publish(markers);
+  output_.request();
 }
 
 void PublisherNode::publishDiagnostics() {
+  health_.publications = output_.publications();
   health_.waits_for_description = loader_->waitsForDescription();
   health_.waits_for_clock = clock_.isMissing();
   health_.clock_jumped = clock_.hasJustJumped();

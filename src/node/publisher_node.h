@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The node: subscriptions, the update thread's state, and what is published when.
+// The node: subscriptions, and the state of the update thread.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -11,19 +11,14 @@
 
 #include <memory>
 
-#include "box_markers.h"
 #include "clock_watch.h"
 #include "diagnostics.h"
-#include "link_bounds/AxisAlignedBoxArray.h"
-#include "link_bounds/BoxOverlapArray.h"
 #include "master_watch.h"
 #include "model_loader.h"
 #include "object_source.h"
-#include "overlap_message.h"
-#include "paced_output.h"
-#include "part_boxes.h"
 #include "refusal_log.h"
 #include "scene.h"
+#include "scene_output.h"
 #include "transform_source.h"
 
 namespace link_bounds {
@@ -42,7 +37,6 @@ class PublisherNode {
   using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
   using MarkerEvent = ros::MessageEvent<visualization_msgs::Marker>;
 
-  void advertise();
   void subscribe();
   void subscribeToObjects();
   ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
@@ -56,15 +50,6 @@ class PublisherNode {
   void observeClock(ros::Time now);
   void watchMemory();
   void onNews();
-  void publishBoxes();
-  void publishMarkers();
-  void publishParts();
-  void publishFootprint();
-  void publishOverlaps();
-  void welcome(const ros::SingleSubscriberPublisher& subscriber);
-  void welcomeToParts(const ros::SingleSubscriberPublisher& subscriber);
-  void welcomeToFootprint(const ros::SingleSubscriberPublisher& subscriber);
-  void welcomeToOverlaps(const ros::SingleSubscriberPublisher& subscriber);
   void publishDiagnostics();
 
   /// Guards a callback and takes its time [ms], which it returns.
@@ -81,21 +66,7 @@ class PublisherNode {
   ClockWatch clock_;
   RefusalLog refusal_log_{"a transform of", "transforms of further frames"};
   Health health_;
-  ShownMarkers shown_;
-  SceneOverlaps overlaps_;
-  AxisAlignedBoxArray boxes_message_;
-  AxisAlignedBoxArray groups_message_;
-  BoxOverlapArray overlaps_message_;
-  PartBoxes parts_;
-  AxisAlignedBoxArray parts_message_;
-  PacedOutput boxes_output_;
-  PacedOutput markers_output_;
-  ros::Publisher boxes_publisher_;
-  ros::Publisher groups_publisher_;
-  ros::Publisher markers_publisher_;
-  ros::Publisher parts_publisher_;
-  ros::Publisher footprint_publisher_;
-  ros::Publisher overlaps_publisher_;
+  SceneOutput output_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;
   ros::Subscriber tf_static_subscriber_;

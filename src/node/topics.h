@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace link_bounds {
 
@@ -12,6 +13,11 @@ struct TopicName {
   const char* type;
   const char* when;
 };
+
+/// Without the ~, as a private NodeHandle takes it.
+inline std::string privateName(const TopicName& topic) {
+  return topic.name + 1;
+}
 
 constexpr TopicName kBoxesTopic{
     "~boxes", "link_bounds/AxisAlignedBoxArray",

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the boxes of a link_bounds_publisher: red where one overlaps another, else blue.
+
+Subscribes to ~boxes and ~overlaps of link_bounds_publisher, publishes ~markers
+(visualization_msgs/MarkerArray) below its own name. Parameter: ~rate (Hz, default 30).
+"""
+
+import itertools
+
+import rospy
+from geometry_msgs.msg import Point
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
+from visualization_msgs.msg import Marker, MarkerArray
+
+QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (0, 2, 3, 1))
+EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
+COLORS = {'free': (0.1, 0.7, 1.0), 'overlapping': (1.0, 0.15, 0.1)}
+FACE_ALPHA, EDGE_WIDTH = 0.2, 0.004  # -, m
+
+
+def corners(box):
+    """Bit 0 of a corner's number chooses the max of x, bit 1 of y, bit 2 of z."""
+    low, high = box.min, box.max
+    return [Point(high.x if i & 1 else low.x, high.y if i & 2 else low.y,
+                  high.z if i & 4 else low.z) for i in range(8)]
+
+
+def faces(box):
+    corner = corners(box)
+    return [corner[i] for a, b, c, d in QUADS for i in (a, b, c, a, c, d)]
+
+
+def edges(box):
+    corner = corners(box)
+    return [corner[i] for edge in EDGES for i in edge]
+
+
+def drawing(header, state, kind, points):
+    """One marker for all boxes of a state; rviz refuses an empty one, so that is deleted."""
+    result = Marker(header=header, ns=state, id=kind, type=kind,
+                    action=Marker.ADD if points else Marker.DELETE, points=points)
+    result.pose.orientation.w = 1
+    is_edges = kind == Marker.LINE_LIST
+    result.scale.x = EDGE_WIDTH if is_edges else 1
+    result.scale.y = result.scale.z = 0 if is_edges else 1
+    result.color.r, result.color.g, result.color.b = COLORS[state]
+    result.color.a = 1 if is_edges else FACE_ALPHA
+    return result
+
+
+def drawings(boxes, overlaps):
+    hit = {name for pair in overlaps.overlaps for name in (pair.first, pair.second)}
+    result = []
+    for state in COLORS:
+        shown = [box for box in boxes.boxes if (box.name in hit) == (state == 'overlapping')]
+        for kind, points_of in ((Marker.TRIANGLE_LIST, faces), (Marker.LINE_LIST, edges)):
+            points = [point for box in shown for point in points_of(box)]
+            result.append(drawing(boxes.header, state, kind, points))
+    return MarkerArray(result)
+
+
+class Newest:
+    """The last message of each topic, for the thread that draws."""
+
+    def __init__(self):
+        self.boxes, self.overlaps = None, BoxOverlapArray()
+
+    def take_boxes(self, message):
+        self.boxes = message
+
+    def take_overlaps(self, message):
+        self.overlaps = message
+
+
+def main():
+    rospy.init_node('overlap_colors')
+    newest = Newest()
+    rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, newest.take_boxes,
+                     queue_size=1, tcp_nodelay=True)
+    rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, newest.take_overlaps,
+                     queue_size=1, tcp_nodelay=True)
+    publisher = rospy.Publisher('~markers', MarkerArray, queue_size=10)
+    ticks = rospy.Rate(float(rospy.get_param('~rate', 30)), reset=True)
+    try:
+        while not rospy.is_shutdown():
+            if newest.boxes:
+                publisher.publish(drawings(newest.boxes, newest.overlaps))
+            ticks.sleep()
+    except rospy.ROSInterruptException:
+        pass  # the usual end: a signal while asleep
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is published of a scene, and when.
+#pragma once
+
+#include <geometry_msgs/Polygon.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "box_markers.h"
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "link_bounds/BoxOverlapArray.h"
+#include "on_demand.h"
+#include "overlap_message.h"
+#include "paced_output.h"
+#include "part_boxes.h"
+#include "scene.h"
+
+namespace link_bounds {
+
+class SceneOutput {
+ public:
+  /// `scene` must outlive this. `guard` runs what roscpp calls when somebody subscribes.
+  SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
+              const Guard& guard);
+
+  /// Everything at once, at the rates of the scene's new model.
+  void adopt();
+
+  /// Something changed: it is published as soon as the rates allow. There must be a model.
+  void request();
+
+  /// Frees what the search for overlaps keeps for scenes as large as the last one.
+  void forgetMemory();
+
+  /// Messages on ~boxes.
+  std::uint64_t publications() const { return publications_; }
+
+ private:
+  void publishBoxes();
+  bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
+  bool fillParts(AxisAlignedBoxArray& message);
+  bool fillFootprint(geometry_msgs::Polygon& message) const;
+  bool fillOverlaps(BoxOverlapArray& message);
+
+  const Scene& scene_;
+  std::uint64_t publications_ = 0;
+  ShownMarkers shown_;
+  PartBoxes part_boxes_;
+  SceneOverlaps scene_overlaps_;
+  AxisAlignedBoxArray boxes_message_;
+  AxisAlignedBoxArray groups_message_;
+  ros::Publisher boxes_publisher_;
+  ros::Publisher groups_publisher_;
+  OnDemand<visualization_msgs::MarkerArray> markers_;
+  OnDemand<AxisAlignedBoxArray> parts_;
+  OnDemand<geometry_msgs::Polygon> footprint_;
+  OnDemand<BoxOverlapArray> overlaps_;
+  PacedOutput boxes_output_;
+  PacedOutput markers_output_;
+};
+
+}  // namespace link_bounds
