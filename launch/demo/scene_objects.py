@@ -16,7 +16,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 PARCELS, BALLS = 5, 3
 BELT_RADIUS, BELT_HEIGHT, BELT_PERIOD = 0.65, 0.3, 24.0  # m, m, s
 SHEET_CELLS, SHEET_SIDE = 14, 0.5  # m
-SHEET_PLACE = (-0.55, 0.25, 0.75)
+SHEET_PLACE = (-0.4, 0.3, 0.85)
 
 
 def marker(ns, number, kind, color, frame):
@@ -80,7 +80,7 @@ def mesh(uri, scale, seconds, frame):
     result.mesh_resource = uri
     result.scale.x = result.scale.y = result.scale.z = scale
     turn(result, (0.6, 0, 0.8), 0.5 * seconds)
-    return place(result, 0.5, -0.45, 0.75)
+    return place(result, 0.4, -0.35, 0.8)
 
 
 def scene(seconds, frame, uri, scale):
