@@ -24,8 +24,8 @@ void print(const Target& target, const std::string& one, const std::string& many
   const double value = median(target.ratios);
   const double gain = wants_more ? value / target.limit : target.limit / value;
   out << std::setw(9) << value << (gain >= 1 ? "  reached" : "  MISSED ") << " (from " << *smallest
-      << " to " << *largest << " on " << target.ratios.size()
-      << " " << (target.ratios.size() == 1 ? one : many) << ")\n";
+      << " to " << *largest << " on " << target.ratios.size() << " "
+      << (target.ratios.size() == 1 ? one : many) << ")\n";
 }
 
 }  // namespace link_bounds::bench
