@@ -25,9 +25,9 @@ class PlainLanes {
 
  private:
   bool isNear(std::size_t j) const {
-    return (boxes_.low[0][j] <= boxes_.high[0][i_]) & (boxes_.low[1][j] <= boxes_.high[1][i_]) &
-           (boxes_.low[1][i_] <= boxes_.high[1][j]) & (boxes_.low[2][j] <= boxes_.high[2][i_]) &
-           (boxes_.low[2][i_] <= boxes_.high[2][j]);
+    return boxes_.low[0][j] <= boxes_.high[0][i_] && boxes_.low[1][j] <= boxes_.high[1][i_] &&
+           boxes_.low[1][i_] <= boxes_.high[1][j] && boxes_.low[2][j] <= boxes_.high[2][i_] &&
+           boxes_.low[2][i_] <= boxes_.high[2][j];
   }
 
   const SweepBoxes& boxes_;

@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kBins = 32;
+constexpr std::size_t kBins = 32;
 
 /// Items taken together.
 struct Gathering {
@@ -41,28 +41,28 @@ struct BinScale {
   float low;
   float bins_per_unit;
 
-  int binOf(const PartItem& item) const {
+  std::size_t binOf(const PartItem& item) const {
     const float place = (item.center()[axis] - low) * bins_per_unit;
-    return std::min(static_cast<int>(place), kBins - 1);
+    return std::min(static_cast<std::size_t>(place), kBins - 1);
   }
 };
 
 struct Split {
   double cost = std::numeric_limits<double>::infinity();
   BinScale scale{};
-  int first_bin_of_right = 0;
+  std::size_t first_bin_of_right = 0;
 };
 
 using Bins = std::array<Gathering, kBins>;
 
 void tryBorders(const Bins& bins, const BinScale& scale, Split& best) {
   std::array<Gathering, kBins + 1> from;
-  for (int i = kBins; i-- > 0;) {
+  for (std::size_t i = kBins; i-- > 0;) {
     from[i] = from[i + 1];
     from[i].add(bins[i]);
   }
   Gathering before;
-  for (int i = 1; i < kBins; ++i) {
+  for (std::size_t i = 1; i < kBins; ++i) {
     before.add(bins[i - 1]);
     if (before.isEmpty() || from[i].isEmpty()) continue;
     const double cost = before.cost() + from[i].cost();
@@ -76,7 +76,7 @@ std::vector<BinScale> binScales(const PartItems& items, const PartNode& node) {
     centers.extend(items[i].center());
   std::vector<BinScale> scales;
   for (int axis = 0; axis < 3; ++axis) {
-    const float bins_per_unit = kBins / centers.sizes()[axis];
+    const float bins_per_unit = static_cast<float>(kBins) / centers.sizes()[axis];
     if (std::isfinite(bins_per_unit)) scales.push_back({axis, centers.min()[axis], bins_per_unit});
   }
   return scales;
@@ -87,11 +87,11 @@ Split bestSplit(const PartItems& items, const PartNode& node) {
   std::array<Bins, 3> bins;
   for (std::size_t i = node.begin; i < node.end; ++i) {
     for (const BinScale& scale : scales)
-      bins[scale.axis][scale.binOf(items[i])].add(items[i]);
+      bins[static_cast<std::size_t>(scale.axis)][scale.binOf(items[i])].add(items[i]);
   }
   Split best;
   for (const BinScale& scale : scales)
-    tryBorders(bins[scale.axis], scale, best);
+    tryBorders(bins[static_cast<std::size_t>(scale.axis)], scale, best);
   return best;
 }
 

@@ -30,8 +30,9 @@ struct View {
 
   View(const Frames& all, const Eigen::Affine3d& unit_from_shape) {
     for (int i = 0; i < PartReach::kFrames; ++i) {
-      linear.middleRows<3>(3 * i) = all[i] * unit_from_shape.linear();
-      offset.segment<3>(3 * i) = (all[i] * unit_from_shape.translation()).array();
+      const Eigen::Matrix3d& frame = all[static_cast<std::size_t>(i)];
+      linear.middleRows<3>(3 * i) = frame * unit_from_shape.linear();
+      offset.segment<3>(3 * i) = (frame * unit_from_shape.translation()).array();
     }
   }
 
@@ -45,7 +46,7 @@ void extendByShape(const Frames& all, const Shape& shape, const Eigen::Affine3d&
   PartReach::Values low;
   PartReach::Values high;
   for (int i = 0; i < PartReach::kFrames; ++i) {
-    const Aabb box = worldBox(shape, all[i] * unit_from_link).value();
+    const Aabb box = worldBox(shape, all[static_cast<std::size_t>(i)] * unit_from_link).value();
     low.segment<3>(3 * i) = box.min().array();
     high.segment<3>(3 * i) = box.max().array();
   }

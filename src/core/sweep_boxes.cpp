@@ -43,7 +43,7 @@ int overlapsOf(const Sample& sample) {
   int count = 0;
   for (std::size_t i = 0; i < sample.size; ++i) {
     for (std::size_t j = 0; j < sample.size; ++j)
-      count += (sample.low[i] <= sample.high[j]) & (sample.low[j] <= sample.high[i]);
+      count += sample.low[i] <= sample.high[j] && sample.low[j] <= sample.high[i];
   }
   return count;
 }
