@@ -5,17 +5,12 @@
 
 #include <array>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace link_bounds {
+#include "parameter_error.h"
 
-/// A parameter that cannot be used: which, why, and what would be right.
-class ParameterError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace link_bounds {
 
 /// Meanings and units: parameter_table.h.
 struct Parameters {

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What --help says of a parameter: its type and its default.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+
+inline std::string typeName(const std::string&) {
+  return "string";
+}
+inline std::string typeName(double) {
+  return "double";
+}
+inline std::string typeName(int) {
+  return "int";
+}
+inline std::string typeName(bool) {
+  return "bool";
+}
+template <std::size_t count>
+std::string typeName(const std::array<double, count>&) {
+  return "double[" + std::to_string(count) + "]";
+}
+inline std::string typeName(const std::vector<std::string>&) {
+  return "string[]";
+}
+inline std::string typeName(const std::map<std::string, double>&) {
+  return "map link: double";
+}
+inline std::string typeName(const std::map<std::string, std::vector<std::string>>&) {
+  return "map name: string[]";
+}
+template <class T>
+std::string typeName(const std::optional<T>&) {
+  return typeName(T());
+}
+
+std::string valueText(const std::string& value);
+std::string valueText(bool value);
+std::string valueText(int value);
+std::string valueText(double value);
+
+template <std::size_t count>
+std::string valueText(const std::array<double, count>& value) {
+  std::string text;
+  for (const double part : value)
+    text += (text.empty() ? "[" : ", ") + valueText(part);
+  return text + "]";
+}
+/// The defaults of lists and maps are empty.
+template <class T>
+std::string valueText(const std::vector<T>&) {
+  return "[]";
+}
+template <class T>
+std::string valueText(const std::map<std::string, T>&) {
+  return "{}";
+}
+/// A parameter that must be given has none.
+template <class T>
+std::string valueText(const std::optional<T>&) {
+  return "(required)";
+}
+
+/// A visitor of a table of parameters: prints a row of each.
+class ParameterRows {
+ public:
+  explicit ParameterRows(std::ostream& out) : out_(out) {}
+
+  template <class T, class Rule>
+  void operator()(const char* name, const T& value, Rule, const char* meaning) {
+    out_ << "  " << name << " | " << typeName(value) << " | " << valueText(value) << " | "
+         << meaning << "\n";
+  }
+
+ private:
+  std::ostream& out_;
+};
+
+}  // namespace link_bounds
