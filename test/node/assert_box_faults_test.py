@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""assert_box fails where it must: exit status, a report that rostest understands, the last box."""
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import DEADLINE, Pose, executable, turn, wait_for
+from catkin.test_results import read_junit
+from geometry_msgs.msg import Point
+from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
+from node_testing import SANITIZED
+from rosunit import junitxml
+from std_msgs.msg import Header
+
+TOPIC = "/link_bounds_publisher/boxes"  # the default of assert_box
+FRAME = 'cell <1> & "2"'
+INFINITE = float("inf")
+# Wall seconds, for what has to fail and until then has to have seen a message.
+EXPIRES = 15.0 if SANITIZED else 5.0
+
+
+def turned_box(name, xyz, xyzw):
+    """The box of a turned beam."""
+    corners = Pose(xyz, xyzw).box_bounds((0.4, 0.2, 0.1))
+    return AxisAlignedBox(name=name, min=Point(*corners[:3]), max=Point(*corners[3:]))
+
+
+PALM = turned_box("palm", (1, 0, 0.5), turn((0, 0, 1), 30))
+THUMB = turned_box("thumb", (2, 0, 0.5), turn((0, 1, 0), 45))
+PALM_MIN = [PALM.min.x, PALM.min.y, PALM.min.z]
+PALM_MAX = [PALM.max.x, PALM.max.y, PALM.max.z]
+LAST_PALM = "last box: [%.9g, %.9g, %.9g] to [%.9g, %.9g, %.9g]" % (*PALM_MIN, *PALM_MAX)
+AROUND_PALM = {"name": "palm", "min": [0, -1, 0], "max": [2, 1, 1]}
+EXACT_PALM = {"name": "palm", "min": PALM_MIN, "max": PALM_MAX}
+
+
+class Talker:
+    """Boxes as a node publishes them."""
+
+    def __init__(self, topic):
+        self._publisher = rospy.Publisher(topic, AxisAlignedBoxArray, queue_size=10, latch=True)
+
+    def send(self, *boxes, incomplete=()):
+        self._publisher.publish(AxisAlignedBoxArray(
+            header=Header(frame_id=FRAME), boxes=list(boxes), incomplete=list(incomplete)))
+
+    def wait_for_listener(self):
+        wait_for(lambda: self._publisher.get_num_connections() > 0, "assert_box listens")
+
+    def end(self):
+        self._publisher.unregister()
+
+
+class Run:
+    """An assert_box with these parameters."""
+
+    def __init__(self, folder, name, parameters, *arguments):
+        self.name = name
+        self.path = os.path.join(folder, "results", name + ".xml")
+        rospy.set_param("/" + name, dict({"deadline": EXPIRES}, **parameters))
+        self.process = subprocess.Popen(
+            [executable("link_bounds", "assert_box"), "__name:=" + name,
+             "--gtest_output=xml:" + self.path, *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+    def finish(self):
+        """Exit status and output."""
+        try:
+            output, _ = self.process.communicate(timeout=DEADLINE + EXPIRES)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise
+        return self.process.returncode, output.decode()
+
+
+MISSING = {"name": "finger", "min": [0, 0, 0], "max": [1, 1, 1]}
+PASSING = {  # parameters
+    "equal": EXACT_PALM,
+    "equal_within": dict(EXACT_PALM, min=[c + 0.009 for c in PALM_MIN], tolerance=0.01),
+    "inside": dict(AROUND_PALM, check="inside"),
+    "inside_half_space": dict(AROUND_PALM, check="inside", min=[-INFINITE, -INFINITE, 0],
+                              max=[INFINITE, INFINITE, INFINITE]),
+    "outside": dict(AROUND_PALM, name="thumb", check="outside", max=[1.8, 1, 1]),
+    "held": dict(AROUND_PALM, check="inside", hold=0.5)}
+FAILING = {  # parameters, and what the failure says
+    "not_equal": (dict(EXACT_PALM, max=[c + 0.02 for c in PALM_MAX]),
+                  [LAST_PALM, "off by 0.02 m", FRAME]),
+    "not_inside": (dict(AROUND_PALM, check="inside", max=[2, 1, 0.5]),
+                   [LAST_PALM, "off by 0.05 m", "not inside [0, -1, 0] to [2, 1, 0.5]"]),
+    "not_outside": (dict(AROUND_PALM, check="outside"), [LAST_PALM, "off by"]),
+    "missing": (MISSING, ["no such box", "not named in incomplete", "palm, thumb"]),
+    "incomplete": (dict(EXACT_PALM, name="thumb", check="outside", topic="/half/boxes"),
+                   ["thumb", "incomplete"]),
+    "no_topic": (dict(AROUND_PALM, topic="/nobody/boxes"), ["no message came", "/nobody/boxes"])}
+INVALID = {
+    "no_name": ({"min": [0, 0, 0], "max": [1, 1, 1]}, "~name is required"),
+    "no_min": ({"name": "palm", "max": [1, 1, 1]}, "~min is required"),
+    "no_max": ({"name": "palm", "min": [1, 1, 1]}, "~max is required"),
+    "two_numbers": (dict(AROUND_PALM, min=[0, 0]), "~min must be a list of 3 numbers"),
+    "text": (dict(AROUND_PALM, max="[1, 1, 1]"), "~max must be a list of 3 numbers"),
+    "min_above_max": (dict(AROUND_PALM, min=[0, 1.5, 0]), "~min must not be greater than ~max"),
+    "nan": (dict(AROUND_PALM, min=[0, 0, float("nan")]), "~min must not hold NaN"),
+    "infinite": (dict(AROUND_PALM, max=[INFINITE, 1, 1]), "finite"),
+    "check": (dict(AROUND_PALM, check="in"), "~check must be equal, inside or outside"),
+    "tolerance": (dict(AROUND_PALM, tolerance=-1e-3), "~tolerance must be"),
+    "deadline": (dict(AROUND_PALM, deadline=0), "~deadline must be"),
+    "hold": (dict(AROUND_PALM, hold=9.0, deadline=9.0), "~hold must be less than ~deadline"),
+    "misspelt": (dict(AROUND_PALM, tolerence=0.1), "~tolerence is unknown")}
+
+
+class AssertBoxFaults(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.talker = Talker(TOPIC)
+        cls.talker.send(PALM, THUMB)
+        cls.half = Talker("/half/boxes")
+        cls.half.send(PALM, THUMB, incomplete=["thumb"])
+
+    def start(self, name, parameters, *arguments):
+        run = Run(self.folder, name, parameters, *arguments)
+        self.addCleanup(run.process.stdout.close)
+        self.addCleanup(run.process.wait)
+        self.addCleanup(run.process.kill)
+        return run
+
+    def check_failure(self, run, *texts):
+        status, output = run.finish()
+        self.assertEqual(status, 1, output)
+        result = junitxml.read(run.path, run.name)
+        self.assertEqual((result.num_tests, result.num_errors, result.num_failures), (1, 0, 1))
+        failure = result.test_case_results[0].failures[0].text
+        for text in texts:
+            self.assertIn(text, output)
+            self.assertIn(text, failure)
+        self.assertEqual(read_junit(run.path), (1, 0, 1))
+
+    def check_passed(self, run):
+        status, output = run.finish()
+        self.assertEqual(status, 0, output)
+        self.assertEqual(read_junit(run.path), (1, 0, 0))
+        self.assertEqual(len(junitxml.read(run.path, run.name).test_case_results), 1)
+
+    def test_conditions_that_are_true(self):
+        runs = [self.start(name, dict(parameters, deadline=DEADLINE))
+                for name, parameters in PASSING.items()]
+        for run in runs:
+            with self.subTest(run.name):
+                self.check_passed(run)
+
+    def test_conditions_that_are_not_true(self):
+        runs = [self.start(name, parameters) for name, (parameters, _) in FAILING.items()]
+        for run in runs:
+            with self.subTest(run.name):
+                self.check_failure(run, *FAILING[run.name][1])
+
+    def test_parameters_that_mean_nothing_fail_at_once(self):
+        start = time.monotonic()
+        for name, (parameters, text) in INVALID.items():
+            with self.subTest(name):
+                self.check_failure(self.start(name, dict({"deadline": 1000}, **parameters)), text)
+        self.assertLess(time.monotonic() - start, DEADLINE * len(INVALID))
+
+    def test_an_unknown_argument_fails(self):
+        self.check_failure(self.start("argument", AROUND_PALM, "--gtest_filter=palm"),
+                           "--gtest_filter=palm", "--help")
+
+    def test_what_goes_away_breaks_the_hold(self):
+        box = self.start_held("going")
+        publisher = self.start_held("ending")
+        box.talker.send(THUMB, incomplete=["palm"])
+        publisher.talker.send(PALM)
+        publisher.talker.end()
+        self.check_failure(box, "at most for", "named in incomplete", LAST_PALM)
+        self.check_failure(publisher, "at most for", "nobody publishes", LAST_PALM)
+
+    def start_held(self, name):
+        """Waits for the end of its hold, and listens to a talker of its own."""
+        topic = "/%s/boxes" % name
+        talker = Talker(topic)
+        talker.send(PALM)
+        run = self.start(name, dict(AROUND_PALM, topic=topic, check="inside", hold=EXPIRES / 2))
+        run.talker = talker
+        talker.wait_for_listener()
+        return run
+
+    def test_who_is_interrupted_fails(self):
+        run = self.start_held("interrupted")
+        run.process.send_signal(signal.SIGTERM)
+        self.check_failure(run, "interrupted")
+
+    def test_without_a_master_it_fails_at_once(self):
+        path = os.path.join(self.folder, "no_master.xml")
+        found = subprocess.run(
+            [executable("link_bounds", "assert_box"), "--gtest_output=xml:" + path],
+            env=dict(os.environ, ROS_MASTER_URI="http://localhost:1"), timeout=DEADLINE,
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertEqual(found.returncode, 1)
+        self.assertIn("no ROS master", found.stderr.decode())
+        self.assertEqual(read_junit(path), (1, 0, 1))
+
+    def test_a_report_that_cannot_be_written_is_a_failure(self):
+        run = self.start("unwritable", dict(AROUND_PALM, check="inside"),
+                         "--gtest_output=xml:/proc/no/such/report.xml")
+        status, output = run.finish()
+        self.assertEqual(status, 1)
+        self.assertIn("cannot write /proc/no/such/report.xml", output)
+
+
+if __name__ == "__main__":
+    rospy.init_node("assert_box_faults_test")
+    rostest.rosrun("link_bounds", "assert_box_faults", AssertBoxFaults)
