@@ -21,7 +21,8 @@ packages_of() {
         ros-environment rosbash rospack-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     test)
-      echo libgtest-dev librostest-dev python3-rostest python3-rosgraph-msgs python3-tf2-ros ;;
+      echo iproute2 libgtest-dev librostest-dev python3-rostest python3-rosgraph-msgs \
+        python3-tf2-ros python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
     bench)

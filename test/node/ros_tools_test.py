@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What people look with understands what the node sends: rosbag, rostopic and rviz."""
+import io
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import threading
+import unittest
+
+import rosbag
+import rospkg
+import rospy
+import rostest
+import yaml
+from bounds_testing import DEADLINE, Recorder, corners_of, latched, load, wait_for
+from node_testing import ARMS, NODE, ArmsTf, Repeater
+from visualization_msgs.msg import MarkerArray
+
+TOPICS = {NODE + "/boxes": None, NODE + "/markers": MarkerArray}  # None: an array of boxes
+PLAYED = "/played"
+COUNT = 20  # messages of each topic that are recorded
+RATE = 50  # Hz
+LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
+UNITS = {"B": 1, "KB": 1e3, "MB": 1e6}
+
+
+def bytes_of(message):
+    """As they are sent; a bag has types of its own, which are never equal to those of rospy."""
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
+
+
+def record(topic, message_type):
+    return Recorder(topic, message_type) if message_type else Recorder(topic)
+
+
+class Tool:
+    """A program that runs until it is stopped, and the lines that it prints."""
+
+    def __init__(self, *command):
+        self._lines = []
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                         stdin=subprocess.DEVNULL, text=True,
+                                         env=dict(os.environ, PYTHONUNBUFFERED="1"))
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self):
+        for line in self._process.stdout:
+            self._lines.append(line)
+
+    def wait_for_match(self, pattern):
+        def match():
+            return next((found for found in map(re.compile(pattern).search, list(self._lines))
+                         if found), None)
+        return wait_for(match, "%s in %s" % (pattern, self._lines))
+
+    def stop(self):
+        self._process.kill()
+        self._process.wait()
+        self._reader.join()
+        self._process.stdout.close()
+
+
+class RosTools(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        load(NODE, ARMS, marker_labels=True)
+        cls.boxes = Recorder(NODE + "/boxes")
+        tf = ArmsTf()
+        sender = Repeater(RATE, lambda: tf.send(rospy.Time.now(), degrees=30))
+        cls.addClassCleanup(sender.stop)
+        cls.boxes.wait(lambda m: not m.incomplete, "all boxes")
+
+    def start(self, *command):
+        tool = Tool(*command)
+        self.addCleanup(tool.stop)
+        return tool
+
+    def test_a_bag_holds_what_was_sent_and_plays_it_again(self):
+        live = [record(topic, kind) for topic, kind in TOPICS.items()]
+        bag = os.path.join(self.recorded_in_folder(), "boxes.bag")
+        subprocess.run(["rosbag", "record", "--quiet", "--limit=%d" % COUNT, "--output-name", bag,
+                        *TOPICS], check=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
+        with rosbag.Bag(bag) as file:
+            recorded = {topic: [bytes_of(m) for _, m, _ in file.read_messages([topic])]
+                        for topic in TOPICS}
+        for recorder in live:
+            self.assertEqual(len(recorded[recorder.topic]), COUNT)
+            sent = {bytes_of(message) for message in recorder.messages}
+            # The first may be one that was latched before this test listened.
+            self.assertEqual(set(recorded[recorder.topic][1:]) - sent, set())
+            recorder.subscriber.unregister()
+        self.play(bag, recorded)
+
+    def recorded_in_folder(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        return folder
+
+    def play(self, bag, recorded):
+        played = {topic: record(PLAYED + topic, kind) for topic, kind in TOPICS.items()}
+        subprocess.run(["rosbag", "play", "--quiet", "--wait-for-subscribers", bag,
+                        *("%s:=%s" % (topic, PLAYED + topic) for topic in TOPICS)],
+                       check=True, timeout=DEADLINE, stdin=subprocess.DEVNULL,
+                       stdout=subprocess.DEVNULL)
+        for topic, recorder in played.items():
+            wait_for(lambda r=recorder: len(r.messages) >= COUNT, "all of " + recorder.topic)
+            self.assertEqual([bytes_of(m) for m in recorder.messages], recorded[topic])
+
+    def test_rostopic_echo_prints_a_message(self):
+        text = subprocess.run(["rostopic", "echo", "-n1", NODE + "/boxes"], check=True,
+                              timeout=DEADLINE, stdout=subprocess.PIPE).stdout.decode()
+        message = next(yaml.safe_load_all(text))
+        expected = latched(NODE + "/boxes")
+        self.assertEqual(message["header"]["frame_id"], "base")
+        for box, wanted in zip(message["boxes"], expected.boxes):
+            self.assertEqual(box["name"], wanted.name)
+            corners = [box[corner][axis] for corner in ("min", "max") for axis in "xyz"]
+            self.assertEqual(corners, corners_of(wanted))
+
+    def test_rostopic_hz_sees_the_rate(self):
+        found = self.start("rostopic", "hz", NODE + "/boxes").wait_for_match(
+            r"average rate: ([\d.]+)")
+        self.assertGreater(float(found.group(1)), RATE / 10)
+        self.assertLess(float(found.group(1)), 2 * RATE)
+
+    def test_rostopic_bw_sees_the_bytes(self):
+        found = self.start("rostopic", "bw", NODE + "/boxes").wait_for_match(
+            r"mean: ([\d.]+)(B|KB|MB)")
+        mean = float(found.group(1)) * UNITS[found.group(2)]
+        size = len(bytes_of(self.boxes.messages[-1]))
+        self.assertAlmostEqual(mean, size, delta=size / 4)
+
+    def test_rviz_is_set_to_topics_that_exist(self):
+        published = dict(rospy.get_published_topics())
+        for name in ("link_bounds.rviz", "demo.rviz"):
+            with open(LAUNCH + name, encoding="utf-8") as file:
+                displays = yaml.safe_load(file)["Visualization Manager"]["Displays"]
+            kinds = {display["Class"]: display for display in displays}
+            self.assertIn("rviz/RobotModel", kinds)
+            topic = kinds["rviz/MarkerArray"]["Marker Topic"]
+            self.assertEqual(published[topic], "visualization_msgs/MarkerArray", name)
+
+
+if __name__ == "__main__":
+    rospy.init_node("ros_tools_test")
+    rostest.rosrun("link_bounds", "ros_tools", RosTools)

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hosts that are network namespaces, joined by a switch; all of it ends with the process."""
+import ctypes
+import os
+import signal
+import subprocess
+
+PR_SET_PDEATHSIG = 1
+SUBNET = "10.77.0."
+MASTER_PORT = 11311  # nobody else is in these namespaces
+LONGEST_RETRY = "/proc/sys/net/ipv4/tcp_rto_max_ms"  # since Linux 6.15
+DELAY, LOSS = "20ms", "5%"
+
+
+def die_with_parent():
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+def unshare_command():
+    """What gives a program a network of its own and the right to change it; None if nothing can."""
+    rights = [] if os.geteuid() == 0 else ["--map-root-user"]
+    command = ["unshare", "--net", *rights]
+    try:
+        tried = subprocess.run([*command, "ip", "link", "add", "switch", "type", "bridge"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    except FileNotFoundError:
+        return None
+    return command if tried.returncode == 0 else None
+
+
+def run(*command):
+    subprocess.run(command, check=True)
+
+
+class Host:
+    """A namespace, which a sleeping process keeps, with one interface, which has an address."""
+
+    def __init__(self, number):
+        self.address = SUBNET + str(number)
+        self.port = "port%d" % number  # the switch's end of the cable
+        self._keeper = subprocess.Popen(
+            ["unshare", "--net", "sh", "-c", "echo ready; exec sleep infinity"],
+            stdout=subprocess.PIPE, preexec_fn=die_with_parent)
+        self._keeper.stdout.readline()
+        run("ip", "link", "add", self.port, "type", "veth", "peer", "name", "eth0",
+            "netns", str(self._keeper.pid))
+        run("ip", "link", "set", self.port, "master", "switch", "up")
+        self.run("ip", "link", "set", "lo", "up")
+        self.run("ip", "address", "add", self.address + "/24", "dev", "eth0")
+        self.run("ip", "link", "set", "eth0", "up")
+
+    def _inside(self, command):
+        return ["nsenter", "--net", "--target", str(self._keeper.pid), *command]
+
+    def run(self, *command):
+        run(*self._inside(command))
+
+    def start(self, *command, **options):
+        environment = dict(os.environ, ROS_IP=self.address, PYTHONUNBUFFERED="1",
+                           ROS_MASTER_URI="http://%s1:%d" % (SUBNET, MASTER_PORT))
+        environment.pop("ROS_HOSTNAME", None)
+        return subprocess.Popen(self._inside(command), env=environment,
+                                preexec_fn=die_with_parent, **options)
+
+    def limit_retries(self):
+        """TCP asks at least every second whether the other side is back; False if the kernel
+        cannot: then each wait is as long as all before it together."""
+        if not os.path.exists(LONGEST_RETRY):
+            return False
+        self.run("sh", "-c", "echo 1000 > " + LONGEST_RETRY)
+        return True
+
+    def cut(self):
+        """Pulls the cable at the switch; the host's own end sees that, too."""
+        run("ip", "link", "set", self.port, "down")
+
+    def restore(self):
+        run("ip", "link", "set", self.port, "up")
+
+    def make_bad(self):
+        """Delay and loss on the way to this host; False if the kernel has no netem."""
+        return subprocess.run(["tc", "qdisc", "add", "dev", self.port, "root", "netem", "delay",
+                               DELAY, "loss", LOSS], stderr=subprocess.DEVNULL).returncode == 0
+
+    def end(self):
+        self._keeper.kill()
+        self._keeper.wait()
+        self._keeper.stdout.close()
+
+
+def hosts(count):
+    """Numbered from 1, which is where the ROS master belongs."""
+    run("ip", "link", "add", "switch", "type", "bridge")
+    run("ip", "link", "set", "switch", "up")
+    return [Host(number) for number in range(1, count + 1)]
