@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The tables of the README say what the node and the message files say.
 
-Run as: readme_tables_test.py PATH_OF_link_bounds_publisher FOLDER_OF_THE_PACKAGE
+Run as: readme_tables_test.py PATH_OF_link_bounds_publisher PATH_OF_assert_box FOLDER_OF_THE_PACKAGE
 """
 import os
 import re
@@ -11,7 +11,7 @@ import subprocess
 import sys
 import unittest
 
-PUBLISHER, PACKAGE = '', ''
+PUBLISHER, ASSERT_BOX, PACKAGE = '', '', ''
 
 
 def tables(text):
@@ -57,11 +57,11 @@ class ReadmeTablesTest(unittest.TestCase):
     def setUpClass(cls):
         with open(os.path.join(PACKAGE, 'README.md'), encoding='utf-8') as file:
             cls.readme = file.read()
-        cls.help = subprocess.run([PUBLISHER, '--help'], check=True, timeout=20,
-                                  stdout=subprocess.PIPE).stdout.decode('utf-8')
 
-    def check(self, section, header):
-        expected = help_rows(section, self.help)
+    def check(self, section, header, program=None):
+        text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
+                              stdout=subprocess.PIPE).stdout.decode('utf-8')
+        expected = help_rows(section, text)
         self.assertGreater(len(expected), 0)
         self.assertEqual(rows_below(self.readme, header), expected)
 
@@ -73,6 +73,15 @@ class ReadmeTablesTest(unittest.TestCase):
 
     def test_parameters(self):
         self.check('Parameters', ['name', 'type', 'default', 'meaning'])
+
+    def test_parameters_of_assert_box(self):
+        self.check('Parameters', ['parameter', 'type', 'default', 'meaning'], ASSERT_BOX)
+
+    def test_example_of_assert_box_is_one_that_runs(self):
+        example = re.search(r'^  <test .*?^  </test>$', self.readme, re.DOTALL | re.MULTILINE)
+        path = os.path.join(PACKAGE, 'test', 'node', 'assert_box.test')
+        with open(path, encoding='utf-8') as file:
+            self.assertIn(example.group(0), file.read())
 
     def test_messages(self):
         messages = sorted(os.listdir(os.path.join(PACKAGE, 'msg')))
@@ -97,5 +106,5 @@ class ReadmeTablesTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    PACKAGE, PUBLISHER = sys.argv.pop(), sys.argv.pop()
+    PACKAGE, ASSERT_BOX, PUBLISHER = sys.argv.pop(), sys.argv.pop(), sys.argv.pop()
     unittest.main()

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The consumers that the README shows work as they stand there."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rospkg
+import rostest
+from bounds_testing import wait_for
+
+PACKAGE = rospkg.RosPack().get_path("link_bounds")
+BUILDING = 240  # wall seconds for compiling thirty lines on a busy machine
+PRINTED = "post up to 1"  # the post is 1 m high, and boxes are rounded outward
+
+
+def code_block(title, language):
+    """The first block of a language below a line of the README."""
+    with open(os.path.join(PACKAGE, "README.md"), encoding="utf-8") as file:
+        text = file.read()
+    below = text[text.index("\n" + title + "\n"):]
+    return re.search(r"^```%s\n(.*?)^```$" % language, below, re.DOTALL | re.MULTILINE).group(1)
+
+
+class ReadmeConsumers(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run_tool(self, *command):
+        found = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               timeout=BUILDING)
+        self.assertEqual(found.returncode, 0, found.stdout.decode())
+
+    def check_consumer(self, *command):
+        """The program never ends by itself; it prints the box of the post."""
+        path = os.path.join(self.folder, "output")
+        with open(path, "wb") as output:
+            consumer = subprocess.Popen(command, stdout=output,
+                                        env=dict(os.environ, PYTHONUNBUFFERED="1"))
+        self.addCleanup(consumer.wait)
+        self.addCleanup(consumer.kill)
+
+        def printed():
+            with open(path, encoding="utf-8") as output:
+                return PRINTED in output.read()
+        wait_for(printed, "the consumer prints a box")
+        self.assertIsNone(consumer.poll())
+
+    def test_consumer_in_python(self):
+        script = self.write("consumer.py", code_block("A consumer in Python:", "python"))
+        self.check_consumer(sys.executable, script)
+
+    def test_consumer_in_cpp(self):
+        self.write("consumer.cpp", code_block("A consumer in C++:", "cpp"))
+        self.write("CMakeLists.txt", code_block("A consumer in C++:", "cmake"))
+        build = os.path.join(self.folder, "build")
+        # A library that was built for a sanitizer needs the same of its users.
+        flags = "-fsanitize=address" if "ASAN_OPTIONS" in os.environ else ""
+        self.run_tool("cmake", "-S", self.folder, "-B", build, "-DCMAKE_CXX_FLAGS=" + flags)
+        self.run_tool("cmake", "--build", build)
+        self.check_consumer(os.path.join(build, "consumer"))
+
+
+if __name__ == "__main__":
+    rostest.rosrun("link_bounds", "readme_consumers", ReadmeConsumers)
