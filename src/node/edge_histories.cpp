@@ -6,80 +6,50 @@
 #include <algorithm>
 
 namespace link_bounds {
-namespace {
 
-Tf2Pose operator*(const Tf2Pose& a, const Tf2Pose& b) {
-  return {a.rotation * b.rotation, tf2::quatRotate(a.rotation, b.translation) + a.translation};
-}
-
-Tf2Pose inverse(const Tf2Pose& pose) {
-  const tf2::Quaternion rotation = pose.rotation.inverse();
-  return {rotation, tf2::quatRotate(rotation, -pose.translation)};
-}
-
-/// tf2 keeps 0 for "no frame".
-tf2::CompactFrameID toId(FrameTree::Frame frame) {
-  return static_cast<tf2::CompactFrameID>(frame + 1);
-}
-
-FrameTree::Frame toFrame(tf2::CompactFrameID id) {
-  return id - 1;
-}
-
-}  // namespace
-
-bool EdgeHistories::insert(const geometry_msgs::TransformStamped& transform, Frame child,
-                           Frame parent, bool is_static) {
-  caches_.resize(std::max({caches_.size(), child + 1, parent + 1}));
-  auto& cache = caches_[child];
-  if (!cache && is_static) cache = std::make_shared<tf2::StaticCache>();
-  if (!cache) cache = std::make_shared<tf2::TimeCache>();
-  return cache->insertData(tf2::TransformStorage(transform, toId(parent), toId(child)));
+bool EdgeHistories::insert(Frame child, const EdgeSample& sample, bool is_static) {
+  histories_.resize(std::max({histories_.size(), child + 1, sample.parent + 1}));
+  auto& history = histories_[child];
+  if (!history) history = std::make_unique<EdgeHistory>(is_static, memory_.get());
+  return history->insert(sample);
 }
 
 void EdgeHistories::clear() {
-  for (auto& cache : caches_) {
-    if (cache) cache->clearList();
+  for (auto& history : histories_) {
+    if (history) history->clear();
   }
 }
 
 void EdgeHistories::clear(Frame child) {
-  caches_[child]->clearList();
-}
-
-bool EdgeHistories::read(Frame child, ros::Time time, Tf2Pose& parent_from_child,
-                         Frame& parent) const {
-  tf2::TransformStorage sample;
-  if (!caches_[child] || !caches_[child]->getData(time, sample)) return false;
-  parent_from_child = {sample.rotation_, sample.translation_};
-  parent = toFrame(sample.frame_id_);
-  return true;
+  histories_[child]->clear();
 }
 
 /// Ends at the target, where a history ends, or where a loop would close.
-void EdgeHistories::climb(Frame source, Frame target, ros::Time time) const {
-  marks_.begin(caches_.size());
+void EdgeHistories::climb(Frame source, Frame target, std::int64_t stamp) const {
+  marks_.begin(histories_.size());
   steps_.assign(1, {source, Tf2Pose()});
   marks_.set(source, 0);
-  Tf2Pose parent_from_child;
-  Frame parent = 0;
-  while (steps_.back().frame != target &&
-         read(steps_.back().frame, time, parent_from_child, parent) && !marks_.position(parent)) {
-    marks_.set(parent, steps_.size());
-    steps_.push_back({parent, parent_from_child * steps_.back().frame_from_source});
+  EdgeSample scratch;
+  while (steps_.back().frame != target) {
+    const EdgeSample* edge = at(steps_.back().frame, stamp, scratch);
+    if (!edge || marks_.position(edge->parent)) return;
+    marks_.set(edge->parent, steps_.size());
+    steps_.push_back({edge->parent, edge->parent_from_child * steps_.back().frame_from_source});
   }
 }
 
-std::optional<Tf2Pose> EdgeHistories::pose(Frame target, Frame source, ros::Time time) const {
+std::optional<Tf2Pose> EdgeHistories::pose(Frame target, Frame source, std::int64_t stamp) const {
   if (source == target) return Tf2Pose();
-  if (std::max(source, target) >= caches_.size()) return std::nullopt;
-  climb(source, target, time);
+  if (std::max(source, target) >= histories_.size()) return std::nullopt;
+  climb(source, target, stamp);
   Tf2Pose frame_from_target;
   Frame frame = target;
+  EdgeSample scratch;
   for (std::size_t steps = 0; !marks_.position(frame); ++steps) {
-    Tf2Pose parent_from_frame;
-    if (steps > caches_.size() || !read(frame, time, parent_from_frame, frame)) return std::nullopt;
-    frame_from_target = parent_from_frame * frame_from_target;
+    const EdgeSample* edge = at(frame, stamp, scratch);
+    if (steps > histories_.size() || !edge) return std::nullopt;
+    frame_from_target = edge->parent_from_child * frame_from_target;
+    frame = edge->parent;
   }
   const Tf2Pose& frame_from_source = steps_[*marks_.position(frame)].frame_from_source;
   if (frame == target) return frame_from_source;

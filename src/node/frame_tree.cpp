@@ -12,13 +12,6 @@ constexpr std::size_t kAboveTarget = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-FrameTree::Frame FrameTree::frame(const std::string& name) {
-  const auto found = frames_.find(name);
-  if (found != frames_.end()) return found->second;
-  edges_.emplace_back();
-  return frames_.emplace(name, edges_.size() - 1).first->second;
-}
-
 void FrameTree::heard(Frame child, Frame parent, bool is_static, std::int64_t stamp,
                       std::int64_t now) {
   Edge& edge = edges_[child];

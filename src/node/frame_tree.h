@@ -8,10 +8,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
+#include "frame_names.h"
 #include "walk_marks.h"
 
 namespace link_bounds {
@@ -19,16 +19,29 @@ namespace link_bounds {
 /// An edge is named by its child frame. Times are nanoseconds of ROS time.
 class FrameTree {
  public:
-  using Frame = std::size_t;
+  using Frame = FrameNames::Frame;
 
   /// A number for the name, the same for ever.
-  Frame frame(const std::string& name);
+  Frame frame(std::string_view name) { return known(names_.frame(name)); }
+
+  /// The same for the child and the parent of the next transform of a message; quick where they are
+  /// those of an earlier message.
+  Frame nextChild(std::string_view name) { return known(names_.next(name)); }
+  Frame parentOf(Frame child, std::string_view name) {
+    return known(names_.frame(name, edges_[child].parent));
+  }
 
   /// tf accepted a transform. Whether an edge is static is decided by the first one, as in tf2.
   void heard(Frame child, Frame parent, bool is_static, std::int64_t stamp, std::int64_t now);
 
+  /// The number of frames.
+  std::size_t size() const { return edges_.size(); }
+
   /// Begins a new message: changedSince(...) then speaks of edges heard from here on.
-  void beginMessage() { ++message_; }
+  void beginMessage() {
+    ++message_;
+    names_.beginMessage();
+  }
 
   /// tf was cleared: only static edges remain.
   void forgetDynamic();
@@ -50,6 +63,8 @@ class FrameTree {
   /// True if the edge was heard in this message.
   bool isNews(Frame edge) const { return edges_[edge].message == message_; }
 
+  /// By the newest transform.
+  Frame parent(Frame edge) const { return edges_[edge].parent; }
   bool isStatic(Frame edge) const { return edges_[edge].is_static; }
   std::int64_t lastHeard(Frame edge) const { return edges_[edge].heard; }
 
@@ -71,7 +86,12 @@ class FrameTree {
     std::uint64_t message = 0;
   };
 
-  std::unordered_map<std::string, Frame> frames_;
+  Frame known(Frame frame) {
+    if (frame == edges_.size()) edges_.emplace_back();
+    return frame;
+  }
+
+  FrameNames names_;
   std::vector<Edge> edges_;  ///< by child
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks up and bounds only the links on whose path a transform arrived.
+// Bounds only the links on whose path a transform arrived, and anew only those that moved.
 #include "live_boxes.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -18,105 +18,97 @@ bool isSame(const BoxState& a, const BoxState& b) {
 
 void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, ros::Time now) {
   model_ = std::move(model);
-  fixed_frame_ = tf.tree().frame(model_->fixed_frame);
-  links_.assign(model_->links.size(), Link());
+  troubles_.assign(model_->links.size(), Trouble::kNoTransform);
   states_.assign(model_->links.size(), BoxState());
-  poses_.assign(model_->links.size(), Eigen::Isometry3d::Identity());
   reaches_.clear();
   for (const BoundedLink& link : model_->links)
     reaches_.emplace_back(link);
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    links_[i].frame = tf.tree().frame(model_->frames[i]);
-  }
+  std::vector<FrameTree::Frame> frames;
+  for (const std::string& name : model_->frames)
+    frames.push_back(tf.tree().frame(name));
+  poses_.follow(tf.tree().frame(model_->fixed_frame), std::move(frames));
   updateAll(tf, now);
 }
 
 bool LiveBoxes::updateAll(const TransformSource& tf, ros::Time now) {
-  structure_ = tf.tree().structure();
-  bool is_changed = false;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    findPath(links_[i], tf.tree());
-    is_changed |= refresh(i, tf, now);
-  }
-  return is_changed;
+  poses_.updateAll(tf);
+  return refreshNews(now);
 }
 
 bool LiveBoxes::update(const TransformSource& tf, ros::Time now) {
-  const bool paths_may_differ = structure_ != tf.tree().structure();
-  structure_ = tf.tree().structure();
+  poses_.update(tf);
+  return refreshNews(now);
+}
+
+bool LiveBoxes::refreshNews(ros::Time now) {
   bool is_changed = false;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const bool path_differs = paths_may_differ && findPath(links_[i], tf.tree());
-    if (path_differs || isTouched(links_[i], tf.tree())) is_changed |= refresh(i, tf, now);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (isNews(i)) is_changed |= canKeepBox(i, now) ? restamp(i) : refresh(i, now);
   }
   return is_changed;
 }
 
 bool LiveBoxes::expire(const TransformSource& tf, ros::Time now) {
+  poses_.updateHeard(tf.tree());
   bool is_changed = false;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Link& link = links_[i];
-    if (link.trouble != Trouble::kStale && isStale(link, tf.tree(), now)) {
-      is_changed |= refresh(i, tf, now);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const PoseTree::Node* node = poses_.node(i);
+    if (troubles_[i] != Trouble::kStale && node && isStale(*node, now)) {
+      is_changed |= refresh(i, now);
     }
   }
   return is_changed;
 }
 
-/// True if the path is another one than before.
-bool LiveBoxes::findPath(Link& link, const FrameTree& tree) const {
-  std::optional<std::vector<FrameTree::Frame>> path = tree.path(link.frame, fixed_frame_);
-  const bool differs = path != link.path;
-  link.path = std::move(path);
-  return differs;
+bool LiveBoxes::isNews(std::size_t i) const {
+  const PoseTree::Node* node = poses_.node(i);
+  return node ? node->is_news : poses_.isRebuilt();
 }
 
-/// The fixed frame itself has an empty path; tf2 stamps it by its own edge.
-bool LiveBoxes::isTouched(const Link& link, const FrameTree& tree) const {
-  if (!link.path) return false;
-  if (link.path->empty()) return tree.isNews(link.frame);
-  return std::any_of(link.path->begin(), link.path->end(),
-                     [&tree](FrameTree::Frame edge) { return tree.isNews(edge); });
-}
-
-bool LiveBoxes::isStale(const Link& link, const FrameTree& tree, ros::Time now) const {
+bool LiveBoxes::isStale(const PoseTree::Node& node, ros::Time now) const {
   const double timeout = model_->parameters.timeout;
-  if (timeout <= 0 || !link.path) return false;
-  const double now_ns = static_cast<double>(now.toNSec());
-  return std::any_of(link.path->begin(), link.path->end(), [&](FrameTree::Frame edge) {
-    return !tree.isStatic(edge) &&
-           now_ns - static_cast<double>(tree.lastHeard(edge)) > timeout * 1e9;
-  });
+  if (timeout <= 0 || node.heard == PoseTree::kNever) return false;
+  return static_cast<double>(now.toNSec()) - static_cast<double>(node.heard) > timeout * 1e9;
 }
 
-bool LiveBoxes::refresh(std::size_t i, const TransformSource& tf, ros::Time now) {
+/// True if nothing but the stamp can differ.
+bool LiveBoxes::canKeepBox(std::size_t i, ros::Time now) const {
+  const PoseTree::Node* node = poses_.node(i);
+  return node && node->has_pose && !node->has_moved && states_[i].box &&
+         troubles_[i] == Trouble::kNone && !isStale(*node, now);
+}
+
+bool LiveBoxes::restamp(std::size_t i) {
+  const std::int64_t stamp = poses_.node(i)->stamp;
+  return std::exchange(states_[i].stamp, stamp) != stamp;
+}
+
+bool LiveBoxes::refresh(std::size_t i, ros::Time now) {
   BoxState state;
-  const Trouble trouble = place(i, tf, now, state);
+  const Trouble trouble = place(i, now, state);
   state.incomplete = trouble != Trouble::kNone || !model_->links[i].isWhole();
-  const bool is_changed = trouble != links_[i].trouble || !isSame(state, states_[i]);
-  links_[i].trouble = trouble;
+  const bool is_changed = trouble != troubles_[i] || !isSame(state, states_[i]);
+  troubles_[i] = trouble;
   states_[i] = state;
   return is_changed;
 }
 
-LiveBoxes::Trouble LiveBoxes::place(std::size_t i, const TransformSource& tf, ros::Time now,
-                                    BoxState& state) {
+LiveBoxes::Trouble LiveBoxes::place(std::size_t i, ros::Time now, BoxState& state) {
   const BoundedLink& link = model_->links[i];
   if (link.shapes.empty()) return Trouble::kNone;
-  if (!links_[i].path) return Trouble::kNoTransform;
-  if (isStale(links_[i], tf.tree(), now)) return Trouble::kStale;
-  const std::optional<StampedPose> pose = tf.latest(fixed_frame_, links_[i].frame, *links_[i].path);
-  if (!pose) return Trouble::kNoTransform;
-  state.box = linkBox(link, pose->world_from_link, reaches_[i]);
+  const PoseTree::Node* node = poses_.node(i);
+  if (!node) return Trouble::kNoTransform;
+  if (isStale(*node, now)) return Trouble::kStale;
+  if (!node->has_pose) return Trouble::kNoTransform;
+  state.box = linkBox(link, toIsometry(node->fixed_from_frame), reaches_[i]);
   if (!state.box) return Trouble::kPoseNotFinite;
-  state.stamp = pose->stamp;
-  poses_[i] = pose->world_from_link;
+  state.stamp = node->stamp;
   return Trouble::kNone;
 }
 
 std::string LiveBoxes::reason(std::size_t i) const {
   const std::string& missing = model_->links[i].missing;
-  switch (links_[i].trouble) {
+  switch (troubles_[i]) {
     case Trouble::kNone:
       return missing;
     case Trouble::kNoTransform:

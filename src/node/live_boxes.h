@@ -4,11 +4,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "model.h"
-#include "transform_source.h"
+#include "pose_tree.h"
 
 namespace link_bounds {
 
@@ -37,31 +36,27 @@ class LiveBoxes {
   const std::vector<BoxState>& states() const { return states_; }
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
-  const Eigen::Isometry3d& pose(std::size_t i) const { return poses_[i]; }
+  Eigen::Affine3d pose(std::size_t i) const {
+    return Eigen::Affine3d(toIsometry(poses_.node(i)->fixed_from_frame));
+  }
 
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;
 
  private:
-  struct Link {
-    FrameTree::Frame frame = 0;
-    std::optional<std::vector<FrameTree::Frame>> path;  ///< edges from the link to fixed frame
-    Trouble trouble = Trouble::kNoTransform;
-  };
-
-  bool findPath(Link& link, const FrameTree& tree) const;
-  bool isTouched(const Link& link, const FrameTree& tree) const;
-  bool isStale(const Link& link, const FrameTree& tree, ros::Time now) const;
-  bool refresh(std::size_t i, const TransformSource& tf, ros::Time now);
-  Trouble place(std::size_t i, const TransformSource& tf, ros::Time now, BoxState& state);
+  bool isNews(std::size_t i) const;
+  bool isStale(const PoseTree::Node& node, ros::Time now) const;
+  bool refreshNews(ros::Time now);
+  bool refresh(std::size_t i, ros::Time now);
+  bool canKeepBox(std::size_t i, ros::Time now) const;
+  bool restamp(std::size_t i);
+  Trouble place(std::size_t i, ros::Time now, BoxState& state);
 
   std::shared_ptr<const Model> model_;
-  FrameTree::Frame fixed_frame_ = 0;
-  std::uint64_t structure_ = 0;
-  std::vector<Link> links_;
+  PoseTree poses_;  ///< of the links
+  std::vector<Trouble> troubles_;
   std::vector<LinkReach> reaches_;
   std::vector<BoxState> states_;
-  std::vector<Eigen::Isometry3d> poses_;
 };
 
 }  // namespace link_bounds

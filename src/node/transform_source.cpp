@@ -11,29 +11,19 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::int64_t kHistory = tf2::TimeCache::DEFAULT_MAX_STORAGE_TIME;  // ns
 constexpr std::int64_t kSilence = 1000000000;  // ns without a transform that is worth a warning
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks, "
     "and if that newest one is wrong, call ~reload";
 
-/// The number of a frame as it is written in a message; tf strips one slash.
-FrameTree::Frame frameOf(FrameTree& tree, const std::string& name) {
-  if (!name.empty() && name.front() == '/') return tree.frame(name.substr(1));
-  return tree.frame(name);
-}
-
-Eigen::Isometry3d toIsometry(const Tf2Pose& pose) {
-  const tf2::Quaternion& q = pose.rotation;
-  const tf2::Vector3& t = pose.translation;
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized().toRotationMatrix();
-  result.translation() = Eigen::Vector3d(t.x(), t.y(), t.z());
-  return result;
-}
-
 std::int64_t nanoseconds(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());
+}
+
+Tf2Pose toPose(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  const auto& t = transform.translation;
+  return {{q.x, q.y, q.z, q.w}, {t.x, t.y, t.z}};
 }
 
 }  // namespace
@@ -53,17 +43,18 @@ std::vector<Refusal> TransformSource::add(
 /// Returns why it was refused, if that is worth telling.
 const char* TransformSource::insert(const geometry_msgs::TransformStamped& transform,
                                     bool is_static, ros::Time now) {
-  const Frame child = frameOf(tree_, transform.child_frame_id);
-  const Frame parent = frameOf(tree_, transform.header.frame_id);
+  const Frame child = tree_.nextChild(strippedFrame(transform.child_frame_id));
+  const Frame parent = tree_.parentOf(child, strippedFrame(transform.header.frame_id));
   const std::int64_t stamp = nanoseconds(transform.header.stamp);
-  if (!histories_.insert(transform, child, parent, is_static)) {
-    if (stamp + kHistory >= tree_.newest(child)) return nullptr;
+  const EdgeSample sample{stamp, parent, toPose(transform.transform)};
+  if (!histories_.insert(child, sample, is_static)) {
+    if (stamp + EdgeHistory::kLength >= tree_.newest(child)) return nullptr;
     if (!tree_.isDistrusted(child)) {
       return nanoseconds(now) - tree_.lastHeard(child) > kSilence ? kTooOld : nullptr;
     }
     tree_.forget(child);
     histories_.clear(child);
-    histories_.insert(transform, child, parent, is_static);
+    histories_.insert(child, sample, is_static);
   }
   tree_.heard(child, parent, is_static, stamp, nanoseconds(now));
   return nullptr;
@@ -90,9 +81,7 @@ std::optional<StampedPose> TransformSource::latest(Frame target, Frame source,
 
 std::optional<Eigen::Isometry3d> TransformSource::at(Frame target, Frame source,
                                                      std::int64_t stamp) const {
-  ros::Time time;
-  time.fromNSec(static_cast<std::uint64_t>(stamp));
-  const std::optional<Tf2Pose> pose = histories_.pose(target, source, time);
+  const std::optional<Tf2Pose> pose = histories_.pose(target, source, stamp);
   if (!pose) return std::nullopt;
   return toIsometry(*pose);
 }
@@ -103,7 +92,7 @@ void TransformSource::clear() {
 }
 
 void TransformSource::distrustStampsAhead(ros::Time now) {
-  tree_.distrustStampsAfter(nanoseconds(now) + kHistory);
+  tree_.distrustStampsAfter(nanoseconds(now) + EdgeHistory::kLength);
 }
 
 }  // namespace link_bounds

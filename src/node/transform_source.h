@@ -52,6 +52,7 @@ class TransformSource {
   /// clocks send may begin anew: the next transform that is too old replaces its history.
   void distrustStampsAhead(ros::Time now);
 
+  const EdgeHistories& histories() const { return histories_; }
   FrameTree& tree() { return tree_; }
   const FrameTree& tree() const { return tree_; }
 

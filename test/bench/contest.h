@@ -19,8 +19,8 @@ struct Contest {
   std::map<std::string, std::vector<double>> ns_per_link;
 };
 
-/// `meshes` are shared by the links. Histories hold the ten seconds of tf at 1 kHz before anything is
-/// measured.
+/// `meshes` are shared by the links. Histories hold the ten seconds of tf at 1 kHz before anything
+/// is measured.
 Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes,
                 int repetitions);
 

@@ -71,7 +71,9 @@ void printTargets(const Contest& contest, std::ostream& out) {
   const auto ratio = [&](const char* method, const char* other) {
     return ratiosOf(times.at(method), times.at(other));
   };
-  const auto show = [&out](const Target& target) { print(target, "repetition", "repetitions", out); };
+  const auto show = [&out](const Target& target) {
+    print(target, "repetition", "repetitions", out);
+  };
   if (contest.links <= kMostLinksOfATarget)
     show({"ours / deserialize" + where, Wanted::kAtMost, 4, ratio("ours", "deserialize")});
   show({"usual_tf2 / ours" + where, Wanted::kAtLeast, 10, ratio("usual_tf2", "ours")});
@@ -97,8 +99,8 @@ void writeJson(const std::vector<Contest>& contests, std::ostream& out) {
   for (const Contest& contest : contests) {
     for (const char* method : kMethods) {
       out << separator << "{\"method\": \"" << method << "\", \"links\": " << contest.links
-          << ", \"depth\": " << contest.depth
-          << ", \"ns_per_link\": " << medianOf(contest, method) << "}";
+          << ", \"depth\": " << contest.depth << ", \"ns_per_link\": " << medianOf(contest, method)
+          << "}";
       separator = ",\n";
     }
   }

@@ -34,9 +34,9 @@ struct NamedPipeline {
 };
 
 /// `deserialize`: into a message that is used again. `relay`: a fresh message, as roscpp makes it,
-/// answered by stamps in an AxisAlignedBoxArray of as many boxes. `usual_tf2`: a fresh message, tf2,
-/// loose boxes in a fresh MarkerArray. `ours`: the node from its subscription to the filled ~boxes
-/// and ~groups; `ours_standing` the same for a robot that only sends new stamps.
+/// answered by stamps in an AxisAlignedBoxArray of as many boxes. `usual_tf2`: a fresh message,
+/// tf2, loose boxes in a fresh MarkerArray. `ours`: the node from its subscription to the filled
+/// ~boxes and ~groups; `ours_standing` the same for a robot that only sends new stamps.
 std::vector<NamedPipeline> makePipelines(const TfRobot& robot, const MeasuredMeshes& meshes);
 
 }  // namespace link_bounds::bench

@@ -25,7 +25,8 @@ std::vector<std::size_t> stampOffsets(const tf2_msgs::TFMessage& message) {
   std::size_t end = kWord;
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
     offsets.push_back(end + kWord);
-    end += 5 * kWord + transform.header.frame_id.size() + transform.child_frame_id.size() + kNumbers;
+    end +=
+        5 * kWord + transform.header.frame_id.size() + transform.child_frame_id.size() + kNumbers;
   }
   return offsets;
 }
