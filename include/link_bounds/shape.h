@@ -46,6 +46,7 @@ struct ShapeReach {
   Eigen::Vector3d high;  ///< as low
   Eigen::Vector3d pad;   ///< what rounding may have cost, but for that of the translation [m]
   Eigen::Vector3d pad_per_entry;  ///< the same by column, for an entry of 1 in the linear part [m]
+  bool is_in_link_frame;          ///< link_from_shape is the identity
 };
 
 /// The box of the shape in the world, tight and rounded outward: each face lies outside the exact

@@ -25,12 +25,15 @@ std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& worl
   Aabb box;
   for (std::size_t i = 0; i < link.shapes.size(); ++i) {
     const Shape& shape = link.shapes[i];
+    ShapeReach& shape_reach = reach.shapes[i];
     const std::optional<Aabb> part =
-        placedBox(shape, world_from_link * shape.link_from_shape, reach.shapes[i]);
+        shape_reach.is_in_link_frame
+            ? placedBox(shape, world_from_link, shape_reach)
+            : placedBox(shape, world_from_link * shape.link_from_shape, shape_reach);
     if (!part) return std::nullopt;
     box.extend(*part);
   }
-  return padded(box, link.padding);
+  return link.padding == 0 ? box : padded(box, link.padding);
 }
 
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link) {

@@ -111,7 +111,9 @@ bool isFinite(const Aabb& box) {
 
 }  // namespace
 
-ShapeReach::ShapeReach(const Shape& shape) : pad_per_entry(kRoundingPad * shape.size / 2) {
+ShapeReach::ShapeReach(const Shape& shape)
+    : pad_per_entry(kRoundingPad * shape.size / 2),
+      is_in_link_frame(shape.link_from_shape.matrix() == Eigen::Matrix4d::Identity()) {
   if (!shape.points) return;
   const Eigen::Vector3d& magnitude = shape.points->magnitude();
   pad_per_entry += kRoundingPad * magnitude;

@@ -6,9 +6,9 @@
 #include <time.h>
 
 #include <algorithm>
+#include <boost/make_shared.hpp>
 
 #include "guarded.h"
-#include "topics.h"
 
 namespace link_bounds {
 namespace {
@@ -64,21 +64,26 @@ PublisherNode::PublisherNode()
   master_watch_ = std::make_unique<MasterWatch>();
 }
 
-/// Without tcpNoDelay small messages wait for each other in the kernel.
 void PublisherNode::subscribe() {
-  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
-  tf_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
-      kTfTopic.name, kTfQueue,
-      [this](const TfEvent& event) {
-        health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, false); }));
+  tf_subscriber_ = subscribeToTf(kTfTopic, false);
+  tf_static_subscriber_ = subscribeToTf(kTfStaticTopic, true);
+}
+
+/// Without tcpNoDelay small messages wait for each other in the kernel. Each message is read into
+/// the memory of the one before, unless somebody still holds that.
+ros::Subscriber PublisherNode::subscribeToTf(const TopicName& topic, bool is_static) {
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const TfEvent&>(
+      topic.name, kTfQueue,
+      [this, is_static](const TfEvent& event) {
+        health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, is_static); }));
       },
-      {}, no_delay);
-  tf_static_subscriber_ = node_.subscribe<tf2_msgs::TFMessage, const TfEvent&>(
-      kTfStaticTopic.name, kTfQueue,
-      [this](const TfEvent& event) {
-        health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, true); }));
-      },
-      {}, no_delay);
+      [message = boost::make_shared<TfMessage>()]() mutable {
+        if (!message.unique()) message = boost::make_shared<TfMessage>();
+        return message;
+      });
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return node_.subscribe(options);
 }
 
 void PublisherNode::subscribeToObjects() {
@@ -107,12 +112,12 @@ ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
 void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {
   const ros::Time now = ros::Time::now();
   observeClock(now);
-  const auto is_late = [&](const geometry_msgs::TransformStamped& transform) {
-    return clock_.isFromBeforeJump(transform.header.stamp, now);
+  const auto is_late = [&](const TransformView& transform) {
+    return clock_.isFromBeforeJump(transform.stamp, now);
   };
   const auto& transforms = event.getConstMessage()->transforms;
   if (!is_static && std::any_of(transforms.begin(), transforms.end(), is_late)) {
-    std::vector<geometry_msgs::TransformStamped> kept;
+    std::vector<TransformView> kept;
     std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
     addTransforms(kept, is_static, now, event);
   } else {
@@ -123,11 +128,12 @@ void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {
   if (links_changed || objects_changed) onNews();
 }
 
-void PublisherNode::addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms,
-                                  bool is_static, ros::Time now, const TfEvent& event) {
+void PublisherNode::addTransforms(const std::vector<TransformView>& transforms, bool is_static,
+                                  ros::Time now, const TfEvent& event) {
   for (const Refusal& refusal : tf_.add(transforms, is_static, now)) {
-    const auto line = refusal_log_.line(transforms[refusal.index].child_frame_id, refusal.reason,
-                                        event.getPublisherName(), ros::SteadyTime::now());
+    const auto line =
+        refusal_log_.line(std::string(transforms[refusal.index].child), refusal.reason,
+                          event.getPublisherName(), ros::SteadyTime::now());
     if (line) ROS_WARN_STREAM(*line);
   }
 }

@@ -6,7 +6,6 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
-#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <memory>
@@ -19,6 +18,7 @@
 #include "refusal_log.h"
 #include "scene.h"
 #include "scene_output.h"
+#include "topics.h"
 #include "transform_source.h"
 
 namespace link_bounds {
@@ -32,17 +32,18 @@ class PublisherNode {
   int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
 
  private:
-  using TfEvent = ros::MessageEvent<const tf2_msgs::TFMessage>;
+  using TfEvent = ros::MessageEvent<const TfMessage>;
   /// Not const: as the only reader of the topic the node may take points out of the message.
   using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
   using MarkerEvent = ros::MessageEvent<visualization_msgs::Marker>;
 
   void subscribe();
+  ros::Subscriber subscribeToTf(const TopicName& topic, bool is_static);
   void subscribeToObjects();
   ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfEvent& event, bool is_static);
-  void addTransforms(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
-                     ros::Time now, const TfEvent& event);
+  void addTransforms(const std::vector<TransformView>& transforms, bool is_static, ros::Time now,
+                     const TfEvent& event);
   void onMarkers(const MarkersEvent& event);
   void onMarker(const MarkerEvent& event);
   void onMesh(const std::string& uri, const LoadedMesh& mesh);

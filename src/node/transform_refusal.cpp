@@ -15,36 +15,31 @@ constexpr double kNormTolerance = 0.01;  // tf2's, of the squared length of a qu
 constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
 constexpr std::uint32_t kLastNanosecond = 999999999;
 
-bool hasNan(const geometry_msgs::Transform& transform) {
-  const auto& t = transform.translation;
-  const auto& q = transform.rotation;
-  return std::isnan(t.x) || std::isnan(t.y) || std::isnan(t.z) || std::isnan(q.x) ||
-         std::isnan(q.y) || std::isnan(q.z) || std::isnan(q.w);
+bool hasNan(const Tf2Pose& pose) {
+  const tf2::Vector3& t = pose.translation;
+  const tf2::Quaternion& q = pose.rotation;
+  return std::isnan(t.x()) || std::isnan(t.y()) || std::isnan(t.z()) || std::isnan(q.x()) ||
+         std::isnan(q.y()) || std::isnan(q.z()) || std::isnan(q.w());
 }
 
-bool isUnit(const geometry_msgs::Quaternion& q) {
-  const double squared_length = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-  return std::abs(squared_length - 1) < kNormTolerance;
+bool isUnit(const tf2::Quaternion& q) {
+  return std::abs(q.length2() - 1) < kNormTolerance;
 }
 
 }  // namespace
 
-std::string_view strippedFrame(std::string_view name) {
-  if (!name.empty() && name.front() == '/') name.remove_prefix(1);
-  return name;
-}
-
-const char* whyRefused(const geometry_msgs::TransformStamped& transform) {
-  const std::string_view child = strippedFrame(transform.child_frame_id);
-  const std::string_view parent = strippedFrame(transform.header.frame_id);
-  if (child.empty()) return "child_frame_id is empty; name the frame";
-  if (parent.empty()) return "header.frame_id is empty; name the parent frame";
-  if (child == parent) return "the frame is its own parent; correct one of the names";
-  if (hasNan(transform.transform)) return "it has a NaN (not a number); correct the publisher";
-  if (!isUnit(transform.transform.rotation)) {
+const char* whyRefused(const TransformView& transform) {
+  if (transform.child.empty()) return "child_frame_id is empty; name the frame";
+  if (transform.parent.empty()) return "header.frame_id is empty; name the parent frame";
+  if (transform.child == transform.parent) {
+    return "the frame is its own parent; correct one of the names";
+  }
+  if (hasNan(transform.parent_from_child))
+    return "it has a NaN (not a number); correct the publisher";
+  if (!isUnit(transform.parent_from_child.rotation)) {
     return "the length of its quaternion is not 1; normalise it";
   }
-  const ros::Time stamp = transform.header.stamp;
+  const ros::Time stamp = transform.stamp;
   if (stamp.sec > kLastSecond || stamp.nsec > kLastNanosecond) {
     return "its stamp is no time that tf can handle; correct the publisher's clock";
   }

@@ -3,16 +3,11 @@
 // Which transforms can never be used, by the rules of tf2's setTransform.
 #pragma once
 
-#include <geometry_msgs/TransformStamped.h>
-
-#include <string_view>
+#include "tf_message.h"
 
 namespace link_bounds {
 
 /// Why the transform is refused, with the remedy; null if it is not.
-const char* whyRefused(const geometry_msgs::TransformStamped& transform);
-
-/// As tf2 understands names: without one leading slash.
-std::string_view strippedFrame(std::string_view name);
+const char* whyRefused(const TransformView& transform);
 
 }  // namespace link_bounds

@@ -20,16 +20,10 @@ std::int64_t nanoseconds(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());
 }
 
-Tf2Pose toPose(const geometry_msgs::Transform& transform) {
-  const auto& q = transform.rotation;
-  const auto& t = transform.translation;
-  return {{q.x, q.y, q.z, q.w}, {t.x, t.y, t.z}};
-}
-
 }  // namespace
 
-std::vector<Refusal> TransformSource::add(
-    const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static, ros::Time now) {
+std::vector<Refusal> TransformSource::add(const std::vector<TransformView>& transforms,
+                                          bool is_static, ros::Time now) {
   std::vector<Refusal> refusals;
   tree_.beginMessage();
   for (std::size_t i = 0; i < transforms.size(); ++i) {
@@ -41,12 +35,11 @@ std::vector<Refusal> TransformSource::add(
 }
 
 /// Returns why it was refused, if that is worth telling.
-const char* TransformSource::insert(const geometry_msgs::TransformStamped& transform,
-                                    bool is_static, ros::Time now) {
-  const Frame child = tree_.nextChild(strippedFrame(transform.child_frame_id));
-  const Frame parent = tree_.parentOf(child, strippedFrame(transform.header.frame_id));
-  const std::int64_t stamp = nanoseconds(transform.header.stamp);
-  const EdgeSample sample{stamp, parent, toPose(transform.transform)};
+const char* TransformSource::insert(const TransformView& transform, bool is_static, ros::Time now) {
+  const Frame child = tree_.nextChild(transform.child);
+  const Frame parent = tree_.parentOf(child, transform.parent);
+  const std::int64_t stamp = nanoseconds(transform.stamp);
+  const EdgeSample sample{stamp, parent, transform.parent_from_child};
   if (!histories_.insert(child, sample, is_static)) {
     if (stamp + EdgeHistory::kLength >= tree_.newest(child)) return nullptr;
     if (!tree_.isDistrusted(child)) {

@@ -3,7 +3,6 @@
 // tf as the node sees it: histories that give poses, and a FrameTree of what arrived when.
 #pragma once
 
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +11,7 @@
 
 #include "edge_histories.h"
 #include "frame_tree.h"
+#include "tf_message.h"
 
 namespace link_bounds {
 
@@ -32,8 +32,8 @@ class TransformSource {
 
   /// Adds the transforms of one message, received at `now`. Those that are refused change nothing.
   /// Not told are a stamp that is there already, and one that is too old while others are taken.
-  std::vector<Refusal> add(const std::vector<geometry_msgs::TransformStamped>& transforms,
-                           bool is_static, ros::Time now);
+  std::vector<Refusal> add(const std::vector<TransformView>& transforms, bool is_static,
+                           ros::Time now);
 
   /// The pose at the latest common time, interpolated; as tf2's lookupTransform(target, source, 0).
   /// `path` is tree().path(source, target). The quaternion is normalised; the result may still not
@@ -57,8 +57,7 @@ class TransformSource {
   const FrameTree& tree() const { return tree_; }
 
  private:
-  const char* insert(const geometry_msgs::TransformStamped& transform, bool is_static,
-                     ros::Time now);
+  const char* insert(const TransformView& transform, bool is_static, ros::Time now);
   std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
 
   EdgeHistories histories_;

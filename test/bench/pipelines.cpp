@@ -6,13 +6,14 @@
 #include <boost/make_shared.hpp>
 
 #include "box_message.h"
-#include "live_boxes.h"
+#include "scene.h"
 #include "usual_tf2.h"
 
 namespace link_bounds::bench {
 namespace {
 
-void deserialize(Bytes& bytes, tf2_msgs::TFMessage& message) {
+template <class Message>
+void deserialize(Bytes& bytes, Message& message) {
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   ros::serialization::deserialize(stream, message);
 }
@@ -83,7 +84,8 @@ std::shared_ptr<const Model> modelOf(const TfRobot& robot, const MeasuredMeshes&
   auto model = std::make_shared<Model>();
   model->fixed_frame = robot.base;
   model->frames = robot.links;
-  BoxGroup all{"robot", {}, false};
+  SceneGroup all;
+  all.name = "robot";
   for (const std::string& link : robot.links) {
     Shape shape;
     shape.points = meshes[all.members.size() % meshes.size()].points;
@@ -97,7 +99,7 @@ std::shared_ptr<const Model> modelOf(const TfRobot& robot, const MeasuredMeshes&
 class Ours : public Pipeline {
  public:
   Ours(const TfRobot& robot, const MeasuredMeshes& meshes) {
-    live_.adopt(modelOf(robot, meshes), tf_, ros::Time(1));
+    scene_.links.adopt(modelOf(robot, meshes), tf_, ros::Time(1));
   }
 
   void receive(Bytes& bytes, ros::Time now) override {
@@ -107,16 +109,16 @@ class Ours : public Pipeline {
 
   void answer(Bytes& bytes, ros::Time now) override {
     receive(bytes, now);
-    if (!live_.update(tf_, now)) throw std::runtime_error("the update brought nothing new");
-    fillBoxes(live_, boxes_);
-    fillGroups(live_, groups_);
+    if (!scene_.links.update(tf_, now)) throw std::runtime_error("the update brought nothing new");
+    fillBoxes(scene_, boxes_);
+    fillGroups(scene_, groups_);
     if (!boxes_.incomplete.empty()) throw std::runtime_error("a link has no box");
   }
 
  private:
-  tf2_msgs::TFMessage message_;
+  TfMessage message_;
   TransformSource tf_;
-  LiveBoxes live_;
+  Scene scene_;
   AxisAlignedBoxArray boxes_;
   AxisAlignedBoxArray groups_;
 };

@@ -108,12 +108,9 @@ class Chain {
   }
 
   void update(const ros::SerializedMessage& received, int update) {
-    is_roscpp = true;
-    tf2_msgs::TFMessage message;
-    ros::serialization::deserializeMessage(received, message);
-    is_roscpp = false;
+    ros::serialization::deserializeMessage(received, message_);
     const ros::Time now(1 + 0.01 * update);
-    tf_.add(message.transforms, false, now);
+    tf_.add(message_.transforms, false, now);
     ASSERT_TRUE(scene_.links.update(tf_, now));
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
@@ -134,6 +131,7 @@ class Chain {
  private:
   static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
 
+  TfMessage message_;
   TransformSource tf_;
   Scene scene_;
   AxisAlignedBoxArray boxes_;

@@ -55,7 +55,7 @@ class Star {
     for (int i = 0; i < count_; ++i)
       transforms.push_back(edge("base", name(i), 1 + 0.01 * updates_, kTurn, {1.0 * i, 0, 0}));
     const double start = cpuMilliseconds();
-    tf_.add(transforms, false, ros::Time(1 + 0.01 * updates_));
+    tf_.add({transforms.begin(), transforms.end()}, false, ros::Time(1 + 0.01 * updates_));
     EXPECT_TRUE(live_.update(tf_, ros::Time(1 + 0.01 * updates_)));
     return cpuMilliseconds() - start;
   }
@@ -129,7 +129,7 @@ TEST(ManyFrames, ADeepChainIsExactAtItsEnd) {
   TransformSource tf;
   LiveBoxes live;
   live.adopt(modelOf("base", links), tf, ros::Time(1));
-  tf.add(transforms, false, ros::Time(1));
+  tf.add({transforms.begin(), transforms.end()}, false, ros::Time(1));
   const double start = cpuMilliseconds();
   EXPECT_TRUE(live.update(tf, ros::Time(1)));
   std::cout << "a chain of " << kDeep << " links: " << cpuMilliseconds() - start << " ms\n";
