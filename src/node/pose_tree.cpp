@@ -28,7 +28,7 @@ void PoseTree::update(const TransformSource& tf) {
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     node.has_moved = false;
-    node.is_news = nodes_[node.inner].is_news || tf.tree().isNews(node.edge);
+    node.is_news = nodes_[node.inner].is_news || tf.tree().isNews(node.edge) || node.was_elsewhere;
     if (node.is_news) place(node, tf);
   }
 }
@@ -97,6 +97,7 @@ void PoseTree::place(Node& node, const TransformSource& tf) const {
     return;
   }
   const bool inner_serves = inner.has_pose && (inner.is_static || inner.stamp == node.stamp);
+  node.was_elsewhere = false;
   EdgeSample scratch;
   const EdgeSample* edge =
       inner_serves ? tf.histories().at(node.edge, node.stamp, scratch) : nullptr;
@@ -119,11 +120,13 @@ void PoseTree::compose(Node& node, const Tf2Pose& parent_from_child) const {
   node.has_moved = true;
 }
 
-/// The next compose() begins anew.
+/// At that time the path may have been another one, whose edges bring news as well. The next
+/// compose() begins anew.
 void PoseTree::walk(Node& node, const TransformSource& tf) const {
   const std::optional<Tf2Pose> pose = tf.histories().pose(fixed_frame_, node.frame, node.stamp);
   node.has_moved = !pose || !node.has_pose || !isSame(*pose, node.fixed_from_frame);
   node.has_pose = pose.has_value();
+  node.was_elsewhere = true;
   if (pose) node.fixed_from_frame = *pose;
   node.inner_from_frame.translation.setX(std::numeric_limits<double>::quiet_NaN());
 }

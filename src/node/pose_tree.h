@@ -35,10 +35,11 @@ class PoseTree {
 
     Frame frame = 0;
     Frame edge = 0;
-    Step step = Step::kStay;   ///< how the edge is used, outward
-    std::size_t inner = 0;     ///< the node before this one
-    bool is_static = true;     ///< the whole path
-    Tf2Pose inner_from_frame;  ///< of which the pose was made
+    Step step = Step::kStay;     ///< how the edge is used, outward
+    std::size_t inner = 0;       ///< the node before this one
+    bool is_static = true;       ///< the whole path
+    bool was_elsewhere = false;  ///< the pose was read along a path of its own
+    Tf2Pose inner_from_frame;    ///< of which the pose was made
   };
 
   /// Starts over with these frames; they have poses from the next updateAll() on.
