@@ -70,7 +70,7 @@ const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) c
   const auto older = std::lower_bound(samples_.begin(), samples_.end(), stamp, isLater);
   if (older == samples_.end() || isOutOfReach(*older)) return nullptr;
   const auto newer = std::prev(older);
-  if (older->stamp == stamp || older->parent != newer->parent) return &*older;
+  if (older->parent != newer->parent) return &*older;
   scratch = {stamp, older->parent, interpolated(*older, *newer, stamp)};
   return &scratch;
 }

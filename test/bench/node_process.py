@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A ROS master and nodes of one's own, for benchmarks; to be run in the build's environment."""
+import os
+import random
+import socket
+import statistics
+import struct
+import subprocess
+import time
+
+import rosgraph
+
+PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_bounds")
+DEADLINE = 30  # seconds
+
+
+def wait_for(condition, what):
+    end = time.monotonic() + DEADLINE
+    while not condition():
+        if time.monotonic() > end:
+            raise RuntimeError("no %s within %d s" % (what, DEADLINE))
+        time.sleep(0.01)
+
+
+class Master:
+    """A master on a port that nobody else uses; all processes started by it end with it."""
+
+    def __enter__(self):
+        with socket.socket() as free:
+            free.bind(("localhost", 0))
+            port = free.getsockname()[1]
+        os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % port
+        self._processes = []
+        self.start("rosmaster", "--core", "-p", str(port), stdout=subprocess.DEVNULL)
+        wait_for(rosgraph.is_master_online, "master")
+        self.parameters = rosgraph.Master("/bench")
+        return self
+
+    def __exit__(self, *_):
+        for process in reversed(self._processes):
+            self.end(process)
+
+    def start(self, *command, **options):
+        process = subprocess.Popen(command, **options)
+        self._processes.append(process)
+        return process
+
+    def start_node(self, program, name_space, *arguments):
+        """The node NAMESPACE/node, which listens to NAMESPACE/tf."""
+        with open(os.path.join(os.environ["ROS_HOME"], "bench.log"), "ab") as log:
+            return self.start(os.path.join(PROGRAMS, program), "__ns:=" + name_space, "__name:=node",
+                              "/tf:=%s/tf" % name_space, "/tf_static:=%s/tf_static" % name_space,
+                              *arguments, stdout=log, stderr=log)
+
+    @staticmethod
+    def end(process):
+        if process.poll() is None:
+            process.terminate()
+            process.wait()
+
+
+def random_mesh(path, seed, vertices=400):
+    """A binary STL of points on an ellipsoid: all of them can be extreme."""
+    dice = random.Random(seed)
+    size = [dice.uniform(0.03, 0.15) for _ in range(3)]
+    points = []
+    while len(points) < vertices:
+        direction = [dice.gauss(0, 1) for _ in range(3)]
+        length = sum(x * x for x in direction) ** 0.5
+        points.append([s * x / length for s, x in zip(size, direction)])
+    with open(path, "wb") as file:
+        file.write(bytes(80) + struct.pack("<I", vertices - 2))
+        for triangle in zip(points, points[1:], points[2:]):
+            file.write(bytes(12) + b"".join(struct.pack("<3f", *p) for p in triangle) + bytes(2))
+
+
+def print_target(text, limit, ratios, at_most=True):
+    """One line: is the median within the limit? Returns whether it is."""
+    median = statistics.median(ratios)
+    reached = median <= limit if at_most else median >= limit
+    print("%-62s %s %5.2f: %6.2f  %s (from %.2f to %.2f in %d repetitions)" % (
+        text, "<=" if at_most else ">=", limit, median, "reached" if reached else "MISSED ",
+        min(ratios), max(ratios), len(ratios)))
+    return reached
