@@ -10,11 +10,11 @@
 namespace link_bounds {
 namespace {
 
-/// Three numbers, read in the portions in which they are usually written: a read across two writes
-/// would wait for both to reach the cache.
+/// Three numbers, read one by one: a read across two writes that were just made would wait for both
+/// to reach the cache.
 LINK_BOUNDS_AVX2 inline __m256d load3(const double* values) {
-  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(values)), _mm_load_sd(values + 2),
-                              1);
+  const __m128d first = _mm_loadh_pd(_mm_load_sd(values), values + 1);
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(first), _mm_load_sd(values + 2), 1);
 }
 
 /// cellOf() of direction_fold.h for four directions; the low bits of each result count.

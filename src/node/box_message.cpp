@@ -35,7 +35,7 @@ void BoxFiller::add(const std::string& name, const BoxState& state) {
   if (boxes_ == message_.boxes.size()) message_.boxes.emplace_back();
   AxisAlignedBox& box = message_.boxes[boxes_++];
   box.name = name;
-  box.stamp = toTime(state.stamp);
+  box.stamp = timeOf(state.stamp);
   box.min = toPoint(state.box->min());
   box.max = toPoint(state.box->max());
   newest_ = std::max(newest_, state.stamp);
@@ -45,6 +45,13 @@ void BoxFiller::finish() {
   shorten(message_.boxes, boxes_);
   shorten(message_.incomplete, incomplete_);
   message_.header.stamp = toTime(newest_);
+}
+
+/// Most boxes have the same stamp.
+ros::Time BoxFiller::timeOf(std::int64_t stamp) {
+  if (stamp != stamp_) time_ = toTime(stamp);
+  stamp_ = stamp;
+  return time_;
 }
 
 void BoxFiller::addIncomplete(const std::string& name) {

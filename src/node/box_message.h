@@ -22,11 +22,14 @@ class BoxFiller {
 
  private:
   void addIncomplete(const std::string& name);
+  ros::Time timeOf(std::int64_t stamp);
 
   AxisAlignedBoxArray& message_;
   std::size_t boxes_ = 0;
   std::size_t incomplete_ = 0;
   std::int64_t newest_ = 0;
+  std::int64_t stamp_ = 0;
+  ros::Time time_;  ///< of stamp_
 };
 
 /// The header that the boxes of this moment have. There must be a model.

@@ -100,7 +100,7 @@ LiveBoxes::Trouble LiveBoxes::place(std::size_t i, ros::Time now, BoxState& stat
   if (!node) return Trouble::kNoTransform;
   if (isStale(*node, now)) return Trouble::kStale;
   if (!node->has_pose) return Trouble::kNoTransform;
-  state.box = linkBox(link, toIsometry(node->fixed_from_frame), reaches_[i]);
+  state.box = linkBox(link, toAffine(node->fixed_from_frame), reaches_[i]);
   if (!state.box) return Trouble::kPoseNotFinite;
   state.stamp = node->stamp;
   return Trouble::kNone;

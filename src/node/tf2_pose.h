@@ -3,6 +3,7 @@
 // Poses in tf2's arithmetic: what it does with a quaternion that is not quite of length 1 counts.
 #pragma once
 
+#include <tf2/LinearMath/Matrix3x3.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2/LinearMath/Vector3.h>
 
@@ -35,13 +36,15 @@ inline bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
          s.y() == t.y() && s.z() == t.z();
 }
 
-/// With the quaternion normalised.
-inline Eigen::Isometry3d toIsometry(const Tf2Pose& pose) {
-  const tf2::Quaternion& q = pose.rotation;
-  const tf2::Vector3& t = pose.translation;
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized().toRotationMatrix();
-  result.translation() = Eigen::Vector3d(t.x(), t.y(), t.z());
+/// A rotation whatever the length of the quaternion.
+inline Eigen::Affine3d toAffine(const Tf2Pose& pose) {
+  const tf2::Matrix3x3 rows(pose.rotation);
+  Eigen::Affine3d result;
+  for (int column = 0; column < 3; ++column) {
+    const tf2::Vector3 entries = rows.getColumn(column);
+    result.matrix().col(column) << entries.x(), entries.y(), entries.z(), 0;
+  }
+  result.matrix().col(3) << pose.translation.x(), pose.translation.y(), pose.translation.z(), 1;
   return result;
 }
 

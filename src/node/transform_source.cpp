@@ -76,7 +76,7 @@ std::optional<Eigen::Isometry3d> TransformSource::at(Frame target, Frame source,
                                                      std::int64_t stamp) const {
   const std::optional<Tf2Pose> pose = histories_.pose(target, source, stamp);
   if (!pose) return std::nullopt;
-  return toIsometry(*pose);
+  return Eigen::Isometry3d(toAffine(*pose).matrix());
 }
 
 void TransformSource::clear() {

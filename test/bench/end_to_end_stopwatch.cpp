@@ -100,9 +100,8 @@ class Stopwatch {
         count_(first_ + static_cast<std::size_t>(task.seconds * task.hz)),
         times_(count_),
         start_(ros::Time::now()),
+        messages_(swing(task.robot, kPoses)),
         publisher_(node_.advertise<tf2_msgs::TFMessage>(task.name_space + "/tf", kUnlimited)) {
-    for (std::size_t i = 0; i < kPoses; ++i)
-      messages_.push_back(transformsOf(task.robot, 0.1 * static_cast<double>(i), start_));
     const std::string topic = task.name_space + "/node/boxes";
     if (task.is_markers) {
       subscribe<visualization_msgs::MarkerArray>(topic, [](const auto& array) {

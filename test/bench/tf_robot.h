@@ -21,7 +21,8 @@ struct TfRobot {
 /// branch are.
 TfRobot tfRobot(std::size_t links, std::size_t depth);
 
-/// The transforms of all joints, in the order of the frames, `angle` [rad] along in their motion.
-tf2_msgs::TFMessage transformsOf(const TfRobot& robot, double angle, ros::Time stamp);
+/// The transforms of all joints, in the order of the frames, one message per millisecond: joints
+/// swing, with up to 1 rad/s. The motion begins again after the last message without a jump.
+std::vector<tf2_msgs::TFMessage> swing(const TfRobot& robot, std::size_t messages);
 
 }  // namespace link_bounds::bench

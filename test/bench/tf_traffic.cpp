@@ -8,7 +8,6 @@
 namespace link_bounds::bench {
 namespace {
 
-constexpr double kAnglePerMessage = 0.01;  // rad
 const ros::Duration kPeriod(0.001);
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 constexpr std::size_t kNumbers = 7 * sizeof(double);
@@ -34,12 +33,10 @@ std::vector<std::size_t> stampOffsets(const tf2_msgs::TFMessage& message) {
 }  // namespace
 
 TfTraffic::TfTraffic(const TfRobot& robot, bool moves) : stamps_(kMessages) {
-  for (std::size_t i = 0; i < kMessages; ++i) {
-    const double angle = moves ? kAnglePerMessage * static_cast<double>(i) : 0;
-    const tf2_msgs::TFMessage message = transformsOf(robot, angle, now_);
-    bytes_.push_back(bytesOf(message));
-    stamp_offsets_ = stampOffsets(message);
-  }
+  const std::vector<tf2_msgs::TFMessage> messages = swing(robot, kMessages);
+  for (std::size_t i = 0; i < kMessages; ++i)
+    bytes_.push_back(bytesOf(messages[moves ? i : 0]));
+  stamp_offsets_ = stampOffsets(messages.front());
 }
 
 void TfTraffic::prepare() {
