@@ -73,10 +73,15 @@ bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach
     reach.high.setZero();
   }
   if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
-  const Eigen::Matrix3d magnitude = linear.cwiseAbs();
-  reach.pad = (magnitude * reach.pad_per_entry).array() + kUnderflowPad;
+  double magnitude = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double x = std::abs(linear(k, 0)), y = std::abs(linear(k, 1)), z = std::abs(linear(k, 2));
+    const Eigen::Vector3d& pad = reach.pad_per_entry;
+    reach.pad[k] = x * pad.x() + y * pad.y() + z * pad.z() + kUnderflowPad;
+    magnitude += x + y + z;
+  }
   reach.linear = linear;
-  if (magnitude.sum() <= kLargestLinearEntry || isUsable(linear)) return true;
+  if (magnitude <= kLargestLinearEntry || isUsable(linear)) return true;
   reach.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
   return false;
 }

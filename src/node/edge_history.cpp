@@ -13,10 +13,9 @@ Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int6
       static_cast<double>(stamp - older.stamp) / static_cast<double>(newer.stamp - older.stamp);
   const Tf2Pose& from = older.parent_from_child;
   const Tf2Pose& to = newer.parent_from_child;
-  Tf2Pose pose;
-  pose.translation.setInterpolate3(from.translation, to.translation, ratio);
-  pose.rotation = tf2::slerp(from.rotation, to.rotation, ratio);
-  return pose;
+  tf2::Vector3 translation;
+  translation.setInterpolate3(from.translation(), to.translation(), ratio);
+  return {tf2::slerp(from.rotation(), to.rotation(), ratio), translation};
 }
 
 bool isLater(const EdgeSample& sample, std::int64_t stamp) {
@@ -46,7 +45,6 @@ bool EdgeHistory::insert(const EdgeSample& sample) {
 void EdgeHistory::dropOldest() {
   for (int i = 0; i < 2 && isOutOfReach(samples_.back()); ++i)
     samples_.pop_back();
-  __builtin_prefetch(&samples_.back());
   if (samples_.size() > 1) __builtin_prefetch(&*std::prev(samples_.end(), 2));
 }
 

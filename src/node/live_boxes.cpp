@@ -8,10 +8,9 @@
 namespace link_bounds {
 namespace {
 
-bool isSame(const BoxState& a, const BoxState& b) {
-  if (a.stamp != b.stamp || a.incomplete != b.incomplete) return false;
-  if (!a.box || !b.box) return a.box.has_value() == b.box.has_value();
-  return a.box->min() == b.box->min() && a.box->max() == b.box->max();
+bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->min() == b->min() && a->max() == b->max();
 }
 
 }  // namespace
@@ -84,26 +83,29 @@ bool LiveBoxes::restamp(std::size_t i) {
 }
 
 bool LiveBoxes::refresh(std::size_t i, ros::Time now) {
-  BoxState state;
-  const Trouble trouble = place(i, now, state);
-  state.incomplete = trouble != Trouble::kNone || !model_->links[i].isWhole();
-  const bool is_changed = trouble != troubles_[i] || !isSame(state, states_[i]);
+  std::optional<Aabb> box;
+  const Trouble trouble = place(i, now, box);
+  const std::int64_t stamp = box ? poses_.node(i)->stamp : 0;
+  BoxState& state = states_[i];
+  const bool is_changed =
+      trouble != troubles_[i] || stamp != state.stamp || !isSame(box, state.box);
   troubles_[i] = trouble;
-  states_[i] = state;
+  state.box = box;
+  state.stamp = stamp;
+  state.incomplete = trouble != Trouble::kNone || !model_->links[i].isWhole();
   return is_changed;
 }
 
-LiveBoxes::Trouble LiveBoxes::place(std::size_t i, ros::Time now, BoxState& state) {
+/// Leaves `box` empty where there is none.
+LiveBoxes::Trouble LiveBoxes::place(std::size_t i, ros::Time now, std::optional<Aabb>& box) {
   const BoundedLink& link = model_->links[i];
   if (link.shapes.empty()) return Trouble::kNone;
   const PoseTree::Node* node = poses_.node(i);
   if (!node) return Trouble::kNoTransform;
   if (isStale(*node, now)) return Trouble::kStale;
   if (!node->has_pose) return Trouble::kNoTransform;
-  state.box = linkBox(link, toAffine(node->fixed_from_frame), reaches_[i]);
-  if (!state.box) return Trouble::kPoseNotFinite;
-  state.stamp = node->stamp;
-  return Trouble::kNone;
+  box = linkBox(link, toAffine(node->fixed_from_frame), reaches_[i]);
+  return box ? Trouble::kNone : Trouble::kPoseNotFinite;
 }
 
 std::string LiveBoxes::reason(std::size_t i) const {

@@ -50,7 +50,7 @@ class LiveBoxes {
   bool refresh(std::size_t i, ros::Time now);
   bool canKeepBox(std::size_t i, ros::Time now) const;
   bool restamp(std::size_t i);
-  Trouble place(std::size_t i, ros::Time now, BoxState& state);
+  Trouble place(std::size_t i, ros::Time now, std::optional<Aabb>& box);
 
   std::shared_ptr<const Model> model_;
   PoseTree poses_;  ///< of the links

@@ -128,7 +128,7 @@ void PoseTree::walk(Node& node, const TransformSource& tf) const {
   node.has_pose = pose.has_value();
   node.was_elsewhere = true;
   if (pose) node.fixed_from_frame = *pose;
-  node.inner_from_frame.translation.setX(std::numeric_limits<double>::quiet_NaN());
+  node.inner_from_frame.numbers.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 void PoseTree::hear(Node& node, const FrameTree& tree) const {

@@ -3,48 +3,56 @@
 // Poses in tf2's arithmetic: what it does with a quaternion that is not quite of length 1 counts.
 #pragma once
 
-#include <tf2/LinearMath/Matrix3x3.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2/LinearMath/Vector3.h>
 
 #include <Eigen/Geometry>
+#include <array>
 
 namespace link_bounds {
 
-/// A rotation, then a translation.
+/// A rotation, then a translation; kept as a geometry_msgs/Transform is sent, so that it can be
+/// copied from there to a history in one piece.
 struct Tf2Pose {
-  tf2::Quaternion rotation{0, 0, 0, 1};
-  tf2::Vector3 translation{0, 0, 0};
+  Tf2Pose() = default;
+  Tf2Pose(const tf2::Quaternion& q, const tf2::Vector3& t)
+      : numbers{t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()} {}
+
+  tf2::Quaternion rotation() const { return {numbers[3], numbers[4], numbers[5], numbers[6]}; }
+  tf2::Vector3 translation() const { return {numbers[0], numbers[1], numbers[2]}; }
+
+  std::array<double, 7> numbers{0, 0, 0, 0, 0, 0, 1};
 };
 
 inline Tf2Pose operator*(const Tf2Pose& a, const Tf2Pose& b) {
-  return {a.rotation * b.rotation, tf2::quatRotate(a.rotation, b.translation) + a.translation};
+  return {a.rotation() * b.rotation(),
+          tf2::quatRotate(a.rotation(), b.translation()) + a.translation()};
 }
 
 inline Tf2Pose inverse(const Tf2Pose& pose) {
-  const tf2::Quaternion rotation = pose.rotation.inverse();
-  return {rotation, tf2::quatRotate(rotation, -pose.translation)};
+  const tf2::Quaternion rotation = pose.rotation().inverse();
+  return {rotation, tf2::quatRotate(rotation, -pose.translation())};
 }
 
 /// Number by number; what is not a number differs from everything.
 inline bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
-  const tf2::Quaternion& p = a.rotation;
-  const tf2::Quaternion& q = b.rotation;
-  const tf2::Vector3& s = a.translation;
-  const tf2::Vector3& t = b.translation;
-  return p.x() == q.x() && p.y() == q.y() && p.z() == q.z() && p.w() == q.w() && s.x() == t.x() &&
-         s.y() == t.y() && s.z() == t.z();
+  return a.numbers == b.numbers;
 }
 
-/// A rotation whatever the length of the quaternion.
+/// A rotation whatever the length of the quaternion, as tf2::Matrix3x3 makes it.
 inline Eigen::Affine3d toAffine(const Tf2Pose& pose) {
-  const tf2::Matrix3x3 rows(pose.rotation);
+  const tf2::Quaternion q = pose.rotation();
+  const tf2::Vector3 t = pose.translation();
+  const double scale = 2 / q.length2();
+  const double x = q.x() * scale, y = q.y() * scale, z = q.z() * scale;
+  const double wx = q.w() * x, wy = q.w() * y, wz = q.w() * z;
+  const double xx = q.x() * x, xy = q.x() * y, xz = q.x() * z;
+  const double yy = q.y() * y, yz = q.y() * z, zz = q.z() * z;
   Eigen::Affine3d result;
-  for (int column = 0; column < 3; ++column) {
-    const tf2::Vector3 entries = rows.getColumn(column);
-    result.matrix().col(column) << entries.x(), entries.y(), entries.z(), 0;
-  }
-  result.matrix().col(3) << pose.translation.x(), pose.translation.y(), pose.translation.z(), 1;
+  result.matrix() << 1 - (yy + zz), xy - wz, xz + wy, t.x(),  //
+      xy + wz, 1 - (xx + zz), yz - wx, t.y(),                 //
+      xz - wy, yz + wx, 1 - (xx + yy), t.z(),                 //
+      0, 0, 0, 1;
   return result;
 }
 

@@ -4,6 +4,8 @@
 // rotation.
 #include "tf_message.h"
 
+#include <cstring>
+
 namespace link_bounds {
 namespace {
 
@@ -20,15 +22,6 @@ std::string_view readName(IStream& stream) {
   return stripped({reinterpret_cast<const char*>(stream.advance(size)), size});
 }
 
-Tf2Pose readPose(IStream& stream) {
-  double t[3], q[4];
-  for (double& entry : t)
-    stream.next(entry);
-  for (double& entry : q)
-    stream.next(entry);
-  return {{q[0], q[1], q[2], q[3]}, {t[0], t[1], t[2]}};
-}
-
 }  // namespace
 
 TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
@@ -37,7 +30,7 @@ TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
       stamp(transform.header.stamp) {
   const auto& q = transform.transform.rotation;
   const auto& t = transform.transform.translation;
-  parent_from_child = {{q.x, q.y, q.z, q.w}, {t.x, t.y, t.z}};
+  parent_from_child.numbers = {t.x, t.y, t.z, q.x, q.y, q.z, q.w};
 }
 
 void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
@@ -47,13 +40,13 @@ void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
   std::uint32_t count = 0;
   for (stream.next(count); count > 0; --count) {
     std::uint32_t seq = 0;
-    TransformView transform;
+    ros::Time stamp;
     stream.next(seq);
-    stream.next(transform.stamp);
-    transform.parent = readName(stream);
-    transform.child = readName(stream);
-    transform.parent_from_child = readPose(stream);
-    transforms.push_back(transform);
+    stream.next(stamp);
+    const std::string_view parent = readName(stream);
+    const std::string_view child = readName(stream);
+    Tf2Pose& pose = transforms.emplace_back(parent, child, stamp).parent_from_child;
+    std::memcpy(pose.numbers.data(), stream.advance(sizeof(pose.numbers)), sizeof(pose.numbers));
   }
 }
 

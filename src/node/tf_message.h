@@ -19,8 +19,9 @@ namespace link_bounds {
 /// Views of the names in a message that must outlive this. Names are as tf2 understands them:
 /// without one leading slash.
 struct TransformView {
-  TransformView() = default;
   TransformView(const geometry_msgs::TransformStamped& transform);
+  TransformView(std::string_view parent_name, std::string_view child_name, ros::Time time)
+      : parent(parent_name), child(child_name), stamp(time) {}
 
   std::string_view parent;
   std::string_view child;

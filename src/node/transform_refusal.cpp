@@ -3,6 +3,7 @@
 // tf2 itself would print a line for each refused transform, a thousand a second for a bad sensor.
 #include "transform_refusal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,10 +17,8 @@ constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
 constexpr std::uint32_t kLastNanosecond = 999999999;
 
 bool hasNan(const Tf2Pose& pose) {
-  const tf2::Vector3& t = pose.translation;
-  const tf2::Quaternion& q = pose.rotation;
-  return std::isnan(t.x()) || std::isnan(t.y()) || std::isnan(t.z()) || std::isnan(q.x()) ||
-         std::isnan(q.y()) || std::isnan(q.z()) || std::isnan(q.w());
+  return std::any_of(pose.numbers.begin(), pose.numbers.end(),
+                     [](double number) { return std::isnan(number); });
 }
 
 bool isUnit(const tf2::Quaternion& q) {
@@ -36,7 +35,7 @@ const char* whyRefused(const TransformView& transform) {
   }
   if (hasNan(transform.parent_from_child))
     return "it has a NaN (not a number); correct the publisher";
-  if (!isUnit(transform.parent_from_child.rotation)) {
+  if (!isUnit(transform.parent_from_child.rotation())) {
     return "the length of its quaternion is not 1; normalise it";
   }
   const ros::Time stamp = transform.stamp;

@@ -26,6 +26,7 @@ constexpr std::array<const char*, 5> kMethods{"deserialize", "relay", "ours_stan
 constexpr std::size_t kMostLinksOfATarget = 200;
 constexpr std::size_t kSharedMeshes = 16;
 
+/// Some of all robots.
 MeasuredMeshes sharedMeshes(std::ostream& notes) {
   const char* data = std::getenv("LINK_BOUNDS_DATA");
   MeasuredMeshes meshes = chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, false, notes);
@@ -34,8 +35,10 @@ MeasuredMeshes sharedMeshes(std::ostream& notes) {
   });
   meshes.erase(end, meshes.end());
   const std::size_t wanted = std::min(meshes.size(), kSharedMeshes);
-  meshes.erase(meshes.begin() + static_cast<std::ptrdiff_t>(wanted), meshes.end());
-  return meshes;
+  MeasuredMeshes chosen;
+  for (std::size_t i = 0; i < wanted; ++i)
+    chosen.push_back(std::move(meshes[i * meshes.size() / wanted]));
+  return chosen;
 }
 
 double medianOf(const Contest& contest, const std::string& method) {
