@@ -38,8 +38,8 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
 }
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
-  if (jump_.isZero() || ros::SteadyTime::now() - jump_ > kDoubtAfterJump) return false;
-  return since(now, stamp) > kFarAhead;
+  if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
+  return ros::SteadyTime::now() - jump_ <= kDoubtAfterJump;
 }
 
 bool ClockWatch::hasJustJumped() const {

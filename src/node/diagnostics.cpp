@@ -94,6 +94,14 @@ void describeScene(const Scene& scene, DiagnosticStatus& status) {
   }
 }
 
+void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
+  add(status, "transforms taken", std::to_string(intake.taken));
+  add(status, "of those late", std::to_string(intake.late));
+  add(status, "transforms refused, stamp repeated", std::to_string(intake.repeated));
+  add(status, "transforms refused, too old", std::to_string(intake.too_old));
+  add(status, "transforms refused, unusable", std::to_string(intake.unusable));
+}
+
 std::string nodeName() {
   const std::string name = ros::this_node::getName();
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
@@ -117,7 +125,11 @@ diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& heal
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
   const DurationHistogram& tf = health.tf_callbacks_ms;
   add(status, "tf messages", std::to_string(tf.count()));
+  addIntake(health.intake, status);
   add(status, "updates", std::to_string(health.updates));
+  add(status, "updates per second", std::to_string(health.updates_per_second));
+  add(status, "longest lag of boxes behind their stamp [ms]",
+      health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
   add(status, "time per tf message, p99 [ms]", std::to_string(tf.quantile(0.99)));
   add(status, "time per tf message, longest [ms]", std::to_string(tf.longest()));

@@ -6,6 +6,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "duration_histogram.h"
@@ -23,6 +24,10 @@ struct Health {
   double longest_callback_ms = 0;      ///< wall time of the slowest callback of the update thread
   double longest_callback_cpu_ms = 0;  ///< the most CPU time one of them took
   DurationHistogram tf_callbacks_ms;   ///< wall time, one per tf message received
+  double updates_per_second = 0;       ///< since the last status, wall time
+  std::optional<double> lag_ms;  ///< the longest since the last status that the newest stamp of a
+                                 ///< ~boxes lay behind ROS time when it was published
+  TfIntake intake;
 };
 
 /// One status named "<node name>: boxes". ERROR: there is no model, or not one box though links

@@ -37,7 +37,7 @@ class LiveBoxes {
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
   Eigen::Affine3d pose(std::size_t i) const {
-    return Eigen::Affine3d(toIsometry(poses_.node(i)->fixed_from_frame));
+    return toAffine(poses_.node(i)->fixed_from_frame);
   }
 
   /// Why link `i` is incomplete, in words; "" if it is not.

@@ -213,7 +213,14 @@ void PublisherNode::publishDiagnostics() {
   health_.waits_for_description = loader_->waitsForDescription();
   health_.waits_for_clock = clock_.isMissing();
   health_.clock_jumped = clock_.hasJustJumped();
+  health_.intake = tf_.intake();
+  health_.lag_ms = output_.takeLongestLag();
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double seconds = (now - last_status_).toSec();
+  health_.updates_per_second = static_cast<double>(health_.updates - last_updates_) / seconds;
   diagnostics_publisher_.publish(diagnose(scene_, health_));
+  last_status_ = now;
+  last_updates_ = health_.updates;
 }
 
 }  // namespace link_bounds

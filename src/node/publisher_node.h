@@ -67,6 +67,8 @@ class PublisherNode {
   ClockWatch clock_;
   RefusalLog refusal_log_{"a transform of", "transforms of further frames"};
   Health health_;
+  ros::SteadyTime last_status_ = ros::SteadyTime::now();
+  std::uint64_t last_updates_ = 0;  ///< as of last_status_
   SceneOutput output_;
   ros::Publisher diagnostics_publisher_;
   ros::Subscriber tf_subscriber_;

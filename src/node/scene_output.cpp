@@ -3,6 +3,8 @@
 // Boxes and groups always; everything else while somebody listens.
 #include "scene_output.h"
 
+#include <algorithm>
+
 #include "box_message.h"
 #include "footprint.h"
 
@@ -57,12 +59,19 @@ void SceneOutput::forgetMemory() {
 void SceneOutput::publishBoxes() {
   ++publications_;
   fillBoxes(scene_, boxes_message_);
-  fillGroups(scene_, groups_message_);
   boxes_publisher_.publish(boxes_message_);
+  noteLag(boxes_message_.header.stamp);
+  fillGroups(scene_, groups_message_);
   groups_publisher_.publish(groups_message_);
   parts_.publish();
   footprint_.publish();
   overlaps_.publish();
+}
+
+void SceneOutput::noteLag(ros::Time stamp) {
+  if (stamp.isZero()) return;
+  const double lag = (ros::Time::now().toSec() - stamp.toSec()) * 1e3;
+  lag_ms_ = std::max(lag, lag_ms_.value_or(lag));
 }
 
 /// A newcomer is shown everything; what others may still be showing is then not forgotten.

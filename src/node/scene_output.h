@@ -6,6 +6,9 @@
 #include <geometry_msgs/Polygon.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <optional>
+#include <utility>
+
 #include "box_markers.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
@@ -35,8 +38,13 @@ class SceneOutput {
   /// Messages on ~boxes.
   std::uint64_t publications() const { return publications_; }
 
+  /// The longest since the last call that the stamp of a ~boxes lay behind ROS time when it was
+  /// published [ms]; nothing if there was none with a stamp.
+  std::optional<double> takeLongestLag() { return std::exchange(lag_ms_, std::nullopt); }
+
  private:
   void publishBoxes();
+  void noteLag(ros::Time stamp);
   bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
   bool fillParts(AxisAlignedBoxArray& message);
   bool fillFootprint(geometry_msgs::Polygon& message) const;
@@ -44,6 +52,7 @@ class SceneOutput {
 
   const Scene& scene_;
   std::uint64_t publications_ = 0;
+  std::optional<double> lag_ms_;
   ShownMarkers shown_;
   PartBoxes part_boxes_;
   SceneOverlaps scene_overlaps_;

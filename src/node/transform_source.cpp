@@ -28,6 +28,7 @@ std::vector<Refusal> TransformSource::add(const std::vector<TransformView>& tran
   tree_.beginMessage();
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     const char* reason = whyRefused(transforms[i]);
+    if (reason) ++intake_.unusable;
     if (!reason) reason = insert(transforms[i], is_static, now);
     if (reason) refusals.push_back({i, reason});
   }
@@ -41,14 +42,20 @@ const char* TransformSource::insert(const TransformView& transform, bool is_stat
   const std::int64_t stamp = nanoseconds(transform.stamp);
   const EdgeSample sample{stamp, parent, transform.parent_from_child};
   if (!histories_.insert(child, sample, is_static)) {
-    if (stamp + EdgeHistory::kLength >= tree_.newest(child)) return nullptr;
+    if (stamp + EdgeHistory::kLength >= tree_.newest(child)) {
+      ++intake_.repeated;
+      return nullptr;
+    }
     if (!tree_.isDistrusted(child)) {
+      ++intake_.too_old;
       return nanoseconds(now) - tree_.lastHeard(child) > kSilence ? kTooOld : nullptr;
     }
     tree_.forget(child);
     histories_.clear(child);
     histories_.insert(child, sample, is_static);
   }
+  ++intake_.taken;
+  if (stamp < tree_.newest(child)) ++intake_.late;
   tree_.heard(child, parent, is_static, stamp, nanoseconds(now));
   return nullptr;
 }

@@ -26,6 +26,15 @@ struct Refusal {
   const char* reason;  ///< with the remedy
 };
 
+/// What became of all transforms since the start.
+struct TfIntake {
+  std::uint64_t taken = 0;
+  std::uint64_t late = 0;      ///< of those, with a stamp before the newest one of their frame
+  std::uint64_t repeated = 0;  ///< not taken: the stamp was there already
+  std::uint64_t too_old = 0;   ///< not taken
+  std::uint64_t unusable = 0;  ///< not taken: see whyRefused
+};
+
 class TransformSource {
  public:
   using Frame = FrameTree::Frame;
@@ -52,6 +61,7 @@ class TransformSource {
   /// clocks send may begin anew: the next transform that is too old replaces its history.
   void distrustStampsAhead(ros::Time now);
 
+  const TfIntake& intake() const { return intake_; }
   const EdgeHistories& histories() const { return histories_; }
   FrameTree& tree() { return tree_; }
   const FrameTree& tree() const { return tree_; }
@@ -62,6 +72,7 @@ class TransformSource {
 
   EdgeHistories histories_;
   FrameTree tree_;
+  TfIntake intake_;
 };
 
 }  // namespace link_bounds

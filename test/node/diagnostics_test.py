@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The level that /diagnostics shows, its words, and its period."""
+import math
 import unittest
 
 import rospy
 import rostest
 from bounds_testing import box_link, load, robot, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
-from node_testing import ARMS, NODE, ArmsTf, Diagnostics, value_of
+from node_testing import ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
 
 MESSAGES = 20
 PERIODS = 5
@@ -61,6 +62,41 @@ class DiagnosticsTest(unittest.TestCase):
         self.assertGreater(longest, 0)
         p99 = float(value_of(status, "time per tf message, p99 [ms]"))
         self.assertTrue(0 < p99 <= longest, "%g, %g" % (p99, longest))
+
+    def test_tells_what_became_of_transforms(self):
+        load(NODE, ARMS)
+        keys = ["transforms taken", "of those late", "transforms refused, stamp repeated",
+                "transforms refused, too old", "transforms refused, unusable"]
+
+        def counts(status):
+            return [int(value_of(status, key)) for key in keys]
+
+        before = counts(self.diagnostics.wait_for_new(lambda *_: True, "a status"))
+        start = rospy.Time.now() + rospy.Duration(100)  # later than all that was sent so far
+        for seconds in (0, 1, 0.5, 1, -20):  # new, new, late, repeated, too old
+            self.tf.send(start + rospy.Duration(seconds), links=["left"])
+        broken = self.tf.transform("left", start + rospy.Duration(2), 30)
+        broken.transform.rotation.w = math.nan
+        self.tf.send_transforms(broken)
+        expected = [count + more for count, more in zip(before, [3, 1, 1, 1, 1])]
+        self.diagnostics.wait_for_new(lambda _, status: counts(status) == expected, "the counts")
+
+    def test_tells_rate_and_lag(self):
+        load(NODE, ARMS)
+        late = rospy.Duration(5)
+        sender = Repeater(50, lambda: self.tf.send(rospy.Time.now() - late))
+        self.addCleanup(sender.stop)
+
+        def is_right(_, status):
+            lag = value_of(status, "longest lag of boxes behind their stamp [ms]")
+            return (lag != "none" and 5000 < float(lag) < 10000 and
+                    25 < float(value_of(status, "updates per second")) < 75)
+
+        self.diagnostics.wait_for_new(is_right, "rate and lag")
+        sender.stop()
+        self.diagnostics.wait_for_new(
+            lambda _, status: value_of(status, "longest lag of boxes behind their stamp [ms]") ==
+            "none" and float(value_of(status, "updates per second")) == 0, "silence")
 
     def test_comes_every_second(self):
         start = len(self.diagnostics.received)
