@@ -30,11 +30,13 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, r
 }
 
 bool LiveBoxes::updateAll(const TransformSource& tf, ros::Time now) {
+  if (!model_) return false;
   poses_.updateAll(tf);
   return refreshNews(now);
 }
 
 bool LiveBoxes::update(const TransformSource& tf, ros::Time now) {
+  if (!model_) return false;
   poses_.update(tf);
   return refreshNews(now);
 }

@@ -36,6 +36,26 @@ class LiveBoxesTest : public testing::Test {
   ros::Time now_{1000.0};
 };
 
+TEST_F(LiveBoxesTest, WithoutAModelNothingHappens) {
+  tf_.add({}, false, now_);
+  EXPECT_FALSE(live_.update(tf_, now_));
+  move(kTurn, {1, 2, 3});
+  EXPECT_FALSE(live_.updateAll(tf_, now_));
+  EXPECT_FALSE(live_.expire(tf_, now_));
+  EXPECT_TRUE(live_.states().empty());
+}
+
+TEST_F(LiveBoxesTest, StandingStillOnlyChangesTheStamp) {
+  const BoundedLink link = meshLink("l", 1);
+  adopt(link);
+  move(kTurn, {1, 2, 3});
+  const Aabb before = live_.states()[0].box.value();
+  move(kTurn, {1, 2, 3});
+  EXPECT_EQ(live_.states()[0].stamp, static_cast<std::int64_t>(now_.toNSec()));
+  EXPECT_EQ(live_.states()[0].box->min(), before.min());
+  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+}
+
 TEST_F(LiveBoxesTest, SameRotationAfterAStaleGap) {
   const BoundedLink link = meshLink("l", 1);
   adopt(link);

@@ -7,11 +7,24 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, box_of, load
+from bounds_testing import Recorder, box_of, load, wait_for
+from link_bounds.msg import AxisAlignedBoxArray
 from node_testing import ALL, ARMS, NODE, ArmsTf
 
 UPDATES = 400
+LATE = 0.3  # wall seconds on a busy machine
 INTERVAL = 0.005  # wall seconds between updates, 200 Hz
+
+
+class Arrivals:
+    """When each message of a topic arrived, and its stamp."""
+
+    def __init__(self, topic):
+        self.times = []
+        self._subscriber = rospy.Subscriber(
+            topic, AxisAlignedBoxArray,
+            lambda message: self.times.append((time.monotonic(), message.header.stamp)),
+            queue_size=1000, tcp_nodelay=True)
 
 
 class MaxRate(unittest.TestCase):
@@ -39,12 +52,17 @@ class MaxRate(unittest.TestCase):
 
     def flood(self):
         """Sends all updates at their rate; returns their stamps and how long it took."""
+        sent = self.timed_flood()
+        return [stamp for _, stamp in sent], sent[-1][0] - sent[0][0]
+
+    def timed_flood(self):
+        """The same; returns when each was sent, and its stamp."""
         start = time.monotonic()
-        stamps = []
-        while len(stamps) < UPDATES:
-            if time.monotonic() - start >= len(stamps) * INTERVAL:
-                stamps.append(self.send_next())
-        return stamps, time.monotonic() - start
+        sent = []
+        while len(sent) < UPDATES:
+            if time.monotonic() - start >= len(sent) * INTERVAL:
+                sent.append((time.monotonic(), self.send_next()))
+        return sent
 
     def wait_for_last(self, stamp):
         self.boxes.wait(lambda m: m.header.stamp == stamp, "the last update before silence")
@@ -67,6 +85,21 @@ class MaxRate(unittest.TestCase):
         self.assertGreater(len(answered), 2)
         self.assertEqual(answered, sorted(set(answered)))
         self.assertEqual([m.header.stamp for m in self.groups.messages], answered)
+
+    def test_what_is_shown_is_the_newest_and_at_most_a_period_late(self):
+        rate = 1.0
+        self.start(rate)
+        arrivals = Arrivals(NODE + "/boxes")
+        wait_for(lambda: arrivals.times, "the latched message")
+        sent = self.timed_flood()
+        self.wait_for_last(sent[-1][1])
+        wait_for(lambda: arrivals.times[-1][1] == sent[-1][1], "the last arrival")
+        for moment, stamp in arrivals.times[1:]:
+            known = [other for time_sent, other in sent if time_sent < moment - LATE]
+            self.assertTrue(not known or stamp >= known[-1], "an old state is shown")
+        for time_sent, stamp in sent:
+            shown = next(moment for moment, other in arrivals.times if other >= stamp)
+            self.assertLess(shown - time_sent, 1 / rate + LATE)
 
     def test_a_single_update_after_silence_is_shown(self):
         self.start(1.0)
