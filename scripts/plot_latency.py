@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws how long boxes take to arrive against the number of links: plot_latency.py ROWS.json PICTURE.png
+"""Draws how long boxes take to arrive: plot_latency.py ROWS.json PICTURE.png
 
 The rows are those of `scripts/bench end-to-end --json`, at 1 kHz.
 """

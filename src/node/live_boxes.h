@@ -36,9 +36,7 @@ class LiveBoxes {
   const std::vector<BoxState>& states() const { return states_; }
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
-  Eigen::Affine3d pose(std::size_t i) const {
-    return toAffine(poses_.node(i)->fixed_from_frame);
-  }
+  Eigen::Affine3d pose(std::size_t i) const { return toAffine(poses_.node(i)->fixed_from_frame); }
 
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;

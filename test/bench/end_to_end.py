@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that computes
-nothing, and a usual node of tf2. end_to_end.py [--quick] [--json FILE]"""
+"""From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that
+computes nothing, and a usual node of tf2. end_to_end.py [--quick] [--json FILE]"""
 import argparse
 import json
 import os
@@ -57,7 +57,7 @@ def run(links, rates, repetitions, folder):
             for hz in rates:
                 for method in dice.sample(list(METHODS), len(METHODS)):
                     runs[method, hz].append(measure(method, nodes[method], links, hz))
-            print("%d links: repetition %d of %d" % (links, repetition + 1, repetitions), flush=True)
+            print("%d links: %d of %d" % (links, repetition + 1, repetitions), flush=True)
     return runs
 
 
