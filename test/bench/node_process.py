@@ -49,9 +49,10 @@ class Master:
     def start_node(self, program, name_space, *arguments):
         """The node NAMESPACE/node, which listens to NAMESPACE/tf."""
         with open(os.path.join(os.environ["ROS_HOME"], "bench.log"), "ab") as log:
-            return self.start(os.path.join(PROGRAMS, program), "__ns:=" + name_space,
-                              "__name:=node", "/tf:=%s/tf" % name_space, "/tf_static:=%s/tf_static" % name_space,
-                              *arguments, stdout=log, stderr=log)
+            return self.start(
+                os.path.join(PROGRAMS, program), "__ns:=" + name_space, "__name:=node",
+                "/tf:=%s/tf" % name_space, "/tf_static:=%s/tf_static" % name_space, *arguments,
+                stdout=log, stderr=log)
 
     @staticmethod
     def end(process):
