@@ -23,6 +23,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -91,6 +92,17 @@ using Directions = Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
 /// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
 /// path of instructions; a zero is +0.
 Extents extents(const DirectionTable& table, const Directions& directions);
+
+/// The lists for three directions.
+using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
+
+/// The first half of extents(), which begins to fetch what the second half reads. With other work
+/// in between, nothing has to be waited for.
+void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
+
+/// The second half, with the cells of the same table and directions.
+void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+               Extents& result);
 
 /// The instructions a query uses. The best one of this processor is chosen at the first query.
 enum class QueryPath { kPlain, kSse2, kAvx2 };

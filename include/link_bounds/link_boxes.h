@@ -40,4 +40,15 @@ std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& worl
 /// The same without memory.
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link);
 
+/// One link of many.
+struct LinkUpdate {
+  const BoundedLink* link = nullptr;
+  const Eigen::Affine3d* world_from_link = nullptr;
+  LinkReach* reach = nullptr;          ///< made for this link
+  std::optional<Aabb>* box = nullptr;  ///< where the result of linkBox goes
+};
+
+/// Quicker than one by one: what the boxes depend on is announced for all before the first one.
+void updateLinkBoxes(const std::vector<LinkUpdate>& updates);
+
 }  // namespace link_bounds

@@ -25,29 +25,66 @@ struct Range {
   }
 };
 
+void find(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = directions.row(static_cast<Eigen::Index>(k));
+    cells[k] = &table.cells[cellOf(row[0], row[1], row[2], table.grid)];
+  }
+}
+
+void scan(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+          Extents& result) {
+  for (int k = 0; k < 3; ++k) {
+    const double r0 = directions(k, 0);
+    const double r1 = directions(k, 1);
+    const double r2 = directions(k, 2);
+    const DirectionTable::Cell& cell = *cells[static_cast<std::size_t>(k)];
+    const double first = (r0 * cell.near[0].x[0] + r1 * cell.near[0].y[0]) + r2 * cell.near[0].z[0];
+    Range range{first, first};
+    range.add(cell.near[0], r0, r1, r2);
+    range.add(cell.near[1], r0, r1, r2);
+    for (std::uint32_t i = 0; i < cell.count; ++i)
+      range.add(table.more[cell.first + i], r0, r1, r2);
+    result.low[k] = range.low + 0.0;
+    result.high[k] = range.high + 0.0;
+  }
+}
+
+Extents findAndScan(const DirectionTable& table, const Directions& directions) {
+  CellsOfRows cells;
+  find(table, directions, cells);
+  Extents result;
+  scan(table, directions, cells, result);
+  return result;
+}
+
 QueryPath bestPath() {
   if (isSupported(QueryPath::kAvx2)) return QueryPath::kAvx2;
   return isSupported(QueryPath::kSse2) ? QueryPath::kSse2 : QueryPath::kPlain;
 }
 
-Query queryBy(QueryPath path) {
+const Query& queryBy(QueryPath path) {
 #ifdef __SSE2__
-  if (path == QueryPath::kSse2) return querySse2;
-  if (path == QueryPath::kAvx2) return queryAvx2;
+  if (path == QueryPath::kSse2) return kSse2Query;
+  if (path == QueryPath::kAvx2) return kAvx2Query;
 #endif
   static_cast<void>(path);
-  return queryPlain;
+  return kPlainQuery;
 }
 
-/// What runs until a path is chosen.
-Extents chooseAndQuery(const DirectionTable& table, const Directions& directions) {
+/// Null until a path is chosen.
+std::atomic<const Query*> chosen_query{nullptr};
+
+const Query& query() {
+  const Query* const chosen = chosen_query.load(std::memory_order_relaxed);
+  if (chosen) return *chosen;
   useQueryPath(bestPath());
-  return extents(table, directions);
+  return queryBy(bestPath());
 }
-
-std::atomic<Query> query{chooseAndQuery};
 
 }  // namespace
+
+const Query kPlainQuery{findAndScan, find, scan};
 
 bool isSupported(QueryPath path) {
 #ifdef __SSE2__
@@ -59,36 +96,30 @@ bool isSupported(QueryPath path) {
 
 QueryPath queryPath() {
   for (const QueryPath path : {QueryPath::kAvx2, QueryPath::kSse2, QueryPath::kPlain}) {
-    if (query.load(std::memory_order_relaxed) == queryBy(path)) return path;
+    if (&query() == &queryBy(path)) return path;
   }
   return bestPath();
 }
 
 void useQueryPath(QueryPath path) {
-  query.store(queryBy(path), std::memory_order_relaxed);
+  chosen_query.store(&queryBy(path), std::memory_order_relaxed);
 }
 
 Extents extents(const DirectionTable& table, const Directions& directions) {
-  return query.load(std::memory_order_relaxed)(table, directions);
+  return query().both(table, directions);
 }
 
-Extents queryPlain(const DirectionTable& table, const Directions& directions) {
-  Extents result;
-  for (int k = 0; k < 3; ++k) {
-    const double r0 = directions(k, 0);
-    const double r1 = directions(k, 1);
-    const double r2 = directions(k, 2);
-    const DirectionTable::Cell& cell = table.cells[cellOf(r0, r1, r2, table.grid)];
-    const double first = (r0 * cell.near[0].x[0] + r1 * cell.near[0].y[0]) + r2 * cell.near[0].z[0];
-    Range range{first, first};
-    range.add(cell.near[0], r0, r1, r2);
-    range.add(cell.near[1], r0, r1, r2);
-    for (std::uint32_t i = 0; i < cell.count; ++i)
-      range.add(table.more[cell.first + i], r0, r1, r2);
-    result.low[k] = range.low + 0.0;
-    result.high[k] = range.high + 0.0;
+void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+  query().find(table, directions, cells);
+  for (const DirectionTable::Cell* cell : cells) {
+    __builtin_prefetch(&cell->near[0]);
+    __builtin_prefetch(&cell->near[1].y);
   }
-  return result;
+}
+
+void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+               Extents& result) {
+  query().scan(table, directions, cells, result);
 }
 
 }  // namespace link_bounds

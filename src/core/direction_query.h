@@ -7,14 +7,19 @@
 
 namespace link_bounds {
 
-/// What extents() does, by one path.
-using Query = Extents (*)(const DirectionTable& table, const Directions& directions);
+/// What extents() does by one path, and its two halves.
+struct Query {
+  Extents (*both)(const DirectionTable& table, const Directions& directions);
+  void (*find)(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
+  void (*scan)(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+               Extents& result);
+};
 
-Extents queryPlain(const DirectionTable& table, const Directions& directions);
+extern const Query kPlainQuery;
 
 #ifdef __SSE2__
-Extents querySse2(const DirectionTable& table, const Directions& directions);
-Extents queryAvx2(const DirectionTable& table, const Directions& directions);
+extern const Query kSse2Query;
+extern const Query kAvx2Query;
 #endif
 
 }  // namespace link_bounds

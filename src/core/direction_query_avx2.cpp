@@ -74,20 +74,36 @@ struct AvxRow {
   __m256d low, high;
 };
 
-}  // namespace
-
-LINK_BOUNDS_AVX2 Extents queryAvx2(const DirectionTable& table, const Directions& directions) {
+LINK_BOUNDS_AVX2 void find(const DirectionTable& table, const Directions& directions,
+                           CellsOfRows& cells) {
   const double* x = directions.data();
   const double* y = x + directions.outerStride();
   const double* z = y + directions.outerStride();
   const __m256i indices = cellsOf(table.grid, load3(x), load3(y), load3(z));
   const __m128i pair = _mm256_castsi256_si128(indices);
-  AvxRow row0(directions, 0), row1(directions, 1), row2(directions, 2);
-  scan(table, cellAt(table, pair), cellAt(table, _mm_unpackhi_epi64(pair, pair)),
-       cellAt(table, _mm256_extracti128_si256(indices, 1)), row0, row1, row2);
-  return finished(row0.lowPair(), row1.lowPair(), row2.lowPair(), row0.highPair(), row1.highPair(),
-                  row2.highPair());
+  cells = {cellAt(table, pair), cellAt(table, _mm_unpackhi_epi64(pair, pair)),
+           cellAt(table, _mm256_extracti128_si256(indices, 1))};
 }
+
+LINK_BOUNDS_AVX2 void scan(const DirectionTable& table, const Directions& directions,
+                           const CellsOfRows& cells, Extents& result) {
+  AvxRow row0(directions, 0), row1(directions, 1), row2(directions, 2);
+  scanRows(table, cells, row0, row1, row2);
+  finish(row0.lowPair(), row1.lowPair(), row2.lowPair(), row0.highPair(), row1.highPair(),
+         row2.highPair(), result);
+}
+
+LINK_BOUNDS_AVX2 Extents findAndScan(const DirectionTable& table, const Directions& directions) {
+  CellsOfRows cells;
+  find(table, directions, cells);
+  Extents result;
+  scan(table, directions, cells, result);
+  return result;
+}
+
+}  // namespace
+
+const Query kAvx2Query{findAndScan, find, scan};
 
 }  // namespace link_bounds
 #endif

@@ -57,20 +57,35 @@ struct SseRow {
   __m128d low, high;
 };
 
-}  // namespace
-
-Extents querySse2(const DirectionTable& table, const Directions& directions) {
+void find(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
   const double* x = directions.data();
   const double* y = x + directions.outerStride();
   const double* z = y + directions.outerStride();
   const __m128i pair = cellsOf(table.grid, _mm_loadu_pd(x), _mm_loadu_pd(y), _mm_loadu_pd(z));
   const __m128i third =
       cellsOf(table.grid, _mm_load1_pd(x + 2), _mm_load1_pd(y + 2), _mm_load1_pd(z + 2));
-  SseRow row0(directions, 0), row1(directions, 1), row2(directions, 2);
-  scan(table, cellAt(table, pair), cellAt(table, _mm_unpackhi_epi64(pair, pair)),
-       cellAt(table, third), row0, row1, row2);
-  return finished(row0.low, row1.low, row2.low, row0.high, row1.high, row2.high);
+  cells = {cellAt(table, pair), cellAt(table, _mm_unpackhi_epi64(pair, pair)),
+           cellAt(table, third)};
 }
+
+void scan(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+          Extents& result) {
+  SseRow row0(directions, 0), row1(directions, 1), row2(directions, 2);
+  scanRows(table, cells, row0, row1, row2);
+  finish(row0.low, row1.low, row2.low, row0.high, row1.high, row2.high, result);
+}
+
+Extents findAndScan(const DirectionTable& table, const Directions& directions) {
+  CellsOfRows cells;
+  find(table, directions, cells);
+  Extents result;
+  scan(table, directions, cells, result);
+  return result;
+}
+
+}  // namespace
+
+const Query kSse2Query{findAndScan, find, scan};
 
 }  // namespace link_bounds
 #endif

@@ -19,32 +19,31 @@ constexpr int kFraction = 20;
 constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
 
 /// The cell whose index is in the low bits of the first place.
-inline const Cell& cellAt(const DirectionTable& table, __m128i index) {
-  return table.cells.data()[static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask];
+inline const Cell* cellAt(const DirectionTable& table, __m128i index) {
+  return table.cells.data() + (static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask);
 }
 
 /// From two values per direction to one, and from -0 to +0.
-inline Extents finished(__m128d low0, __m128d low1, __m128d low2, __m128d high0, __m128d high1,
-                        __m128d high2) {
+inline void finish(__m128d low0, __m128d low1, __m128d low2, __m128d high0, __m128d high1,
+                   __m128d high2, Extents& result) {
   const __m128d zero = _mm_setzero_pd();
   const __m128d low = _mm_min_pd(_mm_unpacklo_pd(low0, low1), _mm_unpackhi_pd(low0, low1));
   const __m128d high = _mm_max_pd(_mm_unpacklo_pd(high0, high1), _mm_unpackhi_pd(high0, high1));
   const __m128d third_low = _mm_min_sd(low2, _mm_unpackhi_pd(low2, low2));
   const __m128d third_high = _mm_max_sd(high2, _mm_unpackhi_pd(high2, high2));
-  Extents result;
   _mm_storeu_pd(result.low.data(), _mm_add_pd(low, zero));
   _mm_storeu_pd(result.high.data(), _mm_add_pd(high, zero));
   _mm_store_sd(result.low.data() + 2, _mm_add_sd(third_low, zero));
   _mm_store_sd(result.high.data() + 2, _mm_add_sd(third_high, zero));
-  return result;
 }
 
 /// Adds the lists of three cells to three rows. What is beyond the first eight points of a list is
 /// rare, so one question is asked for all three.
 template <class Row>
-inline __attribute__((always_inline)) void scan(const DirectionTable& table, const Cell& cell0,
-                                                const Cell& cell1, const Cell& cell2, Row& row0,
-                                                Row& row1, Row& row2) {
+inline __attribute__((always_inline)) void scanRows(const DirectionTable& table,
+                                                    const CellsOfRows& cells, Row& row0, Row& row1,
+                                                    Row& row2) {
+  const Cell &cell0 = *cells[0], &cell1 = *cells[1], &cell2 = *cells[2];
   row0.begin(cell0);
   row1.begin(cell1);
   row2.begin(cell2);

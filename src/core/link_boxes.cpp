@@ -5,7 +5,32 @@
 
 #include <algorithm>
 
+#include "shape_steps.h"
+
 namespace link_bounds {
+namespace {
+
+bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link, ShapeReach& reach,
+                Aabb& box) {
+  if (reach.is_in_link_frame) return placeBox(shape, world_from_link, reach, box);
+  return placeBox(shape, world_from_link * shape.link_from_shape, reach, box);
+}
+
+/// False if there is no box.
+bool placeLink(const BoundedLink& link, const Eigen::Affine3d& world_from_link, LinkReach& reach,
+               Aabb& box) {
+  if (link.shapes.empty()) return false;
+  if (!placeShape(link.shapes[0], world_from_link, reach.shapes[0], box)) return false;
+  for (std::size_t i = 1; i < link.shapes.size(); ++i) {
+    Aabb part;
+    if (!placeShape(link.shapes[i], world_from_link, reach.shapes[i], part)) return false;
+    box.extend(part);
+  }
+  if (link.padding != 0) box = padded(box, link.padding);
+  return true;
+}
+
+}  // namespace
 
 double magnitude(const BoundedLink& link) {
   double result = 0;
@@ -21,24 +46,30 @@ double magnitude(const BoundedLink& link) {
 
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
                             LinkReach& reach) {
-  if (link.shapes.empty()) return std::nullopt;
-  Aabb box;
-  for (std::size_t i = 0; i < link.shapes.size(); ++i) {
-    const Shape& shape = link.shapes[i];
-    ShapeReach& shape_reach = reach.shapes[i];
-    const std::optional<Aabb> part =
-        shape_reach.is_in_link_frame
-            ? placedBox(shape, world_from_link, shape_reach)
-            : placedBox(shape, world_from_link * shape.link_from_shape, shape_reach);
-    if (!part) return std::nullopt;
-    box.extend(*part);
-  }
-  return link.padding == 0 ? box : padded(box, link.padding);
+  std::optional<Aabb> box(std::in_place);
+  if (!placeLink(link, world_from_link, reach, *box)) box.reset();
+  return box;
 }
 
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link) {
   LinkReach reach(link);
   return linkBox(link, world_from_link, reach);
+}
+
+/// A shape with a frame of its own would have its pose computed twice.
+void updateLinkBoxes(const std::vector<LinkUpdate>& updates) {
+  for (const LinkUpdate& update : updates) {
+    for (std::size_t i = 0; i < update.link->shapes.size(); ++i) {
+      ShapeReach& reach = update.reach->shapes[i];
+      if (reach.is_in_link_frame) announce(update.link->shapes[i], *update.world_from_link, reach);
+    }
+  }
+  for (const LinkUpdate& update : updates) {
+    if (!*update.box) update.box->emplace();
+    if (!placeLink(*update.link, *update.world_from_link, *update.reach, **update.box)) {
+      update.box->reset();
+    }
+  }
 }
 
 }  // namespace link_bounds

@@ -117,7 +117,9 @@ Extents scanSse2(const double* xyz, std::size_t count, const Directions& directi
   const Two first(xyz);
   SseScan row0(directions, 0, first), row1(directions, 1, first), row2(directions, 2, first);
   addAll<2, Two>(xyz, count, row0, row1, row2);
-  return finished(row0.low, row1.low, row2.low, row0.high, row1.high, row2.high);
+  Extents result;
+  finish(row0.low, row1.low, row2.low, row0.high, row1.high, row2.high, result);
+  return result;
 }
 
 LINK_BOUNDS_AVX2 Extents scanAvx2(const double* xyz, std::size_t count,
@@ -125,8 +127,10 @@ LINK_BOUNDS_AVX2 Extents scanAvx2(const double* xyz, std::size_t count,
   const Four first(xyz);
   AvxScan row0(directions, 0, first), row1(directions, 1, first), row2(directions, 2, first);
   addAll<4, Four>(xyz, count, row0, row1, row2);
-  return finished(row0.lowPair(), row1.lowPair(), row2.lowPair(), row0.highPair(), row1.highPair(),
-                  row2.highPair());
+  Extents result;
+  finish(row0.lowPair(), row1.lowPair(), row2.lowPair(), row0.highPair(), row1.highPair(),
+         row2.highPair(), result);
+  return result;
 }
 
 }  // namespace link_bounds

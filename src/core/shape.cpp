@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "link_bounds/rounding.h"
+#include "shape_steps.h"
 
 namespace link_bounds {
 namespace {
@@ -43,8 +45,8 @@ double halfExtent(Solid solid, const Eigen::Vector3d& row) {
 void addSolid(const Shape& shape, const Directions& linear, ShapeReach& reach) {
   for (int k = 0; k < 3; ++k) {
     const double half = halfExtent(shape.solid, linear.row(k).transpose().cwiseProduct(shape.size));
-    reach.low[k] -= half;
-    reach.high[k] += half;
+    reach.range.low[k] -= half;
+    reach.range.high[k] += half;
   }
 }
 
@@ -62,25 +64,34 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
+/// By the cells that were announced, or found now.
+void scanPoints(const PointSet& points, const Directions& linear, ShapeReach& reach) {
+  if (reach.next_cells[0]) {
+    scanCells(points.table(), linear, reach.next_cells, reach.range);
+    reach.next_cells[0] = nullptr;
+  } else {
+    reach.range = points.extents(linear);
+  }
+}
+
 /// False if an entry is too large or not a number. The sum tells that of all but the largest.
 bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
   if (shape.points) {
-    const Extents points = shape.points->extents(linear);
-    reach.low = points.low;
-    reach.high = points.high;
+    scanPoints(*shape.points, linear, reach);
   } else {
-    reach.low.setZero();
-    reach.high.setZero();
+    reach.range = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   }
   if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
+  reach.linear = linear;
   double magnitude = 0;
   for (int k = 0; k < 3; ++k) {
-    const double x = std::abs(linear(k, 0)), y = std::abs(linear(k, 1)), z = std::abs(linear(k, 2));
-    const Eigen::Vector3d& pad = reach.pad_per_entry;
-    reach.pad[k] = x * pad.x() + y * pad.y() + z * pad.z() + kUnderflowPad;
-    magnitude += x + y + z;
+    const double entries =
+        std::abs(reach.linear(k, 0)) + std::abs(reach.linear(k, 1)) + std::abs(reach.linear(k, 2));
+    const double pad = entries * reach.pad_per_entry + kUnderflowPad;
+    reach.range.low[k] -= pad;
+    reach.range.high[k] += pad;
+    magnitude += entries;
   }
-  reach.linear = linear;
   if (magnitude <= kLargestLinearEntry || isUsable(linear)) return true;
   reach.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
   return false;
@@ -96,14 +107,14 @@ bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, Sha
   for (int k = 0; k < 3; ++k) {
     if (!(rows & 1u << k)) continue;
     reach.linear.row(k) = fresh.linear.row(k);
-    reach.low[k] = fresh.low[k];
-    reach.high[k] = fresh.high[k];
-    reach.pad[k] = fresh.pad[k];
+    reach.range.low[k] = fresh.range.low[k];
+    reach.range.high[k] = fresh.range.high[k];
   }
   return true;
 }
 
 bool update(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+  if (reach.next_cells[0]) return updateReach(shape, linear, reach);
   const unsigned rows = changedRows(linear, reach.linear);
   if (rows == 0) return true;
   return rows == 7 ? updateReach(shape, linear, reach) : updateRows(shape, linear, rows, reach);
@@ -116,27 +127,43 @@ bool isFinite(const Aabb& box) {
 
 }  // namespace
 
+/// The largest cost of any column, which is nearly that of each.
 ShapeReach::ShapeReach(const Shape& shape)
-    : pad_per_entry(kRoundingPad * shape.size / 2),
+    : pad_per_entry(kRoundingPad * shape.size.maxCoeff() / 2),
       is_in_link_frame(shape.link_from_shape.matrix() == Eigen::Matrix4d::Identity()) {
   if (!shape.points) return;
-  const Eigen::Vector3d& magnitude = shape.points->magnitude();
-  pad_per_entry += kRoundingPad * magnitude;
-  pad_per_entry.array() += kPointTolerance * magnitude.maxCoeff();
+  const double magnitude = shape.points->magnitude().maxCoeff();
+  pad_per_entry += (kRoundingPad + kPointTolerance) * magnitude;
 }
 
 bool isUsablePose(const Eigen::Affine3d& pose) {
   return pose.translation().allFinite() && isUsable(pose.linear());
 }
 
+void announce(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach) {
+  if (!shape.points || shape.points->isScanned()) return;
+  const auto linear = world_from_shape.linear();
+  if (changedRows(linear, reach.linear) != 7) return;
+  findCells(shape.points->table(), linear, reach.next_cells);
+}
+
+/// The pad of the translation goes with it, the other one is in the reach.
+bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach,
+              Aabb& box) {
+  if (!update(shape, world_from_shape.linear(), reach)) return false;
+  for (int k = 0; k < 3; ++k) {
+    const double translation = world_from_shape(k, 3);
+    const double pad = kRoundingPad * std::abs(translation);
+    box.min()[k] = (translation - pad) + reach.range.low[k];
+    box.max()[k] = (translation + pad) + reach.range.high[k];
+  }
+  return isFinite(box);
+}
+
 std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
                               ShapeReach& reach) {
-  if (!update(shape, world_from_shape.linear(), reach)) return std::nullopt;
-  const Eigen::Vector3d translation = world_from_shape.translation();
-  const Eigen::Vector3d pad = reach.pad + kRoundingPad * translation.cwiseAbs();
-  std::optional<Aabb> box(std::in_place, (translation + reach.low) - pad,
-                          (translation + reach.high) + pad);
-  if (!isFinite(*box)) box.reset();
+  std::optional<Aabb> box(std::in_place);
+  if (!placeBox(shape, world_from_shape, reach, *box)) box.reset();
   return box;
 }
 

@@ -7,11 +7,13 @@
 
 namespace link_bounds {
 
-bool EdgeHistories::insert(Frame child, const EdgeSample& sample, bool is_static) {
-  histories_.resize(std::max({histories_.size(), child + 1, sample.parent + 1}));
+bool EdgeHistories::insert(Frame child, Frame parent, std::int64_t stamp,
+                           const Tf2Pose& parent_from_child, bool is_static) {
+  const Frame last = std::max(child, parent);
+  if (last >= histories_.size()) histories_.resize(last + 1);
   auto& history = histories_[child];
   if (!history) history = std::make_unique<EdgeHistory>(is_static, memory_.get());
-  return history->insert(sample);
+  return history->insert(stamp, parent, parent_from_child);
 }
 
 void EdgeHistories::clear() {

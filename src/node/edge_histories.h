@@ -22,7 +22,8 @@ class EdgeHistories {
 
   /// False if it is refused: the stamp is there already, or too old. The first transform decides
   /// whether an edge is static.
-  bool insert(Frame child, const EdgeSample& sample, bool is_static);
+  bool insert(Frame child, Frame parent, std::int64_t stamp, const Tf2Pose& parent_from_child,
+              bool is_static);
 
   /// Static edges stay.
   void clear();

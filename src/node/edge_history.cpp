@@ -24,19 +24,15 @@ bool isLater(const EdgeSample& sample, std::int64_t stamp) {
 
 }  // namespace
 
-bool EdgeHistory::insert(const EdgeSample& sample) {
+bool EdgeHistory::insertElsewhere(const EdgeSample& sample) {
   if (is_static_) {
     samples_.assign(1, sample);
     return true;
   }
   if (!samples_.empty() && samples_.front().stamp > sample.stamp + kLength) return false;
-  auto place = samples_.begin();
-  if (place != samples_.end() && isLater(*place, sample.stamp)) {
-    place = std::lower_bound(place, samples_.end(), sample.stamp, isLater);
-  }
+  const auto place = std::lower_bound(samples_.begin(), samples_.end(), sample.stamp, isLater);
   if (place != samples_.end() && place->stamp == sample.stamp) return false;
   samples_.insert(place, sample);
-  dropOldest();
   return true;
 }
 
@@ -69,7 +65,7 @@ const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) c
   if (older == samples_.end() || isOutOfReach(*older)) return nullptr;
   const auto newer = std::prev(older);
   if (older->parent != newer->parent) return &*older;
-  scratch = {stamp, older->parent, interpolated(*older, *newer, stamp)};
+  scratch = EdgeSample(stamp, older->parent, interpolated(*older, *newer, stamp));
   return &scratch;
 }
 

@@ -15,6 +15,10 @@ namespace link_bounds {
 
 /// One transform. Times are nanoseconds.
 struct EdgeSample {
+  EdgeSample() = default;
+  EdgeSample(std::int64_t time, std::size_t parent_frame, const Tf2Pose& pose)
+      : stamp(time), parent(parent_frame), parent_from_child(pose) {}
+
   std::int64_t stamp = 0;
   std::size_t parent = 0;
   Tf2Pose parent_from_child;
@@ -30,7 +34,13 @@ class EdgeHistory {
       : is_static_(is_static), samples_(memory) {}
 
   /// False if it is refused: the stamp is there already, or too old.
-  bool insert(const EdgeSample& sample);
+  bool insert(std::int64_t stamp, std::size_t parent, const Tf2Pose& parent_from_child) {
+    const bool is_newest = !samples_.empty() && stamp > samples_.front().stamp;
+    if (is_static_ || !is_newest) return insertElsewhere({stamp, parent, parent_from_child});
+    samples_.emplace_front(stamp, parent, parent_from_child);
+    dropOldest();
+    return true;
+  }
 
   /// Static edges stay.
   void clear();
@@ -40,6 +50,7 @@ class EdgeHistory {
   const EdgeSample* at(std::int64_t stamp, EdgeSample& scratch) const;
 
  private:
+  bool insertElsewhere(const EdgeSample& sample);
   void dropOldest();
   bool isOutOfReach(const EdgeSample& sample) const;
   const EdgeSample* before(std::int64_t stamp, EdgeSample& scratch) const;

@@ -6,6 +6,7 @@
 // which is what decides about recomputing boxes and about stale links.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -24,11 +25,12 @@ class FrameTree {
   /// A number for the name, the same for ever.
   Frame frame(std::string_view name) { return known(names_.frame(name)); }
 
-  /// The same for the child and the parent of the next transform of a message; quick where they are
-  /// those of an earlier message.
-  Frame nextChild(std::string_view name) { return known(names_.next(name)); }
-  Frame parentOf(Frame child, std::string_view name) {
-    return known(names_.frame(name, edges_[child].parent));
+  /// The same for the next transform of a message; quick where it is as in an earlier message, see
+  /// FrameNames.
+  FrameNames::Edge next(std::string_view parent, std::string_view child, std::string_view key) {
+    const FrameNames::Edge edge = names_.next(parent, child, key);
+    known(std::max(edge.child, edge.parent));
+    return edge;
   }
 
   /// tf accepted a transform. Whether an edge is static is decided by the first one, as in tf2.
@@ -87,7 +89,7 @@ class FrameTree {
   };
 
   Frame known(Frame frame) {
-    if (frame == edges_.size()) edges_.emplace_back();
+    if (frame >= edges_.size()) edges_.resize(frame + 1);
     return frame;
   }
 

@@ -42,72 +42,83 @@ bool LiveBoxes::update(const TransformSource& tf, ros::Time now) {
 }
 
 bool LiveBoxes::refreshNews(ros::Time now) {
+  const std::int64_t stale_before = staleBefore(model_->parameters.timeout, now);
   bool is_changed = false;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (isNews(i)) is_changed |= canKeepBox(i, now) ? restamp(i) : refresh(i, now);
-  }
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    is_changed |= refresh(i, stale_before);
+  is_changed |= boundWaiting();
   return is_changed;
 }
 
 bool LiveBoxes::expire(const TransformSource& tf, ros::Time now) {
+  if (!model_) return false;
   poses_.updateHeard(tf.tree());
+  const std::int64_t stale_before = staleBefore(model_->parameters.timeout, now);
   bool is_changed = false;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const PoseTree::Node* node = poses_.node(i);
-    if (troubles_[i] != Trouble::kStale && node && isStale(*node, now)) {
-      is_changed |= refresh(i, now);
-    }
+    const bool can_be_stale = troubles_[i] != Trouble::kStale && !model_->links[i].shapes.empty();
+    if (can_be_stale && node && node->heard < stale_before) is_changed |= drop(i, Trouble::kStale);
   }
   return is_changed;
 }
 
-bool LiveBoxes::isNews(std::size_t i) const {
+/// Where nothing but the stamp can differ, nothing else is looked at. A box that is to be computed
+/// waits for the others, but where its stamp is as before: only the box itself then tells news.
+bool LiveBoxes::refresh(std::size_t i, std::int64_t stale_before) {
   const PoseTree::Node* node = poses_.node(i);
-  return node ? node->is_news : poses_.isRebuilt();
-}
-
-bool LiveBoxes::isStale(const PoseTree::Node& node, ros::Time now) const {
-  const double timeout = model_->parameters.timeout;
-  if (timeout <= 0 || node.heard == PoseTree::kNever) return false;
-  return static_cast<double>(now.toNSec()) - static_cast<double>(node.heard) > timeout * 1e9;
-}
-
-/// True if nothing but the stamp can differ.
-bool LiveBoxes::canKeepBox(std::size_t i, ros::Time now) const {
-  const PoseTree::Node* node = poses_.node(i);
-  return node && node->has_pose && !node->has_moved && states_[i].box &&
-         troubles_[i] == Trouble::kNone && !isStale(*node, now);
-}
-
-bool LiveBoxes::restamp(std::size_t i) {
-  const std::int64_t stamp = poses_.node(i)->stamp;
-  return std::exchange(states_[i].stamp, stamp) != stamp;
-}
-
-bool LiveBoxes::refresh(std::size_t i, ros::Time now) {
-  std::optional<Aabb> box;
-  const Trouble trouble = place(i, now, box);
-  const std::int64_t stamp = box ? poses_.node(i)->stamp : 0;
+  if (!(node ? node->is_news : poses_.isRebuilt())) return false;
+  if (model_->links[i].shapes.empty()) return drop(i, Trouble::kNone);
+  if (!node) return drop(i, Trouble::kNoTransform);
+  if (node->heard < stale_before) return drop(i, Trouble::kStale);
+  if (!node->has_pose) return drop(i, Trouble::kNoTransform);
   BoxState& state = states_[i];
-  const bool is_changed =
-      trouble != troubles_[i] || stamp != state.stamp || !isSame(box, state.box);
-  troubles_[i] = trouble;
-  state.box = box;
-  state.stamp = stamp;
-  state.incomplete = trouble != Trouble::kNone || !model_->links[i].isWhole();
+  if (!node->has_moved && state.box) return std::exchange(state.stamp, node->stamp) != node->stamp;
+  if (node->stamp == state.stamp) return bound(i, *node);
+  LinkUpdate& update = waiting_.emplace_back();
+  update.link = &model_->links[i];
+  update.world_from_link = &node->fixed_from_frame.affine;
+  update.reach = &reaches_[i];
+  update.box = &state.box;
+  return false;
+}
+
+bool LiveBoxes::bound(std::size_t i, const PoseTree::Node& node) {
+  const std::optional<Aabb> box =
+      linkBox(model_->links[i], node.fixed_from_frame.affine, reaches_[i]);
+  const Trouble trouble = box ? Trouble::kNone : Trouble::kPoseNotFinite;
+  const bool is_changed = trouble != troubles_[i] || !isSame(box, states_[i].box);
+  states_[i].box = box;
+  describe(i, trouble);
   return is_changed;
 }
 
-/// Leaves `box` empty where there is none.
-LiveBoxes::Trouble LiveBoxes::place(std::size_t i, ros::Time now, std::optional<Aabb>& box) {
-  const BoundedLink& link = model_->links[i];
-  if (link.shapes.empty()) return Trouble::kNone;
-  const PoseTree::Node* node = poses_.node(i);
-  if (!node) return Trouble::kNoTransform;
-  if (isStale(*node, now)) return Trouble::kStale;
-  if (!node->has_pose) return Trouble::kNoTransform;
-  box = linkBox(link, toAffine(node->fixed_from_frame), reaches_[i]);
-  return box ? Trouble::kNone : Trouble::kPoseNotFinite;
+bool LiveBoxes::boundWaiting() {
+  updateLinkBoxes(waiting_);
+  bool is_changed = false;
+  for (const LinkUpdate& update : waiting_) {
+    const auto i = static_cast<std::size_t>(update.link - model_->links.data());
+    const Trouble trouble = states_[i].box ? Trouble::kNone : Trouble::kPoseNotFinite;
+    is_changed |= states_[i].box || trouble != troubles_[i];
+    describe(i, trouble);
+  }
+  waiting_.clear();
+  return is_changed;
+}
+
+/// A link without a box; true if it had one, or had none for another reason.
+bool LiveBoxes::drop(std::size_t i, Trouble trouble) {
+  const bool is_changed = states_[i].box || trouble != troubles_[i];
+  states_[i].box.reset();
+  describe(i, trouble);
+  return is_changed;
+}
+
+/// All of the state but the box.
+void LiveBoxes::describe(std::size_t i, Trouble trouble) {
+  troubles_[i] = trouble;
+  states_[i].stamp = states_[i].box ? poses_.node(i)->stamp : 0;
+  states_[i].incomplete = trouble != Trouble::kNone || !model_->links[i].isWhole();
 }
 
 std::string LiveBoxes::reason(std::size_t i) const {

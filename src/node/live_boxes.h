@@ -36,25 +36,27 @@ class LiveBoxes {
   const std::vector<BoxState>& states() const { return states_; }
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
-  Eigen::Affine3d pose(std::size_t i) const { return toAffine(poses_.node(i)->fixed_from_frame); }
+  const Eigen::Affine3d& pose(std::size_t i) const {
+    return poses_.node(i)->fixed_from_frame.affine;
+  }
 
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;
 
  private:
-  bool isNews(std::size_t i) const;
-  bool isStale(const PoseTree::Node& node, ros::Time now) const;
   bool refreshNews(ros::Time now);
-  bool refresh(std::size_t i, ros::Time now);
-  bool canKeepBox(std::size_t i, ros::Time now) const;
-  bool restamp(std::size_t i);
-  Trouble place(std::size_t i, ros::Time now, std::optional<Aabb>& box);
+  bool refresh(std::size_t i, std::int64_t stale_before);
+  bool bound(std::size_t i, const PoseTree::Node& node);
+  bool boundWaiting();
+  bool drop(std::size_t i, Trouble trouble);
+  void describe(std::size_t i, Trouble trouble);
 
   std::shared_ptr<const Model> model_;
   PoseTree poses_;  ///< of the links
   std::vector<Trouble> troubles_;
   std::vector<LinkReach> reaches_;
   std::vector<BoxState> states_;
+  std::vector<LinkUpdate> waiting_;  ///< for a box, at the end of one update
 };
 
 }  // namespace link_bounds

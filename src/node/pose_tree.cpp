@@ -101,21 +101,21 @@ void PoseTree::place(Node& node, const TransformSource& tf) const {
   EdgeSample scratch;
   const EdgeSample* edge =
       inner_serves ? tf.histories().at(node.edge, node.stamp, scratch) : nullptr;
-  if (edge && edge->parent == tree.parent(node.edge)) {
+  if (!edge || edge->parent != tree.parent(node.edge)) {
+    walk(node, tf);
+  } else if (node.step == Node::Step::kAlong) {
     compose(node, edge->parent_from_child);
   } else {
-    walk(node, tf);
+    compose(node, inverse(edge->parent_from_child));
   }
 }
 
-void PoseTree::compose(Node& node, const Tf2Pose& parent_from_child) const {
+void PoseTree::compose(Node& node, const Tf2Pose& inner_from_frame) const {
   const Node& inner = nodes_[node.inner];
-  const Tf2Pose inner_from_frame =
-      node.step == Node::Step::kAlong ? parent_from_child : inverse(parent_from_child);
   const bool is_same = node.has_pose && !inner.has_moved;
   if (is_same && isSame(inner_from_frame, node.inner_from_frame)) return;
   node.inner_from_frame = inner_from_frame;
-  node.fixed_from_frame = inner.fixed_from_frame * inner_from_frame;
+  node.fixed_from_frame.setProduct(inner.fixed_from_frame, inner_from_frame);
   node.has_pose = true;
   node.has_moved = true;
 }
@@ -124,10 +124,10 @@ void PoseTree::compose(Node& node, const Tf2Pose& parent_from_child) const {
 /// compose() begins anew.
 void PoseTree::walk(Node& node, const TransformSource& tf) const {
   const std::optional<Tf2Pose> pose = tf.histories().pose(fixed_frame_, node.frame, node.stamp);
-  node.has_moved = !pose || !node.has_pose || !isSame(*pose, node.fixed_from_frame);
+  node.has_moved = true;
   node.has_pose = pose.has_value();
   node.was_elsewhere = true;
-  if (pose) node.fixed_from_frame = *pose;
+  if (pose) node.fixed_from_frame = MatrixPose(*pose);
   node.inner_from_frame.numbers.fill(std::numeric_limits<double>::quiet_NaN());
 }
 

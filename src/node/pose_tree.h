@@ -15,6 +15,12 @@
 
 namespace link_bounds {
 
+/// What was heard before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0: never.
+inline std::int64_t staleBefore(double timeout, ros::Time now) {
+  if (timeout <= 0) return std::numeric_limits<std::int64_t>::min();
+  return static_cast<std::int64_t>(static_cast<double>(now.toNSec()) - timeout * 1e9);
+}
+
 class PoseTree {
  public:
   using Frame = FrameTree::Frame;
@@ -27,7 +33,7 @@ class PoseTree {
     bool has_moved = false;  ///< another pose than before
     std::int64_t stamp = 0;  ///< nanoseconds; latest common time of the path, 0 if it is all static
     std::int64_t heard = kNever;  ///< when the oldest edge of the path that is not static was heard
-    Tf2Pose fixed_from_frame;
+    MatrixPose fixed_from_frame;
 
    private:
     friend class PoseTree;
@@ -69,7 +75,7 @@ class PoseTree {
   std::size_t add(std::size_t inner, Frame frame, Frame edge, Node::Step step);
   std::size_t append(std::size_t inner, Frame frame, Frame edge, Node::Step step);
   void place(Node& node, const TransformSource& tf) const;
-  void compose(Node& node, const Tf2Pose& parent_from_child) const;
+  void compose(Node& node, const Tf2Pose& inner_from_frame) const;
   void walk(Node& node, const TransformSource& tf) const;
   void hear(Node& node, const FrameTree& tree) const;
 

@@ -39,21 +39,40 @@ inline bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
   return a.numbers == b.numbers;
 }
 
-/// A rotation whatever the length of the quaternion, as tf2::Matrix3x3 makes it.
-inline Eigen::Affine3d toAffine(const Tf2Pose& pose) {
-  const tf2::Quaternion q = pose.rotation();
-  const tf2::Vector3 t = pose.translation();
-  const double scale = 2 / q.length2();
-  const double x = q.x() * scale, y = q.y() * scale, z = q.z() * scale;
-  const double wx = q.w() * x, wy = q.w() * y, wz = q.w() * z;
-  const double xx = q.x() * x, xy = q.x() * y, xz = q.x() * z;
-  const double yy = q.y() * y, yz = q.y() * z, zz = q.z() * z;
-  Eigen::Affine3d result;
-  result.matrix() << 1 - (yy + zz), xy - wz, xz + wy, t.x(),  //
-      xy + wz, 1 - (xx + zz), yz - wx, t.y(),                 //
-      xz - wy, yz + wx, 1 - (xx + yy), t.z(),                 //
-      0, 0, 0, 1;
-  return result;
-}
+/// A pose that others are composed onto: with its matrix, which serves the boxes as well.
+struct MatrixPose {
+  MatrixPose() = default;
+  explicit MatrixPose(const Tf2Pose& pose) { set(pose.rotation(), pose.translation()); }
+
+  /// A rotation whatever the length of the quaternion, as tf2::Matrix3x3 makes it.
+  void set(const tf2::Quaternion& q, const tf2::Vector3& t) {
+    rotation = q;
+    length2 = q.length2();
+    const double scale = 2 / length2;
+    const double x = q.x() * scale, y = q.y() * scale, z = q.z() * scale;
+    const double wx = q.w() * x, wy = q.w() * y, wz = q.w() * z;
+    const double xx = q.x() * x, xy = q.x() * y, xz = q.x() * z;
+    const double yy = q.y() * y, yz = q.y() * z, zz = q.z() * z;
+    Eigen::Matrix4d& m = affine.matrix();
+    m.col(0) << 1 - (yy + zz), xy + wz, xz - wy, 0;
+    m.col(1) << xy - wz, 1 - (xx + zz), yz + wx, 0;
+    m.col(2) << xz + wy, yz - wx, 1 - (xx + yy), 0;
+    m.col(3) << t.x(), t.y(), t.z(), 1;
+  }
+
+  /// Becomes a * b. In tf2 a quaternion that is not of length 1 scales what it turns.
+  void setProduct(const MatrixPose& a, const Tf2Pose& b) {
+    const tf2::Vector3 t = b.translation();
+    const Eigen::Matrix4d& m = a.affine.matrix();
+    const auto moved = [&](int k) {
+      return (m(k, 0) * t.x() + m(k, 1) * t.y() + m(k, 2) * t.z()) * a.length2 + m(k, 3);
+    };
+    set(a.rotation * b.rotation(), {moved(0), moved(1), moved(2)});
+  }
+
+  tf2::Quaternion rotation = tf2::Quaternion::getIdentity();
+  double length2 = 1;  ///< of the quaternion
+  Eigen::Affine3d affine = Eigen::Affine3d::Identity();
+};
 
 }  // namespace link_bounds

@@ -43,9 +43,12 @@ void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
     ros::Time stamp;
     stream.next(seq);
     stream.next(stamp);
+    const auto* const begin = reinterpret_cast<const char*>(stream.getData());
     const std::string_view parent = readName(stream);
     const std::string_view child = readName(stream);
-    Tf2Pose& pose = transforms.emplace_back(parent, child, stamp).parent_from_child;
+    const auto* const end = reinterpret_cast<const char*>(stream.getData());
+    const std::string_view names(begin, static_cast<std::size_t>(end - begin));
+    Tf2Pose& pose = transforms.emplace_back(parent, child, names, stamp).parent_from_child;
     std::memcpy(pose.numbers.data(), stream.advance(sizeof(pose.numbers)), sizeof(pose.numbers));
   }
 }

@@ -20,11 +20,13 @@ namespace link_bounds {
 /// without one leading slash.
 struct TransformView {
   TransformView(const geometry_msgs::TransformStamped& transform);
-  TransformView(std::string_view parent_name, std::string_view child_name, ros::Time time)
-      : parent(parent_name), child(child_name), stamp(time) {}
+  TransformView(std::string_view parent_name, std::string_view child_name, std::string_view bytes,
+                ros::Time time)
+      : parent(parent_name), child(child_name), names(bytes), stamp(time) {}
 
   std::string_view parent;
   std::string_view child;
+  std::string_view names;  ///< both, as they were sent, with their lengths; else empty
   ros::Time stamp;
   Tf2Pose parent_from_child;
 };

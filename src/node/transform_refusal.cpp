@@ -3,7 +3,6 @@
 // tf2 itself would print a line for each refused transform, a thousand a second for a bad sensor.
 #include "transform_refusal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,9 +15,9 @@ constexpr double kNormTolerance = 0.01;  // tf2's, of the squared length of a qu
 constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
 constexpr std::uint32_t kLastNanosecond = 999999999;
 
+/// A sum of squares is NaN only if one of them is.
 bool hasNan(const Tf2Pose& pose) {
-  return std::any_of(pose.numbers.begin(), pose.numbers.end(),
-                     [](double number) { return std::isnan(number); });
+  return std::isnan(pose.rotation().length2() + pose.translation().length2());
 }
 
 bool isUnit(const tf2::Quaternion& q) {
@@ -30,9 +29,6 @@ bool isUnit(const tf2::Quaternion& q) {
 const char* whyRefused(const TransformView& transform) {
   if (transform.child.empty()) return "child_frame_id is empty; name the frame";
   if (transform.parent.empty()) return "header.frame_id is empty; name the parent frame";
-  if (transform.child == transform.parent) {
-    return "the frame is its own parent; correct one of the names";
-  }
   if (hasNan(transform.parent_from_child))
     return "it has a NaN (not a number); correct the publisher";
   if (!isUnit(transform.parent_from_child.rotation())) {

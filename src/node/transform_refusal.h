@@ -7,7 +7,8 @@
 
 namespace link_bounds {
 
-/// Why the transform is refused, with the remedy; null if it is not.
+/// Why the transform is refused, with the remedy; null if it is not. That a frame is its own parent
+/// is not looked at.
 const char* whyRefused(const TransformView& transform);
 
 }  // namespace link_bounds

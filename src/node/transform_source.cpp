@@ -12,6 +12,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::int64_t kSilence = 1000000000;  // ns without a transform that is worth a warning
+constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks, "
     "and if that newest one is wrong, call ~reload";
@@ -29,35 +30,46 @@ std::vector<Refusal> TransformSource::add(const std::vector<TransformView>& tran
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     const char* reason = whyRefused(transforms[i]);
     if (reason) ++intake_.unusable;
-    if (!reason) reason = insert(transforms[i], is_static, now);
+    if (!reason) reason = insert(transforms[i], is_static, nanoseconds(now));
     if (reason) refusals.push_back({i, reason});
   }
   return refusals;
 }
 
 /// Returns why it was refused, if that is worth telling.
-const char* TransformSource::insert(const TransformView& transform, bool is_static, ros::Time now) {
-  const Frame child = tree_.nextChild(transform.child);
-  const Frame parent = tree_.parentOf(child, transform.parent);
+const char* TransformSource::insert(const TransformView& transform, bool is_static,
+                                    std::int64_t now) {
+  const auto [child, parent] = tree_.next(transform.parent, transform.child, transform.names);
+  if (child == parent) {
+    ++intake_.unusable;
+    return kOwnParent;
+  }
   const std::int64_t stamp = nanoseconds(transform.stamp);
-  const EdgeSample sample{stamp, parent, transform.parent_from_child};
-  if (!histories_.insert(child, sample, is_static)) {
-    if (stamp + EdgeHistory::kLength >= tree_.newest(child)) {
-      ++intake_.repeated;
-      return nullptr;
-    }
-    if (!tree_.isDistrusted(child)) {
-      ++intake_.too_old;
-      return nanoseconds(now) - tree_.lastHeard(child) > kSilence ? kTooOld : nullptr;
-    }
+  const Tf2Pose& pose = transform.parent_from_child;
+  if (!histories_.insert(child, parent, stamp, pose, is_static)) {
+    if (!tree_.isDistrusted(child) || !isTooOld(child, stamp)) return refuse(child, stamp, now);
     tree_.forget(child);
     histories_.clear(child);
-    histories_.insert(child, sample, is_static);
+    histories_.insert(child, parent, stamp, pose, is_static);
   }
   ++intake_.taken;
   if (stamp < tree_.newest(child)) ++intake_.late;
-  tree_.heard(child, parent, is_static, stamp, nanoseconds(now));
+  tree_.heard(child, parent, is_static, stamp, now);
   return nullptr;
+}
+
+/// Else its stamp is there already.
+bool TransformSource::isTooOld(Frame child, std::int64_t stamp) const {
+  return stamp + EdgeHistory::kLength < tree_.newest(child);
+}
+
+const char* TransformSource::refuse(Frame child, std::int64_t stamp, std::int64_t now) {
+  if (!isTooOld(child, stamp)) {
+    ++intake_.repeated;
+    return nullptr;
+  }
+  ++intake_.too_old;
+  return now - tree_.lastHeard(child) > kSilence ? kTooOld : nullptr;
 }
 
 /// tf2's rule: the least of the newest stamps that are not 0. A frame in itself has the stamp of
@@ -83,7 +95,7 @@ std::optional<Eigen::Isometry3d> TransformSource::at(Frame target, Frame source,
                                                      std::int64_t stamp) const {
   const std::optional<Tf2Pose> pose = histories_.pose(target, source, stamp);
   if (!pose) return std::nullopt;
-  return Eigen::Isometry3d(toAffine(*pose).matrix());
+  return Eigen::Isometry3d(MatrixPose(*pose).affine.matrix());
 }
 
 void TransformSource::clear() {

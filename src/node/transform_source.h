@@ -67,7 +67,9 @@ class TransformSource {
   const FrameTree& tree() const { return tree_; }
 
  private:
-  const char* insert(const TransformView& transform, bool is_static, ros::Time now);
+  const char* insert(const TransformView& transform, bool is_static, std::int64_t now);
+  bool isTooOld(Frame child, std::int64_t stamp) const;
+  const char* refuse(Frame child, std::int64_t stamp, std::int64_t now);
   std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
 
   EdgeHistories histories_;

@@ -31,7 +31,7 @@ Aabb expectSame(const Shape& shape, const Eigen::Affine3d& pose, ShapeReach& rea
 
 /// Recognisable memory: it can only be in a box if it was kept.
 void poison(ShapeReach& reach, int row) {
-  reach.low[row] = -100 - row;
+  reach.range.low[row] = -100 - row;
 }
 
 bool isPoisoned(const Shape& shape, const Eigen::Affine3d& pose, ShapeReach reach, int row) {

@@ -22,17 +22,33 @@ TEST(FrameNames, NumbersAreTheSameInAnyOrder) {
   for (int round = 0; round < 100; ++round) {
     if (round % 3 == 0) std::shuffle(names.begin(), names.end(), engine);
     frames.beginMessage();
-    for (const std::string& name : names)
-      EXPECT_EQ(frames.next(name), frames.frame(name));
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      const std::string key = names[i] + " in " + names[i - 1];
+      const FrameNames::Edge edge = frames.next(names[i - 1], names[i], key);
+      EXPECT_EQ(edge.child, frames.frame(names[i]));
+      EXPECT_EQ(edge.parent, frames.frame(names[i - 1]));
+    }
   }
   EXPECT_EQ(frames.size(), names.size());
 }
 
-TEST(FrameNames, WrongGuessesAreHarmless) {
+TEST(FrameNames, AnEdgeThatIsKnownIsNotLookedAtAgain) {
   FrameNames frames;
-  EXPECT_EQ(frames.frame("a", 7), 0u);
-  EXPECT_EQ(frames.frame("b", 0), 1u);
-  EXPECT_EQ(frames.frame("a", 1), 0u);
+  const FrameNames::Edge edge = frames.next("a", "b", "a b");
+  frames.beginMessage();
+  const FrameNames::Edge again = frames.next("", "", "a b");
+  EXPECT_EQ(again.child, edge.child);
+  EXPECT_EQ(again.parent, edge.parent);
+}
+
+TEST(FrameNames, WithoutAKeyNamesAreLookedAt) {
+  FrameNames frames;
+  for (const char* parent : {"a", "b", "a"}) {
+    frames.beginMessage();
+    const FrameNames::Edge edge = frames.next(parent, "child", "");
+    EXPECT_EQ(edge.child, frames.frame("child"));
+    EXPECT_EQ(edge.parent, frames.frame(parent));
+  }
 }
 
 }  // namespace

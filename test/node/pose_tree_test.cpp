@@ -67,7 +67,7 @@ class FollowedBesideTf2 {
     const auto& q = expected.transform.rotation;
     const auto& t = expected.transform.translation;
     const Eigen::Vector3d translation(t.x, t.y, t.z);
-    const Eigen::Affine3d pose = toAffine(node.fixed_from_frame);
+    const Eigen::Affine3d pose = node.fixed_from_frame.affine;
     EXPECT_EQ(node.stamp, static_cast<std::int64_t>(expected.header.stamp.toNSec()));
     EXPECT_LT((pose.translation() - translation).norm(), kSame * std::max(1.0, translation.norm()));
     EXPECT_LT(
