@@ -16,8 +16,9 @@ struct MeshLimits {
   std::uint64_t max_bytes = 536870912;  ///< of one file
 };
 
-/// Absolute path of another program in the folder of the running one. Throws std::system_error.
-std::string siblingProgram(const std::string& name);
+/// Absolute path of the program mesh_worker: in the folder of the running program, else where it is
+/// built or installed with this library. Throws std::system_error.
+std::string meshWorker();
 
 /// Starts `worker` (the program mesh_worker, by absolute path, without a shell) for this one file
 /// and takes its answer. Whatever goes wrong in it, a crash, a hang, lack of memory, a wrong

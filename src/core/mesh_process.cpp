@@ -3,6 +3,7 @@
 // One child process per file, a deadline, and a word for each way to fail.
 #include "link_bounds/mesh_process.h"
 
+#include <dlfcn.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -80,10 +81,35 @@ TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const Mes
   }
 }
 
+/// Or of the running program, if the library is linked into it; "" if it is not to be had.
+std::filesystem::path folderOfLibrary() {
+  static const char own_symbol = 0;
+  Dl_info info{};
+  std::error_code ignored;
+  if (dladdr(&own_symbol, &info) == 0) return {};
+  return std::filesystem::canonical(info.dli_fname, ignored).parent_path();
+}
+
+/// Where mesh_worker may be, by preference.
+std::vector<std::filesystem::path> foldersOfWorker() {
+  std::vector<std::filesystem::path> folders{
+      std::filesystem::read_symlink("/proc/self/exe").parent_path()};
+  const std::filesystem::path library = folderOfLibrary();
+  if (library.empty()) return folders;
+  folders.push_back(library / "link_bounds");
+  // Of a library in lib/TRIPLET.
+  folders.push_back(library.parent_path() / "link_bounds");
+  return folders;
+}
+
 }  // namespace
 
-std::string siblingProgram(const std::string& name) {
-  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+std::string meshWorker() {
+  const std::vector<std::filesystem::path> folders = foldersOfWorker();
+  for (const std::filesystem::path& folder : folders) {
+    if (std::filesystem::exists(folder / "mesh_worker")) return (folder / "mesh_worker").string();
+  }
+  return (folders.front() / "mesh_worker").string();
 }
 
 TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,

@@ -85,7 +85,7 @@ ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(M
                          MeshHandler on_mesh)
     : adopt_(std::move(adopt)),
       on_mesh_(std::move(on_mesh)),
-      worker_(siblingProgram("mesh_worker")),
+      worker_(meshWorker()),
       store_([this](const MeshFile& file) { return import(file); }) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);

@@ -179,7 +179,7 @@ int run(const UrdfBoundsOptions& options) {
   selection.visual = options.visual;
   selection.collision = options.collision;
   MeshSource source{rosPackages(), folderOf(options.file), progressBar()};
-  const std::string worker = siblingProgram("mesh_worker");
+  const std::string worker = meshWorker();
   MeshStore store(
       [&worker](const MeshFile& file) { return importInProcess(worker, file, MeshLimits()); });
   const BoundedRobot bounded = boundRobot(robot, selection, source, store);

@@ -61,7 +61,7 @@ class MeshProcess : public testing::Test {
 
   TemporaryFolder folder_;
   MeshFile stl_{folder_.write("meshes/a.stl", binaryStl(tetrahedronCorners())), folder_ / "meshes"};
-  std::string real_ = siblingProgram("mesh_worker");
+  std::string real_ = meshWorker();
   long open_descriptors_ = 0;
 };
 

@@ -39,7 +39,7 @@ MeshRobot meshRobot(const std::string& folder, const std::vector<std::string>& f
   Robot robot;
   for (const std::string& file : files)
     robot.links.push_back(meshLink(file));
-  const std::string worker = siblingProgram("mesh_worker");
+  const std::string worker = meshWorker();
   std::mutex mutex;
   MeshStore store([&](const MeshFile& file) {
     const std::string name = std::filesystem::path(file.path).filename();
