@@ -21,10 +21,16 @@ packages_of() {
         ros-environment rosbash rospack-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     test)
-      echo iproute2 libgtest-dev librostest-dev python3-rostest python3-rosgraph-msgs \
-        python3-tf2-ros python3-yaml ;;
+      echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
+        python3-rosmaster python3-rospkg python3-rostest python3-rosunit python3-tf2-ros \
+        python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
+    link)  # what other packages link the library and use the messages with
+      echo g++ make cmake catkin libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev \
+        ros-message-runtime ;;
+    deb)
+      echo build-essential debhelper dh-python dpkg-dev ;;
     bench)
       echo libbenchmark-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
