@@ -70,6 +70,8 @@ int main(int argc, char** argv) {
   if (argc != 5) return 2;
   const link_bounds::Robot robot = readRobot(argv[1]);
   const link_bounds::BoundedRobot bounded = boundRobot(robot, argv[2]);
+  for (const std::string& problem : bounded.problems)
+    std::fprintf(stderr, "%s\n", problem.c_str());
   const AxisAlignedBoxArray boxes = boxesOf(robot, bounded, {{argv[3], std::atof(argv[4])}});
   for (const AxisAlignedBox& box : boxes.boxes)
     std::printf("%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", box.name.c_str(), box.min.x, box.min.y,
