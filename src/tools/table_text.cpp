@@ -66,8 +66,8 @@ void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& 
 
 std::string jsonNumbers(const Eigen::VectorXd& numbers) {
   std::string result;
-  for (const double number : numbers)
-    result += (result.empty() ? "" : ", ") + exactNumber(number);
+  for (Eigen::Index k = 0; k < numbers.size(); ++k)
+    result += (k == 0 ? "" : ", ") + exactNumber(numbers[k]);
   return "[" + result + "]";
 }
 
