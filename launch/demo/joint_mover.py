@@ -4,7 +4,8 @@
 """Swings every joint of robot_description for ever, smoothly and inside its limits.
 
 Publishes joint_states (sensor_msgs/JointState); the position is a function of ROS time since the
-start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of each joint's range.
+start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of each joint's range,
+~ahead (s, default 0): where in the motion to start.
 """
 
 import math
@@ -56,14 +57,14 @@ def make_swing(index, joint, amplitude):
                  period * max(1.0, fastest / permitted if permitted else 1.0), 0.9 * index)
 
 
-def publish_until_shutdown(swings, rate):
+def publish_until_shutdown(swings, rate, ahead):
     publisher = rospy.Publisher('joint_states', JointState, queue_size=10)
     ticks = rospy.Rate(rate, reset=True)
     start = rospy.Time.now()
     message = JointState(name=[swing.joint for swing in swings])
     while not rospy.is_shutdown():
         message.header.stamp = rospy.Time.now()
-        seconds = (message.header.stamp - start).to_sec()
+        seconds = ahead + (message.header.stamp - start).to_sec()
         message.position = [swing.position(seconds) for swing in swings]
         publisher.publish(message)
         ticks.sleep()
@@ -79,7 +80,8 @@ def main():
     joints = movable_joints(rospy.get_param(name))
     swings = [make_swing(index, joint, amplitude) for index, joint in enumerate(joints)]
     try:
-        publish_until_shutdown(swings, float(rospy.get_param('~rate', 50)))
+        publish_until_shutdown(swings, float(rospy.get_param('~rate', 50)),
+                               float(rospy.get_param('~ahead', 0)))
     except rospy.ROSInterruptException:
         pass  # the usual end: a signal while asleep
     return 0

@@ -4,10 +4,12 @@
 """Draws the boxes of a link_bounds_publisher: red where one overlaps another, else blue.
 
 Subscribes to ~boxes and ~overlaps of link_bounds_publisher, publishes ~markers
-(visualization_msgs/MarkerArray) below its own name. Parameter: ~rate (Hz, default 30).
+(visualization_msgs/MarkerArray) below its own name. Parameters: ~rate (Hz, default 30), ~only_links
+(default false): draws the links alone, red where one overlaps an object.
 """
 
 import itertools
+import re
 
 import rospy
 from geometry_msgs.msg import Point
@@ -18,6 +20,7 @@ QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
 COLORS = {'free': (0.1, 0.7, 1.0), 'overlapping': (1.0, 0.15, 0.1)}
 FACE_ALPHA, EDGE_WIDTH = 0.2, 0.004  # -, m
+OBJECT = re.compile(r'.*/-?\d+')  # links of such names are taken for objects, too
 
 
 def corners(box):
@@ -50,11 +53,19 @@ def drawing(header, state, kind, points):
     return result
 
 
-def drawings(boxes, overlaps):
-    hit = {name for pair in overlaps.overlaps for name in (pair.first, pair.second)}
+def is_link(name):
+    return not OBJECT.fullmatch(name)
+
+
+def drawings(boxes, overlaps, only_links):
+    drawn, pairs = boxes.boxes, [(pair.first, pair.second) for pair in overlaps.overlaps]
+    if only_links:
+        drawn = [box for box in drawn if is_link(box.name)]
+        pairs = [pair for pair in pairs if is_link(pair[0]) != is_link(pair[1])]
+    hit = {name for pair in pairs for name in pair}
     result = []
     for state in COLORS:
-        shown = [box for box in boxes.boxes if (box.name in hit) == (state == 'overlapping')]
+        shown = [box for box in drawn if (box.name in hit) == (state == 'overlapping')]
         for kind, points_of in ((Marker.TRIANGLE_LIST, faces), (Marker.LINE_LIST, edges)):
             points = [point for box in shown for point in points_of(box)]
             result.append(drawing(boxes.header, state, kind, points))
@@ -81,12 +92,13 @@ def main():
                      queue_size=1, tcp_nodelay=True)
     rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, newest.take_overlaps,
                      queue_size=1, tcp_nodelay=True)
+    only_links = rospy.get_param('~only_links', False)
     publisher = rospy.Publisher('~markers', MarkerArray, queue_size=10)
     ticks = rospy.Rate(float(rospy.get_param('~rate', 30)), reset=True)
     try:
         while not rospy.is_shutdown():
             if newest.boxes:
-                publisher.publish(drawings(newest.boxes, newest.overlaps))
+                publisher.publish(drawings(newest.boxes, newest.overlaps, only_links))
             ticks.sleep()
     except rospy.ROSInterruptException:
         pass  # the usual end: a signal while asleep
