@@ -18,7 +18,7 @@ packages_of() {
       echo python3 python3-rospy python3-roslaunch python3-rosgraph rosout ros-robot-state-publisher \
         python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
         python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
-        ros-environment rosbash rospack-tools python3-rosbag python3-rosmsg python3-rosnode \
+        ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
