@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Says which link enters or leaves a zone: an object whose markers have the namespace of ~zones.
+
+Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
+~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete is
+said not to be watched, and it leaves nothing meanwhile. Parameter: ~zones (default zones).
+"""
+
+import re
+import threading
+
+import rospy
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
+from std_msgs.msg import String
+
+PERIOD = 0.1  # s of wall time; who leaves is missing for so long, as boxes may come after overlaps
+OBJECT = re.compile(r'.*/-?\d+')  # links of such names are taken for objects, too
+
+
+def kind(name):
+    return ('object ' if OBJECT.fullmatch(name) else 'link ') + name
+
+
+class Watch:
+    """Who is in which zone; callbacks come from a thread per topic."""
+
+    def __init__(self, zones, tell):
+        self._is_zone = re.compile(re.escape(zones) + r'/-?\d+').fullmatch
+        self._tell = tell
+        self._lock = threading.Lock()
+        self._zones, self._incomplete = set(), set()
+        self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
+
+    def take_overlaps(self, message):
+        """Who enters is told at once."""
+        with self._lock:
+            self._overlapping = set(filter(None, map(self._visit, message.overlaps)))
+            for name, zone in sorted(self._overlapping - self._inside):
+                self._tell('%s entered zone %s' % (kind(name), zone))
+            self._inside |= self._overlapping
+
+    def take_boxes(self, message):
+        with self._lock:
+            zones = {box.name for box in message.boxes if self._is_zone(box.name)}
+            incomplete = set(message.incomplete)
+            self._tell_difference(zones, self._zones, 'zone %s is there', 'zone %s is gone')
+            self._tell_difference(incomplete, self._incomplete,
+                                  '%s is not watched: it is incomplete',
+                                  '%s is no longer incomplete')
+            self._zones, self._incomplete = zones, incomplete
+
+    def settle(self):
+        """Who leaves; to be called every PERIOD."""
+        with self._lock:
+            missing = {pair for pair in self._inside - self._overlapping
+                       if not self._incomplete.intersection(pair)}
+            for name, zone in sorted(missing & self._missing):
+                self._tell('%s left zone %s' % (kind(name), zone))
+            self._inside -= missing & self._missing
+            self._missing = missing
+
+    def _visit(self, pair):
+        """(name, zone), or None for two zones or none."""
+        first, second = self._is_zone(pair.first), self._is_zone(pair.second)
+        if bool(first) == bool(second):
+            return None
+        return (pair.second, pair.first) if first else (pair.first, pair.second)
+
+    def _tell_difference(self, now, before, new, gone):
+        for text, names in ((new, now - before), (gone, before - now)):
+            for name in sorted(names):
+                self._tell(text % name)
+
+
+def main():
+    rospy.init_node('zone_events')
+    ended = threading.Event()
+    rospy.on_shutdown(ended.set)
+    publisher = rospy.Publisher('~events', String, queue_size=100)
+
+    def tell(text):
+        rospy.loginfo(text)
+        publisher.publish(text)
+
+    watch = Watch(rospy.get_param('~zones', 'zones'), tell)
+    rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
+                     tcp_nodelay=True)
+    rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, watch.take_overlaps,
+                     tcp_nodelay=True)
+    while not ended.wait(PERIOD):
+        watch.settle()
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A CUBE on ~object is a zone; ~overlaps and zone_events.py tell which link enters it, and soon."""
+import itertools
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (Pose, Recorder, TfSender, box_link, load, names_of, robot, transform,
+                            turn, wait_for)
+from link_bounds.msg import BoxOverlapArray
+from node_testing import NODE, SANITIZED
+from object_testing import ObjectSender, deletion, marker
+from std_msgs.msg import String
+
+TOLERANCE = 1e-9  # m
+ENTRIES = 50 if SANITIZED else 300
+STALE_AFTER = 0.5  # ROS seconds
+ZONE, OTHER_ZONE, PARCEL = "zones/1", "zones/2", "parcels/1"
+ZONE_MIN_X = 1.5  # m
+ROBOT = robot([box_link("base", (0.2, 0.2, 0.2)), box_link("hand", (0.4, 0.2, 0.1))],
+              [("base", "hand")])
+HAND_REACH = 0.2 * 3 ** 0.5 / 2 + 0.1 / 2  # m along x, turned by 30 degrees
+OUTSIDE, INSIDE = (ZONE_MIN_X - HAND_REACH - 0.01, 0, 0), (ZONE_MIN_X - HAND_REACH + 0.01, 0, 0)
+
+
+def zone(name=ZONE, x=2.0):
+    """One metre wide."""
+    return marker(name, scale=(1, 1, 1), pose=Pose((x, 0, 0)))
+
+
+class TimedOverlaps:
+    """Wall time of receipt of the first message of each stamp, and whether the zone is entered."""
+
+    def __init__(self):
+        self._received = {}
+        self.subscriber = rospy.Subscriber(NODE + "/overlaps", BoxOverlapArray, self._add,
+                                           tcp_nodelay=True)
+        wait_for(lambda: self.subscriber.get_num_connections() > 0, "connected")
+
+    def _add(self, message):
+        is_entered = [(pair.first, pair.second) for pair in message.overlaps] == [("hand", ZONE)]
+        self._received.setdefault(message.header.stamp, (time.monotonic(), is_entered))
+
+    def wait(self, stamp):
+        return wait_for(lambda: self._received.get(stamp), "overlaps of stamp %s" % stamp)
+
+
+class SafetyZone(unittest.TestCase):
+    stamps = itertools.count(1000)
+
+    @classmethod
+    def setUpClass(cls):
+        cls.events = Recorder("/zone_events/events", String)
+        cls.boxes = Recorder(NODE + "/boxes")
+        wait_for(lambda: cls.events.subscriber.get_num_connections() > 0, "connected")
+        cls.objects = ObjectSender(NODE)
+        cls.objects.send_alone(zone())
+        cls.without_robot = cls.boxes.wait(lambda m: m.boxes, "a zone")
+        rospy.set_param("/robot_description", ROBOT)
+        cls.tf = TfSender()
+        cls.tf.wait_for_listener()
+        cls.boxes.wait(lambda m: "hand" in m.incomplete, "a robot")
+
+    def setUp(self):
+        self.place(OUTSIDE)
+        self.objects.clear()
+        self.boxes.clear()
+        self.objects.send(zone())
+        self.boxes.wait(lambda m: names_of(m) == ["base", "hand", ZONE], "one zone")
+        self.wait_for_events_of_before()
+
+    def wait_for_events_of_before(self):
+        """Events come in order, and who leaves is told last."""
+        self.objects.send(zone("zones/99", 50.0), zone("parcels/99", 50.5))
+        self.expect("object parcels/99 entered zone zones/99")
+        self.objects.send(deletion("parcels/99"))
+        self.expect("object parcels/99 left zone zones/99")
+        self.objects.send(deletion("zones/99"))
+        self.expect("zone zones/99 is gone")
+        self.events.clear()
+
+    def place(self, xyz):
+        stamp = rospy.Time(next(self.stamps))
+        self.tf.send(transform("base", "hand", stamp, xyz, turn((0, 0, 1), 30)))
+        return stamp
+
+    def told(self):
+        return [message.data for message in self.events.messages]
+
+    def expect(self, event):
+        self.events.wait(lambda m: m.data == event, event)
+
+    def test_the_zone_was_there_before_the_robot(self):
+        self.assertEqual(names_of(self.without_robot), [ZONE])
+
+    def test_a_link_enters_and_leaves(self):
+        overlaps = Recorder(NODE + "/overlaps", BoxOverlapArray)
+        self.addCleanup(overlaps.subscriber.unregister)
+        stamp = self.place(INSIDE)
+        self.expect("link hand entered zone zones/1")
+        pair = overlaps.wait(lambda m: m.header.stamp == stamp and m.overlaps, "a pair").overlaps[0]
+        self.assertEqual((pair.first, pair.second), ("hand", ZONE))
+        self.assertAlmostEqual(pair.distance, -0.01, delta=TOLERANCE)
+        self.place(OUTSIDE)
+        self.expect("link hand left zone zones/1")
+        self.assertEqual(self.told(), ["link hand entered zone zones/1",
+                                       "link hand left zone zones/1"])
+
+    def test_a_zone_comes_and_goes_around_a_link(self):
+        self.objects.send(deletion(ZONE))
+        self.expect("zone zones/1 is gone")
+        self.place(INSIDE)
+        self.objects.send(zone())
+        self.expect("link hand entered zone zones/1")
+        self.objects.send(deletion(ZONE))
+        self.expect("link hand left zone zones/1")
+
+    def test_zones_do_not_enter_each_other_but_objects_do(self):
+        self.objects.send(zone(OTHER_ZONE, 2.5), zone(PARCEL, 3.2))
+        self.expect("object parcels/1 entered zone zones/2")
+        self.place(INSIDE)
+        self.expect("link hand entered zone zones/1")
+        self.assertEqual([event for event in self.told() if "entered" in event],
+                         ["object parcels/1 entered zone zones/2",
+                          "link hand entered zone zones/1"])
+
+    def test_who_has_no_box_has_not_left(self):
+        load(NODE, fixed_frame="base", timeout=STALE_AFTER)
+        self.place(INSIDE)
+        self.expect("hand is not watched: it is incomplete")
+        load(NODE, fixed_frame="base")
+        self.place(INSIDE)
+        self.expect("hand is no longer incomplete")
+        self.place(OUTSIDE)
+        self.expect("link hand left zone zones/1")
+        of_hand = [event for event in self.told() if event.startswith("link hand")]
+        self.assertEqual(of_hand, ["link hand entered zone zones/1", "link hand left zone zones/1"])
+
+    def test_it_is_told_soon(self):
+        """Prints how soon; a busy machine is no failure."""
+        overlaps = TimedOverlaps()
+        self.addCleanup(overlaps.subscriber.unregister)
+        latencies = []
+        for _ in range(ENTRIES):
+            _, is_entered = overlaps.wait(self.place(OUTSIDE))
+            self.assertFalse(is_entered)
+            start = time.monotonic()
+            received, is_entered = overlaps.wait(self.place(INSIDE))
+            self.assertTrue(is_entered)
+            latencies.append((received - start) * 1e3)
+        latencies.sort()
+        print("latency: from tf sent to overlap received, %d entries of a link into a zone: "
+              "median %.2f ms, p99 %.2f ms" % (ENTRIES, latencies[ENTRIES // 2],
+                                               latencies[ENTRIES * 99 // 100]), flush=True)
+
+
+if __name__ == "__main__":
+    rospy.init_node("safety_zone_test")
+    rostest.rosrun("link_bounds", "safety_zone", SafetyZone)
