@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of the README say what the node and the message files say.
+"""The tables of the README say what the node and the message files say; doc/paper.md names what
+exists.
 
 Run as: readme_tables_test.py PATH_OF_link_bounds_publisher PATH_OF_assert_box FOLDER_OF_THE_PACKAGE
 """
@@ -52,11 +53,25 @@ def fields_of(path):
     return [[name, kind] for kind, name in (words for words in lines if words)]
 
 
+def text_of(*path):
+    """Of a file in the package."""
+    with open(os.path.join(PACKAGE, *path), encoding='utf-8') as file:
+        return file.read()
+
+
+def code_in(text):
+    return re.findall('`([^`]+)`', text)
+
+
+def known_tests():
+    """The names by which ctest -R finds them."""
+    return set(re.findall(r'(?:core/|node/|NAME )(\w+)', text_of('test', 'CMakeLists.txt')))
+
+
 class ReadmeTablesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with open(os.path.join(PACKAGE, 'README.md'), encoding='utf-8') as file:
-            cls.readme = file.read()
+        cls.readme = text_of('README.md')
 
     def check(self, section, header, program=None):
         text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
@@ -79,9 +94,7 @@ class ReadmeTablesTest(unittest.TestCase):
 
     def test_example_of_assert_box_is_one_that_runs(self):
         example = re.search(r'^  <test .*?^  </test>$', self.readme, re.DOTALL | re.MULTILINE)
-        path = os.path.join(PACKAGE, 'test', 'node', 'assert_box.test')
-        with open(path, encoding='utf-8') as file:
-            self.assertIn(example.group(0), file.read())
+        self.assertIn(example.group(0), text_of('test', 'node', 'assert_box.test'))
 
     def test_messages(self):
         messages = sorted(os.listdir(os.path.join(PACKAGE, 'msg')))
@@ -95,14 +108,32 @@ class ReadmeTablesTest(unittest.TestCase):
                              fields_of(os.path.join(PACKAGE, 'msg', message)))
 
     def test_faults_name_their_tests(self):
-        with open(os.path.join(PACKAGE, 'test', 'CMakeLists.txt'), encoding='utf-8') as file:
-            known = set(re.findall(r'(?:core/|node/|NAME )(\w+)', file.read()))
+        known = known_tests()
         rows = [row for row in rows_below(self.readme, ['fault', 'what happens', 'test']) if row[1]]
         self.assertGreater(len(rows), 20)
         for fault, _, names in rows:
             for name in names.split(', '):
                 is_script = os.access(os.path.join(PACKAGE, name), os.X_OK)
                 self.assertTrue(name in known or is_script, '%s: no test %s' % (fault, name))
+
+    def test_paper_names_files_and_tests_that_exist(self):
+        known, text = known_tests(), text_of('doc', 'paper.md')
+        rows = [line.strip('|').split('|') for line in text.splitlines()
+                if line.startswith('| ') and not line.endswith('| tests |')]
+        self.assertGreater(len(rows), 20)
+        for *cells, tests in rows:
+            names = code_in(' '.join(cells))
+            files = [name for name in names if '/' in name]
+            self.assertTrue(files and code_in(tests), 'no file or no test: %s' % cells)
+            self.assertEqual(set(code_in(tests)) - known, set())
+            for word in set(names) - set(files):
+                self.assertTrue(any(word in text_of(file) for file in files), word)
+        for name in code_in(text):
+            self.assertTrue('/' not in name or os.path.exists(os.path.join(PACKAGE, name)), name)
+
+    def test_paper_page_has_every_figure(self):
+        figures = re.findall(r'Figures? (\d+)(?: and (\d+))?', text_of('doc', 'paper.md'))
+        self.assertEqual({int(n) for pair in figures for n in pair if n}, set(range(1, 11)))
 
 
 if __name__ == '__main__':
