@@ -49,7 +49,7 @@ class TimedOverlaps:
 
 
 class SafetyZone(unittest.TestCase):
-    stamps = itertools.count(1000)
+    stamps, numbers = itertools.count(1000), itertools.count(99)
 
     @classmethod
     def setUpClass(cls):
@@ -70,17 +70,19 @@ class SafetyZone(unittest.TestCase):
         self.boxes.clear()
         self.objects.send(zone())
         self.boxes.wait(lambda m: names_of(m) == ["base", "hand", ZONE], "one zone")
-        self.wait_for_events_of_before()
-
-    def wait_for_events_of_before(self):
-        """Events come in order, and who leaves is told last."""
-        self.objects.send(zone("zones/99", 50.0), zone("parcels/99", 50.5))
-        self.expect("object parcels/99 entered zone zones/99")
-        self.objects.send(deletion("parcels/99"))
-        self.expect("object parcels/99 left zone zones/99")
-        self.objects.send(deletion("zones/99"))
-        self.expect("zone zones/99 is gone")
+        self.wait_for_events_until_now()
         self.events.clear()
+
+    def wait_for_events_until_now(self):
+        """Events come in order, and who leaves is told last."""
+        number = next(self.numbers)
+        far_zone, parcel = "zones/%d" % number, "parcels/%d" % number
+        self.objects.send(zone(far_zone, 50.0), zone(parcel, 50.5))
+        self.expect("object %s entered zone %s" % (parcel, far_zone))
+        self.objects.send(deletion(parcel))
+        self.expect("object %s left zone %s" % (parcel, far_zone))
+        self.objects.send(deletion(far_zone))
+        self.expect("zone %s is gone" % far_zone)
 
     def place(self, xyz):
         stamp = rospy.Time(next(self.stamps))
@@ -131,6 +133,7 @@ class SafetyZone(unittest.TestCase):
         load(NODE, fixed_frame="base", timeout=STALE_AFTER)
         self.place(INSIDE)
         self.expect("hand is not watched: it is incomplete")
+        self.wait_for_events_until_now()
         load(NODE, fixed_frame="base")
         self.place(INSIDE)
         self.expect("hand is no longer incomplete")
