@@ -16,7 +16,7 @@ from bounds_testing import (DEADLINE, Pose, Recorder, TfSender, box_link, corner
                             latched, load, names_of, robot, transform, turn, wait_for)
 from link_bounds.msg import BoxOverlapArray
 from node_testing import SANITIZED
-from overlaps_test import distance
+from overlaps_test import agree, expected, joined_links
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import MarkerArray
 
@@ -62,24 +62,10 @@ def corners_of_objects(message):
     return all_corners(message.boxes[len(DEMO_LINKS):])
 
 
-def across(pairs):
-    """Of (first, second, distance), those of a link and an object."""
-    return [(a, b, depth) for a, b, depth in pairs if a in DEMO_LINKS and b not in DEMO_LINKS]
-
-
-def told(message):
-    return across((pair.first, pair.second, pair.distance) for pair in message.overlaps)
-
-
-def expected(message):
-    links, objects = message.boxes[:len(DEMO_LINKS)], message.boxes[len(DEMO_LINKS):]
-    pairs = ((a.name, b.name, distance(a, b)) for a in links for b in objects)
-    return [pair for pair in pairs if pair[2] <= 0]
-
-
-def agree(pairs, others):
-    return [pair[:2] for pair in pairs] == [pair[:2] for pair in others] and all(
-        abs(a[2] - b[2]) < TOLERANCE for a, b in zip(pairs, others))
+def across(message):
+    """Of the overlaps, those of a link and an object."""
+    return [pair for pair in message.overlaps
+            if pair.first in DEMO_LINKS and pair.second not in DEMO_LINKS]
 
 
 @unittest.skipUnless(state_publisher_knows_prefixes(), "robot_state_publisher knows no tf_prefix")
@@ -148,24 +134,23 @@ class DemoArms(unittest.TestCase):
             self.assertGreater(changes, 5 * HOLD)
 
     def test_overlaps_are_those_of_the_boxes(self):
+        with open(LAUNCH + "demo/demo.urdf", encoding="utf-8") as file:
+            joined = joined_links(file.read())
         for side in SIDES:
             boxes = collections.defaultdict(list)
             for message in self.boxes[side].messages:
                 boxes[message.header.stamp].append(message)
             self.assertGreater(len(self.held_overlaps[side]), 10 * HOLD)
             for message in self.held_overlaps[side]:
-                pairs = told(message)
-                self.assertTrue(any(agree(pairs, expected(m))
+                self.assertTrue(any(agree(message, expected(m, 0, joined))
                                     for m in boxes[message.header.stamp]), message)
 
     def test_arms_meet_and_part(self):
         for side, recorder in self.overlaps.items():
-            met = recorder.wait(told, "an overlap of both arms", MEETING)
-            first, second, depth = told(met)[0]
-            self.assertIn(first, DEMO_LINKS)
-            self.assertIn(second, objects_of(SIDES[side]))
-            self.assertLessEqual(depth, 0)
-            recorder.wait(lambda m: m.overlaps and not told(m), "no overlap of both", MEETING)
+            met = recorder.wait(across, "an overlap of both arms", MEETING)
+            for pair in across(met):
+                self.assertIn(pair.second, objects_of(SIDES[side]))
+            recorder.wait(lambda m: m.overlaps and not across(m), "no overlap of both", MEETING)
 
     def test_rviz_shows_each_link_of_both_once(self):
         with open(LAUNCH + "two_robots.rviz", encoding="utf-8") as file:
