@@ -40,7 +40,7 @@ packages_of() {
     plot)
       echo python3-matplotlib ;;
     pictures)
-      echo imagemagick python3-tf2-ros x11-utils xvfb ;;
+      echo fonts-dejavu-core graphviz imagemagick python3-pil python3-tf2-ros xvfb ;;
     lint)
       echo catkin-lint clang-format ;;
     *)
