@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of the README say what the node and the message files say; doc/paper.md names what
-exists.
+"""The tables of the README say what the node and the message files say; its pictures are there;
+doc/paper.md names what exists.
 
 Run as: readme_tables_test.py PATH_OF_link_bounds_publisher PATH_OF_assert_box FOLDER_OF_THE_PACKAGE
 """
@@ -13,6 +13,7 @@ import sys
 import unittest
 
 PUBLISHER, ASSERT_BOX, PACKAGE = '', '', ''
+MOST_PICTURE_BYTES = 3000000
 
 
 def tables(text):
@@ -134,6 +135,20 @@ class ReadmeTablesTest(unittest.TestCase):
     def test_paper_page_has_every_figure(self):
         figures = re.findall(r'Figures? (\d+)(?: and (\d+))?', text_of('doc', 'paper.md'))
         self.assertEqual({int(n) for pair in figures for n in pair if n}, set(range(1, 11)))
+
+    def test_pictures_are_there_and_small(self):
+        pictures = re.findall(r'!\[[^]]*\]\((.*?)\)', self.readme)
+        self.assertGreater(len(pictures), 0)
+        for picture in pictures:
+            size = os.path.getsize(os.path.join(PACKAGE, picture))
+            self.assertLess(size, MOST_PICTURE_BYTES, picture)
+
+    def test_drawing_names_files_that_exist(self):
+        with open(os.path.join(PACKAGE, 'doc', 'architecture.dot'), encoding='utf-8') as file:
+            drawn = set(re.findall(r'\w+\.cpp', file.read()))
+        sources = {name for _, _, names in os.walk(os.path.join(PACKAGE, 'src')) for name in names}
+        self.assertGreater(len(drawn), 0)
+        self.assertEqual(drawn - sources, set())
 
 
 if __name__ == '__main__':
