@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A path, and a pose as fresh as the edges of that path.
+// A path, and a pose as fresh as the edges of that path, which may have been others at its time.
 #include "followed_frame.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace link_bounds {
 bool FollowedFrame::update(const Target& target, const TransformSource& tf, ros::Time now,
                            bool paths_may_differ) {
   const bool path_differs = paths_may_differ && findPath(target, tf.tree());
-  return (path_differs || isTouched(tf.tree())) && lookUp(target, tf, now);
+  return (path_differs || was_elsewhere_ || isTouched(tf.tree())) && lookUp(target, tf, now);
 }
 
 bool FollowedFrame::refresh(const Target& target, const TransformSource& tf, ros::Time now) {
@@ -58,6 +58,7 @@ bool FollowedFrame::lookUp(const Target& target, const TransformSource& tf, ros:
     if (path_) pose = tf.latest(target.fixed_frame, frame_, *path_);
     if (!pose) trouble = Trouble::kNoTransform;
   }
+  was_elsewhere_ = path_ && !tf.wasPath(*path_, tf.latestCommonTime(frame_, *path_));
   bool is_changed = trouble != trouble_;
   trouble_ = trouble;
   if (!pose) return is_changed;

@@ -83,6 +83,14 @@ std::int64_t TransformSource::latestCommonTime(Frame source, const std::vector<F
   return common == std::numeric_limits<std::int64_t>::max() ? 0 : common;
 }
 
+bool TransformSource::wasPath(const std::vector<Frame>& path, std::int64_t stamp) const {
+  EdgeSample scratch;
+  return std::all_of(path.begin(), path.end(), [&](Frame edge) {
+    const EdgeSample* sample = histories_.at(edge, stamp, scratch);
+    return sample && sample->parent == tree_.parent(edge);
+  });
+}
+
 std::optional<StampedPose> TransformSource::latest(Frame target, Frame source,
                                                    const std::vector<Frame>& path) const {
   const std::int64_t stamp = latestCommonTime(source, path);

@@ -44,6 +44,13 @@ class TransformSource {
   std::vector<Refusal> add(const std::vector<TransformView>& transforms, bool is_static,
                            ros::Time now);
 
+  /// The latest common time [ns] of `path`, which is tree().path(source, target); 0 if it is all
+  /// static.
+  std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
+
+  /// True if at that time each edge of the path had the parent that it has now.
+  bool wasPath(const std::vector<Frame>& path, std::int64_t stamp) const;
+
   /// The pose at the latest common time, interpolated; as tf2's lookupTransform(target, source, 0).
   /// `path` is tree().path(source, target). The quaternion is normalised; the result may still not
   /// be finite. Nothing if a history does not reach that time.
@@ -70,7 +77,6 @@ class TransformSource {
   const char* insert(const TransformView& transform, bool is_static, std::int64_t now);
   bool isTooOld(Frame child, std::int64_t stamp) const;
   const char* refuse(Frame child, std::int64_t stamp, std::int64_t now);
-  std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
 
   EdgeHistories histories_;
   FrameTree tree_;

@@ -37,9 +37,11 @@ def run(text):
 
 class BadUrdfTest(unittest.TestCase):
     def test_every_case(self):
-        for case in bad_inputs.cases():
+        cases = list(bad_inputs.cases())
+        for case in cases:
             with self.subTest(case=case.name):
                 self.check(case.text, case.expected)
+        print('faults: %d broken robots on the command line' % len(cases))
 
     def check(self, text, expected):
         code, found, messages = run(text)

@@ -62,6 +62,7 @@ class MutationRun {
     outcomes_.print();
     std::printf("memory grew by %ld KiB\n", growth / 1024);
     checkBalance();
+    if (failures_ == 0) std::printf("faults: %zu damaged mesh files\n", options_.count);
     return failures_ == 0;
   }
 

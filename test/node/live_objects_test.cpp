@@ -102,6 +102,19 @@ TEST_F(LiveObjectsTest, FollowsItsFrame) {
   EXPECT_FALSE(hear("map", "other", 100, 45, 6));
 }
 
+// The newest parent decides about the time, and at that time the parent was the one before.
+TEST_F(LiveObjectsTest, LateNewsOfAnOldParentAreNews) {
+  put(boxIn("tray"));
+  hear("map", "old", 98, 0, 1);
+  hear("old", "tray", 98, 30, 1);
+  hear("map", "new", 99, 0, 7);
+  hear("new", "tray", 100, 30, 1);
+  EXPECT_FALSE(state().box);
+  EXPECT_TRUE(hear("map", "old", 100, 0, 3));
+  EXPECT_EQ(state().stamp, 99'000'000'000);
+  expectBox(30, 3);
+}
+
 TEST_F(LiveObjectsTest, FollowsThroughReparenting) {
   put(boxIn("tray"));
   hear("map", "tray", 99, 30, 5);

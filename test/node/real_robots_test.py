@@ -53,6 +53,13 @@ class Robot:
 
 
 class RealRobotsTest(unittest.TestCase):
+    compared = 0
+    worst = 0.0  # metres
+
+    @classmethod
+    def tearDownClass(cls):
+        print("truth: %d boxes compared; worst error %.3g m" % (cls.compared, cls.worst))
+
     @classmethod
     def setUpClass(cls):
         rospy.init_node("real_robots_test")
@@ -82,8 +89,11 @@ class RealRobotsTest(unittest.TestCase):
         self.assertGreater(len(truth), 5)
         for box in message.boxes:
             expected = truth[box.name]
-            self.assertLess(difference(corners_of(box), expected), tolerance(expected),
+            error = difference(corners_of(box), expected)
+            self.assertLess(error, tolerance(expected),
                             "%s, configuration %d, %s" % (box.name, index, geometry))
+            RealRobotsTest.compared += 1
+            RealRobotsTest.worst = max(RealRobotsTest.worst, error)
 
     def test_panda(self):
         self.check_robot("panda")
