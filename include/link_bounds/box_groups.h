@@ -19,6 +19,10 @@ struct BoxState {
   bool incomplete = true;   ///< missing, or known not to cover everything
 };
 
+/// True if neither box is there, or both are and equal; of states all counts.
+bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b);
+bool isSame(const BoxState& a, const BoxState& b);
+
 /// A named set of boxes, given by their positions in the list of states.
 struct BoxGroup {
   std::string name;

@@ -5,6 +5,15 @@
 
 namespace link_bounds {
 
+bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->min() == b->min() && a->max() == b->max();
+}
+
+bool isSame(const BoxState& a, const BoxState& b) {
+  return a.stamp == b.stamp && a.incomplete == b.incomplete && isSame(a.box, b.box);
+}
+
 void addMember(BoxState& group, const BoxState& member) {
   group.incomplete |= member.incomplete;
   if (!member.box) return;

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The query in AVX2: four numbers at a time. Only these functions are compiled for it; the rest of
-// the program must not be, its data layout would no longer fit that of other libraries.
+// The query in AVX2: four numbers at a time.
 #ifdef __SSE2__
+#include "avx_range.h"
 #include "direction_query_x86.h"
-
-#define LINK_BOUNDS_AVX2 __attribute__((target("avx2")))
 
 namespace link_bounds {
 namespace {
@@ -34,44 +32,20 @@ LINK_BOUNDS_AVX2 inline __m256i cellsOf(const DirectionGrid& grid, __m256d x, __
   return _mm256_add_epi64(_mm256_sll_epi64(rows, _mm_cvtsi32_si128(grid.log2_side)), columns);
 }
 
-/// One row of the linear part, and the range of r . p over what was added.
-struct AvxRow {
-  LINK_BOUNDS_AVX2 AvxRow(const Directions& rows, int k)
-      : r0(_mm256_set1_pd(rows(k, 0))),
-        r1(_mm256_set1_pd(rows(k, 1))),
-        r2(_mm256_set1_pd(rows(k, 2))) {}
+struct AvxRow : AvxRange {
+  using AvxRange::AvxRange;
 
-  LINK_BOUNDS_AVX2 __m256d reach(const PointBlock& block) const {
-    const __m256d x = _mm256_cvtps_pd(_mm_loadu_ps(block.x));
-    const __m256d y = _mm256_cvtps_pd(_mm_loadu_ps(block.y));
-    const __m256d z = _mm256_cvtps_pd(_mm_loadu_ps(block.z));
-    return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(r0, x), _mm256_mul_pd(r1, y)),
-                         _mm256_mul_pd(r2, z));
+  LINK_BOUNDS_AVX2 __m256d reachOf(const PointBlock& block) const {
+    return reach(_mm256_cvtps_pd(_mm_loadu_ps(block.x)), _mm256_cvtps_pd(_mm_loadu_ps(block.y)),
+                 _mm256_cvtps_pd(_mm_loadu_ps(block.z)));
   }
 
   LINK_BOUNDS_AVX2 void begin(const Cell& cell) {
-    const __m256d first = reach(cell.near[0]);
-    const __m256d second = reach(cell.near[1]);
-    low = _mm256_min_pd(first, second);
-    high = _mm256_max_pd(first, second);
+    low = high = reachOf(cell.near[0]);
+    add(cell.near[1]);
   }
 
-  LINK_BOUNDS_AVX2 void add(const PointBlock& block) {
-    const __m256d next = reach(block);
-    low = _mm256_min_pd(low, next);
-    high = _mm256_max_pd(high, next);
-  }
-
-  LINK_BOUNDS_AVX2 __m128d lowPair() const {
-    return _mm_min_pd(_mm256_castpd256_pd128(low), _mm256_extractf128_pd(low, 1));
-  }
-
-  LINK_BOUNDS_AVX2 __m128d highPair() const {
-    return _mm_max_pd(_mm256_castpd256_pd128(high), _mm256_extractf128_pd(high, 1));
-  }
-
-  __m256d r0, r1, r2;
-  __m256d low, high;
+  LINK_BOUNDS_AVX2 void add(const PointBlock& block) { include(reachOf(block)); }
 };
 
 LINK_BOUNDS_AVX2 void find(const DirectionTable& table, const Directions& directions,

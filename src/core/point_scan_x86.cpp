@@ -5,10 +5,9 @@
 #ifdef __SSE2__
 #include <algorithm>
 
+#include "avx_range.h"
 #include "direction_query_x86.h"
 #include "point_scan.h"
-
-#define LINK_BOUNDS_AVX2 __attribute__((target("avx2")))
 
 namespace link_bounds {
 namespace {
@@ -67,35 +66,13 @@ struct Four {
   __m256d x, y, z;
 };
 
-struct AvxScan {
-  LINK_BOUNDS_AVX2 AvxScan(const Directions& rows, int k, const Four& four)
-      : r0(_mm256_set1_pd(rows(k, 0))),
-        r1(_mm256_set1_pd(rows(k, 1))),
-        r2(_mm256_set1_pd(rows(k, 2))) {
-    low = high = reach(four);
+struct AvxScan : AvxRange {
+  LINK_BOUNDS_AVX2 AvxScan(const Directions& rows, int k, const Four& four) : AvxRange(rows, k) {
+    low = high = reachOf(four);
   }
 
-  LINK_BOUNDS_AVX2 __m256d reach(const Four& four) const {
-    return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(r0, four.x), _mm256_mul_pd(r1, four.y)),
-                         _mm256_mul_pd(r2, four.z));
-  }
-
-  LINK_BOUNDS_AVX2 void add(const Four& four) {
-    const __m256d next = reach(four);
-    low = _mm256_min_pd(low, next);
-    high = _mm256_max_pd(high, next);
-  }
-
-  LINK_BOUNDS_AVX2 __m128d lowPair() const {
-    return _mm_min_pd(_mm256_castpd256_pd128(low), _mm256_extractf128_pd(low, 1));
-  }
-
-  LINK_BOUNDS_AVX2 __m128d highPair() const {
-    return _mm_max_pd(_mm256_castpd256_pd128(high), _mm256_extractf128_pd(high, 1));
-  }
-
-  __m256d r0, r1, r2;
-  __m256d low, high;
+  LINK_BOUNDS_AVX2 __m256d reachOf(const Four& four) const { return reach(four.x, four.y, four.z); }
+  LINK_BOUNDS_AVX2 void add(const Four& four) { include(reachOf(four)); }
 };
 
 /// From the last points to the first, which are in the rows already; in portions of `step`, of

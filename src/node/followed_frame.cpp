@@ -41,11 +41,10 @@ bool FollowedFrame::isTouched(const FrameTree& tree) const {
 }
 
 bool FollowedFrame::isStale(const Target& target, const FrameTree& tree, ros::Time now) const {
-  if (target.timeout <= 0 || !path_) return false;
-  const double now_ns = static_cast<double>(now.toNSec());
+  if (!path_) return false;
+  const std::int64_t stale_before = staleBefore(target.timeout, now);
   return std::any_of(path_->begin(), path_->end(), [&](Frame edge) {
-    return !tree.isStatic(edge) &&
-           now_ns - static_cast<double>(tree.lastHeard(edge)) > target.timeout * 1e9;
+    return !tree.isStatic(edge) && tree.lastHeard(edge) < stale_before;
   });
 }
 

@@ -6,14 +6,6 @@
 #include <utility>
 
 namespace link_bounds {
-namespace {
-
-bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->min() == b->min() && a->max() == b->max();
-}
-
-}  // namespace
 
 void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, ros::Time now) {
   model_ = std::move(model);

@@ -13,26 +13,6 @@ using Trouble = LiveObject::Trouble;
 /// How long to wait for a transform if nothing ever becomes stale [ROS s].
 constexpr double kPatience = 10;
 
-bool isSame(const BoxState& a, const BoxState& b) {
-  if (a.stamp != b.stamp || a.incomplete != b.incomplete) return false;
-  if (!a.box || !b.box) return a.box.has_value() == b.box.has_value();
-  return a.box->min() == b.box->min() && a.box->max() == b.box->max();
-}
-
-bool isSame(const Shape& a, const Shape& b) {
-  if (!a.points != !b.points || (a.points && !a.points->isSame(*b.points))) return false;
-  return a.solid == b.solid && a.size == b.size &&
-         a.link_from_shape.matrix() == b.link_from_shape.matrix();
-}
-
-bool isSame(const ObjectContent& a, const ObjectContent& b) {
-  const std::vector<Shape>& shapes = b.bounded.shapes;
-  return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
-         a.bounded.missing == b.bounded.missing &&
-         std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
-                    [](const Shape& x, const Shape& y) { return isSame(x, y); });
-}
-
 Trouble toTrouble(FollowedFrame::Trouble trouble) {
   switch (trouble) {
     case FollowedFrame::Trouble::kNone:
@@ -51,26 +31,6 @@ bool hasExpired(const LiveObject& object, ros::Time now) {
 }
 
 }  // namespace
-
-std::string LiveObject::reason() const {
-  if (!content.bounded.isWhole()) return content.bounded.missing;
-  if (content.isLoading()) return "its mesh " + content.mesh_uri + " is still loading";
-  switch (trouble) {
-    case Trouble::kNone:
-      return "";
-    case Trouble::kNoTransform:
-      return "no transform from \"" + content.frame + "\" to the fixed frame";
-    case Trouble::kStale:
-      return "stale: no transform accepted for longer than timeout";
-    case Trouble::kPoseNotFinite:
-      return "its pose is not finite or too large";
-    case Trouble::kWaiting:
-      return "the transform from \"" + content.frame + "\" at its stamp is not there yet";
-    case Trouble::kGivenUp:
-      return "there was no transform from \"" + content.frame + "\" at its stamp";
-  }
-  return "";
-}
 
 void LiveObjects::adopt(const std::string& fixed_frame, double timeout, TransformSource& tf,
                         ros::Time now) {

@@ -50,18 +50,7 @@ bool isUnknown(const Marker& marker) {
 }
 
 bool hasPoints(const Marker& marker) {
-  switch (marker.type) {
-    case Marker::ARROW:
-    case Marker::LINE_STRIP:
-    case Marker::LINE_LIST:
-    case Marker::CUBE_LIST:
-    case Marker::SPHERE_LIST:
-    case Marker::POINTS:
-    case Marker::TRIANGLE_LIST:
-      return true;
-    default:
-      return false;
-  }
+  return marker.type == Marker::ARROW || isList(marker);
 }
 
 /// What rviz demands of the number of points; null if that is met.

@@ -23,21 +23,6 @@ Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
   return {p.x, p.y, p.z};
 }
 
-/// What is drawn at each of the points, rather than given by them as an arrow.
-bool isList(const Marker& marker) {
-  switch (marker.type) {
-    case Marker::LINE_STRIP:
-    case Marker::LINE_LIST:
-    case Marker::CUBE_LIST:
-    case Marker::SPHERE_LIST:
-    case Marker::POINTS:
-    case Marker::TRIANGLE_LIST:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// Of points that are where they stay.
 std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> points) {
   static_assert(sizeof(geometry_msgs::Point) == 3 * sizeof(double));
@@ -127,6 +112,20 @@ std::vector<Shape> shapesOf(const Marker& marker) {
 }
 
 }  // namespace
+
+bool isList(const visualization_msgs::Marker& marker) {
+  switch (marker.type) {
+    case Marker::LINE_STRIP:
+    case Marker::LINE_LIST:
+    case Marker::CUBE_LIST:
+    case Marker::SPHERE_LIST:
+    case Marker::POINTS:
+    case Marker::TRIANGLE_LIST:
+      return true;
+    default:
+      return false;
+  }
+}
 
 bool hasShape(const Marker& marker) {
   return marker.type != Marker::TEXT_VIEW_FACING;

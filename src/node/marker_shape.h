@@ -47,6 +47,9 @@ std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
 /// False for text, which is ignored.
 bool hasShape(const visualization_msgs::Marker& marker);
 
+/// True for types that draw something at each of their points; an arrow is given by them.
+bool isList(const visualization_msgs::Marker& marker);
+
 /// Frame of the header from that of the marker. A zero quaternion is the identity, others are
 /// normalised. The marker must not be refused.
 Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);

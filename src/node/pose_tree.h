@@ -15,12 +15,6 @@
 
 namespace link_bounds {
 
-/// What was heard before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0: never.
-inline std::int64_t staleBefore(double timeout, ros::Time now) {
-  if (timeout <= 0) return std::numeric_limits<std::int64_t>::min();
-  return static_cast<std::int64_t>(static_cast<double>(now.toNSec()) - timeout * 1e9);
-}
-
 class PoseTree {
  public:
   using Frame = FrameTree::Frame;

@@ -6,6 +6,7 @@
 #include <ros/time.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct StampedPose {
   Eigen::Isometry3d world_from_link;
   std::int64_t stamp = 0;  ///< nanoseconds; latest common time of the path, 0 if it is all static
 };
+
+/// What was heard before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0: never.
+inline std::int64_t staleBefore(double timeout, ros::Time now) {
+  if (timeout <= 0) return std::numeric_limits<std::int64_t>::min();
+  return static_cast<std::int64_t>(static_cast<double>(now.toNSec()) - timeout * 1e9);
+}
 
 /// A transform that was not taken.
 struct Refusal {

@@ -3,16 +3,14 @@
 // Boxes of single meshes, ours and the peers': core_bench [--quick] [--json FILE]
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
+#include "benchmark_main.h"
 #include "json.h"
 #include "machine.h"
 #include "mesh_choice.h"
 #include "methods.h"
-#include "options.h"
 #include "table.h"
 #include "targets.h"
 
@@ -41,33 +39,24 @@ Suite makeSuite(const MeasuredMeshes& meshes) {
   return suite;
 }
 
-void benchmarkCore(const Options& options) {
-  std::ofstream json;
-  if (!options.json.empty()) json.open(options.json);
-  if (!json) throw std::runtime_error("cannot write " + options.json);
-  pinToOneCpu();
+void benchmarkCore(bool quick, std::ostream* json) {
   printHead(std::cout);
   const char* data = std::getenv("LINK_BOUNDS_DATA");
   const MeasuredMeshes meshes =
-      chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, options.quick, std::cout);
+      chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
   const std::string ours = nameOfOurs(queryPath());
   const Suite suite = makeSuite(meshes);
   printLeftOut(suite, std::cout);
   std::cout << "measuring " << suite.size() << " cases\n\n" << std::flush;
-  const Results results = run(suite, options.quick ? 7 : 11, options.quick ? 0.005 : 0.01);
+  const Results results = run(suite, quick ? 7 : 11, quick ? 0.005 : 0.01);
   printTable(results, ours, std::cout);
   printTargets(results, ours, std::cout);
-  if (json.is_open()) writeJson(results, json);
-  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+  if (json) writeJson(results, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  benchmarkCore(parseOptions(argc, argv));
-} catch (const std::exception& error) {
-  std::cerr << "core_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkCore);
 }

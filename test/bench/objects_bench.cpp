@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From markers that have arrived to boxes: objects_bench [--quick] [--json FILE]
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
+#include "benchmark_main.h"
 #include "brute_force.h"
 #include "link_bounds/link_boxes.h"
 #include "machine.h"
 #include "marker_shape.h"
-#include "options.h"
 #include "suite.h"
 #include "target.h"
 
@@ -176,26 +175,17 @@ void writeJson(const Results& results, std::ostream& out) {
   out << "\n]\n";
 }
 
-void benchmarkObjects(const Options& options) {
-  std::ofstream json;
-  if (!options.json.empty()) json.open(options.json);
-  if (!json) throw std::runtime_error("cannot write " + options.json);
-  pinToOneCpu();
+void benchmarkObjects(bool quick, std::ostream* json) {
   std::cout << "CPU: " << cpuName() << "\n\n" << std::flush;
-  const Results results = run(makeSuite(), options.quick ? 5 : 15, options.quick ? 0.01 : 0.05);
+  const Results results = run(makeSuite(), quick ? 5 : 15, quick ? 0.01 : 0.05);
   printTable(results, std::cout);
   printTargets(results, std::cout);
-  if (json.is_open()) writeJson(results, json);
-  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+  if (json) writeJson(results, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  benchmarkObjects(parseOptions(argc, argv));
-} catch (const std::exception& error) {
-  std::cerr << "objects_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkObjects);
 }

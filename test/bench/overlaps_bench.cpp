@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Overlaps of many boxes in motion, ours and the peers': overlaps_bench [--quick] [--json FILE]
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 
+#include "benchmark_main.h"
 #include "machine.h"
-#include "options.h"
 #include "overlap_report.h"
 
 namespace link_bounds::bench {
@@ -32,18 +30,14 @@ std::vector<OverlapSetting> overlapSettings() {
   return settings;
 }
 
-void benchmarkOverlaps(const Options& options) {
-  std::ofstream json;
-  if (!options.json.empty()) json.open(options.json);
-  if (!json) throw std::runtime_error("cannot write " + options.json);
-  pinToOneCpu();
+void benchmarkOverlaps(bool quick, std::ostream* json) {
   std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
             << "\npeers: " << LINK_BOUNDS_PEERS << "\n\n"
             << std::flush;
   const std::vector<OverlapSetting> settings = overlapSettings();
   OverlapResults results;
   for (const std::size_t count : {kFewBoxes, kManyBoxes}) {
-    const int rounds = (options.quick ? 3 : 11) * (count == kFewBoxes ? 3 : 1);
+    const int rounds = (quick ? 3 : 11) * (count == kFewBoxes ? 3 : 1);
     for (const OverlapScene& scene : overlapScenes(count)) {
       for (OverlapResult& result : measureOverlaps(settings, scene, rounds))
         results.push_back(std::move(result));
@@ -51,17 +45,12 @@ void benchmarkOverlaps(const Options& options) {
   }
   printOverlaps(results, std::cout);
   printOverlapTargets(results, std::cout);
-  if (json.is_open()) writeOverlapJson(results, json);
-  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+  if (json) writeOverlapJson(results, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  benchmarkOverlaps(parseOptions(argc, argv));
-} catch (const std::exception& error) {
-  std::cerr << "overlaps_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkOverlaps);
 }

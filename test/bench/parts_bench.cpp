@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How tight the parts of links are, by how many there may be: parts_bench [--json FILE]
+// How tight the parts of links are, by how many there may be: parts_bench [--quick] [--json FILE]
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "benchmark_main.h"
 #include "brute_force.h"
 #include "link_bounds/bounded_robot.h"
 #include "link_bounds/kinematics.h"
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLevels[] = {1, 2, 4, 8, 16, 64};
 constexpr int kTurns = 100;
+constexpr int kFewTurns = 10;
 
 struct Model {
   std::string name;
@@ -54,7 +56,7 @@ class RestingRobot {
       std::cerr << problem << "\n";
   }
 
-  Row measure(int level) {
+  Row measure(int level, int turns) {
     Row row;
     row.level = level;
     const auto start = std::chrono::steady_clock::now();
@@ -68,8 +70,8 @@ class RestingRobot {
     row.bytes = bytesOf(parts);
     row.volume = volumeOf(parts, Eigen::Affine3d::Identity());
     brute_force::Random random(1);
-    for (int i = 0; i < kTurns; ++i)
-      row.turned_volume += volumeOf(parts, random.rigid(0)) / kTurns;
+    for (int i = 0; i < turns; ++i)
+      row.turned_volume += volumeOf(parts, random.rigid(0)) / turns;
     return row;
   }
 
@@ -141,12 +143,12 @@ std::vector<Model> models() {
           {"dragon", folder / "stanford_models/urdf/dragon_vrip_res2.urdf", packages}};
 }
 
-std::vector<Row> measureAll() {
+std::vector<Row> measureAll(int turns) {
   std::vector<Row> rows;
   for (const Model& model : models()) {
     RestingRobot robot(model);
     for (const int level : kLevels) {
-      rows.push_back(robot.measure(level));
+      rows.push_back(robot.measure(level, turns));
       rows.back().model = model.name;
     }
   }
@@ -204,26 +206,16 @@ void writeJson(const std::vector<Row>& rows, std::ostream& out) {
   out << "\n]\n";
 }
 
-void benchmarkParts(int argc, char** argv) {
-  const bool has_json = argc == 3 && std::string(argv[1]) == "--json";
-  if (argc > 1 && !has_json) throw std::runtime_error("usage: parts_bench [--json FILE]");
-  std::ofstream json;
-  if (has_json) json.open(argv[2]);
-  if (!json) throw std::runtime_error(std::string("cannot write ") + argv[2]);
-  pinToOneCpu();
+void benchmarkParts(bool quick, std::ostream* json) {
   std::cout << "CPU: " << cpuName() << "\n";
-  const std::vector<Row> rows = measureAll();
+  const std::vector<Row> rows = measureAll(quick ? kFewTurns : kTurns);
   printTables(rows);
-  if (has_json) writeJson(rows, json);
-  if (!json.flush()) throw std::runtime_error(std::string("cannot write ") + argv[2]);
+  if (json) writeJson(rows, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  link_bounds::bench::benchmarkParts(argc, argv);
-} catch (const std::exception& error) {
-  std::cerr << "parts_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkParts);
 }

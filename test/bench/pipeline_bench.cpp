@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 
+#include "benchmark_main.h"
 #include "contest.h"
 #include "machine.h"
 #include "mesh_choice.h"
-#include "options.h"
 #include "result.h"
 #include "target.h"
 
@@ -110,18 +108,14 @@ void writeJson(const std::vector<Contest>& contests, std::ostream& out) {
   out << "\n]\n";
 }
 
-void benchmarkPipeline(const Options& options) {
-  std::ofstream json;
-  if (!options.json.empty()) json.open(options.json);
-  if (!json) throw std::runtime_error("cannot write " + options.json);
-  pinToOneCpu();
+void benchmarkPipeline(bool quick, std::ostream* json) {
   const MeasuredMeshes meshes = sharedMeshes(std::cout);
   printHead(std::cout);
   std::vector<Contest> contests;
   for (const std::size_t links : kLinkCounts) {
     for (const std::size_t depth : kDepths) {
-      if (options.quick && links > kMostLinksOfATarget) continue;
-      contests.push_back(contest(links, depth, meshes, options.quick ? 5 : 15));
+      if (quick && links > kMostLinksOfATarget) continue;
+      contests.push_back(contest(links, depth, meshes, quick ? 5 : 15));
       printRow(contests.back(), std::cout);
       std::cout << std::flush;
     }
@@ -131,17 +125,12 @@ void benchmarkPipeline(const Options& options) {
     printTargets(contest, std::cout);
   for (const std::size_t depth : kDepths)
     printGrowth(contests, depth, std::cout);
-  if (json.is_open()) writeJson(contests, json);
-  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+  if (json) writeJson(contests, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  benchmarkPipeline(parseOptions(argc, argv));
-} catch (const std::exception& error) {
-  std::cerr << "pipeline_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkPipeline);
 }

@@ -3,38 +3,18 @@
 // Which volume bounds a link best, and at what price: volumes_bench [--quick] [--json FILE]
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 
+#include "benchmark_main.h"
 #include "json.h"
 #include "machine.h"
 #include "volumes_measure.h"
 
 namespace link_bounds::bench {
 namespace {
-
-struct Options {
-  bool is_quick = false;
-  std::string json;
-};
-
-Options parse(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--quick") {
-      options.is_quick = true;
-    } else if (argument == "--json" && i + 1 < argc) {
-      options.json = argv[++i];
-    } else {
-      throw std::runtime_error("unknown argument or no value for it: " + argument);
-    }
-  }
-  return options;
-}
 
 using Value = double Result::*;
 
@@ -90,28 +70,19 @@ void print(const Results& results, const std::vector<MeasuredRobot>& robots, std
   printCosts(results, "oriented box", kOrientedBox, kPrepareOrientedBox, "", out);
 }
 
-void benchmarkVolumes(const Options& options) {
-  std::ofstream json;
-  if (!options.json.empty()) json.open(options.json);
-  if (!json) throw std::runtime_error("cannot write " + options.json);
-  pinToOneCpu();
+void benchmarkVolumes(bool quick, std::ostream* json) {
   std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName() << "\n";
   const char* data = std::getenv("LINK_BOUNDS_DATA");
   const auto robots = chooseRobots(data ? data : "", LINK_BOUNDS_DEMO_URDF, std::cout);
-  const Results results = measureVolumes(robots, options.is_quick);
+  const Results results = measureVolumes(robots, quick);
   std::cout << "\n";
   print(results, robots, std::cout);
-  if (json.is_open()) writeJson(results, json);
-  if (!json.flush()) throw std::runtime_error("cannot write " + options.json);
+  if (json) writeJson(results, *json);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  benchmarkVolumes(parse(argc, argv));
-} catch (const std::exception& error) {
-  std::cerr << "volumes_bench: " << error.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkVolumes);
 }

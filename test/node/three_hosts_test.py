@@ -30,6 +30,7 @@ CUT_LENGTH = 10.0  # s
 RIGHT_AGAIN = 2.0  # s after a cable is back
 RATE = 20  # Hz
 DEGREES_PER_SECOND = 36
+READY = "ready"  # what the robot prints when its description is there
 
 JOINTS = {"left": ("0.5 0.3 0", "0 0 1"), "left_tip": ("0.3 0 0", "0 1 0"),
           "right": ("0.5 -0.3 0", "0 0 -1")}  # origin and axis, as joint_pose has them
@@ -53,7 +54,7 @@ def be_robot():
     rospy.init_node("robot")
     rospy.set_param("/robot_description", ROBOT)
     publisher = rospy.Publisher("/joint_states", JointState, queue_size=1, tcp_nodelay=True)
-    print("ready")
+    print(READY, flush=True)
     ticks = rospy.Rate(RATE, reset=True)
     while not rospy.is_shutdown():
         now = rospy.Time.now()
@@ -131,7 +132,8 @@ class ThreeHosts(unittest.TestCase):
         me = [sys.executable, os.path.abspath(__file__)]
         cls.start("robot", "rosmaster", "--core", "-p", "11311", stdout=subprocess.DEVNULL)
         robot = cls.start("robot", *me, "robot", stdout=subprocess.PIPE)
-        robot.stdout.readline()
+        if not any(line.decode().strip() == READY for line in iter(robot.stdout.readline, b"")):
+            raise AssertionError("the robot has ended")
         cls.start("robot", executable("robot_state_publisher", "robot_state_publisher"))
         cls.node = cls.start("node", executable("link_bounds", "link_bounds_publisher"))
         cls.consumer = Consumer(cls.start("consumer", *me, "consumer", stdout=subprocess.PIPE))
