@@ -34,7 +34,7 @@ void BoxFiller::add(const std::string& name, const BoxState& state) {
   if (!state.box) return;
   if (boxes_ == message_.boxes.size()) message_.boxes.emplace_back();
   AxisAlignedBox& box = message_.boxes[boxes_++];
-  box.name = name;
+  if (box.name != name) box.name = name;  // the box of before nearly always has it
   box.stamp = timeOf(state.stamp);
   box.min = toPoint(state.box->min());
   box.max = toPoint(state.box->max());
