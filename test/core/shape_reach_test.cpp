@@ -147,5 +147,26 @@ TEST(LinkReach, EachShapeHasItsOwn) {
   }
 }
 
+// Many at once, then one alone, in poses that turn fully, about one axis, or not at all.
+TEST(ShapeReach, ManyLinksAtOnceAreThoseOneByOne) {
+  const BoundedLink first{"first", {meshShape(5), meshShape(6, Solid::kBox)}, 0, ""};
+  const BoundedLink second{"second", {meshShape(7)}, 0.1, ""};
+  LinkReach reaches[] = {LinkReach(first), LinkReach(second)};
+  brute_force::Random random(8);
+  for (int i = 0; i < 60; ++i) {
+    Eigen::Affine3d pose(random.rigid(1));
+    if (i % 3 == 1) pose.linear().setIdentity();
+    if (i % 3 == 2) pose.linear() = turned(30, {0, 0, 1});
+    std::optional<Aabb> boxes[2];
+    updateLinkBoxes(
+        {{&first, &pose, &reaches[0], &boxes[0]}, {&second, &pose, &reaches[1], &boxes[1]}});
+    EXPECT_EQ(boxes[0]->min(), linkBox(first, pose)->min());
+    EXPECT_EQ(boxes[0]->max(), linkBox(first, pose)->max());
+    EXPECT_EQ(boxes[1]->min(), linkBox(second, pose)->min());
+    const Eigen::Affine3d other(random.rigid(1));
+    EXPECT_EQ(linkBox(second, other, reaches[1])->max(), linkBox(second, other)->max());
+  }
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -115,6 +115,25 @@ TEST(PoseTree, PosesAndStampsAreThoseOfTf2) {
   EXPECT_GT(known, all / 4);
 }
 
+// A quaternion that is not quite of length 1, as tf2 takes it, scales what it turns.
+TEST(PoseTree, UnevenQuaternionsCountAsInTf2) {
+  TransformSource tf;
+  tf2::BufferCore buffer;
+  PoseTree poses;
+  poses.follow(tf.tree().frame("map"), {tf.tree().frame("c")});
+  for (const auto& [parent, child] : {std::pair("map", "a"), {"a", "b"}, {"b", "c"}}) {
+    auto transform = edge(parent, child, 1, Eigen::Quaterniond(0.8, 0.6, 0.05, 0), {1, 2, 3});
+    buffer.setTransform(transform, "test");
+    tf.add({transform}, false, ros::Time(1));
+  }
+  poses.update(tf);
+  const auto expected = buffer.lookupTransform("map", "c", ros::Time(0)).transform.translation;
+  EXPECT_LT((poses.node(0)->fixed_from_frame.affine.translation() -
+             Eigen::Vector3d(expected.x, expected.y, expected.z))
+                .norm(),
+            kSame);
+}
+
 const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 6, Eigen::Vector3d::UnitZ()));
 
 /// Two arms on a base that moves, in a fixed frame above it.
