@@ -114,6 +114,7 @@ void findCells(const DirectionTable& table, const Directions& directions, CellsO
   for (const DirectionTable::Cell* cell : cells) {
     __builtin_prefetch(&cell->near[0]);
     __builtin_prefetch(&cell->near[1].y);
+    __builtin_prefetch(&cell->count);
   }
 }
 

@@ -10,6 +10,9 @@
 namespace link_bounds {
 namespace {
 
+/// Links of which everything that is announced stays in the nearest cache.
+constexpr std::ptrdiff_t kAtOnce = 16;
+
 bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link, ShapeReach& reach,
                 Aabb& box) {
   if (reach.is_in_link_frame) return placeBox(shape, world_from_link, reach, box);
@@ -28,6 +31,21 @@ bool placeLink(const BoundedLink& link, const Eigen::Affine3d& world_from_link, 
   }
   if (link.padding != 0) box = padded(box, link.padding);
   return true;
+}
+
+/// A shape with a frame of its own would have its pose computed twice.
+void announceLink(const LinkUpdate& update) {
+  for (std::size_t i = 0; i < update.link->shapes.size(); ++i) {
+    ShapeReach& reach = update.reach->shapes[i];
+    if (reach.is_in_link_frame) announce(update.link->shapes[i], *update.world_from_link, reach);
+  }
+}
+
+void placeUpdate(const LinkUpdate& update) {
+  if (!*update.box) update.box->emplace();
+  if (!placeLink(*update.link, *update.world_from_link, *update.reach, **update.box)) {
+    update.box->reset();
+  }
 }
 
 }  // namespace
@@ -56,19 +74,13 @@ std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& worl
   return linkBox(link, world_from_link, reach);
 }
 
-/// A shape with a frame of its own would have its pose computed twice.
 void updateLinkBoxes(const std::vector<LinkUpdate>& updates) {
-  for (const LinkUpdate& update : updates) {
-    for (std::size_t i = 0; i < update.link->shapes.size(); ++i) {
-      ShapeReach& reach = update.reach->shapes[i];
-      if (reach.is_in_link_frame) announce(update.link->shapes[i], *update.world_from_link, reach);
-    }
-  }
-  for (const LinkUpdate& update : updates) {
-    if (!*update.box) update.box->emplace();
-    if (!placeLink(*update.link, *update.world_from_link, *update.reach, **update.box)) {
-      update.box->reset();
-    }
+  const auto end = updates.end();
+  for (auto begin = updates.begin(); begin != end;) {
+    const auto stop = begin + std::min<std::ptrdiff_t>(kAtOnce, end - begin);
+    std::for_each(begin, stop, announceLink);
+    std::for_each(begin, stop, placeUpdate);
+    begin = stop;
   }
 }
 

@@ -12,7 +12,7 @@ bool EdgeHistories::insert(Frame child, Frame parent, std::int64_t stamp,
   const Frame last = std::max(child, parent);
   if (last >= histories_.size()) histories_.resize(last + 1);
   auto& history = histories_[child];
-  if (!history) history = std::make_unique<EdgeHistory>(is_static, memory_.get());
+  if (!history) history.emplace(is_static);
   return history->insert(stamp, parent, parent_from_child);
 }
 

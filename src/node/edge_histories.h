@@ -6,11 +6,9 @@
 // transform it refuses, and looks up names for each pose.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "block_store.h"
 #include "edge_history.h"
 #include "frame_tree.h"
 
@@ -46,9 +44,8 @@ class EdgeHistories {
 
   void climb(Frame source, Frame target, std::int64_t stamp) const;
 
-  std::unique_ptr<BlockStore> memory_ = std::make_unique<BlockStore>();  ///< outlives histories_
-  std::vector<std::unique_ptr<EdgeHistory>> histories_;                  ///< by child
-  mutable std::vector<Step> steps_;  ///< the last climb, from the source upwards
+  std::vector<std::optional<EdgeHistory>> histories_;  ///< by child
+  mutable std::vector<Step> steps_;                    ///< the last climb, from the source upwards
   mutable WalkMarks marks_;
 };
 

@@ -3,8 +3,6 @@
 // The newest sample is nearly always the one that is wanted, and the place of the next.
 #include "edge_history.h"
 
-#include <algorithm>
-
 namespace link_bounds {
 namespace {
 
@@ -18,54 +16,35 @@ Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int6
   return {tf2::slerp(from.rotation(), to.rotation(), ratio), translation};
 }
 
-bool isLater(const EdgeSample& sample, std::int64_t stamp) {
-  return sample.stamp > stamp;
-}
-
 }  // namespace
 
 bool EdgeHistory::insertElsewhere(const EdgeSample& sample) {
-  if (is_static_) {
-    samples_.assign(1, sample);
-    return true;
+  if (is_static_ && !samples_.isEmpty()) {
+    samples_.newest() = sample;
+  } else if (isRefused(sample.stamp)) {
+    return false;
+  } else {
+    samples_.insert(sample.stamp, reach()) = sample;
   }
-  if (!samples_.empty() && samples_.front().stamp > sample.stamp + kLength) return false;
-  const auto place = std::lower_bound(samples_.begin(), samples_.end(), sample.stamp, isLater);
-  if (place != samples_.end() && place->stamp == sample.stamp) return false;
-  samples_.insert(place, sample);
   return true;
 }
 
-/// Not more than two at a time, and those are fetched when the ones before go: by the next insert()
-/// the processor would long have had to wait for them.
-void EdgeHistory::dropOldest() {
-  for (int i = 0; i < 2 && isOutOfReach(samples_.back()); ++i)
-    samples_.pop_back();
-  if (samples_.size() > 1) __builtin_prefetch(&*std::prev(samples_.end(), 2));
-}
-
-/// tf2 would have forgotten it.
-bool EdgeHistory::isOutOfReach(const EdgeSample& sample) const {
-  return sample.stamp + kLength < samples_.front().stamp;
+bool EdgeHistory::isRefused(std::int64_t stamp) const {
+  if (samples_.isEmpty()) return false;
+  if (stamp == samples_.newest().stamp || stamp < reach()) return true;
+  const EdgeSample* older = samples_.neighbours(stamp).older;
+  return older && older->stamp == stamp;
 }
 
 void EdgeHistory::clear() {
   if (!is_static_) samples_.clear();
 }
 
-const EdgeSample* EdgeHistory::at(std::int64_t stamp, EdgeSample& scratch) const {
-  if (samples_.empty()) return nullptr;
-  const EdgeSample& newest = samples_.front();
-  if (is_static_ || stamp == 0 || stamp == newest.stamp) return &newest;
-  return stamp < newest.stamp ? before(stamp, scratch) : nullptr;
-}
-
 const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) const {
-  const auto older = std::lower_bound(samples_.begin(), samples_.end(), stamp, isLater);
-  if (older == samples_.end() || isOutOfReach(*older)) return nullptr;
-  const auto newer = std::prev(older);
-  if (older->parent != newer->parent) return &*older;
-  scratch = EdgeSample(stamp, older->parent, interpolated(*older, *newer, stamp));
+  const auto [older, newer] = samples_.neighbours(stamp);
+  if (!older || older->stamp < reach()) return nullptr;
+  if (older->parent != newer->parent) return older;
+  scratch = {interpolated(*older, *newer, stamp), older->parent, stamp};
   return &scratch;
 }
 

@@ -111,24 +111,19 @@ void PoseTree::place(Node& node, const TransformSource& tf) const {
 }
 
 void PoseTree::compose(Node& node, const Tf2Pose& inner_from_frame) const {
-  const Node& inner = nodes_[node.inner];
-  const bool is_same = node.has_pose && !inner.has_moved;
-  if (is_same && isSame(inner_from_frame, node.inner_from_frame)) return;
-  node.inner_from_frame = inner_from_frame;
-  node.fixed_from_frame.setProduct(inner.fixed_from_frame, inner_from_frame);
+  const MatrixPose& fixed_from_inner = nodes_[node.inner].fixed_from_frame;
+  const bool is_other = node.fixed_from_frame.setProduct(fixed_from_inner, inner_from_frame);
+  node.has_moved = is_other || !node.has_pose;
   node.has_pose = true;
-  node.has_moved = true;
 }
 
-/// At that time the path may have been another one, whose edges bring news as well. The next
-/// compose() begins anew.
+/// At that time the path may have been another one, whose edges bring news as well.
 void PoseTree::walk(Node& node, const TransformSource& tf) const {
   const std::optional<Tf2Pose> pose = tf.histories().pose(fixed_frame_, node.frame, node.stamp);
   node.has_moved = true;
   node.has_pose = pose.has_value();
   node.was_elsewhere = true;
   if (pose) node.fixed_from_frame = MatrixPose(*pose);
-  node.inner_from_frame.numbers.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 void PoseTree::hear(Node& node, const FrameTree& tree) const {

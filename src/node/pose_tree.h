@@ -25,21 +25,24 @@ class PoseTree {
     bool is_news = true;     ///< an edge of its path was heard in the last message, or it is new
     bool has_pose = false;   ///< the histories reach its time
     bool has_moved = false;  ///< another pose than before
+
+   private:
+    friend class PoseTree;
+    enum class Step : std::uint8_t { kAlong, kAgainst, kStay };
+
+    Step step = Step::kStay;     ///< how the edge is used, outward
+    bool is_static = true;       ///< the whole path
+    bool was_elsewhere = false;  ///< the pose was read along a path of its own
+
+   public:
     std::int64_t stamp = 0;  ///< nanoseconds; latest common time of the path, 0 if it is all static
     std::int64_t heard = kNever;  ///< when the oldest edge of the path that is not static was heard
     MatrixPose fixed_from_frame;
 
    private:
-    friend class PoseTree;
-    enum class Step { kAlong, kAgainst, kStay };
-
     Frame frame = 0;
     Frame edge = 0;
-    Step step = Step::kStay;     ///< how the edge is used, outward
-    std::size_t inner = 0;       ///< the node before this one
-    bool is_static = true;       ///< the whole path
-    bool was_elsewhere = false;  ///< the pose was read along a path of its own
-    Tf2Pose inner_from_frame;    ///< of which the pose was made
+    std::size_t inner = 0;  ///< the node before this one
   };
 
   /// Starts over with these frames; they have poses from the next updateAll() on.

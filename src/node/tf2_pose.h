@@ -34,11 +34,6 @@ inline Tf2Pose inverse(const Tf2Pose& pose) {
   return {rotation, tf2::quatRotate(rotation, -pose.translation())};
 }
 
-/// Number by number; what is not a number differs from everything.
-inline bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
-  return a.numbers == b.numbers;
-}
-
 /// A pose that others are composed onto: with its matrix, which serves the boxes as well.
 struct MatrixPose {
   MatrixPose() = default;
@@ -60,14 +55,26 @@ struct MatrixPose {
     m.col(3) << t.x(), t.y(), t.z(), 1;
   }
 
-  /// Becomes a * b. In tf2 a quaternion that is not of length 1 scales what it turns.
-  void setProduct(const MatrixPose& a, const Tf2Pose& b) {
+  /// Becomes a * b; false if it is that already. In tf2 a quaternion that is not of length 1 scales
+  /// what it turns.
+  bool setProduct(const MatrixPose& a, const Tf2Pose& b) {
     const tf2::Vector3 t = b.translation();
     const Eigen::Matrix4d& m = a.affine.matrix();
     const auto moved = [&](int k) {
       return (m(k, 0) * t.x() + m(k, 1) * t.y() + m(k, 2) * t.z()) * a.length2 + m(k, 3);
     };
-    set(a.rotation * b.rotation(), {moved(0), moved(1), moved(2)});
+    const tf2::Vector3 translation(moved(0), moved(1), moved(2));
+    const tf2::Quaternion product = a.rotation * b.rotation();
+    if (isAt(product, translation)) return false;
+    set(product, translation);
+    return true;
+  }
+
+  /// Number by number; what is not a number differs from everything.
+  bool isAt(const tf2::Quaternion& q, const tf2::Vector3& t) const {
+    return q.x() == rotation.x() && q.y() == rotation.y() && q.z() == rotation.z() &&
+           q.w() == rotation.w() && t.x() == affine(0, 3) && t.y() == affine(1, 3) &&
+           t.z() == affine(2, 3);
   }
 
   tf2::Quaternion rotation = tf2::Quaternion::getIdentity();

@@ -41,7 +41,7 @@ TEST(TfMessage, IsReadAsRoscppReadsIt) {
     EXPECT_EQ(message.transforms[i].parent, expected.parent);
     EXPECT_EQ(message.transforms[i].child, expected.child);
     EXPECT_EQ(message.transforms[i].stamp, expected.stamp);
-    EXPECT_TRUE(isSame(message.transforms[i].parent_from_child, expected.parent_from_child));
+    EXPECT_EQ(message.transforms[i].parent_from_child.numbers, expected.parent_from_child.numbers);
   }
   EXPECT_EQ(message.transforms[1].parent, "a");
   EXPECT_EQ(message.transforms[1].child, "b");
