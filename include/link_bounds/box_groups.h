@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What is known about each box at one moment, and the boxes of groups made from it.
+/// What is known about each box at one moment, and the boxes of groups made from it. Nothing here
+/// throws.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ class JointError : public std::runtime_error {
 /// that follow each other in a circle or follow no joint.
 std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given);
 
-/// The pose of each link in the frame of the root link; `values` as from jointValues. Throws
+/// The pose of each link in the frame of the root link [m]; `values` as from jointValues. Throws
 /// JointError if a joint of non-zero value has no axis.
 std::vector<Eigen::Isometry3d> linkPoses(const Robot& robot, const std::vector<double>& values);
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// One link with everything on it that has a shape, and the box around all of it.
+///
+/// Metres; the box is in the frame whose axes it follows, the world. Nothing here throws.
 #pragma once
 
 #include <optional>
@@ -32,8 +34,8 @@ struct LinkReach {
 };
 
 /// The box around all shapes of the link, tight, rounded outward and padded. Nothing if the link
-/// has no shape or the pose gives no finite box (see placedBox). `reach`
-/// must have been made for this link.
+/// has no shape or the pose gives no finite box (see placedBox). `reach` must have been made for
+/// this link.
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
                             LinkReach& reach);
 
@@ -48,7 +50,7 @@ struct LinkUpdate {
   std::optional<Aabb>* box = nullptr;  ///< where the result of linkBox goes
 };
 
-/// Quicker than one by one: what the boxes depend on is announced for all before the first one.
+/// Quicker than one by one: what some boxes depend on is announced before the first of them.
 void updateLinkBoxes(const std::vector<LinkUpdate>& updates);
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Which boxes may overlap without anybody being told: those of links that are joined, and pairs
-/// that the user names.
+/// that the user names. Nothing here throws.
 #pragma once
 
 #include <functional>

@@ -43,7 +43,7 @@ class PointSet {
   /// True for the very same set, and for points in double that are equal one by one.
   bool isSame(const PointSet& other) const;
 
-  /// The largest |x|, |y| and |z| of any point.
+  /// The largest |x|, |y| and |z| of any point [m].
   const Eigen::Vector3d& magnitude() const { return magnitude_; }
 
   /// The points in float that can be extreme, each once, in no particular order.

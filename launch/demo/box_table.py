@@ -7,6 +7,7 @@ Parameter: ~topic (default link_bounds_publisher/boxes). Redraws in place on a t
 table after the other.
 """
 
+import argparse
 import shutil
 import sys
 import threading
@@ -65,6 +66,9 @@ def draw_in_place(lines):
 
 
 def main():
+    argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args(rospy.myargv()[1:])
     rospy.init_node('box_table', anonymous=True)
     topic = rospy.resolve_name(rospy.get_param('~topic', 'link_bounds_publisher/boxes'))
     newest, ended = Newest(), threading.Event()

@@ -8,6 +8,7 @@ start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of eac
 ~ahead (s, default 0): where in the motion to start.
 """
 
+import argparse
 import math
 import sys
 from typing import NamedTuple
@@ -71,6 +72,9 @@ def publish_until_shutdown(swings, rate, ahead):
 
 
 def main():
+    argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args(rospy.myargv()[1:])
     rospy.init_node('joint_mover')
     name = rospy.search_param('robot_description')
     if name is None:

@@ -8,6 +8,7 @@ Subscribes to ~boxes and ~overlaps of link_bounds_publisher, publishes ~markers
 (default false): draws the links alone, red where one overlaps an object.
 """
 
+import argparse
 import itertools
 import re
 
@@ -86,6 +87,9 @@ class Newest:
 
 
 def main():
+    argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args(rospy.myargv()[1:])
     rospy.init_node('overlap_colors')
     newest = Newest()
     rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, newest.take_boxes,

@@ -7,6 +7,7 @@ Publishes link_bounds_publisher/objects (visualization_msgs/MarkerArray). Parame
 default 30), ~mesh (URI, default none), ~mesh_scale (default 1), ~frame (default base).
 """
 
+import argparse
 import math
 
 import rospy
@@ -93,6 +94,9 @@ def scene(seconds, frame, uri, scale):
 
 
 def main():
+    argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args(rospy.myargv()[1:])
     rospy.init_node('scene_objects')
     publisher = rospy.Publisher('link_bounds_publisher/objects', MarkerArray, queue_size=10)
     frame = rospy.get_param('~frame', 'base')

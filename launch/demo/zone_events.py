@@ -8,6 +8,7 @@ Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and p
 said not to be watched, and it leaves nothing meanwhile. Parameter: ~zones (default zones).
 """
 
+import argparse
 import re
 import threading
 
@@ -75,6 +76,9 @@ class Watch:
 
 
 def main():
+    argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    ).parse_args(rospy.myargv()[1:])
     rospy.init_node('zone_events')
     ended = threading.Event()
     rospy.on_shutdown(ended.set)

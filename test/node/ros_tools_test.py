@@ -16,7 +16,8 @@ import rospkg
 import rospy
 import rostest
 import yaml
-from bounds_testing import DEADLINE, Recorder, corners_of, latched, load, wait_for
+from bounds_testing import (DEADLINE, Recorder, corners_of, executable, latched, load,
+                            wait_for)
 from node_testing import ARMS, NODE, ArmsTf, Repeater
 from visualization_msgs.msg import MarkerArray
 
@@ -25,6 +26,9 @@ PLAYED = "/played"
 COUNT = 20  # messages of each topic that are recorded
 RATE = 50  # Hz
 LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
+PROGRAMS = ["assert_box", "link_bounds_publisher", "urdf_bounds"]
+SCRIPTS = ["box_table.py", "joint_mover.py", "overlap_colors.py", "scene_objects.py",
+           "zone_events.py"]
 UNITS = {"B": 1, "KB": 1e3, "MB": 1e6}
 
 
@@ -112,6 +116,24 @@ class RosTools(unittest.TestCase):
         for topic, recorder in played.items():
             wait_for(lambda r=recorder: len(r.messages) >= COUNT, "all of " + recorder.topic)
             self.assertEqual([bytes_of(m) for m in recorder.messages], recorded[topic])
+
+    def help_of(self, program):
+        return subprocess.run([executable("link_bounds", program), "--help"], check=True,
+                              timeout=DEADLINE, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE).stdout.decode()
+
+    def test_every_program_explains_itself(self):
+        for program in PROGRAMS + SCRIPTS:
+            with self.subTest(program):
+                self.assertRegex(self.help_of(program), "^usage: .*%s|^usage, in" % program)
+
+    def test_scripts_explain_every_parameter(self):
+        for script in SCRIPTS:
+            with open(LAUNCH + "demo/" + script, encoding="utf-8") as file:
+                read = re.findall(r"get_param\('(~\w+)'", file.read())
+            with self.subTest(script):
+                self.assertGreater(len(read), 0)
+                self.assertEqual([name for name in read if name not in self.help_of(script)], [])
 
     def test_rostopic_echo_prints_a_message(self):
         text = subprocess.run(["rostopic", "echo", "-n1", NODE + "/boxes"], check=True,
