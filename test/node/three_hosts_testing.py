@@ -9,7 +9,7 @@ import subprocess
 PR_SET_PDEATHSIG = 1
 SUBNET = "10.77.0."
 MASTER_PORT = 11311  # nobody else is in these namespaces
-LONGEST_RETRY = "/proc/sys/net/ipv4/tcp_rto_max_ms"  # since Linux 6.15
+NEIGHBOURS = {"base_reachable": 1000, "retrans": 250, "delay_probe": 0}  # ms
 DELAY, LOSS = "20ms", "5%"
 
 
@@ -63,13 +63,11 @@ class Host:
         return subprocess.Popen(self._inside(command), env=environment,
                                 preexec_fn=die_with_parent, **options)
 
-    def limit_retries(self):
-        """TCP asks at least every second whether the other side is back; False if the kernel
-        cannot: then each wait is as long as all before it together."""
-        if not os.path.exists(LONGEST_RETRY):
-            return False
-        self.run("sh", "-c", "echo 1000 > " + LONGEST_RETRY)
-        return True
+    def watch_neighbours(self):
+        """Lets the kernel notice soon that a host is gone: TCP then does not double its pause
+        before each new try (RFC 6069), which it does where nobody tells it."""
+        settings = [word for name, value in NEIGHBOURS.items() for word in (name, str(value))]
+        self.run("ip", "ntable", "change", "name", "arp_cache", "dev", "eth0", *settings)
 
     def cut(self):
         """Pulls the cable at the switch; the host's own end sees that, too."""
