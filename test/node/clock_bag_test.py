@@ -102,8 +102,8 @@ class ClockBag(unittest.TestCase):
         bag = os.path.join(folder, "arms.bag")
         write_bag(bag)
         record = Record()
-        player = subprocess.Popen(["rosbag", "play", "--loop", "--clock", "--quiet", bag],
-                                  stdin=subprocess.DEVNULL)
+        player = subprocess.Popen(["rosbag", "play", "--loop", "--clock", "--quiet",
+                                   "--wait-for-subscribers", bag], stdin=subprocess.DEVNULL)
         cls.addClassCleanup(player.wait)
         cls.addClassCleanup(player.terminate)
         wait_for(lambda: len(record.copy()[1]) >= ROUNDS, "%d rounds" % ROUNDS, DEADLINE)
