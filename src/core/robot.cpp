@@ -164,6 +164,17 @@ bool isBlank(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
 }
 
+/// urdfdom 4 refuses an XML declaration behind a comment, which earlier ones tolerate; without the
+/// declaration those may read other letters.
+urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
+  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(urdf + kAfterText);
+  const std::string elements = fromFirstElement(urdf);
+  const std::string before = urdf.substr(0, urdf.size() - elements.size());
+  const std::size_t declaration = before.rfind("<?xml");
+  const bool is_late = declaration != std::string::npos && declaration != before.find('<');
+  return model || !is_late ? model : urdf::parseURDF(elements + kAfterText);
+}
+
 }  // namespace
 
 const char* toText(Purpose purpose) {
@@ -174,7 +185,7 @@ Robot parseRobot(const std::string& urdf) {
   if (isBlank(urdf)) throw RobotError("the robot description is empty");
   const std::vector<LinkOutline> outlines = outlineOf(urdf);
   const UrdfLog log(urdf);
-  const ModelHolder model(urdf::parseURDF(urdf + kAfterText));
+  const ModelHolder model(readByUrdfdom(urdf));
   if (!model) {
     throw RobotError("the robot description is not a usable URDF: " + log.messages());
   }

@@ -36,19 +36,6 @@ std::vector<std::string> childrenOf(const tinyxml2::XMLElement& link, const char
   return result;
 }
 
-/// The text from the first element on: some real files have a comment before the XML declaration,
-/// which urdfdom tolerates and tinyxml2 does not.
-std::string fromFirstElement(const std::string& urdf) {
-  std::size_t begin = urdf.find('<');
-  while (begin != std::string::npos && begin + 1 < urdf.size()) {
-    const bool is_comment = urdf.compare(begin, 4, "<!--") == 0;
-    if (!is_comment && urdf[begin + 1] != '?' && urdf[begin + 1] != '!') return urdf.substr(begin);
-    const std::size_t end = urdf.find(is_comment ? "-->" : ">", begin);
-    begin = end == std::string::npos ? end : urdf.find('<', end);
-  }
-  return "";
-}
-
 /// urdfdom refuses such links, so if it accepts the text it has read something else in it.
 bool hasTwins(const std::vector<LinkOutline>& links) {
   std::set<std::string> names;
@@ -67,6 +54,18 @@ std::size_t countStarts(const std::string& xml) {
 }
 
 }  // namespace
+
+/// Some real files have a comment before the XML declaration, which tinyxml2 does not tolerate.
+std::string fromFirstElement(const std::string& urdf) {
+  std::size_t begin = urdf.find('<');
+  while (begin != std::string::npos && begin + 1 < urdf.size()) {
+    const bool is_comment = urdf.compare(begin, 4, "<!--") == 0;
+    if (!is_comment && urdf[begin + 1] != '?' && urdf[begin + 1] != '!') return urdf.substr(begin);
+    const std::size_t end = urdf.find(is_comment ? "-->" : ">", begin);
+    begin = end == std::string::npos ? end : urdf.find('<', end);
+  }
+  return "";
+}
 
 std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   tinyxml2::XMLDocument document;

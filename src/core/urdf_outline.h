@@ -25,4 +25,7 @@ struct LinkOutline {
 /// parser would not survive it.
 std::vector<LinkOutline> outlineOf(const std::string& urdf);
 
+/// The text from the first element on, without comments and the XML declaration before it.
+std::string fromFirstElement(const std::string& urdf);
+
 }  // namespace link_bounds
