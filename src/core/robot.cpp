@@ -167,12 +167,12 @@ bool isBlank(const std::string& text) {
 /// urdfdom 4 refuses an XML declaration behind a comment, which earlier ones tolerate; without the
 /// declaration those may read other letters.
 urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
-  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(urdf + kAfterText);
+  if (auto model = urdf::parseURDF(urdf + kAfterText)) return model;
   const std::string elements = fromFirstElement(urdf);
   const std::string before = urdf.substr(0, urdf.size() - elements.size());
   const std::size_t declaration = before.rfind("<?xml");
   const bool is_late = declaration != std::string::npos && declaration != before.find('<');
-  return model || !is_late ? model : urdf::parseURDF(elements + kAfterText);
+  return is_late ? urdf::parseURDF(elements + kAfterText) : nullptr;
 }
 
 }  // namespace
