@@ -50,7 +50,7 @@ struct LinkUpdate {
   std::optional<Aabb>* box = nullptr;  ///< where the result of linkBox goes
 };
 
-/// Quicker than one by one: what some boxes depend on is announced before the first of them.
+/// Faster than a call per link: prefetches what the boxes read.
 void updateLinkBoxes(const std::vector<LinkUpdate>& updates);
 
 }  // namespace link_bounds

@@ -42,10 +42,9 @@ struct ShapeReach {
   explicit ShapeReach(const Shape& shape);
 
   Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Extents range;             ///< metres, before translation; rounded outward
-  double pad_per_entry;      ///< what rounding may cost, for an entry of 1 in the linear part [m]
-  bool is_in_link_frame;     ///< link_from_shape is the identity
-  CellsOfRows next_cells{};  ///< what announce() found
+  Extents range;          ///< metres, before translation; rounded outward
+  double pad_per_entry;   ///< what rounding may cost, for an entry of 1 in the linear part [m]
+  bool is_in_link_frame;  ///< link_from_shape is the identity
 };
 
 /// The box of the shape in the world, tight and rounded outward: each face lies outside the exact

@@ -4,46 +4,70 @@
 #include "link_bounds/link_boxes.h"
 
 #include <algorithm>
+#include <array>
 
 #include "shape_steps.h"
 
 namespace link_bounds {
 namespace {
 
-/// Links of which everything that is announced stays in the nearest cache.
-constexpr std::ptrdiff_t kAtOnce = 16;
+/// Links of which everything that is prefetched stays in the nearest cache.
+constexpr std::ptrdiff_t kLinksAtOnce = 16;
+constexpr std::size_t kShapesAtOnce = 64;
 
-bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link, ShapeReach& reach,
-                Aabb& box) {
-  if (reach.is_in_link_frame) return placeBox(shape, world_from_link, reach, box);
-  return placeBox(shape, world_from_link * shape.link_from_shape, reach, box);
+/// What one batch prefetched for its shapes, one after the other. The cells follow from the poses
+/// of the batch alone and end with it; shapes beyond the last place look theirs up themselves.
+class BatchCells {
+ public:
+  void prefetch(const LinkUpdate& update) {
+    const std::vector<Shape>& shapes = update.link->shapes;
+    for (std::size_t i = 0; i < shapes.size() && count_ < kShapesAtOnce; ++i, ++count_) {
+      const ShapeReach& reach = update.reach->shapes[i];
+      // A shape with a frame of its own would have its pose computed twice.
+      is_found_[count_] = reach.is_in_link_frame &&
+                          prefetchCells(shapes[i], *update.world_from_link, reach, cells_[count_]);
+    }
+  }
+
+  /// Of the shape with this number in the batch; null if there are none.
+  const CellsOfRows* at(std::size_t shape) const {
+    return shape < count_ && is_found_[shape] ? &cells_[shape] : nullptr;
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<bool, kShapesAtOnce> is_found_;
+  std::array<CellsOfRows, kShapesAtOnce> cells_;
+};
+
+bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link,
+                const CellsOfRows* cells, ShapeReach& reach, Aabb& box) {
+  if (reach.is_in_link_frame) return placeBox(shape, world_from_link, cells, reach, box);
+  return placeBox(shape, world_from_link * shape.link_from_shape, nullptr, reach, box);
 }
 
-/// False if there is no box.
-bool placeLink(const BoundedLink& link, const Eigen::Affine3d& world_from_link, LinkReach& reach,
-               Aabb& box) {
+/// False if there is no box. `first` is the number of the link's first shape in the batch.
+bool placeLink(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
+               const BatchCells& cells, std::size_t first, LinkReach& reach, Aabb& box) {
   if (link.shapes.empty()) return false;
-  if (!placeShape(link.shapes[0], world_from_link, reach.shapes[0], box)) return false;
+  if (!placeShape(link.shapes[0], world_from_link, cells.at(first), reach.shapes[0], box)) {
+    return false;
+  }
   for (std::size_t i = 1; i < link.shapes.size(); ++i) {
     Aabb part;
-    if (!placeShape(link.shapes[i], world_from_link, reach.shapes[i], part)) return false;
+    if (!placeShape(link.shapes[i], world_from_link, cells.at(first + i), reach.shapes[i], part)) {
+      return false;
+    }
     box.extend(part);
   }
   if (link.padding != 0) box = padded(box, link.padding);
   return true;
 }
 
-/// A shape with a frame of its own would have its pose computed twice.
-void announceLink(const LinkUpdate& update) {
-  for (std::size_t i = 0; i < update.link->shapes.size(); ++i) {
-    ShapeReach& reach = update.reach->shapes[i];
-    if (reach.is_in_link_frame) announce(update.link->shapes[i], *update.world_from_link, reach);
-  }
-}
-
-void placeUpdate(const LinkUpdate& update) {
+void placeUpdate(const LinkUpdate& update, const BatchCells& cells, std::size_t first) {
   if (!*update.box) update.box->emplace();
-  if (!placeLink(*update.link, *update.world_from_link, *update.reach, **update.box)) {
+  if (!placeLink(*update.link, *update.world_from_link, cells, first, *update.reach,
+                 **update.box)) {
     update.box->reset();
   }
 }
@@ -65,7 +89,8 @@ double magnitude(const BoundedLink& link) {
 std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
                             LinkReach& reach) {
   std::optional<Aabb> box(std::in_place);
-  if (!placeLink(link, world_from_link, reach, *box)) box.reset();
+  BatchCells nothing_prefetched;
+  if (!placeLink(link, world_from_link, nothing_prefetched, 0, reach, *box)) box.reset();
   return box;
 }
 
@@ -77,9 +102,14 @@ std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& worl
 void updateLinkBoxes(const std::vector<LinkUpdate>& updates) {
   const auto end = updates.end();
   for (auto begin = updates.begin(); begin != end;) {
-    const auto stop = begin + std::min<std::ptrdiff_t>(kAtOnce, end - begin);
-    std::for_each(begin, stop, announceLink);
-    std::for_each(begin, stop, placeUpdate);
+    const auto stop = begin + std::min<std::ptrdiff_t>(kLinksAtOnce, end - begin);
+    BatchCells cells;
+    std::for_each(begin, stop, [&](const LinkUpdate& update) { cells.prefetch(update); });
+    std::size_t first = 0;
+    for (auto update = begin; update != stop; ++update) {
+      placeUpdate(*update, cells, first);
+      first += update->link->shapes.size();
+    }
     begin = stop;
   }
 }

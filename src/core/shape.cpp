@@ -64,20 +64,21 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
-/// By the cells that were announced, or found now.
-void scanPoints(const PointSet& points, const Directions& linear, ShapeReach& reach) {
-  if (reach.next_cells[0]) {
-    scanCells(points.table(), linear, reach.next_cells, reach.range);
-    reach.next_cells[0] = nullptr;
+/// By the given cells, or those found now.
+void scanPoints(const PointSet& points, const Directions& linear, const CellsOfRows* cells,
+                Extents& range) {
+  if (cells) {
+    scanCells(points.table(), linear, *cells, range);
   } else {
-    reach.range = points.extents(linear);
+    range = points.extents(linear);
   }
 }
 
 /// False if an entry is too large or not a number. The sum tells that of all but the largest.
-bool updateReach(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+bool updateReach(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+                 ShapeReach& reach) {
   if (shape.points) {
-    scanPoints(*shape.points, linear, reach);
+    scanPoints(*shape.points, linear, cells, reach.range);
   } else {
     reach.range = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   }
@@ -103,7 +104,7 @@ bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, Sha
   for (int k = 0; k < 3; ++k)
     directions.row(k) = linear.row(rows & 1u << k ? k : __builtin_ctz(rows));
   ShapeReach fresh = reach;
-  if (!updateReach(shape, directions, fresh)) return false;
+  if (!updateReach(shape, directions, nullptr, fresh)) return false;
   for (int k = 0; k < 3; ++k) {
     if (!(rows & 1u << k)) continue;
     reach.linear.row(k) = fresh.linear.row(k);
@@ -113,11 +114,13 @@ bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, Sha
   return true;
 }
 
-bool update(const Shape& shape, const Directions& linear, ShapeReach& reach) {
-  if (reach.next_cells[0]) return updateReach(shape, linear, reach);
+bool update(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+            ShapeReach& reach) {
+  if (cells) return updateReach(shape, linear, cells, reach);
   const unsigned rows = changedRows(linear, reach.linear);
   if (rows == 0) return true;
-  return rows == 7 ? updateReach(shape, linear, reach) : updateRows(shape, linear, rows, reach);
+  return rows == 7 ? updateReach(shape, linear, nullptr, reach)
+                   : updateRows(shape, linear, rows, reach);
 }
 
 bool isFinite(const Aabb& box) {
@@ -140,17 +143,19 @@ bool isUsablePose(const Eigen::Affine3d& pose) {
   return pose.translation().allFinite() && isUsable(pose.linear());
 }
 
-void announce(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach) {
-  if (!shape.points || shape.points->isScanned()) return;
+bool prefetchCells(const Shape& shape, const Eigen::Affine3d& world_from_shape,
+                   const ShapeReach& reach, CellsOfRows& cells) {
+  if (!shape.points || shape.points->isScanned()) return false;
   const auto linear = world_from_shape.linear();
-  if (changedRows(linear, reach.linear) != 7) return;
-  findCells(shape.points->table(), linear, reach.next_cells);
+  if (changedRows(linear, reach.linear) != 7) return false;
+  findCells(shape.points->table(), linear, cells);
+  return true;
 }
 
 /// The pad of the translation goes with it, the other one is in the reach.
-bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach,
-              Aabb& box) {
-  if (!update(shape, world_from_shape.linear(), reach)) return false;
+bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, const CellsOfRows* cells,
+              ShapeReach& reach, Aabb& box) {
+  if (!update(shape, world_from_shape.linear(), cells, reach)) return false;
   for (int k = 0; k < 3; ++k) {
     const double translation = world_from_shape(k, 3);
     const double pad = kRoundingPad * std::abs(translation);
@@ -163,7 +168,7 @@ bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, Shape
 std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
                               ShapeReach& reach) {
   std::optional<Aabb> box(std::in_place);
-  if (!placeBox(shape, world_from_shape, reach, *box)) box.reset();
+  if (!placeBox(shape, world_from_shape, nullptr, reach, *box)) box.reset();
   return box;
 }
 

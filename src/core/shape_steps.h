@@ -7,12 +7,13 @@
 
 namespace link_bounds {
 
-/// Looks for what the box depends on. The next box of this shape and reach must be of this very
-/// pose; it is then quicker, the more so if much else is done in between.
-void announce(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach);
+/// Finds the cells that the box reads and begins to fetch them. Returns false, and leaves `cells`
+/// as they are, for a shape that has none or a pose of which `reach` knows some of the rows.
+bool prefetchCells(const Shape& shape, const Eigen::Affine3d& world_from_shape,
+                   const ShapeReach& reach, CellsOfRows& cells);
 
-/// As placedBox(); false if there is no box.
-bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, ShapeReach& reach,
-              Aabb& box);
+/// As placedBox(); false if there is no box. `cells` are those of this shape and pose, or null.
+bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, const CellsOfRows* cells,
+              ShapeReach& reach, Aabb& box);
 
 }  // namespace link_bounds

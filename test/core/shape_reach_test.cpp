@@ -131,6 +131,24 @@ TEST(ShapeReach, AnUnusablePoseInBetweenLeavesNoTrace) {
   }
 }
 
+// The first mesh has no box out of reach, so the second one is not placed there at all.
+TEST(LinkReach, APoseOutOfReachInBetweenLeavesNoTrace) {
+  const BoundedLink link{"l", {meshShape(9), meshShape(10)}, 0, ""};
+  LinkReach reach(link);
+  const Eigen::Affine3d near(turned(30, {1, 0, 1}));
+  Eigen::Affine3d far(turned(70, {1, 2, 3}));
+  far.translation().x() = HUGE_VAL;
+  for (const Eigen::Affine3d& pose : {near, far, near}) {
+    std::optional<Aabb> box;
+    updateLinkBoxes({{&link, &pose, &reach, &box}});
+    const std::optional<Aabb> fresh = linkBox(link, pose);
+    ASSERT_EQ(box.has_value(), fresh.has_value());
+    if (!fresh) continue;
+    EXPECT_EQ(box->min(), fresh->min());
+    EXPECT_EQ(box->max(), fresh->max());
+  }
+}
+
 TEST(LinkReach, EachShapeHasItsOwn) {
   const BoundedLink link{"l", {meshShape(7), meshShape(8, Solid::kBox)}, 0.1, ""};
   LinkReach reach(link);
