@@ -3,6 +3,9 @@
 /// Mesh files become points here, each file once.
 #pragma once
 
+#include <time.h>
+
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -48,14 +51,15 @@ class MeshStore {
   void forgetFailures();
 
  private:
-  /// Tells a replaced file from an old one.
+  /// Changes whenever the file is written or replaced. `changed` is the kernel's own time, which
+  /// no program sets; `written` is the one that cp -p and tar restore.
   struct Version {
-    std::uintmax_t size = 0;
-    std::int64_t changed = 0;
+    std::uintmax_t device = 0;
     std::uintmax_t inode = 0;
-    bool operator==(const Version& other) const {
-      return size == other.size && changed == other.changed && inode == other.inode;
-    }
+    std::uintmax_t size = 0;
+    timespec written{};
+    timespec changed{};
+    bool operator==(const Version& other) const;
   };
   struct Entry {
     Version version;

@@ -16,19 +16,43 @@ namespace link_bounds {
 namespace {
 
 /// Times of files come from a clock that moves in ticks of at most so much.
-constexpr std::chrono::nanoseconds kTickOfFiles = std::chrono::milliseconds(20);
+constexpr std::chrono::milliseconds kTickOfFiles(20);
+
+bool areEqual(const timespec& a, const timespec& b) {
+  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+}
+
+/// In seconds; any times, however far apart.
+double secondsSince(const timespec& time) {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return static_cast<double>(now.tv_sec) - static_cast<double>(time.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
+}
+
+/// Up to that many threads; fewer if the system refuses to start more.
+std::vector<std::thread> startThreads(std::size_t count, const std::function<void()>& work) {
+  std::vector<std::thread> threads;
+  threads.reserve(count);
+  try {
+    for (std::size_t i = 0; i < count; ++i)
+      threads.emplace_back(work);
+  } catch (const std::system_error&) {
+    // Those that run, and the caller's own, do the work.
+  }
+  return threads;
+}
 
 /// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores.
 void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
+  if (count == 0) return;
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < count; i = next++)
       job(i);
   };
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < std::min(cores, count); ++i)
-    helpers.emplace_back(work);
+  std::vector<std::thread> helpers = startThreads(std::min(cores, count) - 1, work);
   work();
   for (std::thread& helper : helpers)
     helper.join();
@@ -36,19 +60,23 @@ void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) 
 
 }  // namespace
 
+bool MeshStore::Version::operator==(const Version& other) const {
+  return device == other.device && inode == other.inode && size == other.size &&
+         areEqual(written, other.written) && areEqual(changed, other.changed);
+}
+
 MeshStore::Version MeshStore::versionOf(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return {};
-  return {static_cast<std::uintmax_t>(status.st_size),
-          status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec, status.st_ino};
+  return {status.st_dev, status.st_ino, static_cast<std::uintmax_t>(status.st_size), status.st_mtim,
+          status.st_ctim};
 }
 
 /// The version of a file that was not written just now, so that every further write shows.
 MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
   const Version version = versionOf(path);
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  const auto age = std::chrono::nanoseconds(now).count() - version.changed;
-  if (age < 0 || age > kTickOfFiles.count()) return version;
+  const double age = secondsSince(version.changed);
+  if (age < 0 || age > std::chrono::duration<double>(kTickOfFiles).count()) return version;
   std::this_thread::sleep_for(kTickOfFiles);
   return versionOf(path);
 }

@@ -3,13 +3,18 @@
 // Each file is imported once, remembered while it is used, and read anew when it was replaced.
 #include "link_bounds/mesh_store.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
+#include "ordinary_user.h"
 #include "temporary_folder.h"
 
 namespace link_bounds {
@@ -139,6 +144,28 @@ TEST_F(MeshStoreTest, AFileRenamedOverTheOldIsReadAnewEvenIfItIsAsOldAndAsLarge)
   EXPECT_EQ(sizeOf(loadOne(file)), 2);
 }
 
+TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  const auto time = std::filesystem::last_write_time(file.path);
+  std::ofstream(file.path) << "2";
+  std::filesystem::last_write_time(file.path, time);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
+TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {
+  const MeshFile file = write("a", "1");
+  // In the year 2400, which nanoseconds in 64 bits do not reach.
+  const std::array<timespec, 2> times{{{13569465600, 0}, {13569465600, 0}}};
+  ASSERT_EQ(utimensat(AT_FDCWD, file.path.c_str(), times.data(), 0), 0);
+  const LoadedMesh old = loadOne(file);
+  EXPECT_EQ(loadOne(file).points, old.points);
+  EXPECT_EQ(imports(), 1);
+  std::ofstream(file.path) << "2";
+  ASSERT_EQ(utimensat(AT_FDCWD, file.path.c_str(), times.data(), 0), 0);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
 TEST_F(MeshStoreTest, MemoryIsFreedWhenNobodyUsesIt) {
   const MeshFile file = write("a", "1");
   std::weak_ptr<const PointSet> watched = loadOne(file).points;
@@ -251,6 +278,27 @@ TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
   });
   store.load({write("a", "1"), write("b", "2")});
   EXPECT_TRUE(met) << "the second import began only after the first was over";
+}
+
+/// 0 if all files are loaded though no further thread starts.
+int loadWithoutThreads(const std::vector<MeshFile>& files) {
+  if (!forbidThreads()) return 2;
+  MeshStore store([](const MeshFile&) {
+    return TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  });
+  for (const LoadedMesh& mesh : store.load(files)) {
+    if (!mesh.points) return 1;
+  }
+  return 0;
+}
+
+TEST_F(MeshStoreTest, WhereNoThreadCanStartFilesAreImportedOneByOne) {
+  const std::vector<MeshFile> files{write("a", "1"), write("b", "2"), write("c", "3")};
+  const pid_t child = fork();
+  if (child == 0) _exit(loadWithoutThreads(files));
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace
