@@ -52,6 +52,7 @@ bool isSatisfied(const BoxCondition& condition, const std::vector<Aabb>& boxes) 
 
 void Hold::update(bool is_true, double now) {
   longest_ = longest(now);
+  was_kept_ = isKept(now);
   if (!is_true) {
     since_.reset();
   } else if (!since_) {
@@ -60,7 +61,7 @@ void Hold::update(bool is_true, double now) {
 }
 
 bool Hold::isKept(double now) const {
-  return since_ && now - *since_ >= seconds_;
+  return was_kept_ || (since_ && now - *since_ >= seconds_);
 }
 
 double Hold::longest(double now) const {

@@ -32,7 +32,7 @@ double excess(const BoxCondition& condition, const Aabb& box);
 /// True if there are boxes, all of which keep the check within the tolerance.
 bool isSatisfied(const BoxCondition& condition, const std::vector<Aabb>& boxes);
 
-/// Watches whether something stays true for long enough; times are seconds of a steady clock.
+/// Watches whether something stays true for long enough, once; times are seconds of a steady clock.
 class Hold {
  public:
   explicit Hold(double seconds) : seconds_(seconds) {}
@@ -44,8 +44,9 @@ class Hold {
 
  private:
   double seconds_;
-  std::optional<double> since_;
+  std::optional<double> since_;  ///< none while it is not true
   double longest_ = 0.0;
+  bool was_kept_ = false;  ///< before since_
 };
 
 /// "[x, y, z] to [x, y, z]" with nine digits.

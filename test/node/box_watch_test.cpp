@@ -142,6 +142,18 @@ TEST(Hold, OfNoLengthIsKeptAtOnce) {
   EXPECT_TRUE(hold.isKept(1.0));
 }
 
+TEST(Hold, StaysKeptWhateverComesAfterIt) {
+  Hold at_once(0.0);
+  at_once.update(true, 1.0);
+  at_once.update(false, 1.0);
+  EXPECT_TRUE(at_once.isKept(1.0));
+  Hold hold(2.0);
+  hold.update(true, 1.0);
+  hold.update(false, 3.0);
+  hold.update(true, 3.5);
+  EXPECT_TRUE(hold.isKept(3.6));
+}
+
 AssertBoxParameters palmInside() {
   AssertBoxParameters parameters;
   parameters.name = "palm";
@@ -205,6 +217,15 @@ TEST_F(BoxWatchTest, PassesAfterTheHoldWithoutFurtherMessages) {
   watch_.see(messageOf("palm", turnedCube()), 1.0);
   EXPECT_FALSE(watch_.isPassed(1.9));
   EXPECT_TRUE(watch_.isPassed(2.0));
+}
+
+/// The watch is asked only after all messages that wait have been seen.
+TEST_F(BoxWatchTest, PassesThoughTheBreakCameBeforeItWasAsked) {
+  watch_.see(messageOf("palm", turnedCube()), 1.0);
+  watch_.see(messageOf("palm", turnedCube()), 2.5);
+  watch_.see(messageOf("thumb", turnedCube()), 2.5);
+  EXPECT_TRUE(watch_.isPassed(2.5));
+  EXPECT_TRUE(watch_.isPassed(9.0));
 }
 
 TEST_F(BoxWatchTest, AMissingBoxIsABreak) {
