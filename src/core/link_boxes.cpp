@@ -24,20 +24,21 @@ class BatchCells {
     for (std::size_t i = 0; i < shapes.size() && count_ < kShapesAtOnce; ++i, ++count_) {
       const ShapeReach& reach = update.reach->shapes[i];
       // A shape with a frame of its own would have its pose computed twice.
-      is_found_[count_] = reach.is_in_link_frame &&
-                          prefetchCells(shapes[i], *update.world_from_link, reach, cells_[count_]);
+      const bool is_found =
+          reach.is_in_link_frame &&
+          prefetchCells(shapes[i], *update.world_from_link, reach, cells_[count_]);
+      if (!is_found) cells_[count_][0] = nullptr;
     }
   }
 
   /// Of the shape with this number in the batch; null if there are none.
   const CellsOfRows* at(std::size_t shape) const {
-    return shape < count_ && is_found_[shape] ? &cells_[shape] : nullptr;
+    return shape < count_ && cells_[shape][0] ? &cells_[shape] : nullptr;
   }
 
  private:
   std::size_t count_ = 0;
-  std::array<bool, kShapesAtOnce> is_found_;
-  std::array<CellsOfRows, kShapesAtOnce> cells_;
+  std::array<CellsOfRows, kShapesAtOnce> cells_;  ///< null: none
 };
 
 bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link,
