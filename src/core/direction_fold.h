@@ -12,25 +12,37 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "link_bounds/direction_table.h"
 
 namespace link_bounds {
 
-/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square. A zero direction has
-/// norm 0; all points are extreme for it, so any cell will do.
-inline int gridIndex(double sum, double norm, const DirectionGrid& grid) {
-  const double position = sum * grid.half / norm + grid.half;
-  return position >= 0 && position < grid.side ? static_cast<int>(position) : 0;
+/// What is added to this number leaves its integer part and kFraction bits of the rest at the low
+/// end of the sum, which is quicker than a conversion. What is no number leaves some bits.
+constexpr int kFraction = 20;
+constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
+
+/// The column or row for a coordinate -1 <= sum / norm <= 1 of the square; `turned` is half the
+/// side, by the sign of z. A zero direction has norm 0; all points are extreme for it, so any cell
+/// will do.
+inline std::uint32_t gridIndex(double sum, double norm, double turned, const DirectionGrid& grid) {
+  const double shifted = sum * turned / norm + (grid.half + kShifter);
+  std::uint64_t bits;
+  std::memcpy(&bits, &shifted, sizeof(bits));
+  return static_cast<std::uint32_t>(bits >> kFraction);
 }
 
-/// The index of the cell that holds a direction of any length, up to 1e30 along each axis.
+/// The index of the cell that holds a direction of any length, up to 1e30 along each axis. Beside a
+/// border the lists of both cells are right, but need not give the same bits: so every path of
+/// instructions computes the index by these very operations.
 inline std::size_t cellOf(double x, double y, double z, const DirectionGrid& grid) {
   const double norm = std::abs(x) + std::abs(y) + std::abs(z);
-  const double sign = std::signbit(z) ? -1.0 : 1.0;
-  const int column = gridIndex(sign * (x + y), norm, grid);
-  const int row = gridIndex(sign * (x - y), norm, grid);
-  return static_cast<std::size_t>(row * grid.side + column);
+  const double turned = std::signbit(z) ? -grid.half : grid.half;
+  const std::uint32_t column = gridIndex(x + y, norm, turned, grid);
+  const std::uint32_t row = gridIndex(x - y, norm, turned, grid);
+  return ((row << grid.log2_side) + column) & grid.mask;
 }
 
 /// One of the four triangles, by the signs of x and y in it.

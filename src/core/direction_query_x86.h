@@ -13,11 +13,6 @@ namespace link_bounds {
 
 using Cell = DirectionTable::Cell;
 
-/// What is added to this number leaves its integer part and kFraction bits of the rest at the low
-/// end of the sum, which is quicker than a conversion. What is no number leaves zeros.
-constexpr int kFraction = 20;
-constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
-
 /// The cell whose index is in the low bits of the first place.
 inline const Cell* cellAt(const DirectionTable& table, __m128i index) {
   return table.cells.data() + (static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask);

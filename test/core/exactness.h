@@ -13,7 +13,7 @@ namespace link_bounds {
 struct Exactness {
   long compared = 0;  ///< faces
   long ties = 0;      ///< faces that differ, by no more than points that tie within rounding can
-  long wrong = 0;     ///< faces that differ by more
+  long wrong = 0;     ///< faces that differ by more, or between paths of instructions
   Eigen::Matrix3d wrong_map = Eigen::Matrix3d::Zero();
 
   Exactness& operator+=(const Exactness& other) {
@@ -31,11 +31,14 @@ inline void compareFace(double actual, double expected, double tie, Exactness& r
   ++(std::abs(actual - expected) <= tie ? result.ties : result.wrong);
 }
 
-/// By all paths of instructions that this processor has; they must agree to the bit.
+/// By all paths of instructions that this processor has; they must agree to the bit, also where
+/// points tie.
 inline Exactness compare(const std::vector<Eigen::Vector3f>& points, const PointSet& set,
                          const Eigen::Matrix3d& map) {
   Exactness result;
   const Extents expected = brute_force::extents(points, map);
+  useQueryPath(QueryPath::kPlain);
+  const Extents plain = extents(set.table(), map);
   for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
     if (!isSupported(path)) continue;
     useQueryPath(path);
@@ -44,6 +47,7 @@ inline Exactness compare(const std::vector<Eigen::Vector3f>& points, const Point
       const double tie = 4 * kUnitRoundoff * map.row(k).cwiseAbs().dot(set.magnitude());
       compareFace(actual.low[k], expected.low[k], tie, result);
       compareFace(actual.high[k], expected.high[k], tie, result);
+      result.wrong += actual.low[k] == plain.low[k] && actual.high[k] == plain.high[k] ? 0 : 1;
     }
   }
   if (result.wrong > 0) result.wrong_map = map;
