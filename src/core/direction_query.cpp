@@ -84,7 +84,7 @@ const Query& query() {
 
 }  // namespace
 
-const Query kPlainQuery{findAndScan, find, scan};
+const Query kPlainQuery{QueryPath::kPlain, findAndScan, find, scan};
 
 bool isSupported(QueryPath path) {
 #ifdef __SSE2__
@@ -95,10 +95,7 @@ bool isSupported(QueryPath path) {
 }
 
 QueryPath queryPath() {
-  for (const QueryPath path : {QueryPath::kAvx2, QueryPath::kSse2, QueryPath::kPlain}) {
-    if (&query() == &queryBy(path)) return path;
-  }
-  return bestPath();
+  return query().path;
 }
 
 void useQueryPath(QueryPath path) {

@@ -9,6 +9,7 @@ namespace link_bounds {
 
 /// What extents() does by one path, and its two halves.
 struct Query {
+  QueryPath path;
   Extents (*both)(const DirectionTable& table, const Directions& directions);
   void (*find)(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
   void (*scan)(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,

@@ -77,7 +77,7 @@ LINK_BOUNDS_AVX2 Extents findAndScan(const DirectionTable& table, const Directio
 
 }  // namespace
 
-const Query kAvx2Query{findAndScan, find, scan};
+const Query kAvx2Query{QueryPath::kAvx2, findAndScan, find, scan};
 
 }  // namespace link_bounds
 #endif

@@ -85,7 +85,7 @@ Extents findAndScan(const DirectionTable& table, const Directions& directions) {
 
 }  // namespace
 
-const Query kSse2Query{findAndScan, find, scan};
+const Query kSse2Query{QueryPath::kSse2, findAndScan, find, scan};
 
 }  // namespace link_bounds
 #endif
