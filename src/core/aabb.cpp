@@ -3,6 +3,9 @@
 // The paper's three representations, numbered corners, quads and edges, and the distance of boxes.
 #include "link_bounds/aabb.h"
 
+#include <algorithm>
+
+#include "link_bounds/length.h"
 #include "link_bounds/rounding.h"
 
 namespace link_bounds {
@@ -76,7 +79,7 @@ Aabb padded(const Aabb& box, double distance) {
 double signedDistance(const Aabb& a, const Aabb& b) {
   const Eigen::Vector3d gap = (a.min() - b.max()).cwiseMax(b.min() - a.max());
   if ((gap.array() <= 0).all()) return gap.maxCoeff();
-  return gap.cwiseMax(0.0).stableNorm();
+  return length(std::max(gap.x(), 0.0), std::max(gap.y(), 0.0), std::max(gap.z(), 0.0));
 }
 
 }  // namespace link_bounds

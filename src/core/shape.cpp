@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "link_bounds/length.h"
 #include "link_bounds/rounding.h"
 #include "shape_steps.h"
 
@@ -33,11 +34,11 @@ double halfExtent(Solid solid, const Eigen::Vector3d& row) {
     case Solid::kNone:
       return 0;
     case Solid::kBox:
-      return row.lpNorm<1>() / 2;
+      return ((std::abs(row.x()) + std::abs(row.y())) + std::abs(row.z())) / 2;
     case Solid::kEllipsoid:
-      return row.stableNorm() / 2;
+      return length(row.x(), row.y(), row.z()) / 2;
     case Solid::kCylinder:
-      return (std::hypot(row.x(), row.y()) + std::abs(row.z())) / 2;
+      return (length(row.x(), row.y()) + std::abs(row.z())) / 2;
   }
   return 0;
 }

@@ -17,6 +17,7 @@
 
 #include "confined_files.h"
 #include "import_log.h"
+#include "link_bounds/length.h"
 
 namespace link_bounds {
 namespace {
@@ -33,8 +34,10 @@ Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
 Eigen::Affine3d withoutRotation(const Eigen::Affine3d& root) {
   const double sign = root.linear().determinant() < 0 ? -1 : 1;
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
-  for (int k = 0; k < 3; ++k)
-    result.linear()(k, k) = sign * root.linear().col(k).stableNorm();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = root.linear().col(k);
+    result.linear()(k, k) = sign * length(axis.x(), axis.y(), axis.z());
+  }
   if (result.linear().isZero(0)) throw MeshError("its unit of length is zero");
   result.translation() = root.translation();
   return result;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_bounds/length.h"
+
 namespace link_bounds {
 namespace {
 
@@ -59,12 +61,13 @@ std::vector<Shape> arrowByPose(const Marker& marker, const Eigen::Isometry3d& po
 std::vector<Shape> arrowByPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d tail = toVector(marker.points[0]);
   const Eigen::Vector3d tip = toVector(marker.points[1]);
-  const double length = (tip - tail).stableNorm();
+  const Eigen::Vector3d shaft = tip - tail;
+  const double whole = length(shaft.x(), shaft.y(), shaft.z());
   const double head =
-      marker.scale.z == 0 ? kHeadPart * length : std::min<double>(marker.scale.z, length);
+      marker.scale.z == 0 ? kHeadPart * whole : std::min<double>(marker.scale.z, whole);
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rviz draws no length across z
-  if (length > 0) {
-    axes.col(2) = (tip - tail).stableNormalized();
+  if (whole > 0) {
+    axes.col(2) = shaft.stableNormalized();
     axes.col(0) = axes.col(2).unitOrthogonal();
     axes.col(1) = axes.col(2).cross(axes.col(0));
   }
@@ -102,7 +105,7 @@ std::vector<Shape> shapesOf(const Marker& marker) {
     case Marker::LINE_LIST:
       return {ball(marker.scale.x)};
     case Marker::POINTS:
-      return {ball(std::hypot(marker.scale.x, marker.scale.y))};
+      return {ball(length(marker.scale.x, marker.scale.y))};
     case Marker::TRIANGLE_LIST:
     case Marker::MESH_RESOURCE:
       return {scaledPoints(marker, pose)};
