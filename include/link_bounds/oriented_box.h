@@ -23,8 +23,10 @@ struct OrientedBox {
 /// orientations are tried and the best one is refined, so it is good but not proven to be the
 /// smallest. Never smaller than what it bounds, by no more than 1e-12 of the link's magnitude
 /// larger than it must be for its orientation, and never of more volume than linkBox in the link's
-/// own frame; of that orientation where turning gains less than 1e-6 of the volume. Always the same
-/// for the same link. Nothing if linkBox gives nothing there.
+/// own frame; of that orientation where turning gains less than 1e-6 of the volume. For volumes, a
+/// width counts as at least 1e-9 of the link's diagonal or 1e-12 of its magnitude, so that of a
+/// flat link the area decides. Always the same for the same link. Nothing if linkBox gives nothing
+/// there.
 std::optional<OrientedBox> orientedBox(const BoundedLink& link);
 
 /// The box of the link where the link is now. Rounded outward; a pose that is not quite rigid makes

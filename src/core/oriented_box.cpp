@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "direction_fold.h"
+#include "link_bounds/length.h"
 #include "link_bounds/rounding.h"
 
 namespace link_bounds {
@@ -18,36 +19,56 @@ constexpr int kSpins = 12;                    ///< about each of them, in a quar
 constexpr double kFirstStep = 0.08;           ///< rad, about half the way between samples
 constexpr double kLastStep = 1e-8;            ///< rad
 constexpr double kLeastGain = 1e-6;           ///< of the volume, to turn at all
+constexpr double kFlatPerDiagonal = 1e-9;     ///< what counts as no width at all
+constexpr double kFlatPerMagnitude = 1e-12;   ///< more than rounding and its pads are worth
 constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude, for turning there and back
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
 struct Candidate {
   Eigen::Quaterniond orientation;
-  double volume;  ///< in units that neither overflow nor vanish
+  double volume;  ///< see Search
 };
 
-/// Boxes of one link in any orientation.
+Eigen::Affine3d boxFromLink(const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3d link_from_box = orientation.toRotationMatrix();
+  return Eigen::Affine3d(link_from_box.transpose());
+}
+
+/// Compares boxes of one link in any orientation. What rounding adds to a face depends on the
+/// orientation, so boxes are compared without it; otherwise it would decide which box of a flat
+/// link is the smallest.
 class Search {
  public:
-  explicit Search(const BoundedLink& link) : link_(link), reach_(link) {}
+  Search(const BoundedLink& link, const Aabb& box_at_rest)
+      : link_(link),
+        reach_(link),
+        diagonal_(std::max(length(box_at_rest.sizes()), 1e-300)),
+        flat_(std::max(kFlatPerDiagonal, kFlatPerMagnitude * (magnitude(link) / diagonal_))) {
+    for (ShapeReach& shape : reach_.shapes)
+      shape.pad_per_entry = 0;
+  }
 
-  std::optional<Aabb> box(const Eigen::Quaterniond& orientation) {
-    const Eigen::Matrix3d link_from_box = orientation.toRotationMatrix();
-    return linkBox(link_, Eigen::Affine3d(link_from_box.transpose()), reach_);
+  /// In units that neither overflow nor vanish. Of flat boxes the one of least area is the
+  /// smallest.
+  double volume(const Eigen::Array3d& widths) const {
+    return (widths / diagonal_).max(flat_).prod();
   }
 
   Candidate candidate(const Eigen::Quaterniond& orientation) {
-    const std::optional<Aabb> found = box(orientation);
+    const std::optional<Aabb> found = linkBox(link_, boxFromLink(orientation), reach_);
     if (!found) return {orientation, std::numeric_limits<double>::infinity()};
-    const Eigen::Array3d widths = found->sizes();
-    if (diagonal_ < 0) diagonal_ = std::max(found->sizes().stableNorm(), 1e-300);
-    return {orientation, (widths / diagonal_).prod()};
+    return {orientation, volume(found->sizes().array())};
   }
 
  private:
+  static double length(const Eigen::Vector3d& v) {
+    return link_bounds::length(v.x(), v.y(), v.z());
+  }
+
   const BoundedLink& link_;
   LinkReach reach_;
-  double diagonal_ = -1;  ///< of the first candidate [m], the unit of length
+  double diagonal_;  ///< of the box at rest [m], the unit of length
+  double flat_;      ///< the smallest width that counts, in that unit
 };
 
 void keepBetter(const Candidate& candidate, Candidate& best) {
@@ -115,18 +136,20 @@ std::optional<OrientedBox> ifFinite(const OrientedBox& box) {
 }  // namespace
 
 std::optional<OrientedBox> orientedBox(const BoundedLink& link) {
-  Search search(link);
   const Eigen::Quaterniond unturned = Eigen::Quaterniond::Identity();
-  const std::optional<Aabb> box = search.box(unturned);
+  const std::optional<Aabb> box = linkBox(link, boxFromLink(unturned));
   if (!box) return std::nullopt;
   const OrientedBox at_rest = toOrientedBox(*box, unturned, 0);
+  Search search(link, *box);
   Candidate best = search.candidate(unturned);
   tryShapes(link, search, best);
   tryGrid(search, best);
   refine(search, best);
-  const OrientedBox turned =
-      toOrientedBox(*search.box(best.orientation), best.orientation, kPad * magnitude(link));
-  const bool is_better = turned.size.prod() < (1 - kLeastGain) * at_rest.size.prod();
+  const std::optional<Aabb> turned_box = linkBox(link, boxFromLink(best.orientation));
+  if (!turned_box) return ifFinite(at_rest);
+  const OrientedBox turned = toOrientedBox(*turned_box, best.orientation, kPad * magnitude(link));
+  const bool is_better =
+      search.volume(turned.size.array()) < (1 - kLeastGain) * search.volume(at_rest.size.array());
   return ifFinite(is_better ? turned : at_rest);
 }
 

@@ -181,6 +181,44 @@ TEST(OrientedBox, OfAPlateTurnedInItsPlane) {
   EXPECT_LE((sortedWidths(*box) - Eigen::Vector3d(0, 1, 3)).norm(), kTolerance);
 }
 
+/// Rounding pads differ between orientations; they must not decide.
+TEST(OrientedBox, OfAFlatLinkHasTheLeastArea) {
+  Random random(10);
+  for (const Eigen::Vector3d& size :
+       {Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, 3, 0), Eigen::Vector3d(1, 1, 1e-12)}) {
+    for (const double degrees : {5.0, 30.0, 45.0, 60.0, 89.0}) {
+      for (const Eigen::Matrix3d& tilt :
+           {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), turned(90, {1, 0, 0}),
+            turned(45, {1, 2, 0}), random.rotation()}) {
+        for (const double offset : {0.0, 10.0}) {
+          Eigen::Affine3d pose(tilt * turned(degrees, Eigen::Vector3d::UnitZ()));
+          pose.pretranslate(random.vector(offset));
+          const auto box = orientedBox(linkOf({solidShape(Solid::kBox, size, pose)}));
+          const auto mesh =
+              orientedBox(linkOf({meshShape(boxCorners(size, Eigen::Matrix3d::Identity()), pose)}));
+          for (const auto& found : {box, mesh}) {
+            ASSERT_TRUE(found);
+            const Eigen::Vector3d widths = sortedWidths(*found);
+            EXPECT_LE(widths[1] * widths[2], size.x() * size.y() * (1 + kTolerance))
+                << degrees << " degrees, " << offset << " m away";
+            EXPECT_LE(widths[0], 1e-8);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(OrientedBox, OfAStraightLinkIsNoLongerThanTheLink) {
+  Random random(11);
+  for (int i = 0; i < 5; ++i) {
+    const auto box = orientedBox(
+        linkOf({solidShape(Solid::kBox, {0, 0, 2}, Eigen::Affine3d(random.rotation()))}));
+    ASSERT_TRUE(box);
+    EXPECT_LE((sortedWidths(*box) - Eigen::Vector3d(0, 0, 2)).norm(), kTolerance);
+  }
+}
+
 TEST(OrientedBox, IsPaddedOnEverySide) {
   BoundedLink link = linkOf(
       {solidShape(Solid::kBox, {1, 2, 3}, Eigen::Affine3d(turned(30, Eigen::Vector3d::UnitX())))});
