@@ -23,18 +23,12 @@ inline double nextDown(double value) {
 }
 
 /// The smallest step up from a + b that is not below the real sum.
-/// Knuth's TwoSum gives the rounding error exactly, barring overflow.
-inline double addUp(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
-  const double error = (a - (sum - b_part)) + (b - b_part);
-  return error > 0 ? nextUp(sum) : sum;
-}
+/// Not inline: where a compiler contracts a product and a sum, as for ARM and for x86 with FMA, the
+/// product that a caller passes would be another number in each of the steps.
+double addUp(double a, double b);
 
 /// As addUp, but not above the real sum.
-inline double addDown(double a, double b) {
-  return -addUp(-a, -b);
-}
+double addDown(double a, double b);
 
 /// The smallest float that is not below the value; infinite if there is none.
 inline float floatUp(double value) {
