@@ -109,8 +109,10 @@ void dropEmptyShapes(BoundedLink& link) {
                     link.shapes.end());
 }
 
-/// To be called when all shapes are there, also the empty ones, by whose places meshes are found.
-void addParts(Draft& draft, const std::vector<LoadedMesh>& meshes, std::size_t most) {
+/// By link. To be called when all shapes are there, also the empty ones, by whose places meshes are
+/// found; the result has none of these.
+std::vector<std::vector<DivisibleShape>> divisibleShapes(const Draft& draft,
+                                                         const std::vector<LoadedMesh>& meshes) {
   std::vector<std::vector<DivisibleShape>> divisible;
   for (const BoundedLink& link : draft.robot.links) {
     divisible.emplace_back();
@@ -121,13 +123,19 @@ void addParts(Draft& draft, const std::vector<LoadedMesh>& meshes, std::size_t m
     const Request& request = draft.requests[i];
     divisible[request.link][request.shape].mesh = meshes[i].triangles;
   }
-  LinkSplitter splitter(most);
-  for (std::size_t i = 0; i < divisible.size(); ++i) {
-    std::vector<DivisibleShape>& shapes = divisible[i];
-    const auto is_empty = [](const DivisibleShape& shape) { return isEmpty(shape.shape); };
+  const auto is_empty = [](const DivisibleShape& shape) { return isEmpty(shape.shape); };
+  for (std::vector<DivisibleShape>& shapes : divisible)
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_empty), shapes.end());
-    draft.robot.parts.push_back(splitter.split(draft.robot.links[i], shapes));
-  }
+  return divisible;
+}
+
+/// To be called when no link has an empty shape any more: a link that cannot be split is its own
+/// part.
+void addParts(const std::vector<std::vector<DivisibleShape>>& divisible, std::size_t most,
+              BoundedRobot& robot) {
+  LinkSplitter splitter(most);
+  for (std::size_t i = 0; i < divisible.size(); ++i)
+    robot.parts.push_back(splitter.split(robot.links[i], divisible[i]));
 }
 
 }  // namespace
@@ -145,9 +153,12 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   const std::vector<LoadedMesh> meshes = store.load(
       files, source.progress, has_parts ? MeshContent::kPointsAndTriangles : MeshContent::kPoints);
   fillIn(draft, meshes);
-  if (has_parts) addParts(draft, meshes, static_cast<std::size_t>(selection.parts_per_link));
+  std::vector<std::vector<DivisibleShape>> divisible;
+  if (has_parts) divisible = divisibleShapes(draft, meshes);
   for (BoundedLink& link : draft.robot.links)
     dropEmptyShapes(link);
+  if (has_parts)
+    addParts(divisible, static_cast<std::size_t>(selection.parts_per_link), draft.robot);
   return std::move(draft.robot);
 }
 

@@ -41,6 +41,7 @@ std::vector<BoundedLink> LinkSplitter::split(const BoundedLink& link,
     parts.push_back({link.name, part, link.padding, link.missing});
   return parts;
 } catch (const std::bad_alloc&) {
+  if (link.shapes.empty()) return {};
   return {link};
 }
 
