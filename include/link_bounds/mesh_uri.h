@@ -11,7 +11,8 @@
 
 namespace link_bounds {
 
-/// The folder of a ROS package, or "" if there is no such package.
+/// The folder of a ROS package, or "" if there is no such package. May throw MeshError with a
+/// better reason and remedy.
 using PackagePath = std::function<std::string(const std::string& package)>;
 
 /// An existing regular file.

@@ -7,8 +7,9 @@
 
 namespace link_bounds {
 
-/// Looks packages up along ROS_PACKAGE_PATH. The path is searched once, at the first question, so
-/// take a new one for each load. Not thread-safe.
+/// Looks packages up along ROS_PACKAGE_PATH, as rospack does; a manifest that cannot be read harms
+/// no other package. The path is searched once, at the first question, so take a new one for each
+/// load. Not thread-safe.
 PackagePath rosPackages();
 
 }  // namespace link_bounds

@@ -52,6 +52,19 @@ class MeshTest(UrdfBoundsTest):
         self.assertEqual(err.count('there is no package "no_such_pack"'), 3)
         self.assertLessEqual(err.count("[rospack] Error: package"), 1)  # looked up once
 
+    def test_a_broken_manifest_harms_no_other_package(self):
+        self.write('pack/package.xml', '<package format="2"><name>pack</name></package>')
+        self.write('pack/t.stl', tetrahedron())
+        broken = self.write('other/package.xml', '<package><name>other')
+        self.write('odd/package.xml', '<package><name/></package>')
+        urdf = tree(mesh('base', 'package://pack/t.stl'), mesh('gone', 'package://other/t.stl'))
+        code, out, err = run('-', '--format=json', urdf=urdf, env={
+            'PATH': os.environ['PATH'], 'HOME': self.folder, 'ROS_PACKAGE_PATH': self.folder})
+        self.assertEqual(code, 0, err)
+        found = json.loads(out)
+        self.assertEqual((list(found['boxes']), list(found['incomplete'])), (['base'], ['gone']))
+        self.assertIn(broken, found['incomplete']['gone'])
+
     def test_verbose_tells_the_memory_of_each_file_once(self):
         code, out, err = run(self.file, '--verbose', '--format=json')
         self.assertEqual((code, out), run(self.file, '--format=json')[:2])

@@ -19,7 +19,9 @@ import rostest
 from bounds_testing import (Recorder, TfSender, box_link, box_of, names_of, robot, transform,
                             visual, wait_for)
 from node_testing import Diagnostics, NodeProcess, Repeater, value_of
+from object_testing import ObjectSender, marker
 from std_srvs.srv import Trigger
+from visualization_msgs.msg import Marker
 
 TRIANGLES = 300000  # so many take the reader long enough to be caught
 SHORT_TIMEOUT = 3.0  # s
@@ -127,6 +129,25 @@ class MeshFaults(unittest.TestCase):
         message = Recorder(node.name + "/boxes").wait(lambda m: m.boxes, "the base")
         self.assertEqual(message.incomplete, ["mast"])  # no transform yet
         self.assertNotIn("ERROR", node.output)
+
+    def test_a_broken_manifest_on_the_search_path(self):
+        broken = self.package / "other" / "package.xml"
+        (self.package / "package.xml").rename(self.package / "meshes.xml")
+        for name in ("other", "meshes", "odd"):
+            (self.package / name).mkdir()
+        broken.write_text("<package><name>other")
+        (self.package / "odd" / "package.xml").write_text("<package><name/></package>")
+        (self.package / "meshes.xml").rename(self.package / "meshes" / "package.xml")
+        write_stl(self.package / "meshes" / "small.stl", 1)
+        node = self.check_refused("package://other/a.stl", str(broken))
+        boxes = Recorder(node.name + "/boxes")
+        for identity, package in enumerate(("other", "meshes")):
+            resource = "package://%s/small.stl" % package
+            ObjectSender(node.name).send(marker("a/%d" % identity, Marker.MESH_RESOURCE,
+                                                frame="base", mesh_resource=resource))
+        boxes.wait(lambda m: names_of(m) == ["base", "a/1"] and m.incomplete == ["mast", "a/0"],
+                   "the good object")
+        self.reload(node)
 
     def test_max_mesh_bytes(self):
         size = self.large.stat().st_size
