@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Broken, hostile and odd robots, each through one node that lives through all of them."""
+import itertools
 import math
 import pathlib
 import sys
@@ -20,7 +21,8 @@ import bad_inputs
 NODE = "/link_bounds_publisher"
 DEADLINE = 200.0 if bad_inputs.SANITIZED else 60.0  # wall seconds for one robot
 LATIN1 = "latin1_bytes.urdf"  # the parameter server carries Unicode only
-GOOD_ROBOT = robot([box_link("base", (1, 2, 3))], [])
+GOOD_ROBOT = robot([box_link("base", (1, 2, 3)), box_link("moves", (1, 1, 1))],
+                   [("base", "moves")])
 GOOD_BOX = [-.5, -1, -1.5, .5, 1, 1.5]
 DEEP = "deep_20000.urdf"  # tf2 takes a chain of more than 1000 frames for a loop
 
@@ -48,8 +50,10 @@ class BadInputs(unittest.TestCase):
         cls.boxes = Recorder(NODE + "/boxes")
         cls.log = NodeLog(NODE)
         cls.log.connect()
-        cls.tf_static = TfSender(is_static=True)
+        cls.tf, cls.tf_static = TfSender(), TfSender(is_static=True)
+        cls.tf.wait_for_listener()
         cls.tf_static.wait_for_listener()
+        cls.metres = itertools.count(1)
 
     def test_every_case(self):
         failures, survived = [], 0
@@ -70,6 +74,8 @@ class BadInputs(unittest.TestCase):
         begin = self.log.settle()
         self.boxes.clear()
         answer = self.reload(case.text.decode())
+        if "exit" in case.expected:
+            self.check_old_boxes_stay()
         if is_bounded:
             self.assertEqual(answer, "")
             self.check_boxes(case)
@@ -80,13 +86,20 @@ class BadInputs(unittest.TestCase):
         elif "exit" in case.expected:
             self.assertIn(case.expected["words"], answer)
             self.assertEqual(len(errors), 1, errors)
-            self.check_old_boxes_stay()
         for message in self.boxes.messages:
             self.check_rule(message)
 
     def check_old_boxes_stay(self):
+        """The robot that was there before moves on, without another reload."""
+        x = next(self.metres)
+        self.tf.send(transform("base", "moves", rospy.Time(1000 + x), (x, 0, 0)))
+        moved = [x - .5, -.5, -.5, x + .5, .5, .5]
+
+        def is_moved(message):
+            return (names_of(message) == ["base", "moves"] and
+                    self.is_near(corners_of(message.boxes[1]), moved, 1e-9))
+        self.boxes.wait(is_moved, "the old robot at its new pose")
         for message in self.boxes.messages:
-            self.assertEqual(names_of(message), ["base"])
             self.assertTrue(self.is_near(corners_of(message.boxes[0]), GOOD_BOX, 1e-9))
 
     def reload(self, description):

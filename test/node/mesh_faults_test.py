@@ -126,8 +126,11 @@ class MeshFaults(unittest.TestCase):
         write_stl(self.package / "small.stl", 1)
         (self.package / "link.stl").symlink_to("small.stl")
         node = self.start(mesh_robot("package://meshes/link.stl"))
-        message = Recorder(node.name + "/boxes").wait(lambda m: m.boxes, "the base")
-        self.assertEqual(message.incomplete, ["mast"])  # no transform yet
+        boxes, tf = Recorder(node.name + "/boxes"), TfSender(is_static=True)
+        tf.wait_for_listener()
+        tf.send(transform("base", "mast", rospy.Time()))
+        message = boxes.wait(lambda m: not m.incomplete, "the mast")
+        self.assertEqual(names_of(message), ["base", "mast"])
         self.assertNotIn("ERROR", node.output)
 
     def test_a_broken_manifest_on_the_search_path(self):
