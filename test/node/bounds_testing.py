@@ -106,6 +106,10 @@ class TfSender:
     def publish(self, message):
         self._publisher.publish(message)
 
+    def end(self):
+        """The next sender of this process registers anew; its master may be another one."""
+        self._publisher.unregister()
+
 
 def names_of(message):
     return [box.name for box in message.boxes]

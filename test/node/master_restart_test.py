@@ -172,15 +172,24 @@ class MasterRestart(unittest.TestCase):
 
     def test_a_reload_without_a_master_changes_nothing(self):
         reload = rospy.ServiceProxy(NODE + "/reload", Trigger, persistent=True)
+        tf = ArmsTf()
+        self.addCleanup(tf.end)
         self.assertTrue(reload().success)
-        wait_for(lambda: len(self.boxes.messages) > 1, "the boxes of the reload")
+        self.send_and_wait(tf, rospy.Time(1000))
         self.master.kill()
         self.addCleanup(self.master.start)
         count = len(self.boxes.messages)
         answer = reload()
         self.assertFalse(answer.success)
         self.assertIn("master", answer.message)
-        self.assertEqual(len(self.boxes.messages), count)
+        after = rospy.Time(1001)
+        self.send_and_wait(tf, after)
+        self.assertEqual([m.header.stamp for m in self.boxes.messages[count:]], [after])
+
+    def send_and_wait(self, tf, stamp):
+        """Until the boxes of this stamp have come, and so all that the node sent before."""
+        tf.send(stamp)
+        self.boxes.wait(lambda m: m.header.stamp == stamp and not m.incomplete, "all boxes")
 
     def test_a_node_ends_promptly_without_a_master(self):
         self.master.kill()

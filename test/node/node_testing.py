@@ -96,6 +96,10 @@ class ArmsTf:
     def listeners(self):
         return self._tf.listeners()
 
+    def end(self):
+        self._tf.end()
+        self._tf_static.end()
+
 
 class Repeater:
     """Calls a function at a rate, from a thread of its own, until stop()."""
