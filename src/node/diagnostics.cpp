@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "log_text.h"
+
 namespace link_bounds {
 namespace {
 
@@ -22,8 +24,8 @@ void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text)
 
 void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
   diagnostic_msgs::KeyValue pair;
-  pair.key = key;
-  pair.value = value;
+  pair.key = logText(key);
+  pair.value = logText(value);
   status.values.push_back(pair);
 }
 

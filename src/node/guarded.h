@@ -7,6 +7,8 @@
 
 #include <exception>
 
+#include "log_text.h"
+
 namespace link_bounds {
 
 /// Calls the body of a callback; an exception becomes one log line per second.
@@ -15,7 +17,7 @@ void guarded(Body&& body) {
   try {
     body();
   } catch (const std::exception& error) {
-    ROS_ERROR_THROTTLE(1, "unexpected: %s", error.what());
+    ROS_ERROR_THROTTLE(1, "unexpected: %s", logText(error.what()).c_str());
   }
 }
 

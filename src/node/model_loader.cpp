@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "link_bounds/mesh_process.h"
+#include "log_text.h"
 #include "object_meshes.h"
 #include "package_path.h"
 #include "topics.h"
@@ -46,17 +47,17 @@ std::string readDescription() {
 Parameters readParametersAndWarn() {
   const ReadParameters read = readParameters();
   for (const std::string& warning : read.warnings)
-    ROS_WARN("%s", warning.c_str());
+    ROS_WARN("%s", logText(warning).c_str());
   return read.parameters;
 }
 
 void report(const Model& model) {
   for (const std::string& problem : model.problems)
-    ROS_ERROR("%s", problem.c_str());
+    ROS_ERROR("%s", logText(problem).c_str());
   for (const std::string& warning : model.warnings)
-    ROS_WARN("%s", warning.c_str());
+    ROS_WARN("%s", logText(warning).c_str());
   ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
-           model.fixed_frame.c_str(), model.mesh_bytes.size());
+           logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
 }
 
 /// A function as an entry of a callback queue.
@@ -108,7 +109,7 @@ void ModelLoader::run() {
       queue_.callAvailable(kPollPeriod);
     }
   } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+    ROS_FATAL("%s", logText(error.what()).c_str());
     has_failed_ = true;
     ros::requestShutdown();
   }
@@ -201,9 +202,10 @@ bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
     response.success = true;
     response.message = "reloaded";
   } catch (const std::exception& error) {
-    ROS_ERROR("reload failed, everything stays as it was: %s", error.what());
+    const std::string reason = logText(error.what());
+    ROS_ERROR("reload failed, everything stays as it was: %s", reason.c_str());
     response.success = false;
-    response.message = error.what();
+    response.message = reason;
   }
   return true;
 }

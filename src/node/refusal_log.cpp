@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names come from the network: they are shortened, and only plain ASCII reaches the log.
+// Names and reasons come from the network: they are shortened, and nothing in them acts on the log.
 #include "refusal_log.h"
 
-#include <algorithm>
+#include "log_text.h"
 
 namespace link_bounds {
 namespace {
@@ -13,10 +13,8 @@ constexpr std::size_t kMostNames = 10;
 constexpr std::size_t kLongestName = 80;
 
 std::string shown(const std::string& name) {
-  std::string result = name.substr(0, kLongestName);
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return '"' + result + '"' + (name.size() > kLongestName ? " (shortened)" : "");
+  return '"' + logText(name.substr(0, kLongestName)) + '"' +
+         (name.size() > kLongestName ? " (shortened)" : "");
 }
 
 }  // namespace
@@ -29,7 +27,8 @@ std::optional<std::string> RefusalLog::line(const std::string& name, const std::
   }
   if (told_.size() > kMostNames || !told_.insert(name).second) return std::nullopt;
   if (told_.size() > kMostNames) return others_ + " are refused";
-  return what_ + " " + shown(name) + " from " + shown(publisher) + " is refused: " + reason;
+  return what_ + " " + shown(name) + " from " + shown(publisher) +
+         " is refused: " + logText(reason);
 }
 
 }  // namespace link_bounds

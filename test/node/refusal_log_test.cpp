@@ -42,5 +42,13 @@ TEST_F(RefusalLogTest, LongAndStrangeNamesAreMadeFitForALog) {
   EXPECT_LT(text.size(), 200u);
 }
 
+TEST_F(RefusalLogTest, ReasonsAreMadeFitForALogToo) {
+  const std::string reason = "cannot use /tmp/a\n\x1b[31m" + std::string(100000, 'x') + "; mend it";
+  const std::string text = log_.line("a", reason, "/b", ros::SteadyTime(1000)).value();
+  EXPECT_NE(text.find("is refused: cannot use /tmp/a??[31mxx"), std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 9), "; mend it");
+  EXPECT_LT(text.size(), 700u);
+}
+
 }  // namespace
 }  // namespace link_bounds
