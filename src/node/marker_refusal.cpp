@@ -83,12 +83,16 @@ std::string limits() {
 }  // namespace
 
 std::string whyMarkerRefused(const Marker& marker) {
+  if (marker.action != Marker::ADD) {
+    return "action " + std::to_string(marker.action) +
+           " is not one that visualization_msgs/Marker names; set action";
+  }
   if (!hasShape(marker)) return "";
   if (isUnknown(marker)) {
     return "type " + std::to_string(marker.type) +
            " is not one that visualization_msgs/Marker names; set type";
   }
-  if (marker.header.frame_id.empty())
+  if (marker.header.frame_id.empty() || marker.header.frame_id == "/")
     return "header.frame_id is empty; name the frame in which the pose is given";
   if (!isBelowLimit(marker.pose.position) || !isFinite(marker.pose.orientation))
     return "pose " + limits();

@@ -41,7 +41,8 @@ struct MarkerShape {
   std::string mesh_uri;  ///< of a MESH_RESOURCE, else ""
 };
 
-/// Why the marker cannot be bounded, in words with the remedy; "" if it can, or is to be ignored.
+/// Why the marker, which deletes nothing, cannot be bounded, in words with the remedy; "" if it
+/// can, or is to be ignored.
 std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
 
 /// False for text, which is ignored.

@@ -51,6 +51,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   content.bounded.name = objectName(key);
   content.bounded.missing = whyMarkerRefused(marker);
   content.publisher = publisher;
+  content.lifetime = marker.lifetime;
   if (!content.bounded.isWhole()) {
     const auto line = marker_log_.line(content.bounded.name, content.bounded.missing, publisher,
                                        ros::SteadyTime::now());
@@ -59,7 +60,6 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   }
   content.frame = tfName("", marker.header.frame_id);
   content.stamp = placementStamp(marker);
-  content.lifetime = marker.lifetime;
   MarkerShape shape = markerShape(std::move(marker));
   content.bounded.shapes = std::move(shape.shapes);
   content.mesh_uri = std::move(shape.mesh_uri);
@@ -102,6 +102,8 @@ void ObjectSource::warnOfGivenUp() {
 }
 
 void ObjectSource::reloadMeshes() {
+  marker_log_.forget();
+  mesh_log_.forget();
   std::set<std::string> uris;
   for (const auto& [key, object] : objects_.objects())
     uris.insert(object.content.mesh_uri);

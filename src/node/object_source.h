@@ -32,7 +32,8 @@ class ObjectSource {
   /// Says which objects waited in vain for a transform.
   void warnOfGivenUp();
 
-  /// Asks again for the meshes of all objects: files may have been repaired or replaced.
+  /// Asks again for the meshes of all objects: files may have been repaired or replaced. What was
+  /// logged may be logged again.
   void reloadMeshes();
 
  private:

@@ -58,6 +58,17 @@ TEST(MarkerRefusal, AnEmptyFrame) {
   expectRefusedOfAll([](Marker& marker) { marker.header.frame_id.clear(); }, "header.frame_id");
 }
 
+TEST(MarkerRefusal, AFrameThatIsASlash) {
+  expectRefusedOfAll([](Marker& marker) { marker.header.frame_id = "/"; }, "header.frame_id");
+}
+
+TEST(MarkerRefusal, UnknownActions) {
+  for (const int action : {1, 4, -1, 1000}) {
+    expectRefusedOfAll([action](Marker& marker) { marker.action = action; },
+                       "action " + std::to_string(action));
+  }
+}
+
 TEST(MarkerRefusal, UnknownTypes) {
   for (const int type : {-1, 12, 1000, std::numeric_limits<int>::min()}) {
     Marker marker = markerOf(Marker::CUBE, {1, 1, 1}, 6);
