@@ -40,6 +40,9 @@ std::string LiveObject::reason() const {
       return "the transform from \"" + content.frame + "\" at its stamp is not there yet";
     case Trouble::kGivenUp:
       return "there was no transform from \"" + content.frame + "\" at its stamp";
+    case Trouble::kNotCarried:
+      return "no transform from \"" + placement->fixed_frame_name +
+             "\", in which it was placed, to the fixed frame";
   }
   return "";
 }

@@ -21,7 +21,8 @@ struct ObjectContent {
   std::string mesh_uri;    ///< of a mesh, whose shape has no points until they are loaded
   std::string publisher;   ///< name of the node that sent it
 
-  bool follows() const { return stamp == 0; }
+  /// A refused marker has no frame.
+  bool follows() const { return stamp == 0 && !frame.empty(); }
   bool isLoading() const {
     return !mesh_uri.empty() && bounded.isWhole() && !bounded.shapes.front().points;
   }
@@ -30,15 +31,32 @@ struct ObjectContent {
 /// True if the same box follows from both: the publisher and the lifetime do not count.
 bool isSame(const ObjectContent& a, const ObjectContent& b);
 
-/// One object and its box.
+/// Where an object was placed once. Another fixed frame later does not change this.
+struct Placement {
+  FollowedFrame::Frame fixed_frame;  ///< of that time
+  std::string fixed_frame_name;
+  Eigen::Isometry3d fixed_from_header;
+};
+
+/// One object and its box. Times are nanoseconds of ROS time.
 struct LiveObject {
-  enum class Trouble { kNone, kNoTransform, kStale, kPoseNotFinite, kWaiting, kGivenUp };
+  enum class Trouble {
+    kNone,
+    kNoTransform,
+    kStale,
+    kPoseNotFinite,
+    kWaiting,     ///< for the transform at its stamp
+    kGivenUp,     ///< it has waited too long
+    kNotCarried,  ///< no transform yet from the fixed frame of its placement to the present one
+  };
 
   ObjectContent content;
   LinkReach reach{content.bounded};
-  FollowedFrame::Frame frame = 0;                      ///< content.frame
-  std::optional<Eigen::Isometry3d> fixed_from_header;  ///< of an object that was placed once
-  ros::Time received;
+  FollowedFrame::Frame frame = 0;  ///< content.frame
+  std::optional<Placement> placement;
+  std::int64_t stamp = 0;          ///< that of the content, or the time of a later jump back
+  std::int64_t received = 0;       ///< the last time; a clock jump moves it with the clock
+  std::int64_t waiting_since = 0;  ///< for the transform at its stamp
   Trouble trouble = Trouble::kNone;
   BoxState state;
 

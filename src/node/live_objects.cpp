@@ -3,6 +3,7 @@
 // Bounds an object anew when its content, the pose of its frame, or its age gives cause.
 #include "live_objects.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace link_bounds {
@@ -12,6 +13,14 @@ using Trouble = LiveObject::Trouble;
 
 /// How long to wait for a transform if nothing ever becomes stale [ROS s].
 constexpr double kPatience = 10;
+
+/// Stamps that are less ahead of the clock [ns] come from clocks that differ a little.
+constexpr std::int64_t kFarAhead = 500'000'000;
+
+/// Differences of ros::Time throw where they exceed a ros::Duration.
+std::int64_t nanoseconds(ros::Time time) {
+  return static_cast<std::int64_t>(time.toNSec());
+}
 
 Trouble toTrouble(FollowedFrame::Trouble trouble) {
   switch (trouble) {
@@ -25,9 +34,18 @@ Trouble toTrouble(FollowedFrame::Trouble trouble) {
   return Trouble::kNone;
 }
 
-bool hasExpired(const LiveObject& object, ros::Time now) {
-  const ros::Duration lifetime = object.content.lifetime;
-  return lifetime > ros::Duration(0) && now - object.received >= lifetime;
+/// 0 if it is for ever.
+std::int64_t lifetime(const LiveObject& object) {
+  return std::max<std::int64_t>(object.content.lifetime.toNSec(), 0);
+}
+
+/// How much of the lifetime has passed.
+std::int64_t elapsed(const LiveObject& object, std::int64_t now) {
+  return std::min(now - object.received, lifetime(object));
+}
+
+bool hasExpired(const LiveObject& object, std::int64_t now) {
+  return lifetime(object) > 0 && elapsed(object, now) == lifetime(object);
 }
 
 }  // namespace
@@ -37,18 +55,66 @@ void LiveObjects::adopt(const std::string& fixed_frame, double timeout, Transfor
   const FollowedFrame::Frame frame = tf.tree().frame(fixed_frame);
   const bool is_moved = target_ && target_->fixed_frame != frame;
   target_ = FollowedFrame::Target{frame, timeout};
-  for (auto& [key, object] : objects_) {
-    if (is_moved) object.fixed_from_header.reset();
-    if (!object.fixed_from_header) object.received = now;
-  }
+  fixed_frame_name_ = fixed_frame;
+  if (is_moved) moveTo(frame);
+  const std::int64_t start = observe(now);
+  for (auto& [key, object] : objects_)
+    object.waiting_since = start;
+  findCarries(tf, now);
   refreshAll(tf, now);
+}
+
+/// No number of the old frame remains.
+void LiveObjects::moveTo(FollowedFrame::Frame fixed_frame) {
+  carries_.clear();
+  for (auto& [key, object] : objects_) {
+    object.state.box.reset();
+    if (object.trouble == Trouble::kGivenUp) object.trouble = Trouble::kNone;
+    if (!object.placement || object.placement->fixed_frame == fixed_frame) continue;
+    carries_.emplace(object.placement->fixed_frame, std::nullopt);
+  }
+}
+
+/// True if there is a new one. Those that are stale or not finite are not taken, for they stay.
+bool LiveObjects::findCarries(const TransformSource& tf, ros::Time now) {
+  bool is_found = false;
+  for (auto& [frame, fixed_from_frame] : carries_) {
+    if (fixed_from_frame) continue;
+    FollowedFrame followed(frame);
+    followed.refresh(*target_, tf, now);
+    const Eigen::Isometry3d& pose = followed.pose().world_from_link;
+    if (followed.trouble() != FollowedFrame::Trouble::kNone || !pose.matrix().allFinite()) continue;
+    fixed_from_frame = pose;
+    is_found = true;
+  }
+  return is_found;
+}
+
+/// Fixed from header frame, if the placement is known in the present fixed frame.
+std::optional<Eigen::Isometry3d> LiveObjects::carried(const Placement& placement) const {
+  if (placement.fixed_frame == target_->fixed_frame) return placement.fixed_from_header;
+  const std::optional<Eigen::Isometry3d>& carry = carries_.at(placement.fixed_frame);
+  if (!carry) return std::nullopt;
+  return *carry * placement.fixed_from_header;
+}
+
+std::int64_t LiveObjects::observe(ros::Time now) {
+  last_now_ = std::max(last_now_, nanoseconds(now));
+  return nanoseconds(now);
+}
+
+/// What was sent before the clock jumped back may arrive after it.
+std::int64_t LiveObjects::stampOf(const ObjectContent& content, std::int64_t now) const {
+  const bool is_late = content.stamp > now + kFarAhead && content.stamp <= newest_now_;
+  return is_late ? now : content.stamp;
 }
 
 bool LiveObjects::put(const ObjectKey& key, ObjectContent content, TransformSource& tf,
                       ros::Time now) {
   const auto [entry, is_new] = objects_.try_emplace(key);
   LiveObject& object = entry->second;
-  object.received = now;
+  object.received = observe(now);
+  object.waiting_since = object.received;
   object.content.lifetime = content.lifetime;
   if (!is_new && object.trouble != Trouble::kGivenUp && isSame(object.content, content)) {
     return false;
@@ -57,8 +123,9 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, TransformSour
   object.content = std::move(content);
   object.reach = LinkReach(object.content.bounded);
   object.trouble = Trouble::kNone;
-  object.frame = tf.tree().frame(object.content.frame);
-  object.fixed_from_header.reset();
+  object.stamp = stampOf(object.content, object.received);
+  object.placement.reset();
+  if (!object.content.frame.empty()) object.frame = tf.tree().frame(object.content.frame);
   follow(object, tf, now);
   return refresh(object, tf, now) || is_new;
 }
@@ -115,6 +182,7 @@ bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh,
 }
 
 bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
+  observe(now);
   past_pose_.reset();
   if (!target_) return false;
   const bool paths_may_differ = structure_ != tf.tree().structure();
@@ -124,12 +192,21 @@ bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
     header.is_news = header.followed.update(*target_, tf, now, paths_may_differ);
     is_news |= header.is_news;
   }
-  bool is_changed = waiting_ > 0 && refreshWaiting(tf, now);
+  bool is_changed = findCarries(tf, now) && refreshNotCarried(tf, now);
+  is_changed |= waiting_ > 0 && refreshWaiting(tf, now);
   if (!is_news) return is_changed;
   for (auto& [key, object] : objects_) {
     if (object.content.follows() && frames_.at(object.frame).is_news) {
       is_changed |= refresh(object, tf, now);
     }
+  }
+  return is_changed;
+}
+
+bool LiveObjects::refreshNotCarried(const TransformSource& tf, ros::Time now) {
+  bool is_changed = false;
+  for (auto& [key, object] : objects_) {
+    if (object.trouble == Trouble::kNotCarried) is_changed |= refresh(object, tf, now);
   }
   return is_changed;
 }
@@ -157,15 +234,26 @@ bool LiveObjects::refreshAll(const TransformSource& tf, ros::Time now) {
 }
 
 bool LiveObjects::restart(const TransformSource& tf, ros::Time now) {
-  for (auto& [key, object] : objects_)
-    object.received = now;
-  return refreshAll(tf, now);
+  const std::int64_t start = nanoseconds(now);
+  bool is_changed = false;
+  for (auto& [key, object] : objects_) {
+    object.received = start - elapsed(object, last_now_);
+    object.waiting_since = start;
+    object.stamp = std::min(object.stamp, start);
+    is_changed |= object.state.stamp > start;
+    object.state.stamp = std::min(object.state.stamp, start);
+  }
+  newest_now_ = std::max(newest_now_, last_now_);
+  last_now_ = start;
+  is_changed |= refreshAll(tf, now);
+  return is_changed;
 }
 
 bool LiveObjects::expire(const TransformSource& tf, ros::Time now) {
+  const std::int64_t time = observe(now);
   bool is_changed = false;
   for (auto entry = objects_.begin(); entry != objects_.end();) {
-    const bool is_over = hasExpired(entry->second, now);
+    const bool is_over = hasExpired(entry->second, time);
     is_changed |= is_over;
     entry = is_over ? erase(entry) : std::next(entry);
   }
@@ -215,17 +303,22 @@ Trouble LiveObjects::placeFollowing(LiveObject& object, BoxState& state) {
 
 Trouble LiveObjects::placeOnce(LiveObject& object, const TransformSource& tf, ros::Time now,
                                BoxState& state) {
-  if (object.trouble == Trouble::kGivenUp && !object.fixed_from_header) return Trouble::kGivenUp;
-  if (!object.fixed_from_header) {
-    object.fixed_from_header = poseAt(object.content.stamp, object.frame, tf);
+  if (!object.placement) {
+    if (object.trouble == Trouble::kGivenUp) return Trouble::kGivenUp;
+    const auto& pose = poseAt(object.content.stamp, object.frame, tf);
+    if (!pose) return hasWaitedLong(object, now) ? Trouble::kGivenUp : Trouble::kWaiting;
+    object.placement = Placement{target_->fixed_frame, fixed_frame_name_, *pose};
   }
-  if (!object.fixed_from_header) {
-    const double patience = target_->timeout > 0 ? target_->timeout : kPatience;
-    return (now - object.received).toSec() > patience ? Trouble::kGivenUp : Trouble::kWaiting;
-  }
-  state.box = linkBox(object.content.bounded, *object.fixed_from_header, object.reach);
-  state.stamp = object.content.stamp;
+  const std::optional<Eigen::Isometry3d> pose = carried(*object.placement);
+  if (!pose) return Trouble::kNotCarried;
+  state.box = linkBox(object.content.bounded, *pose, object.reach);
+  state.stamp = object.stamp;
   return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
+}
+
+bool LiveObjects::hasWaitedLong(const LiveObject& object, ros::Time now) const {
+  const double patience = target_->timeout > 0 ? target_->timeout : kPatience;
+  return static_cast<double>(nanoseconds(now) - object.waiting_since) > patience * 1e9;
 }
 
 const std::optional<Eigen::Isometry3d>& LiveObjects::poseAt(std::int64_t stamp,

@@ -23,7 +23,8 @@ class LiveObjects {
   /// In the order of ~boxes.
   const Objects& objects() const { return objects_; }
 
-  /// Starts over with another fixed frame and timeout [ROS s].
+  /// Starts over with another fixed frame and timeout [ROS s]. Objects that were placed once are
+  /// carried over by the newest transform between the two frames, as soon as there is one.
   void adopt(const std::string& fixed_frame, double timeout, TransformSource& tf, ros::Time now);
 
   /// Adds an object or replaces it. Until the new one can be placed, the box of the one before
@@ -39,7 +40,8 @@ class LiveObjects {
   /// To be called after each tf message, and before any other function sees its transforms.
   bool update(const TransformSource& tf, ros::Time now);
 
-  /// After the clock jumped or began to run: ages count from now on.
+  /// After the clock jumped back or began to run. What is left of a lifetime stays as it was,
+  /// waiting begins anew, and no stamp of a box is ahead of `now`.
   bool restart(const TransformSource& tf, ros::Time now);
 
   /// To be called now and then: ends lifetimes, finds stale frames, gives up waiting.
@@ -63,11 +65,14 @@ class LiveObjects {
     std::optional<Eigen::Isometry3d> fixed_from_frame;
   };
 
+  std::int64_t observe(ros::Time now);
+  std::int64_t stampOf(const ObjectContent& content, std::int64_t now) const;
   void follow(LiveObject& object, const TransformSource& tf, ros::Time now);
   void release(const LiveObject& object);
   Objects::iterator erase(Objects::iterator object);
   bool refresh(LiveObject& object, const TransformSource& tf, ros::Time now);
   bool refreshAll(const TransformSource& tf, ros::Time now);
+  bool refreshNotCarried(const TransformSource& tf, ros::Time now);
   bool refreshWaiting(const TransformSource& tf, ros::Time now);
   LiveObject::Trouble place(LiveObject& object, const TransformSource& tf, ros::Time now,
                             BoxState& state);
@@ -75,16 +80,26 @@ class LiveObjects {
   LiveObject::Trouble placeOnce(LiveObject& object, const TransformSource& tf, ros::Time now,
                                 BoxState& state);
 
+  bool hasWaitedLong(const LiveObject& object, ros::Time now) const;
+  void moveTo(FollowedFrame::Frame fixed_frame);
+  bool findCarries(const TransformSource& tf, ros::Time now);
+  std::optional<Eigen::Isometry3d> carried(const Placement& placement) const;
   const std::optional<Eigen::Isometry3d>& poseAt(std::int64_t stamp, FollowedFrame::Frame frame,
                                                  const TransformSource& tf);
 
   Objects objects_;
   std::map<FollowedFrame::Frame, HeaderFrame> frames_;
   std::optional<FollowedFrame::Target> target_;
+  std::string fixed_frame_name_;
+
+  /// The fixed frame from those of before in which objects were placed; once found it stays.
+  std::map<FollowedFrame::Frame, std::optional<Eigen::Isometry3d>> carries_;
   std::optional<PastPose> past_pose_;  ///< until tf says more
   std::vector<ObjectKey> given_up_;
   std::uint64_t structure_ = 0;
-  std::size_t waiting_ = 0;  ///< objects whose transform is not there yet
+  std::size_t waiting_ = 0;      ///< objects whose transform is not there yet
+  std::int64_t last_now_ = 0;    ///< the newest time since the clock jumped back
+  std::int64_t newest_now_ = 0;  ///< the newest time before any jump back
 };
 
 }  // namespace link_bounds

@@ -8,8 +8,10 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import (NodeLog, Pose, Recorder, box_of, latched, load, names_of, turn, union)
-from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, arm_bounds, joint_pose
+from bounds_testing import (NodeLog, Pose, Recorder, box_of, latched, load, names_of, transform,
+                            turn, union)
+from link_bounds.msg import BoxOverlapArray
+from node_testing import (ALL, ARMS, NODE, ArmsTf, Diagnostics, arm_bounds, joint_pose, value_of)
 from object_testing import ObjectSender, deletion, ellipsoid_bounds, marker, shows_box
 from rosgraph_msgs.msg import Log
 from visualization_msgs.msg import Marker, MarkerArray
@@ -178,6 +180,55 @@ class Objects(unittest.TestCase):
         self.assertEqual(box_of(message, "held/1").stamp, stamp)
         self.assertEqual(box_of(message, "left/3").stamp, start)
 
+    def test_a_new_fixed_frame_carries_over_what_was_placed_once(self):
+        start = self.move(0)
+        cube = dict(scale=(1, 1, 1), pose=Pose((2, 0, 0)))
+        self.objects.send(marker("scene/1", stamp=start, **cube), marker("scene/2", **cube))
+        in_base = Pose((2, 0, 0)).box_bounds((1, 1, 1))
+        in_odom = Pose((102, 0, 0)).box_bounds((1, 1, 1))
+        self.expect("scene/1", in_base)
+        for _ in range(12):  # longer than tf remembers
+            stamp = self.move(0)
+            self.tf.send_transforms(transform("odom", "base", stamp, (100, 0, 0)))
+        groups = Recorder(NODE + "/groups")
+        markers = Recorder(NODE + "/markers", MarkerArray)
+        overlaps = Recorder(NODE + "/overlaps", BoxOverlapArray)
+        self.boxes.wait(lambda m: box_of(m, "left") and box_of(m, "left").stamp == stamp, "tf")
+        load(NODE, fixed_frame="odom", groups={"scene": ["scene/*"]})
+        self.boxes.wait(
+            lambda m: m.header.frame_id == "odom" and shows_box(m, "scene/1", in_odom) and
+            shows_box(m, "scene/2", in_odom), "both in odom")
+        groups.wait(lambda m: shows_box(m, "scene", in_odom), "the group")
+        overlaps.wait(lambda m: m.header.frame_id == "odom" and
+                      ("scene/1", "scene/2") in [(o.first, o.second) for o in m.overlaps], "a pair")
+        markers.wait(lambda m: [n for n in m.markers if n.ns == "link_bounds/objects/scene/1" and
+                                n.header.frame_id == "odom" and n.pose.position.x == 102], "a cube")
+        for message in self.boxes.messages:
+            if message.header.frame_id == "odom" and box_of(message, "scene/1"):
+                self.assertTrue(shows_box(message, "scene/1", in_odom), "numbers of base")
+        for recorder in (groups, markers, overlaps):
+            recorder.subscriber.unregister()
+        self.boxes.clear()
+        load(NODE, fixed_frame="base")
+        self.expect("scene/1", in_base)
+
+    def test_without_a_transform_to_the_new_fixed_frame_there_is_no_box(self):
+        diagnostics = Diagnostics()
+        start = self.move(0)
+        self.objects.send(marker("scene/1", stamp=start, scale=SIZE))
+        self.expect("scene/1", Pose().box_bounds(SIZE))
+        self.boxes.clear()
+        load(NODE, fixed_frame="island", timeout=0.5)
+        self.expect_incomplete("scene/1")
+        status = diagnostics.wait_for_new(
+            lambda _, s: value_of(s, "incomplete: scene/1"), "the reason")
+        self.assertIn('"base"', value_of(status, "incomplete: scene/1"))
+        self.tf.send_transforms(transform("island", "base", self.move(0), (7, 0, 0)))
+        self.expect("scene/1", Pose((7, 0, 0)).box_bounds(SIZE))
+        in_island = [m for m in self.boxes.messages if m.header.frame_id == "island"]
+        self.assertTrue(all(shows_box(m, "scene/1", Pose((7, 0, 0)).box_bounds(SIZE))
+                            for m in in_island if box_of(m, "scene/1")))
+
     def test_waits_for_the_transform_at_its_stamp(self):
         start = self.move(30)
         self.objects.send(marker("seen/1", scale=SIZE, frame="right",
@@ -201,6 +252,26 @@ class Objects(unittest.TestCase):
         self.boxes.wait(lambda m: box_of(m, "brief/1") and box_of(m, "stays/1"), "both")
         self.boxes.wait(lambda m: not box_of(m, "brief/1") and box_of(m, "stays/1") and
                         "brief/1" not in m.incomplete, "one gone")
+
+    def test_an_unknown_action_is_refused(self):
+        log = NodeLog(NODE)
+        log.connect()
+        self.objects.send(marker("odd/1"))
+        self.boxes.wait(lambda m: box_of(m, "odd/1"), "its box")
+        unknown_action = marker("odd/1")
+        unknown_action.action = 77
+        self.objects.send(unknown_action)
+        self.expect_incomplete("odd/1")
+        log.wait(lambda m: '"odd/1"' in m.msg and "action 77" in m.msg, "the reason")
+        self.objects.send(marker("odd/1"))
+        self.boxes.clear()
+        self.boxes.wait(lambda m: box_of(m, "odd/1") and not m.incomplete, "mended")
+
+    def test_a_refused_marker_has_its_lifetime(self):
+        self.objects.send(marker("brief/1", scale=(math.nan, 1, 1), lifetime=rospy.Duration(0.3)))
+        self.expect_incomplete("brief/1")
+        self.boxes.clear()
+        self.boxes.wait(lambda m: "brief/1" not in m.incomplete, "no name left")
 
     def test_diagnostics_count_objects(self):
         diagnostics = Diagnostics()
