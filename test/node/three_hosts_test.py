@@ -28,6 +28,7 @@ MINUTE = 60.0  # s
 CUTS = {"robot": 6.0, "node": 28.0}  # when a host's cable is cut [s]
 CUT_LENGTH = 10.0  # s
 RIGHT_AGAIN = 2.0  # s after a cable is back
+YOUNG = 0.2  # s; two cables with their delay take 40 ms
 RATE = 20  # Hz
 DEGREES_PER_SECOND = 36
 READY = "ready"  # what the robot prints when its description is there
@@ -142,7 +143,7 @@ class ThreeHosts(unittest.TestCase):
     @classmethod
     def live_for_a_minute(cls):
         """Notes when each cable was cut and restored."""
-        start = time.time()
+        cls.begin = start = time.time()
         cls.cuts = {}
         for host, moment in CUTS.items():
             wait_until(start + moment)
@@ -164,11 +165,12 @@ class ThreeHosts(unittest.TestCase):
                                 TOLERANCE, message)
 
     def test_no_stretch_without_cut_is_silent(self):
-        borders = [0.0, *(moment for cut in self.cuts.values() for moment in cut), self.end]
+        borders = [self.begin, *(moment for cut in self.cuts.values() for moment in cut), self.end]
         for begin, end in zip(borders[::2], borders[1::2]):
             stamps = [m["stamp"] for m in self.consumer.messages
                       if begin < m["stamp"] < end and not m["incomplete"]]
-            self.assertGreater(len(stamps), 0)
+            # What is lost on the way comes again, but not each joint state does.
+            self.assertGreater(len(set(stamps)), RATE / 2 * (end - begin - RIGHT_AGAIN))
             gaps = [b - a for a, b in zip(stamps, stamps[1:])]
             self.assertLess(max(gaps), RIGHT_AGAIN)
 
@@ -188,7 +190,7 @@ class ThreeHosts(unittest.TestCase):
         ages = [m["received"] - m["stamp"] for m in self.consumer.messages if not m["incomplete"]]
         print("three hosts: %d messages, median age %.1f ms"
               % (len(ages), 1e3 * statistics.median(ages)), flush=True)
-        self.assertLess(statistics.median(ages), RIGHT_AGAIN)
+        self.assertLess(statistics.median(ages), YOUNG)
 
     def test_the_node_ends_as_it_should(self):
         self.node.send_signal(signal.SIGTERM)
