@@ -26,24 +26,26 @@ void EdgeHistories::clear(Frame child) {
   histories_[child]->clear();
 }
 
-/// Ends at the target, where a history ends, or where a loop would close.
-void EdgeHistories::climb(Frame source, Frame target, std::int64_t stamp) const {
+/// Ends at the target or where a history ends; false if a loop closes.
+bool EdgeHistories::climb(Frame source, Frame target, std::int64_t stamp) const {
   marks_.begin(histories_.size());
   steps_.assign(1, {source, Tf2Pose()});
   marks_.set(source, 0);
   EdgeSample scratch;
   while (steps_.back().frame != target) {
     const EdgeSample* edge = at(steps_.back().frame, stamp, scratch);
-    if (!edge || marks_.position(edge->parent)) return;
+    if (!edge) return true;
+    if (marks_.position(edge->parent)) return false;
     marks_.set(edge->parent, steps_.size());
     steps_.push_back({edge->parent, edge->parent_from_child * steps_.back().frame_from_source});
   }
+  return true;
 }
 
 std::optional<Tf2Pose> EdgeHistories::pose(Frame target, Frame source, std::int64_t stamp) const {
   if (source == target) return Tf2Pose();
   if (std::max(source, target) >= histories_.size()) return std::nullopt;
-  climb(source, target, stamp);
+  if (!climb(source, target, stamp)) return std::nullopt;
   Tf2Pose frame_from_target;
   Frame frame = target;
   EdgeSample scratch;

@@ -33,7 +33,8 @@ class EdgeHistories {
   }
 
   /// By the edges as they were at that time, interpolated; at time 0 the newest of each edge.
-  /// Nothing if a history does not reach the time.
+  /// Nothing if a history does not reach the time, or if the way up from the source runs into a
+  /// loop before it meets the target.
   std::optional<Tf2Pose> pose(Frame target, Frame source, std::int64_t stamp) const;
 
  private:
@@ -42,7 +43,7 @@ class EdgeHistories {
     Tf2Pose frame_from_source;
   };
 
-  void climb(Frame source, Frame target, std::int64_t stamp) const;
+  bool climb(Frame source, Frame target, std::int64_t stamp) const;
 
   std::vector<std::optional<EdgeHistory>> histories_;  ///< by child
   mutable std::vector<Step> steps_;                    ///< the last climb, from the source upwards

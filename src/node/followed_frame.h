@@ -48,7 +48,7 @@ class FollowedFrame {
 
   Frame frame_;
   std::optional<std::vector<Frame>> path_;  ///< edges from the frame to the fixed frame
-  bool was_elsewhere_ = false;  ///< at the time of the pose the path was, or may be, another one
+  bool was_elsewhere_ = false;  ///< at the time of the pose the path may have been another one
   Trouble trouble_ = Trouble::kNoTransform;
   StampedPose pose_{Eigen::Isometry3d::Identity(), 0};
 };

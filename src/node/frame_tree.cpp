@@ -20,9 +20,11 @@ void FrameTree::heard(Frame child, Frame parent, bool is_static, std::int64_t st
   edge.heard = now;
   edge.message = message_;
   edge.is_distrusted = false;
-  if (edge.exists && !edge.is_static && stamp < edge.newest) return;
-  edge.newest = edge.is_static ? 0 : stamp;
+  const bool is_late = edge.exists && !edge.is_static && stamp < edge.newest;
   if (!edge.exists || edge.parent != parent) ++structure_;
+  if (edge.exists && edge.parent != parent) settled_ = std::max({settled_, stamp, edge.newest});
+  if (is_late) return;
+  edge.newest = edge.is_static ? 0 : stamp;
   edge.exists = true;
   edge.parent = parent;
 }
@@ -50,24 +52,25 @@ void FrameTree::clockStarted(std::int64_t now) {
   }
 }
 
-/// Climbs from `from` as far as it goes, then from `to` until it meets that way.
+/// Climbs from `from` to `to` or to the top, then from `to` until it meets that way.
 std::optional<std::vector<FrameTree::Frame>> FrameTree::path(Frame from, Frame to) const {
   marks_.begin(edges_.size());
   std::vector<Frame> up;
   Frame top = from;
   marks_.set(top, 0);
-  while (top != to && edges_[top].exists && !marks_.position(edges_[top].parent)) {
+  while (top != to && hasParent(top)) {
     up.push_back(top);
-    top = edges_[top].parent;
+    top = parent(top);
+    if (marks_.position(top)) return std::nullopt;
     marks_.set(top, up.size());
   }
   std::vector<Frame> down;
   Frame below = to;
   while (!marks_.position(below)) {
-    if (!edges_[below].exists) return std::nullopt;
+    if (!hasParent(below)) return std::nullopt;
     marks_.set(below, kAboveTarget);
     down.push_back(below);
-    below = edges_[below].parent;
+    below = parent(below);
   }
   const std::size_t meeting = *marks_.position(below);
   if (meeting == kAboveTarget) return std::nullopt;

@@ -58,12 +58,15 @@ class FrameTree {
   /// Edges heard before the clock ran count as heard now.
   void clockStarted(std::int64_t now);
 
-  /// The edges between two frames, by the newest parents; nothing if they are not connected. A loop
-  /// above both does not matter.
+  /// The edges between two frames, by the newest parents; nothing if they are not connected. As in
+  /// tf2, the way up from `from` may meet `to`, but must not run into a loop before that.
   std::optional<std::vector<Frame>> path(Frame from, Frame to) const;
 
   /// True if the edge was heard in this message.
   bool isNews(Frame edge) const { return edges_[edge].message == message_; }
+
+  /// False at the top of a tree.
+  bool hasParent(Frame edge) const { return edges_[edge].exists; }
 
   /// By the newest transform.
   Frame parent(Frame edge) const { return edges_[edge].parent; }
@@ -73,8 +76,11 @@ class FrameTree {
   /// The newest stamp of the edge; 0 if it is static or forgotten.
   std::int64_t newest(Frame edge) const { return edges_[edge].newest; }
 
-  /// Changes whenever a path may have changed.
+  /// Changes whenever a path may have changed, now or in the past.
   std::uint64_t structure() const { return structure_; }
+
+  /// From this stamp on each edge had the parent that it has now.
+  std::int64_t settled() const { return settled_; }
 
  private:
   struct Edge {
@@ -97,6 +103,7 @@ class FrameTree {
   std::vector<Edge> edges_;  ///< by child
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;
+  std::int64_t settled_ = 0;
   mutable WalkMarks marks_;
 };
 

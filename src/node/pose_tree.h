@@ -32,6 +32,7 @@ class PoseTree {
 
     Step step = Step::kStay;     ///< how the edge is used, outward
     bool is_static = true;       ///< the whole path
+    bool is_below = true;        ///< the fixed frame is on its way up
     bool was_elsewhere = false;  ///< the pose was read along a path of its own
 
    public:
@@ -68,19 +69,26 @@ class PoseTree {
  private:
   static constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
+  void build(const FrameTree& tree);
+  void findAbove(const FrameTree& tree);
   std::size_t addPath(Frame frame, const FrameTree& tree);
-  std::size_t add(std::size_t inner, Frame frame, Frame edge, Node::Step step);
+  std::size_t addAbove(std::size_t height);
   std::size_t append(std::size_t inner, Frame frame, Frame edge, Node::Step step);
-  void place(Node& node, const TransformSource& tf) const;
-  void compose(Node& node, const Tf2Pose& inner_from_frame) const;
-  void walk(Node& node, const TransformSource& tf) const;
+  void place(Node& node, const TransformSource& tf);
+  bool compose(Node& node, const TransformSource& tf);
+  bool invert(Node& node, const EdgeSample& edge);
+  bool walk(Node& node, const TransformSource& tf) const;
   void hear(Node& node, const FrameTree& tree) const;
 
   Frame fixed_frame_ = 0;
   std::vector<Frame> frames_;
   std::vector<std::size_t> places_;  ///< of the frames in nodes_
   std::vector<Node> nodes_;          ///< the fixed frame, then each after the one before it
-  WalkMarks marks_;                  ///< of the frames that have a node
+  WalkMarks marks_;                  ///< places in nodes_; kNowhere: has no path to the fixed frame
+  std::vector<Frame> above_;         ///< the fixed frame and those above it, if no loop is there
+  std::vector<Tf2Pose> above_from_fixed_;  ///< where their nodes are not elsewhere
+  WalkMarks heights_;                      ///< places in above_
+  std::vector<Frame> way_;                 ///< of one frame, upwards; kept for its memory
   std::uint64_t structure_ = 0;
   bool is_rebuilt_ = false;
 };

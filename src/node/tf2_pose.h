@@ -63,19 +63,27 @@ struct MatrixPose {
     const auto moved = [&](int k) {
       return (m(k, 0) * t.x() + m(k, 1) * t.y() + m(k, 2) * t.z()) * a.length2 + m(k, 3);
     };
-    const tf2::Vector3 translation(moved(0), moved(1), moved(2));
-    const tf2::Quaternion product = a.rotation * b.rotation();
-    if (isAt(product, translation)) return false;
-    set(product, translation);
+    return change(a.rotation * b.rotation(), {moved(0), moved(1), moved(2)});
+  }
+
+  /// Becomes this pose; false if it is that already.
+  bool change(const tf2::Quaternion& q, const tf2::Vector3& t) {
+    if (isAt(q, t)) return false;
+    set(q, t);
     return true;
   }
 
-  /// Number by number; what is not a number differs from everything.
+  /// Number by number; q and -q are the same rotation. NaN differs from everything.
   bool isAt(const tf2::Quaternion& q, const tf2::Vector3& t) const {
-    return q.x() == rotation.x() && q.y() == rotation.y() && q.z() == rotation.z() &&
-           q.w() == rotation.w() && t.x() == affine(0, 3) && t.y() == affine(1, 3) &&
-           t.z() == affine(2, 3);
+    const auto is_turned = [&](double sign) {
+      return q.x() == sign * rotation.x() && q.y() == sign * rotation.y() &&
+             q.z() == sign * rotation.z() && q.w() == sign * rotation.w();
+    };
+    return t.x() == affine(0, 3) && t.y() == affine(1, 3) && t.z() == affine(2, 3) &&
+           (is_turned(1) || is_turned(-1));
   }
+
+  tf2::Vector3 translation() const { return {affine(0, 3), affine(1, 3), affine(2, 3)}; }
 
   tf2::Quaternion rotation = tf2::Quaternion::getIdentity();
   double length2 = 1;  ///< of the quaternion

@@ -84,11 +84,10 @@ std::int64_t TransformSource::latestCommonTime(Frame source, const std::vector<F
 }
 
 bool TransformSource::wasPath(const std::vector<Frame>& path, std::int64_t stamp) const {
+  if (stamp != 0 && stamp < tree_.settled()) return false;
   EdgeSample scratch;
-  return std::all_of(path.begin(), path.end(), [&](Frame edge) {
-    const EdgeSample* sample = histories_.at(edge, stamp, scratch);
-    return sample && sample->parent == tree_.parent(edge);
-  });
+  return std::all_of(path.begin(), path.end(),
+                     [&](Frame edge) { return histories_.at(edge, stamp, scratch); });
 }
 
 std::optional<StampedPose> TransformSource::latest(Frame target, Frame source,

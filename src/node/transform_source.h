@@ -23,8 +23,10 @@ struct StampedPose {
 
 /// What was heard before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0: never.
 inline std::int64_t staleBefore(double timeout, ros::Time now) {
-  if (timeout <= 0) return std::numeric_limits<std::int64_t>::min();
-  return static_cast<std::int64_t>(static_cast<double>(now.toNSec()) - timeout * 1e9);
+  constexpr std::int64_t kBeforeAllTimes = std::numeric_limits<std::int64_t>::min();
+  const double before = static_cast<double>(now.toNSec()) - timeout * 1e9;
+  const bool is_never = timeout <= 0 || before <= static_cast<double>(kBeforeAllTimes);
+  return is_never ? kBeforeAllTimes : static_cast<std::int64_t>(before);
 }
 
 /// A transform that was not taken.
@@ -40,6 +42,7 @@ struct TfIntake {
   std::uint64_t repeated = 0;  ///< not taken: the stamp was there already
   std::uint64_t too_old = 0;   ///< not taken
   std::uint64_t unusable = 0;  ///< not taken: see whyRefused
+  std::uint64_t dropped = 0;   ///< not taken: sent before the clock jumped
 };
 
 class TransformSource {
@@ -55,7 +58,8 @@ class TransformSource {
   /// static.
   std::int64_t latestCommonTime(Frame source, const std::vector<Frame>& path) const;
 
-  /// True if at that time each edge of the path had the parent that it has now.
+  /// True if at that time each edge of the path had the parent that it has now, and what is above
+  /// the path had, too: there may have been a loop.
   bool wasPath(const std::vector<Frame>& path, std::int64_t stamp) const;
 
   /// The pose at the latest common time, interpolated; as tf2's lookupTransform(target, source, 0).
@@ -70,6 +74,9 @@ class TransformSource {
 
   /// Forgets everything that is not static, after a clock jump.
   void clear();
+
+  /// Counts transforms that were sent before a clock jump, instead of add().
+  void countDropped(std::size_t count) { intake_.dropped += count; }
 
   /// An edge whose newest stamp is so far ahead of `now` that it makes tf refuse all that honest
   /// clocks send may begin anew: the next transform that is too old replaces its history.

@@ -20,13 +20,21 @@ struct RandomMessage {
   bool is_static = false;
 };
 
+/// What else may go wrong.
+enum class Oddity {
+  kNone,
+  kLoops,  ///< a new parent may be any other frame
+  kUneven  ///< quaternions are a little longer or shorter than 1
+};
+
 /// Frame 0 is the root; every frame hangs on one of a lower number. Deep trees are chains with some
 /// branches, others branch everywhere.
 class RandomTf {
  public:
   static constexpr int kPublishers = 4;
 
-  explicit RandomTf(std::uint64_t seed) : random_(seed), depth_(seed % 5 == 0 ? 100 : 12) {
+  explicit RandomTf(std::uint64_t seed, Oddity oddity = Oddity::kNone)
+      : random_(seed), oddity_(oddity), depth_(seed % 5 == 0 ? 100 : 12) {
     edges_.resize(static_cast<std::size_t>(depth_ + pick(20)) + 1);
     for (int i = 1; i < frames(); ++i) {
       edge(i).parent = i <= depth_ && pick(10) > 0 ? i - 1 : pick(i);
@@ -53,7 +61,7 @@ class RandomTf {
     for (int i = 1; i < frames(); ++i) {
       const bool is_its_kind = edge(i).has_both || edge(i).is_static == message.is_static;
       if (!is_its_kind || (!message.is_static && edge(i).publisher != publisher)) continue;
-      if (pick(100) == 0) edge(i).parent = pick(i);
+      if (pick(100) == 0) edge(i).parent = newParent(i);
       if (pick(50) > 0) message.transforms.push_back(transformOf(i, now_ - lag(publisher) - age));
     }
     last_ = message;
@@ -70,17 +78,24 @@ class RandomTf {
 
   Edge& edge(int i) { return edges_[static_cast<std::size_t>(i)]; }
 
+  int newParent(int child) {
+    if (oddity_ != Oddity::kLoops || pick(2) == 0) return pick(child);
+    return (child + 1 + pick(frames() - 1)) % frames();
+  }
+
   /// Publishers stamp with clocks that differ a little; the first two agree.
   static double lag(int publisher) { return 0.004 * (publisher / 2); }
 
   geometry_msgs::TransformStamped transformOf(int child, double stamp) {
     const Eigen::Vector3d axis(random_.uniform(-1, 1), random_.uniform(-1, 1), 1.5);
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(random_.uniform(-3, 3), axis.normalized()));
+    Eigen::Quaterniond turn(Eigen::AngleAxisd(random_.uniform(-3, 3), axis.normalized()));
+    if (oddity_ == Oddity::kUneven) turn.coeffs() *= random_.uniform(0.996, 1.004);
     return link_bounds::edge(frameName(edge(child).parent), frameName(child), stamp, turn,
                              random_.vector(1));
   }
 
   brute_force::Random random_;
+  Oddity oddity_;
   int depth_;
   std::vector<Edge> edges_;  ///< by child
   RandomMessage last_;

@@ -130,6 +130,18 @@ TEST(TransformSource, QuaternionsThatAreNearlyUnitAreTakenAsTf2TakesThem) {
   EXPECT_TRUE(both.expectSame("c", "a"));
 }
 
+// A double beyond int64 must not be cast to it, as a build with -fsanitize=float-cast-overflow
+// shows.
+TEST(StaleBefore, ATimeoutBeyondAllTimesIsNever) {
+  volatile double timeout = 2;  // else the compiler does the cast
+  EXPECT_EQ(staleBefore(timeout, ros::Time(1000)), 998000000000);
+  for (const double huge : {2e10, 1e300, std::numeric_limits<double>::infinity()}) {
+    timeout = huge;
+    EXPECT_EQ(staleBefore(timeout, ros::Time(1700000000)),
+              std::numeric_limits<std::int64_t>::min());
+  }
+}
+
 class RefusalTest : public testing::Test {
  protected:
   std::string reason(const geometry_msgs::TransformStamped& transform) {
