@@ -56,7 +56,7 @@ bool LiveBoxes::expire(const TransformSource& tf, ros::Time now) {
 }
 
 /// Where nothing but the stamp can differ, nothing else is looked at. A box that is to be computed
-/// waits for the others, but where its stamp is as before: only the box itself then tells news.
+/// waits for the others. It is news even if it comes out the same: the pose is another one.
 bool LiveBoxes::refresh(std::size_t i, std::int64_t stale_before) {
   const PoseTree::Node* node = poses_.node(i);
   if (!(node ? node->is_news : poses_.isRebuilt())) return false;
@@ -66,23 +66,12 @@ bool LiveBoxes::refresh(std::size_t i, std::int64_t stale_before) {
   if (!node->has_pose) return drop(i, Trouble::kNoTransform);
   BoxState& state = states_[i];
   if (!node->has_moved && state.box) return std::exchange(state.stamp, node->stamp) != node->stamp;
-  if (node->stamp == state.stamp) return bound(i, *node);
   LinkUpdate& update = waiting_.emplace_back();
   update.link = &model_->links[i];
   update.world_from_link = &node->fixed_from_frame.affine;
   update.reach = &reaches_[i];
   update.box = &state.box;
   return false;
-}
-
-bool LiveBoxes::bound(std::size_t i, const PoseTree::Node& node) {
-  const std::optional<Aabb> box =
-      linkBox(model_->links[i], node.fixed_from_frame.affine, reaches_[i]);
-  const Trouble trouble = box ? Trouble::kNone : Trouble::kPoseNotFinite;
-  const bool is_changed = trouble != troubles_[i] || !isSame(box, states_[i].box);
-  states_[i].box = box;
-  describe(i, trouble);
-  return is_changed;
 }
 
 bool LiveBoxes::boundWaiting() {

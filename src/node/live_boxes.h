@@ -46,7 +46,6 @@ class LiveBoxes {
  private:
   bool refreshNews(ros::Time now);
   bool refresh(std::size_t i, std::int64_t stale_before);
-  bool bound(std::size_t i, const PoseTree::Node& node);
   bool boundWaiting();
   bool drop(std::size_t i, Trouble trouble);
   void describe(std::size_t i, Trouble trouble);

@@ -197,7 +197,7 @@ bool LiveObjects::update(const TransformSource& tf, ros::Time now) {
   if (!is_news) return is_changed;
   for (auto& [key, object] : objects_) {
     if (object.content.follows() && frames_.at(object.frame).is_news) {
-      is_changed |= refresh(object, tf, now);
+      is_changed |= refresh(object, tf, now) || !object.state.incomplete;
     }
   }
   return is_changed;

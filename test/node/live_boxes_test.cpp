@@ -100,5 +100,49 @@ TEST_F(LiveBoxesTest, AReparentedLinkIsBoundedAnew) {
   expectBoxOf(link, {6, 2, 3});
 }
 
+/// A cube that a half turn about z maps onto itself; true if there was news.
+class HalfTurnTest : public LiveBoxesTest {
+ protected:
+  HalfTurnTest() {
+    Shape cube;
+    cube.solid = Solid::kBox;
+    cube.size = Eigen::Vector3d(2, 2, 2);
+    adopt({"l", {cube}, 0, ""});
+  }
+
+  bool send(const std::string& parent, const std::string& child, double stamp,
+            const Eigen::Quaterniond& rotation, bool is_static) {
+    tf_.add({edge(parent, child, stamp, rotation, {0, 0, 0})}, is_static, now_);
+    return live_.update(tf_, now_);
+  }
+
+  const Eigen::Quaterniond straight_ = Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond half_turn_{0, 0, 0, 1};
+};
+
+TEST_F(HalfTurnTest, OfAStaticTransformIsNews) {
+  EXPECT_TRUE(send("base", "l", 1, straight_, true));
+  const Aabb before = live_.states()[0].box.value();
+  EXPECT_TRUE(send("base", "l", 1, half_turn_, true));
+  EXPECT_EQ(live_.states()[0].box->min(), before.min());
+  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+}
+
+TEST_F(HalfTurnTest, BySamplesThatComeLateIsNews) {
+  send("base", "m", 1, straight_, false);
+  send("base", "m", 3, straight_, false);
+  EXPECT_TRUE(send("m", "l", 2, straight_, false));
+  EXPECT_TRUE(send("base", "m", 2, half_turn_, false));
+  EXPECT_EQ(live_.states()[0].stamp, 2000000000);
+}
+
+TEST_F(HalfTurnTest, TheSamePoseAgainIsNoNews) {
+  send("base", "l", 1, half_turn_, true);
+  EXPECT_FALSE(send("base", "l", 1, half_turn_, true));
+  EXPECT_FALSE(send("base", "l", 1, Eigen::Quaterniond(-half_turn_.coeffs()), true));
+  EXPECT_FALSE(send("base", "other", 1, straight_, true)) << "another structure, the same pose";
+  EXPECT_FALSE(live_.updateAll(tf_, now_));
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -33,6 +33,19 @@ TEST_F(LiveObjectsTest, FollowsItsFrame) {
   EXPECT_FALSE(hear("map", "other", 100, 45, 6));
 }
 
+TEST_F(LiveObjectsTest, APoseThatLeavesTheBoxAsItWasIsNews) {
+  const auto send = [this](double x_of_quaternion) {
+    const Eigen::Quaterniond turn(1 - x_of_quaternion, x_of_quaternion, 0, 0);
+    tf_.add({edge("map", "tray", 1, turn, {0, 0, 0})}, true, now_);
+    return objects_.update(tf_, now_);
+  };
+  put(boxIn("tray"));
+  EXPECT_TRUE(send(0));
+  EXPECT_TRUE(send(1));
+  expectBox(0);
+  EXPECT_FALSE(send(1));
+}
+
 // The newest parent decides about the time, and at that time the parent was the one before.
 TEST_F(LiveObjectsTest, LateNewsOfAnOldParentAreNews) {
   put(boxIn("tray"));
