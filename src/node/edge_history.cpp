@@ -40,10 +40,16 @@ void EdgeHistory::clear() {
   if (!is_static_) samples_.clear();
 }
 
+bool EdgeHistory::reachesBefore(std::int64_t stamp) const {
+  const EdgeSample* before = samples_.neighbours(stamp - 1).older;
+  return before && before->stamp >= reach();
+}
+
 const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) const {
   const auto [older, newer] = samples_.neighbours(stamp);
   if (!older || older->stamp < reach()) return nullptr;
   if (older->parent != newer->parent) return older;
+  if (older->stamp == stamp && !reachesBefore(stamp)) return older;
   scratch = {interpolated(*older, *newer, stamp), older->parent, stamp};
   return &scratch;
 }

@@ -29,7 +29,8 @@ class EdgeHistory {
   void clear();
 
   /// At that time, interpolated between two samples of one parent, of two parents the older one; at
-  /// time 0 the newest. Null if the history does not reach the time. `scratch` may be used.
+  /// time 0 the newest. At the times of the oldest and the newest, these as they are. Null if the
+  /// history does not reach the time. `scratch` may be used.
   const EdgeSample* at(std::int64_t stamp, EdgeSample& scratch) const {
     if (samples_.isEmpty()) return nullptr;
     const EdgeSample& newest = samples_.newest();
@@ -40,6 +41,7 @@ class EdgeHistory {
  private:
   bool insertElsewhere(const EdgeSample& sample);
   bool isRefused(std::int64_t stamp) const;
+  bool reachesBefore(std::int64_t stamp) const;
   const EdgeSample* before(std::int64_t stamp, EdgeSample& scratch) const;
 
   /// tf2 would have forgotten what is older.
