@@ -14,7 +14,9 @@ NO_LEFT = {"base": 0, "mast": 0, "right": 45}
 LONG = 100000  # characters
 FRAMES = 10000
 PER_MESSAGE = 5000
-DEEP = 900
+DEEP = (2000, 20000)  # frames; tf2 takes more than a thousand for a loop
+DEEP_TOLERANCE = 1e-9  # m; each of the frames rounds
+DEEP_DEADLINE = 60.0  # wall seconds to send, receive and answer the largest message
 PLACEHOLDER, NOT_UTF8 = b"not_utf8", b"\xff\xfe\x80\xc0\xaf\xed\xa0\x80"
 
 
@@ -150,16 +152,28 @@ class TfStructure(ArmsTest):
             self.send(*(("left_tip", "leaf_%d" % i) for i in range(begin, begin + 1000)))
         self.send_good(45, 30)
 
-    def test_a_link_at_the_end_of_a_deep_chain(self):
-        chain = ["base"] + ["step_%d" % i for i in range(DEEP)]
-        pose = joint_pose("left", 45)
-        stamp = self.next_stamp()
-        self.boxes.clear()
-        self.tf.send_transforms(
-            *(transform(parent, child, stamp) for parent, child in zip(chain, chain[1:])),
-            transform(chain[-1], "left", stamp, pose.xyz, pose.xyzw),
-            self.tf.transform("left_tip", stamp, 45))
-        self.wait_for(at_angles(45, 30))
+    def test_links_in_a_deep_chain_at_its_end_and_beside_it(self):
+        for depth in DEEP:
+            chain = ["base"] + ["step_%d" % i for i in range(depth)]
+            middle, end = (0.01 * (depth // 2), 0, 0), (0.01 * depth, 0, 0)
+            pose, tip = joint_pose("left", 45), joint_pose("left_tip", 45)
+            stamp = self.next_stamp()
+            self.boxes.clear()
+            self.tf.send_transforms(
+                *(transform(parent, child, stamp, (0.01, 0, 0))
+                  for parent, child in zip(chain, chain[1:])),
+                transform(chain[depth // 2], "left", stamp, pose.xyz, pose.xyzw),
+                transform(chain[-1], "left_tip", stamp, tip.xyz, tip.xyzw),
+                self.tf.transform("right", stamp, 45))
+            message = self.boxes.wait(lambda m: m.header.stamp == stamp, "boxes", DEEP_DEADLINE)
+            self.assertEqual(message.incomplete, [])
+            for name, expected in (("left", (Pose(middle) * pose).box_bounds(SIZES["left"])),
+                                   ("left_tip", (Pose(end) * tip).box_bounds(SIZES["left_tip"])),
+                                   ("right", arm_bounds("right", 45)),
+                                   ("mast", arm_bounds("mast", 0))):
+                box = corners_of(box_of(message, name))
+                self.assertLess(difference(box, expected), DEEP_TOLERANCE, (depth, name))
+        self.send_good(45, 30)
 
 
 if __name__ == "__main__":
