@@ -102,6 +102,7 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms refused, stamp repeated", std::to_string(intake.repeated));
   add(status, "transforms refused, too old", std::to_string(intake.too_old));
   add(status, "transforms refused, unusable", std::to_string(intake.unusable));
+  add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
 }
 
 std::string nodeName() {

@@ -119,6 +119,7 @@ void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {
   if (!is_static && std::any_of(transforms.begin(), transforms.end(), is_late)) {
     std::vector<TransformView> kept;
     std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
+    tf_.countDropped(transforms.size() - kept.size());
     addTransforms(kept, is_static, now, event);
   } else {
     addTransforms(transforms, is_static, now, event);

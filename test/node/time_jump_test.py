@@ -10,7 +10,7 @@ import rostest
 from bounds_testing import Recorder, box_of, corners_of, difference, load, names_of, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
 from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, SimulatedClock,
-                          arm_bounds)
+                          arm_bounds, value_of)
 
 TOLERANCE = 1e-12  # m
 BACK_AGAIN = 0.5  # wall seconds in which boxes of the new era must appear
@@ -56,6 +56,11 @@ class TimeJump(unittest.TestCase):
         self.assertEqual((names_of(message), message.incomplete), (STATIC, DYNAMIC))
         return new_now
 
+    def dropped(self, status=None):
+        """How many transforms were dropped after jumps, by this status or by a new one."""
+        status = status or self.diagnostics.wait_for_new(lambda _, s: True, "a status")
+        return int(value_of(status, "transforms dropped after a clock jump"))
+
     def send_two_poses(self, start):
         """What was poisoned by a later stamp would not show both of these."""
         self.tf.send(at(start + 0.01), degrees=30)
@@ -87,11 +92,19 @@ class TimeJump(unittest.TestCase):
         self.assertNotIn(at(new_now + 3), [m.header.stamp for m in self.boxes.messages])
 
     def test_late_transform_beside_a_new_one_in_a_message_is_dropped_alone(self):
+        dropped = self.dropped()
         new_now = self.jump_back()
-        self.tf.send(at(new_now + 3), links=["right"])
-        self.tf.send(at(new_now + 0.01), links=["left", "left_tip"])
-        self.boxes.wait(lambda m: names_of(m) == ["base", "mast", "left", "left_tip"] and
-                        m.incomplete == ["right"], "left arm alone")
+        late, new = at(new_now + 3), at(new_now + 0.01)
+        self.tf.send_transforms(self.tf.transform("left", new, 30),
+                                self.tf.transform("right", late, 30),
+                                self.tf.transform("left_tip", new, 30))
+        message = self.boxes.wait(lambda m: "left" in names_of(m), "boxes of the new era")
+        self.assertEqual(names_of(message), ["base", "mast", "left", "left_tip"])
+        self.assertEqual(message.incomplete, ["right"])
+        self.diagnostics.wait_for_new(lambda _, status: self.dropped(status) == dropped + 1,
+                                      "one more dropped transform")
+        self.tf.send(at(new_now + 0.02), degrees=45, links=["right"])
+        self.boxes.wait(lambda m: names_of(m) == ALL and not m.incomplete, "the right arm, too")
 
     def test_stamps_ahead_count_again_when_the_doubt_is_over(self):
         new_now = self.jump_back()
