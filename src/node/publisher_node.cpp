@@ -6,7 +6,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <boost/make_shared.hpp>
 
 #include "guarded.h"
 
@@ -69,8 +68,7 @@ void PublisherNode::subscribe() {
   tf_static_subscriber_ = subscribeToTf(kTfStaticTopic, true);
 }
 
-/// Without tcpNoDelay small messages wait for each other in the kernel. Each message is read into
-/// the memory of the one before, unless somebody still holds that.
+/// Without tcpNoDelay small messages wait for each other in the kernel.
 ros::Subscriber PublisherNode::subscribeToTf(const TopicName& topic, bool is_static) {
   ros::SubscribeOptions options;
   options.initByFullCallbackType<const TfEvent&>(
@@ -78,10 +76,7 @@ ros::Subscriber PublisherNode::subscribeToTf(const TopicName& topic, bool is_sta
       [this, is_static](const TfEvent& event) {
         health_.tf_callbacks_ms.add(timed([&] { onTransforms(event, is_static); }));
       },
-      [message = boost::make_shared<TfMessage>()]() mutable {
-        if (!message.unique()) message = boost::make_shared<TfMessage>();
-        return message;
-      });
+      [&memory = is_static ? tf_static_memory_ : tf_memory_] { return memory.lend(); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return node_.subscribe(options);
 }
@@ -154,6 +149,8 @@ void PublisherNode::onTick() {
 
 /// Many objects that are gone leave holes all over the heap.
 void PublisherNode::watchMemory() {
+  tf_memory_.giveBack();
+  tf_static_memory_.giveBack();
   const std::size_t objects = scene_.objects.objects().size();
   most_objects_ = std::max(most_objects_, objects);
   if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;

@@ -59,6 +59,8 @@ class PublisherNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
+  TfMessageMemory tf_memory_;
+  TfMessageMemory tf_static_memory_;
   TransformSource tf_;
   Scene scene_;
   ObjectSource object_source_;

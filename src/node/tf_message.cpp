@@ -4,12 +4,15 @@
 // rotation.
 #include "tf_message.h"
 
+#include <boost/make_shared.hpp>
 #include <cstring>
 
 namespace link_bounds {
 namespace {
 
 using ros::serialization::IStream;
+
+constexpr std::size_t kLarge = 1 << 20;  // bytes; about five thousand transforms
 
 std::string_view stripped(std::string_view name) {
   if (!name.empty() && name.front() == '/') name.remove_prefix(1);
@@ -51,6 +54,15 @@ void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
     Tf2Pose& pose = transforms.emplace_back(parent, child, names, stamp).parent_from_child;
     std::memcpy(pose.numbers.data(), stream.advance(sizeof(pose.numbers)), sizeof(pose.numbers));
   }
+}
+
+boost::shared_ptr<TfMessage> TfMessageMemory::lend() {
+  if (!message_ || !message_.unique()) message_ = boost::make_shared<TfMessage>();
+  return message_;
+}
+
+void TfMessageMemory::giveBack() {
+  if (message_ && message_->capacity() > kLarge) message_.reset();
 }
 
 }  // namespace link_bounds

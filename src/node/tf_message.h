@@ -8,6 +8,7 @@
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <boost/shared_ptr.hpp>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,26 @@ struct TfMessage {
   /// ros::serialization throws if it is too short.
   void read(const std::uint8_t* data, std::uint32_t size);
 
+  /// Of its memory [bytes].
+  std::size_t capacity() const {
+    return bytes.capacity() + transforms.capacity() * sizeof(TransformView);
+  }
+
   std::vector<TransformView> transforms;  ///< into bytes
   std::vector<std::uint8_t> bytes;
+};
+
+/// Each message of a topic is read into the memory of the one before.
+class TfMessageMemory {
+ public:
+  /// Unless somebody still holds it, the last one.
+  boost::shared_ptr<TfMessage> lend();
+
+  /// To be called now and then: what only a large message needs is not kept.
+  void giveBack();
+
+ private:
+  boost::shared_ptr<TfMessage> message_;
 };
 
 }  // namespace link_bounds

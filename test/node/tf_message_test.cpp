@@ -73,5 +73,28 @@ TEST(TfMessage, LyingCountsAndLengthsAreErrors) {
   EXPECT_THROW(read(bytes, message), ros::serialization::StreamOverrunException);
 }
 
+tf2_msgs::TFMessage manyTransforms(std::size_t count) {
+  tf2_msgs::TFMessage message;
+  message.transforms.assign(count, edge("a", "b", 1.5, kTurn, {1, 2, 3}));
+  return message;
+}
+
+TEST(TfMessageMemory, IsUsedAgainUnlessSomebodyHoldsIt) {
+  TfMessageMemory memory;
+  read(bytesOf(manyTransforms(1000)), *memory.lend());
+  memory.giveBack();
+  const auto first = memory.lend();
+  EXPECT_GT(first->capacity(), 1000 * sizeof(TransformView));
+  EXPECT_NE(memory.lend(), first);
+}
+
+TEST(TfMessageMemory, OfALargeMessageIsGivenBack) {
+  TfMessageMemory memory;
+  read(bytesOf(manyTransforms(300000)), *memory.lend());
+  EXPECT_GT(memory.lend()->capacity(), 50000000u);
+  memory.giveBack();
+  EXPECT_EQ(memory.lend()->capacity(), 0u);
+}
+
 }  // namespace
 }  // namespace link_bounds

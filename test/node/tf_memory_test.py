@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The memory that huge tf messages need is given back after them."""
+import io
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
+from node_testing import (ALL, ARMS, SANITIZED, ArmsTf, Diagnostics, NodeProcess, resident_bytes,
+                          value_of)
+from tf2_msgs.msg import TFMessage
+
+MANY = 300000  # transforms in one message
+ROUNDS = 3
+MEBIBYTE = 1 << 20
+KEPT = 4 * MEBIBYTE  # by the C library and in roscpp's buffers
+DEADLINE = 60.0  # wall seconds to send, receive and read one of them
+
+
+class Repetition(TFMessage):
+    """The same transform many times, made in no time."""
+
+    def __init__(self, one, count):
+        super().__init__([one])
+        buffer = io.BytesIO()
+        TFMessage([one]).serialize(buffer)
+        self._data = count.to_bytes(4, "little") + count * buffer.getvalue()[4:]
+
+    @property
+    def size(self):
+        return len(self._data)
+
+    def serialize(self, buff):
+        buff.write(self._data)
+
+
+class TfMemory(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.set_param("/robot_description", ARMS)
+        cls.node = NodeProcess("tf_memory_node")
+        cls.boxes = Recorder(cls.node.name + "/boxes")
+        cls.diagnostics = Diagnostics(cls.node.name)
+        cls.tf = ArmsTf()
+        cls.tf_static = TfSender(is_static=True)
+        cls.tf_static.wait_for_listener()
+        cls.now = 1000
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.node.end()
+
+    def send_arms(self):
+        type(self).now += 1
+        self.boxes.clear()
+        self.tf.send(rospy.Time(self.now))
+        self.boxes.wait(lambda m: names_of(m) == ALL and m.header.stamp.secs == self.now, "boxes")
+
+    def counter(self, key):
+        status = self.diagnostics.wait_for_new(lambda _, s: True, "a status")
+        return int(value_of(status, key))
+
+    def check(self, sender, child, key, is_latched=False):
+        """Sends huge messages of one transform, which are counted under the key."""
+        self.send_arms()
+        before = resident_bytes(self.node.pid)
+        message = Repetition(transform("nowhere", child, rospy.Time(1000)), MANY)
+        kept = KEPT + (message.size if is_latched else 0)  # roscpp keeps a latched one as it came
+        for _ in range(ROUNDS):
+            count = self.counter(key)
+            sender.publish(message)
+            self.diagnostics.wait_for_new(
+                lambda _, s: int(value_of(s, key)) >= count + MANY - 1, "all of them", DEADLINE)
+            if SANITIZED:
+                print("skipped: a sanitizer keeps memory that was freed")
+                continue
+            wait_for(lambda: resident_bytes(self.node.pid) < before + kept,
+                     "the memory is back; MiB before and now: %.1f, %.1f" % (
+                         before / MEBIBYTE, resident_bytes(self.node.pid) / MEBIBYTE))
+            print("memory [MiB]: %.1f before, %.1f after %d transforms in one message" % (
+                before / MEBIBYTE, resident_bytes(self.node.pid) / MEBIBYTE, MANY))
+        self.send_arms()
+
+    def test_a_huge_message(self):
+        self.check(self.tf, "moving", "transforms refused, stamp repeated")
+
+    def test_a_huge_static_message(self):
+        self.check(self.tf_static, "fixed", "transforms taken", is_latched=True)
+
+
+if __name__ == "__main__":
+    rospy.init_node("tf_memory_test")
+    rostest.rosrun("link_bounds", "tf_memory", TfMemory)
