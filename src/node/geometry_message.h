@@ -17,4 +17,8 @@ inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
   return point;
 }
 
+inline Eigen::Vector3d toVector(const geometry_msgs::Point& point) {
+  return {point.x, point.y, point.z};
+}
+
 }  // namespace link_bounds

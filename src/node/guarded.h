@@ -6,10 +6,14 @@
 #include <ros/console.h>
 
 #include <exception>
+#include <functional>
 
 #include "log_text.h"
 
 namespace link_bounds {
+
+/// Runs the body of a callback where nothing can be thrown out of it.
+using Guard = std::function<void(const std::function<void()>& body)>;
 
 /// Calls the body of a callback; an exception becomes one log line per second.
 template <class Body>

@@ -8,15 +8,13 @@
 
 #include <functional>
 
+#include "guarded.h"
 #include "topics.h"
 
 namespace link_bounds {
 
 /// For whom a message is made: all who listen, or one who has just come.
 enum class Audience { kAll, kNewcomer };
-
-/// Runs the body of a callback where nothing can be thrown out of it.
-using Guard = std::function<void(const std::function<void()>& body)>;
 
 /// Each new subscriber is sent a message of its own when it connects.
 template <class Message>

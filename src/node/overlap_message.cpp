@@ -3,20 +3,23 @@
 // The boxes are those of ~boxes, in the same order.
 #include "overlap_message.h"
 
+#include "geometry_message.h"
+
 namespace link_bounds {
 
-void SceneOverlaps::collect(const Scene& scene) {
+void SceneOverlaps::collect(const Model& model, const AxisAlignedBoxArray& boxes,
+                            std::size_t link_count) {
   boxes_.clear();
   owners_.clear();
-  const std::size_t link_count = scene.model()->links.size();
-  std::size_t i = 0;
-  scene.forEach([&](const std::string& name, const BoxState& state) {
-    if (state.box) {
-      boxes_.push_back(*state.box);
-      owners_.push_back({&name, i < link_count ? std::optional(i) : std::nullopt});
-    }
-    ++i;
-  });
+  std::size_t link = 0;
+  for (const AxisAlignedBox& box : boxes.boxes) {
+    boxes_.emplace_back(toVector(box.min), toVector(box.max));
+    Owner& owner = owners_.emplace_back(Owner{&box.name, std::nullopt});
+    if (owners_.size() > link_count) continue;
+    while (model.links[link].name != box.name)
+      ++link;
+    owner.link = link++;
+  }
 }
 
 bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& b) const {
@@ -33,9 +36,10 @@ BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t
   return overlaps.back();
 }
 
-void SceneOverlaps::fill(const Scene& scene, BoxOverlapArray& message) {
-  const Model& model = *scene.model();
-  collect(scene);
+void SceneOverlaps::fill(const Model& model, const AxisAlignedBoxArray& boxes,
+                         std::size_t link_count, BoxOverlapArray& message) {
+  message.header = boxes.header;
+  collect(model, boxes, link_count);
   std::size_t count = 0;
   for (const BoxPair& pair : search_.find(boxes_, model.parameters.overlap_margin)) {
     const Owner& first = owners_[pair.first];

@@ -7,17 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
 #include "link_bounds/box_overlaps.h"
-#include "scene.h"
+#include "model.h"
 
 namespace link_bounds {
 
-/// Searches the boxes of a scene again and again; keeps memory for it.
+/// Searches the boxes of messages again and again; keeps memory for it.
 class SceneOverlaps {
  public:
-  /// Overwrites `message` but for its header; reuses its memory. There must be a model.
-  void fill(const Scene& scene, BoxOverlapArray& message);
+  /// Overwrites `message`; reuses its memory. The first `link_count` of the boxes are of links of
+  /// the model, in its order.
+  void fill(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count,
+            BoxOverlapArray& message);
 
  private:
   /// Whose box it is.
@@ -26,7 +29,7 @@ class SceneOverlaps {
     std::optional<std::size_t> link;  ///< nothing for objects
   };
 
-  void collect(const Scene& scene);
+  void collect(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count);
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
   bool isReported(const Model& model, const Owner& a, const Owner& b) const;
 

@@ -5,40 +5,48 @@
 
 #include <algorithm>
 
-#include "guarded.h"
-
 namespace link_bounds {
 namespace {
 
-/// roscpp wants a positive period.
-constexpr double kShortestWait = 1e-4;
+/// roscpp wants a positive period, and one that its times of 32 bits can hold.
+constexpr double kShortestWait = 1e-4;  // s
+constexpr double kLongestWait = 1e8;    // s
 
 }  // namespace
 
-PacedOutput::PacedOutput(ros::NodeHandle& node, std::function<void()> emit)
-    : emit_(std::move(emit)),
+PacedOutput::PacedOutput(ros::NodeHandle& node, Guard guard, std::function<void()> emit)
+    : guard_(std::move(guard)),
+      emit_(std::move(emit)),
       timer_(node.createWallTimer(
-          ros::WallDuration(1), [this](const ros::WallTimerEvent&) { guarded([&] { emitNow(); }); },
+          ros::WallDuration(1), [this](const ros::WallTimerEvent&) { guard_([&] { emitNow(); }); },
           true, false)) {}
 
 void PacedOutput::setRate(double rate) {
-  period_ = rate > 0 ? ros::WallDuration(1 / rate) : ros::WallDuration(0);
+  period_ = rate > 0 ? 1 / rate : 0;
+  if (is_waiting_) startTimer();
 }
 
 void PacedOutput::request() {
   if (is_waiting_) return;
-  const ros::WallDuration elapsed = ros::WallTime::now() - last_;
+  const double elapsed = ros::WallTime::now().toSec() - last_;
   // A wall clock set back must not silence the output.
-  if (elapsed >= period_ || elapsed < ros::WallDuration(0)) return emitNow();
+  if (elapsed >= period_ || elapsed < 0) return emitNow();
   is_waiting_ = true;
-  timer_.setPeriod(ros::WallDuration(std::max((period_ - elapsed).toSec(), kShortestWait)));
+  startTimer();
+}
+
+/// Also if it runs already, with another period.
+void PacedOutput::startTimer() {
+  const double rest = std::min(last_ + period_ - ros::WallTime::now().toSec(), period_);
+  timer_.stop();
+  timer_.setPeriod(ros::WallDuration(std::clamp(rest, kShortestWait, kLongestWait)));
   timer_.start();
 }
 
 void PacedOutput::emitNow() {
   timer_.stop();
   is_waiting_ = false;
-  last_ = ros::WallTime::now();
+  last_ = ros::WallTime::now().toSec();
   emit_();
 }
 

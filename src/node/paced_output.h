@@ -8,15 +8,18 @@
 
 #include <functional>
 
+#include "guarded.h"
+
 namespace link_bounds {
 
 /// Calls `emit` at once when a request comes later than one period after the last emission, else
 /// when that period is over, once for all requests in between. Wall time.
 class PacedOutput {
  public:
-  PacedOutput(ros::NodeHandle& node, std::function<void()> emit);
+  /// `guard` runs what the timer calls.
+  PacedOutput(ros::NodeHandle& node, Guard guard, std::function<void()> emit);
 
-  /// Hz; 0 = no limit.
+  /// Hz; 0 = no limit. It holds at once, also for what waits already.
   void setRate(double rate);
 
   void request();
@@ -25,9 +28,12 @@ class PacedOutput {
   void emitNow();
 
  private:
+  void startTimer();
+
+  Guard guard_;
   std::function<void()> emit_;
-  ros::WallDuration period_;
-  ros::WallTime last_;
+  double period_ = 0;  ///< s
+  double last_ = 0;    ///< s, wall time; 0 = never
   ros::WallTimer timer_;
   bool is_waiting_ = false;
 };

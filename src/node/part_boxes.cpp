@@ -10,21 +10,30 @@ namespace link_bounds {
 void PartBoxes::adopt(const Model& model) {
   are_wanted_ = model.parameters.parts_per_link > 1;
   reaches_.clear();
+  states_.clear();
   for (const std::vector<BoundedLink>& parts : model.parts)
     reaches_.emplace_back(parts.begin(), parts.end());
 }
 
-void PartBoxes::fill(const LiveBoxes& links, AxisAlignedBoxArray& message) {
-  const Model& model = *links.model();
+void PartBoxes::place(const LiveBoxes& links) {
+  if (!are_wanted_) return;
+  states_ = links.states();
+  poses_.resize(states_.size());
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i].box) poses_[i] = links.pose(i);
+  }
+}
+
+void PartBoxes::fill(const Model& model, AxisAlignedBoxArray& message) {
   BoxFiller filler(message, model.fixed_frame);
-  for (std::size_t i = 0; i < reaches_.size(); ++i) {
-    BoxState state = links.states()[i];
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    BoxState state = states_[i];
     if (!state.box) {
       filler.add(model.links[i].name, state);
       continue;
     }
     for (std::size_t part = 0; part < reaches_[i].size(); ++part) {
-      state.box = linkBox(model.parts[i][part], links.pose(i), reaches_[i][part]);
+      state.box = linkBox(model.parts[i][part], poses_[i], reaches_[i][part]);
       filler.add(model.links[i].name, state);
       state.incomplete = false;  // names the link once
     }

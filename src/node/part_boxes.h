@@ -17,13 +17,18 @@ class PartBoxes {
   /// True if the model wants more than one part per link.
   bool areWanted() const { return are_wanted_; }
 
-  /// Overwrites `message` with the parts of all links that have a box, each named, stamped and
-  /// incomplete as its link; reuses its memory. `links` must have the adopted model.
-  void fill(const LiveBoxes& links, AxisAlignedBoxArray& message);
+  /// Remembers where the links are, if parts are wanted. They must have the adopted model.
+  void place(const LiveBoxes& links);
+
+  /// Overwrites `message` with the parts of all links that had a box at the last place(), each
+  /// named, stamped and incomplete as its link; reuses its memory. `model` is the adopted one.
+  void fill(const Model& model, AxisAlignedBoxArray& message);
 
  private:
   bool are_wanted_ = false;
   std::vector<std::vector<LinkReach>> reaches_;  ///< by link and part
+  std::vector<BoxState> states_;                 ///< by link, as its pose
+  std::vector<Eigen::Affine3d> poses_;           ///< of links that have a box
 };
 
 }  // namespace link_bounds

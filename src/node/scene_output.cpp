@@ -34,8 +34,8 @@ SceneOutput::SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, c
                  [this](auto& message, Audience) { return fillFootprint(message); }),
       overlaps_(private_node, kOverlapsTopic, kBoxesQueue, guard,
                 [this](auto& message, Audience) { return fillOverlaps(message); }),
-      boxes_output_(node, [this] { publishBoxes(); }),
-      markers_output_(node, [this] { markers_.publish(); }) {}
+      boxes_output_(node, guard, [this] { publishBoxes(); }),
+      markers_output_(node, guard, [this] { markers_.publish(); }) {}
 
 void SceneOutput::adopt() {
   const Parameters& parameters = scene_.model()->parameters;
@@ -63,9 +63,18 @@ void SceneOutput::publishBoxes() {
   noteLag(boxes_message_.header.stamp);
   fillGroups(scene_, groups_message_);
   groups_publisher_.publish(groups_message_);
+  rememberShown();
   parts_.publish();
   footprint_.publish();
   overlaps_.publish();
+}
+
+void SceneOutput::rememberShown() {
+  const std::vector<BoxState>& links = scene_.links.states();
+  shown_links_ = static_cast<std::size_t>(std::count_if(
+      links.begin(), links.end(), [](const BoxState& state) { return state.box.has_value(); }));
+  shown_robot_ = groupState(scene_.model()->groups.front(), scene_);
+  part_boxes_.place(scene_.links);
 }
 
 void SceneOutput::noteLag(ros::Time stamp) {
@@ -89,21 +98,19 @@ bool SceneOutput::fillMarkers(visualization_msgs::MarkerArray& message, Audience
 
 bool SceneOutput::fillParts(AxisAlignedBoxArray& message) {
   if (!part_boxes_.areWanted()) return false;
-  part_boxes_.fill(scene_.links, message);
+  part_boxes_.fill(*scene_.model(), message);
   return true;
 }
 
 bool SceneOutput::fillFootprint(geometry_msgs::Polygon& message) const {
-  if (!scene_.model()) return false;
-  const auto footprint = footprintOf(groupState(scene_.model()->groups.front(), scene_));
+  const auto footprint = footprintOf(shown_robot_);
   if (footprint) message = *footprint;
   return footprint.has_value();
 }
 
 bool SceneOutput::fillOverlaps(BoxOverlapArray& message) {
-  if (!scene_.model()) return false;
-  message.header = headerOf(scene_);
-  scene_overlaps_.fill(scene_, message);
+  if (publications_ == 0) return false;
+  scene_overlaps_.fill(*scene_.model(), boxes_message_, shown_links_, message);
   return true;
 }
 

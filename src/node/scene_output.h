@@ -20,9 +20,11 @@
 
 namespace link_bounds {
 
+/// Overlaps, parts and footprint are made from what the last ~boxes showed: a new subscriber may
+/// come while the scene is newer than that and max_rate lets it wait.
 class SceneOutput {
  public:
-  /// `scene` must outlive this. `guard` runs what roscpp calls when somebody subscribes.
+  /// `scene` must outlive this. `guard` runs what roscpp calls.
   SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
               const Guard& guard);
 
@@ -44,6 +46,7 @@ class SceneOutput {
 
  private:
   void publishBoxes();
+  void rememberShown();
   void noteLag(ros::Time stamp);
   bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
   bool fillParts(AxisAlignedBoxArray& message);
@@ -56,6 +59,8 @@ class SceneOutput {
   ShownMarkers shown_;
   PartBoxes part_boxes_;
   SceneOverlaps scene_overlaps_;
+  BoxState shown_robot_;         ///< in the last ~boxes, as all that depends on it
+  std::size_t shown_links_ = 0;  ///< boxes of links in it, which come first
   AxisAlignedBoxArray boxes_message_;
   AxisAlignedBoxArray groups_message_;
   ros::Publisher boxes_publisher_;

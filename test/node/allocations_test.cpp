@@ -108,8 +108,9 @@ class Chain {
     ASSERT_TRUE(scene_.links.update(tf_, now));
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
-    parts_.fill(scene_.links, parts_message_);
-    scene_overlaps_.fill(scene_, overlaps_);
+    parts_.place(scene_.links);
+    parts_.fill(*scene_.model(), parts_message_);
+    scene_overlaps_.fill(*scene_.model(), boxes_, kLinks, overlaps_);
     is_roscpp = true;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);

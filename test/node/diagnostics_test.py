@@ -7,11 +7,15 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import box_link, load, robot, wait_for
+from bounds_testing import Recorder, box_link, load, robot, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
+from link_bounds.msg import BoxOverlapArray
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
+from object_testing import ObjectSender, marker
 
 MESSAGES = 20
+CROWD = 400  # objects that all overlap
+LONG = 10.0  # ms; to find 80,000 pairs and send them takes longer
 PERIODS = 5
 PERIOD = 1.0  # wall seconds
 LATE = 0.5  # wall seconds by which their mean may be off on a busy machine
@@ -97,6 +101,22 @@ class DiagnosticsTest(unittest.TestCase):
         self.diagnostics.wait_for_new(
             lambda _, status: value_of(status, "longest lag of boxes behind their stamp [ms]") ==
             "none" and float(value_of(status, "updates per second")) == 0, "silence")
+
+    def test_what_a_timer_publishes_counts_as_a_callback(self):
+        load(NODE, "<robot name='r'><link name='base'/></robot>", max_rate=0.5)
+        overlaps = Recorder(NODE + "/overlaps", BoxOverlapArray)
+        self.addCleanup(overlaps.subscriber.unregister)
+        overlaps.wait(lambda m: True, "the welcome")
+        objects = ObjectSender(NODE)
+        self.addCleanup(load, NODE)
+        self.addCleanup(objects.clear)
+        key = "longest callback, CPU [ms]"
+        objects.send(marker("first/1"))  # this one or the reload lets the next one wait
+        before = float(value_of(self.diagnostics.wait_for_new(lambda *_: True, "a status"), key))
+        objects.send(*[marker("crowd_of_objects/%d" % i) for i in range(CROWD)])
+        overlaps.wait(lambda m: len(m.overlaps) >= CROWD * (CROWD - 1) / 2, "all pairs")
+        status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        self.assertGreater(float(value_of(status, key)), before + LONG)
 
     def test_comes_every_second(self):
         start = len(self.diagnostics.received)

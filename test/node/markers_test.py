@@ -146,6 +146,14 @@ class Markers(unittest.TestCase):
         self.assertGreater(count, 5 * most)
         self.assertLessEqual(len(markers.messages), most)
 
+    def test_a_raised_marker_rate_takes_effect_at_once(self):
+        markers, _ = self.start(marker_rate=0.02)
+        wait_for(lambda: markers.subscriber.get_num_connections(), "a connection")
+        self.send_next()
+        load(NODE, marker_rate=30.0)
+        last = rospy.Time(self.now)
+        markers.wait(lambda m: m.markers[0].header.stamp == last, "the newest state")
+
 
 if __name__ == "__main__":
     rospy.init_node("markers_test")

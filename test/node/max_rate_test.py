@@ -7,12 +7,17 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, box_of, load, wait_for
-from link_bounds.msg import AxisAlignedBoxArray
-from node_testing import ALL, ARMS, NODE, ArmsTf
+from bounds_testing import (Recorder, box_of, corners_of, difference, latched, load, names_of,
+                            union, wait_for)
+from footprint_test import is_rectangle
+from geometry_msgs.msg import Polygon
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, value_of
+from object_testing import ObjectSender, deletion, marker
 
 UPDATES = 400
 LATE = 0.3  # wall seconds on a busy machine
+SLOW = 0.01  # Hz; one period is longer than any deadline here
 INTERVAL = 0.005  # wall seconds between updates, 200 Hz
 
 
@@ -106,6 +111,43 @@ class MaxRate(unittest.TestCase):
         stamp = self.send_next()
         message = self.boxes.wait(lambda m: m.header.stamp == stamp, "the single update")
         self.assertEqual(box_of(message, "left").stamp, stamp)
+
+    def test_a_new_subscriber_is_shown_what_boxes_shows(self):
+        self.start(0.0)
+        objects = ObjectSender(NODE)
+        self.addCleanup(load, NODE)
+        self.addCleanup(objects.clear)
+        objects.send(marker("gone/1"))
+        self.boxes.wait(lambda m: "gone/1" in names_of(m), "the object")
+        diagnostics = Diagnostics()
+        self.boxes.clear()
+        load(NODE, max_rate=SLOW, overlap_margin=10.0, parts_per_link=2)
+        shown = self.boxes.wait(lambda m: len(m.boxes) == len(ALL) + 1, "boxes of the reload")
+        objects.send(deletion("gone/1"), marker("new/1"))
+        MaxRate.now += 0.01
+        self.tf.send(rospy.Time.from_sec(self.now), 60)
+        # Diagnostics tell when both messages have come; ~boxes waits for its period.
+        updates = int(value_of(diagnostics.wait_for_new(lambda *_: True, "a status"), "updates"))
+        MaxRate.now += 0.01
+        self.tf.send(rospy.Time.from_sec(self.now), 75)
+        diagnostics.wait_for_new(
+            lambda _, status: int(value_of(status, "updates")) > updates, "the last update")
+        self.assertEqual(self.boxes.messages, [shown])
+        self.check_overlaps(latched(NODE + "/overlaps", BoxOverlapArray), shown)
+        self.check_parts(latched(NODE + "/parts"), shown)
+        self.assertTrue(is_rectangle(latched(NODE + "/footprint", Polygon), 30))
+        self.assertEqual(self.boxes.messages, [shown])
+
+    def check_overlaps(self, overlaps, boxes):
+        self.assertEqual(overlaps.header.stamp, boxes.header.stamp)
+        found = {name for pair in overlaps.overlaps for name in (pair.first, pair.second)}
+        self.assertEqual(found, set(names_of(boxes)))
+
+    def check_parts(self, parts, boxes):
+        self.assertEqual(parts.header.stamp, boxes.header.stamp)
+        for name in ALL:
+            bounds = union([corners_of(part) for part in parts.boxes if part.name == name])
+            self.assertLess(difference(bounds, corners_of(box_of(boxes, name))), 1e-9)
 
 
 if __name__ == "__main__":

@@ -56,7 +56,8 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   for (const int turns : {1, 3, 1}) {
     for (int i = 0; i < turns; ++i)
       turn(30 + 15 * i);
-    parts_.fill(links_, message_);
+    parts_.place(links_);
+    parts_.fill(*links_.model(), message_);
     ASSERT_EQ(message_.boxes.size(), 2u);
     const Aabb box = *links_.states()[0].box;
     const Aabb larger = padded(box, 1);
@@ -67,10 +68,22 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   }
 }
 
+TEST_F(PartBoxesTest, StayWhereTheLinksWerePlacedLast) {
+  adopt(modelInParts(2));
+  turn(30);
+  const Aabb box = *links_.states()[0].box;
+  parts_.place(links_);
+  turn(60);
+  parts_.fill(*links_.model(), message_);
+  EXPECT_EQ(message_.boxes[0].min.x, box.min().x());
+  EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
+}
+
 TEST_F(PartBoxesTest, NameALinkWithoutBoxOnce) {
   adopt(modelInParts(2));
   turn(45);
-  parts_.fill(links_, message_);
+  parts_.place(links_);
+  parts_.fill(*links_.model(), message_);
   EXPECT_EQ(message_.incomplete, std::vector<std::string>{"lost"});
 }
 
