@@ -12,6 +12,7 @@
 
 #include "guarded.h"
 #include "registration.h"
+#include "start_thread.h"
 
 namespace link_bounds {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::chrono::seconds kPeriod(1);
 
 }  // namespace
 
-MasterWatch::MasterWatch() : thread_([this] { run(); }) {}
+MasterWatch::MasterWatch() : thread_(startThread("master watch", [this] { run(); })) {}
 
 MasterWatch::~MasterWatch() {
   {

@@ -4,18 +4,15 @@
 #include "model_loader.h"
 
 #include <malloc.h>
-#include <ros/callback_queue_interface.h>
 #include <ros/init.h>
-#include <ros/master.h>
-#include <ros/param.h>
-
-#include <future>
-#include <optional>
+#include <ros/this_node.h>
 
 #include "link_bounds/mesh_process.h"
 #include "log_text.h"
 #include "object_meshes.h"
 #include "package_path.h"
+#include "queued_function.h"
+#include "start_thread.h"
 #include "topics.h"
 
 namespace link_bounds {
@@ -23,7 +20,6 @@ namespace {
 
 const ros::WallDuration kPollPeriod(0.2);
 const ros::WallDuration kWaitMessagePeriod(10.0);
-constexpr std::chrono::milliseconds kHandOverPoll(20);
 
 /// There is no description to load yet.
 class NoDescription : public std::runtime_error {
@@ -31,21 +27,8 @@ class NoDescription : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string readDescription() {
-  const ros::NodeHandle node;
-  std::string key;
-  std::string description;
-  if (!node.searchParam("robot_description", key)) {
-    throw NoDescription("parameter robot_description is not set");
-  }
-  if (!ros::param::get(key, description)) {
-    throw RobotError("parameter " + key + " is not a string");
-  }
-  return description;
-}
-
-Parameters readParametersAndWarn() {
-  const ReadParameters read = readParameters();
+Parameters readParametersAndWarn(const ParameterServer& server) {
+  const ReadParameters read = readParameters(server);
   for (const std::string& warning : read.warnings)
     ROS_WARN("%s", logText(warning).c_str());
   return read.parameters;
@@ -60,19 +43,6 @@ void report(const Model& model) {
            logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
 }
 
-/// A function as an entry of a callback queue.
-class QueuedFunction : public ros::CallbackInterface {
- public:
-  explicit QueuedFunction(std::function<void()> function) : function_(std::move(function)) {}
-  CallResult call() override {
-    function_();
-    return Success;
-  }
-
- private:
-  std::function<void()> function_;
-};
-
 /// Of what loading took for a while; the C library would keep it for later.
 void trimHeap() {
 #ifdef __GLIBC__
@@ -82,17 +52,18 @@ void trimHeap() {
 
 }  // namespace
 
-ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt,
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
                          MeshHandler on_mesh)
-    : adopt_(std::move(adopt)),
+    : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
       on_mesh_(std::move(on_mesh)),
+      server_([this] { return isToEnd(); }),
       worker_(meshWorker()),
       store_([this](const MeshFile& file) { return import(file); }) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =
       own_queue_node.advertiseService(privateName(kReloadService), &ModelLoader::onReload, this);
-  thread_ = std::thread([this] { run(); });
+  thread_ = startThread("loader", [this] { run(); });
 }
 
 ModelLoader::~ModelLoader() {
@@ -103,12 +74,13 @@ ModelLoader::~ModelLoader() {
 
 void ModelLoader::run() {
   try {
-    parameters_ = readParametersAndWarn();
-    while (!stops_ && ros::ok()) {
+    parameters_ = readParametersAndWarn(server_);
+    while (!isToEnd()) {
       if (!has_loaded_) firstLoad();
       queue_.callAvailable(kPollPeriod);
     }
   } catch (const std::exception& error) {
+    if (isToEnd()) return;
     ROS_FATAL("%s", logText(error.what()).c_str());
     has_failed_ = true;
     ros::requestShutdown();
@@ -117,11 +89,17 @@ void ModelLoader::run() {
 
 void ModelLoader::firstLoad() {
   try {
-    load();
-  } catch (const NoDescription&) {
+    const XmlRpc::XmlRpcValue description = readDescription();
+    if (!refused_.valid() || !(refused_ == description)) load(description);
+  } catch (const NoDescription& reason) {
+    refused_.clear();
     waits_for_description_ = true;
-    sayWaiting();
+    sayWaiting(reason.what());
     if (!serves_objects_) serveObjectsMeanwhile();
+  } catch (const std::exception& error) {
+    if (!serves_objects_) throw;
+    waits_for_description_ = true;
+    ROS_ERROR("%s; waiting for another robot_description", logText(error.what()).c_str());
   }
 }
 
@@ -130,11 +108,11 @@ void ModelLoader::serveObjectsMeanwhile() {
   serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
 }
 
-void ModelLoader::sayWaiting() {
-  const ros::WallTime now = ros::WallTime::now();
-  if (now - last_said_ < kWaitMessagePeriod) return;
+void ModelLoader::sayWaiting(const std::string& reason) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (!last_said_.isZero() && now - last_said_ < kWaitMessagePeriod) return;
   last_said_ = now;
-  ROS_WARN("waiting for parameter robot_description");
+  ROS_WARN("waiting for parameter robot_description: %s", logText(reason).c_str());
 }
 
 void ModelLoader::requestMesh(const std::string& uri) {
@@ -142,11 +120,11 @@ void ModelLoader::requestMesh(const std::string& uri) {
     const std::lock_guard<std::mutex> lock(requests_mutex_);
     requests_.push_back(uri);
   }
-  queue_.addCallback(boost::make_shared<QueuedFunction>([this] { loadRequestedMeshes(); }));
+  enqueue(queue_, [this] { loadRequestedMeshes(); });
 }
 
 void ModelLoader::giveBackMemory() {
-  queue_.addCallback(boost::make_shared<QueuedFunction>([] { trimHeap(); }));
+  enqueue(queue_, [] { trimHeap(); });
 }
 
 /// All that have gathered, so that files load side by side.
@@ -157,52 +135,68 @@ void ModelLoader::loadRequestedMeshes() {
     uris.swap(requests_);
   }
   if (uris.empty()) return;
-  const std::vector<LoadedMesh> meshes = loadObjectMeshes(uris, rosPackages(), store_);
+  const std::vector<LoadedMesh> meshes = loadMeshes(uris);
   for (std::size_t i = 0; i < uris.size(); ++i) {
-    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<QueuedFunction>(
-        [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); }));
+    enqueue(*ros::getGlobalCallbackQueue(),
+            [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); });
   }
   trimHeap();
+}
+
+/// A running node goes on without them, whatever happens.
+std::vector<LoadedMesh> ModelLoader::loadMeshes(const std::vector<std::string>& uris) {
+  try {
+    return loadObjectMeshes(uris, rosPackages(), store_);
+  } catch (const std::exception& error) {
+    return {uris.size(), LoadedMesh{nullptr, error.what()}};
+  }
 }
 
 /// Called from several threads while load() waits; a node that ends does not wait for meshes.
 TriangleMesh ModelLoader::import(const MeshFile& file) const {
   const MeshLimits limits{parameters_.mesh_timeout,
                           static_cast<std::uint64_t>(parameters_.max_mesh_bytes)};
-  return importInProcess(worker_, file, limits, [this] { return stops_ || !ros::ok(); });
+  return importInProcess(worker_, file, limits, [this] { return isToEnd(); });
 }
 
-/// Throws NoDescription, RobotError.
-void ModelLoader::load() {
-  const std::string description = readDescription();
+/// Throws NoDescription.
+XmlRpc::XmlRpcValue ModelLoader::readDescription() const {
+  try {
+    const auto name = server_.search(ros::this_node::getNamespace(), "robot_description");
+    if (name) {
+      if (const auto description = server_.get(*name)) return *description;
+    }
+  } catch (const NoMaster& error) {
+    throw NoDescription(error.what());
+  }
+  throw NoDescription("parameter robot_description is not set");
+}
+
+/// Throws RobotError, ParameterError, and what `adopt` throws.
+void ModelLoader::load(XmlRpc::XmlRpcValue description) {
+  refused_ = description;
+  if (description.getType() != XmlRpc::XmlRpcValue::TypeString) {
+    throw RobotError("parameter robot_description is not a string");
+  }
   waits_for_description_ = false;
-  const auto model = std::make_shared<const Model>(makeModel(description, parameters_, store_));
+  const auto model = std::make_shared<const Model>(
+      makeModel(static_cast<std::string&>(description), parameters_, store_));
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
+  refused_.clear();
   trimHeap();
 }
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const Parameters old_parameters = parameters_;
   try {
-    // Reading parameters would wait for it without end.
-    if (!ros::master::check()) throw std::runtime_error("the ROS master does not answer");
-    store_.forgetFailures();
-    const Parameters old_parameters = parameters_;
-    parameters_ = readParametersAndWarn();
-    try {
-      load();
-    } catch (const NoDescription&) {
-      if (has_loaded_) parameters_ = old_parameters;
-      if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
-      serveObjectsMeanwhile();
-    } catch (...) {
-      if (has_loaded_) parameters_ = old_parameters;
-      throw;
-    }
+    reload();
     response.success = true;
     response.message = "reloaded";
   } catch (const std::exception& error) {
     const std::string reason = logText(error.what());
+    parameters_ = old_parameters;
+    waits_for_description_ = !has_loaded_;
     ROS_ERROR("reload failed, everything stays as it was: %s", reason.c_str());
     response.success = false;
     response.message = reason;
@@ -210,18 +204,24 @@ bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
   return true;
 }
 
+void ModelLoader::reload() {
+  store_.forgetFailures();
+  parameters_ = readParametersAndWarn(server_);
+  try {
+    load(readDescription());
+  } catch (const NoDescription&) {
+    if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
+    serveObjectsMeanwhile();
+  }
+}
+
 /// Returns once the update thread uses the model; false if the node stops before.
 bool ModelLoader::handOver(ModelPtr model) {
-  const auto done = std::make_shared<std::promise<ModelPtr>>();
-  std::future<ModelPtr> old_model = done->get_future();
-  ros::getGlobalCallbackQueue()->addCallback(
-      boost::make_shared<QueuedFunction>([this, done, model = std::move(model)]() mutable {
-        done->set_value(adopt_(std::move(model)));
-      }));
-  while (old_model.wait_for(kHandOverPoll) != std::future_status::ready) {
-    if (stops_ || !ros::ok()) return false;
-  }
-  return true;
+  return hand_over_.give(std::move(model), [this] { return isToEnd(); });
+}
+
+bool ModelLoader::isToEnd() const {
+  return stops_ || !ros::ok();
 }
 
 }  // namespace link_bounds

@@ -17,21 +17,25 @@
 
 #include "link_bounds/mesh_store.h"
 #include "model.h"
+#include "model_hand_over.h"
+#include "parameter_server.h"
 
 namespace link_bounds {
 
 /// Everything that may take long or fail happens here. A finished model is handed to the update
-/// thread through the global callback queue; the old one comes back and is freed here too. While
-/// there is no description but a fixed frame is set, the model is one without a robot.
+/// thread through the global callback queue; the old one is freed here, too. While there is no
+/// description that can be used but a fixed frame is set, the model is one without a robot.
 class ModelLoader {
  public:
-  using ModelPtr = std::shared_ptr<const Model>;
+  using ModelPtr = ModelHandOver::ModelPtr;
 
   /// What becomes of a mesh that was requested; on the update thread, too.
   using MeshHandler = std::function<void(const std::string& uri, const LoadedMesh& mesh)>;
 
-  /// `adopt` runs on the update thread; it takes the new model and returns the old one.
-  ModelLoader(ros::NodeHandle& private_node, std::function<ModelPtr(ModelPtr)> adopt,
+  /// `adopt` runs on the update thread and takes the new model; what it throws is what ~reload
+  /// answers, and it is called again with the old model. Throws std::runtime_error if there can be
+  /// no thread.
+  ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
               MeshHandler on_mesh);
   ~ModelLoader();
   ModelLoader(const ModelLoader&) = delete;
@@ -51,22 +55,28 @@ class ModelLoader {
  private:
   void run();
   void firstLoad();
-  void load();
+  void load(XmlRpc::XmlRpcValue description);
+  void reload();
   void serveObjectsMeanwhile();
   void loadRequestedMeshes();
+  std::vector<LoadedMesh> loadMeshes(const std::vector<std::string>& uris);
+  XmlRpc::XmlRpcValue readDescription() const;
   TriangleMesh import(const MeshFile& file) const;
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
-  void sayWaiting();
+  void sayWaiting(const std::string& reason);
   bool handOver(ModelPtr model);
+  bool isToEnd() const;
 
-  std::function<ModelPtr(ModelPtr)> adopt_;
+  ModelHandOver hand_over_;
   MeshHandler on_mesh_;
+  ParameterServer server_;
   std::string worker_;
   MeshStore store_;
   Parameters parameters_;
   bool has_loaded_ = false;      ///< a robot
   bool serves_objects_ = false;  ///< though there is no robot
-  ros::WallTime last_said_;
+  XmlRpc::XmlRpcValue refused_;  ///< the description that cannot be used while objects are served
+  ros::SteadyTime last_said_;
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> stops_{false};

@@ -3,8 +3,7 @@
 // Which parameters of the server are those of this node.
 #include "parameters.h"
 
-#include <ros/node_handle.h>
-#include <ros/param.h>
+#include <ros/this_node.h>
 
 #include "parameter_reader.h"
 #include "parameter_table.h"
@@ -13,24 +12,25 @@ namespace link_bounds {
 namespace {
 
 /// As robot_state_publisher finds it: in the private namespace, else in those above.
-std::string foundTfPrefix(const ros::NodeHandle& private_node) {
-  std::string key;
+std::string foundTfPrefix(const ParameterServer& server) {
+  const auto name = server.search(ros::this_node::getName(), "tf_prefix");
+  auto value = name ? server.get(*name) : std::nullopt;
   std::string prefix;
-  if (!private_node.searchParam("tf_prefix", key)) return "";
-  if (!ros::param::get(key, prefix)) throw ParameterError("parameter " + key + " must be a string");
+  if (value && !fromXml(*value, prefix).empty()) {
+    throw ParameterError("parameter " + *name + " must be a string");
+  }
   return prefix;
 }
 
 }  // namespace
 
-ReadParameters readParameters() {
-  const ros::NodeHandle private_node("~");
-  XmlRpc::XmlRpcValue values;
-  ros::param::get(private_node.getNamespace(), values);
+ReadParameters readParameters(const ParameterServer& server) {
+  XmlRpc::XmlRpcValue values =
+      server.get(ros::this_node::getName()).value_or(XmlRpc::XmlRpcValue());
   ReadParameters result;
   ParameterReader reader(values);
   visitParameters(result.parameters, reader);
-  result.parameters.tf_prefix = foundTfPrefix(private_node);
+  result.parameters.tf_prefix = foundTfPrefix(server);
   for (const std::string& name : reader.unknownNames()) {
     if (name == "diagnostic_period") continue;  // diagnostic_updater's
     result.warnings.push_back("parameter ~" + name + " is unknown and ignored; see --help");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parameter_error.h"
+#include "parameter_server.h"
 
 namespace link_bounds {
 
@@ -42,7 +43,7 @@ struct ReadParameters {
 };
 
 /// Reads the private parameters of this node, and tf_prefix also from the namespaces above.
-/// Throws ParameterError. Blocks while the master does not answer.
-ReadParameters readParameters();
+/// Throws ParameterError, NoMaster.
+ReadParameters readParameters(const ParameterServer& server);
 
 }  // namespace link_bounds

@@ -51,9 +51,16 @@ PublisherNode::PublisherNode()
       [this](const ros::WallTimerEvent&) { timed([&] { publishDiagnostics(); }); });
   loader_ = std::make_unique<ModelLoader>(
       private_node_,
-      [this](ModelLoader::ModelPtr model) {
-        timed([&] { model = adopt(std::move(model)); });
-        return model;
+      [this](const ModelLoader::ModelPtr& model) {
+        std::exception_ptr fault;
+        timed([&] {
+          try {
+            adopt(model);
+          } catch (...) {
+            fault = std::current_exception();
+          }
+        });
+        if (fault) std::rethrow_exception(fault);
       },
       [this](const std::string& uri, const LoadedMesh& mesh) {
         timed([&] { onMesh(uri, mesh); });
@@ -92,8 +99,8 @@ void PublisherNode::subscribeToObjects() {
       [this](const MarkerEvent& event) { timed([&] { onMarker(event); }); }, {}, no_delay);
 }
 
-ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
-  std::swap(model, model_);
+void PublisherNode::adopt(ModelLoader::ModelPtr model) {
+  model_ = std::move(model);
   const ros::Time now = ros::Time::now();
   tf_.distrustStampsAhead(now);
   refusal_log_.forget();
@@ -101,7 +108,6 @@ ModelLoader::ModelPtr PublisherNode::adopt(ModelLoader::ModelPtr model) {
   scene_.objects.adopt(model_->fixed_frame, model_->parameters.timeout, tf_, now);
   object_source_.reloadMeshes();
   output_.adopt();
-  return model;
 }
 
 void PublisherNode::onTransforms(const TfEvent& event, bool is_static) {

@@ -40,7 +40,7 @@ class PublisherNode {
   void subscribe();
   ros::Subscriber subscribeToTf(const TopicName& topic, bool is_static);
   void subscribeToObjects();
-  ModelLoader::ModelPtr adopt(ModelLoader::ModelPtr model);
+  void adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfEvent& event, bool is_static);
   void addTransforms(const std::vector<TransformView>& transforms, bool is_static, ros::Time now,
                      const TfEvent& event);

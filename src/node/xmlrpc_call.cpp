@@ -12,7 +12,6 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr double kSlice = 0.1;  // s
-const ros::WallDuration kPatience(2.0);
 
 bool isAnswer(XmlRpcValue& response) {
   return response.getType() == XmlRpcValue::TypeArray && response.size() == 3 &&
@@ -23,14 +22,15 @@ bool isAnswer(XmlRpcValue& response) {
 
 std::optional<XmlRpcAnswer> callXmlRpc(const XmlRpcServer& server, const std::string& method,
                                        const XmlRpcValue& arguments,
-                                       const std::function<bool()>& gives_up) {
+                                       const std::function<bool()>& gives_up,
+                                       ros::WallDuration patience) {
   XmlRpc::XmlRpcClient client(server.host.c_str(), server.port, "/");
   if (!client.executeNonBlock(method.c_str(), arguments)) return std::nullopt;
   const ros::SteadyTime start = ros::SteadyTime::now();
   XmlRpcValue response;
   while (!client.executeCheckDone(response)) {
     const bool is_broken = client._disp._sources.empty();
-    if (is_broken || gives_up() || ros::SteadyTime::now() - start > kPatience) return std::nullopt;
+    if (is_broken || gives_up() || ros::SteadyTime::now() - start > patience) return std::nullopt;
     client._disp.work(kSlice);
   }
   if (client.isFault() || !isAnswer(response)) return std::nullopt;

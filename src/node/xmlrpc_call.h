@@ -3,6 +3,7 @@
 // Calls of ROS's XML-RPC interfaces that end: those of roscpp wait for an answer without limit.
 #pragma once
 
+#include <ros/duration.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <functional>
@@ -22,10 +23,11 @@ struct XmlRpcAnswer {
   XmlRpc::XmlRpcValue value;
 };
 
-/// Nothing if there is no answer within two seconds, or one that is not of this form, or if
+/// Nothing if there is no answer within `patience`, or one that is not of this form, or if
 /// `gives_up` says so, which is asked ten times a second.
 std::optional<XmlRpcAnswer> callXmlRpc(const XmlRpcServer& server, const std::string& method,
                                        const XmlRpc::XmlRpcValue& arguments,
-                                       const std::function<bool()>& gives_up);
+                                       const std::function<bool()>& gives_up,
+                                       ros::WallDuration patience = ros::WallDuration(2.0));
 
 }  // namespace link_bounds

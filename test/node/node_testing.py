@@ -178,7 +178,7 @@ def resident_bytes(pid):
 class NodeProcess:
     """A publisher node started here and now, with private parameters; keeps what it prints."""
 
-    def __init__(self, name, arguments=(), environment=None, **parameters):
+    def __init__(self, name, arguments=(), environment=None, folder=None, **parameters):
         self.name = "/" + name
         for key, value in parameters.items():
             rospy.set_param("%s/%s" % (self.name, key), value)
@@ -187,7 +187,7 @@ class NodeProcess:
         environment = dict(os.environ if environment is None else environment,
                            ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
         self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
-                                         stdout=self._output, stderr=subprocess.STDOUT)
+                                         cwd=folder, stdout=self._output, stderr=subprocess.STDOUT)
 
     @property
     def pid(self):
@@ -204,6 +204,16 @@ class NodeProcess:
     def output(self):
         self._output.seek(0)
         return self._output.read()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
+
+    @property
+    def is_running(self):
+        return self._process.poll() is None
 
     def end(self):
         self._process.kill()

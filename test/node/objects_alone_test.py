@@ -10,16 +10,20 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Pose, Recorder, box_of, names_of, turn, wait_for
+from bounds_testing import (Pose, Recorder, box_link, box_of, corners_of, difference, names_of,
+                            robot, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
 from node_testing import ARMS, SANITIZED, Diagnostics, NodeProcess, resident_bytes
-from object_testing import ObjectSender, ellipsoid_bounds, marker, shows_box
+from object_testing import TOLERANCE, ObjectSender, ellipsoid_bounds, marker, shows_box
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
 
 TURNED = Pose((1, 2, 3), turn((3, 2, 1), 45))
 MANY = 10000
 ROUNDS = 3
+BROKEN = {"root": "<robot name='r'><link name='a'/><link name='b'/></robot>",
+          "not a string": 5, "not a usable URDF": "<robot"}
+REFUSED = "waiting for another robot_description"
 MEBIBYTE = 1 << 20
 KEPT = 3 * MEBIBYTE  # of the memory of many objects, by the C library and in buffers
 
@@ -61,6 +65,36 @@ class ObjectsAlone(unittest.TestCase):
         self.addCleanup(rospy.delete_param, "/robot_description")
         self.boxes.wait(lambda m: "base" in m.incomplete and names_of(m) == ["a/1"],
                         "the robot's links are known")
+
+    def test_broken_descriptions_are_named_once_and_objects_stay(self):
+        unit = Pose().box_bounds((1, 1, 1))
+        diagnostics = Diagnostics(self.node.name)
+        self.addCleanup(rospy.delete_param, "/robot_description")
+        for i, (reason, broken) in enumerate(BROKEN.items()):
+            rospy.set_param("/robot_description", broken)
+            wait_for(lambda r=reason: r in self.node.output, reason)
+            for _ in range(2):  # statuses: in a second the node looks at the description five times
+                status = diagnostics.wait_for_new(lambda *_: True, "a status")
+            self.assertEqual(self.node.output.count(REFUSED), i + 1, self.node.output)
+            self.assertIn("waiting for robot_description", status.message)
+            self.objects.send(marker("a/%d" % i, frame="map"))
+            self.expect("a/%d" % i, unit)
+            answer = self.reload()
+            self.assertFalse(answer.success)
+            self.assertIn(reason, answer.message)
+        rospy.set_param("/robot_description", robot([box_link("map", (1, 1, 1))], []))
+        message = self.expect("map", unit)
+        self.assertEqual(names_of(message), ["map", "a/0", "a/1", "a/2"])
+
+    def test_a_failed_reload_keeps_the_old_parameters(self):
+        rospy.set_param(self.node.name + "/fixed_frame", "")
+        rospy.set_param(self.node.name + "/padding", 0.5)
+        self.assertIn("robot_description", self.reload().message)
+        rospy.set_param("/robot_description", robot([box_link("map", (1, 1, 1))], []))
+        self.addCleanup(rospy.delete_param, "/robot_description")
+        message = self.boxes.wait(lambda m: box_of(m, "map"), "the robot")
+        self.assertLess(difference(corners_of(box_of(message, "map")),
+                                   Pose().box_bounds((1, 1, 1))), TOLERANCE)
 
     def test_meshes(self):
         folder = pathlib.Path(tempfile.mkdtemp())

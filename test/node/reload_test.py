@@ -94,6 +94,14 @@ class Reload(unittest.TestCase):
         self.assertIn("padding", answer.message)
         self.check_still_served()
 
+    def test_very_small_rates_are_taken(self):
+        for rate in (1e-10, 1e-300, 5e-324):
+            self.boxes.clear()
+            load(NODE, ARMS, max_rate=rate, marker_rate=rate, padding=0.5)
+            message = self.boxes.wait(lambda m: True, "boxes at the rate %g" % rate)
+            self.assertAlmostEqual(box_of(message, "base").max.x, 0.2 + 0.5, delta=1e-9)
+            load(NODE, ARMS)
+
     def test_a_missing_description_changes_nothing(self):
         rospy.delete_param("/robot_description")
         self.assertIn("robot_description", self.reload().message)
