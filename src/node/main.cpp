@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts the node.
 #include <malloc.h>
+#include <ros/network.h>
 #include <ros/ros.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <stdexcept>
 
 #include "publisher_node.h"
 #include "usage.h"
@@ -22,6 +25,27 @@ void giveBackLargeBlocks() {
   mallopt(M_TRIM_THRESHOLD, 2 * kLargeBlock);
 }
 
+/// roscpp stops the process at a breakpoint where it cannot read the URI.
+void checkMasterUri() {
+  const char* uri = std::getenv("ROS_MASTER_URI");
+  if (!uri || *uri == '\0') return;
+  std::string host;
+  std::uint32_t port = 0;
+  if (ros::network::splitURI(uri, host, port) && port > 0 && port <= 65535) return;
+  throw std::runtime_error("ROS_MASTER_URI is \"" + std::string(uri) +
+                           "\"; it must be http://HOST:PORT");
+}
+
+int run(int argc, char** argv) {
+  checkMasterUri();
+  ros::init(argc, argv, "link_bounds_publisher");
+  // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  link_bounds::PublisherNode node;
+  ros::spin();
+  return node.exitCode();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -32,10 +56,11 @@ int main(int argc, char** argv) {
     }
   }
   giveBackLargeBlocks();
-  ros::init(argc, argv, "link_bounds_publisher");
-  // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
-  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
-  link_bounds::PublisherNode node;
-  ros::spin();
-  return node.exitCode();
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    // ROS's log may have ended already.
+    std::cerr << "[FATAL] " << error.what() << std::endl;
+    return 1;
+  }
 }

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be served ends the node at once, with the reason; a signal ends it in peace."""
 import itertools
+import os
 import signal
 import unittest
 
@@ -37,6 +38,7 @@ BAD_PARAMETERS = {
     "mesh_timeout": [0, -1.0, "30", float("inf")],
     "max_mesh_bytes": [0, -1, 1e6, "1000"],
 }
+BAD_NAMES = ["__name:=a/b", "__ns:=a b", "~boxes:=a b", "boxes:=a//b!"]
 
 
 class StartUp(unittest.TestCase):
@@ -82,6 +84,21 @@ class StartUp(unittest.TestCase):
             Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")
             node.interrupt(number)
             self.assertEqual(node.wait(), 0)
+
+    def test_names_that_ros_refuses(self):
+        for argument in BAD_NAMES:
+            with self.subTest(argument=argument):
+                node = NodeProcess(next(self.names), [argument])
+                self.addCleanup(node.end)
+                self.check_refused(node, argument.partition("=")[2])
+
+    def test_a_master_uri_that_ros_refuses(self):
+        for uri in ("localhost", "http://", "http://localhost"):
+            with self.subTest(uri=uri):
+                node = NodeProcess(next(self.names), environment=dict(
+                    os.environ, ROS_MASTER_URI=uri))
+                self.addCleanup(node.end)
+                self.check_refused(node, "ROS_MASTER_URI")
 
     def test_help_needs_no_master(self):
         node = NodeProcess(next(self.names), ["--help"], {"ROS_MASTER_URI": "http://localhost:1"})

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A thread that cannot be started, as under a pids limit, ends the start with a clear reason."""
+import os
+import socket
+import subprocess
+import sys
+import unittest
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+# A master of its own, which rospy learns of when it is imported.
+PORT = free_port()
+os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % PORT
+
+import rosgraph  # noqa: E402
+import rospy  # noqa: E402
+from bounds_testing import Recorder, wait_for  # noqa: E402
+from node_testing import ARMS, SANITIZED, NodeProcess  # noqa: E402
+
+FEW_THREADS = sys.argv.pop(1)  # the library to preload
+MOST = 50  # threads; a node needs fewer
+OURS = ("loader", "master watch")
+
+
+class FewThreads(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.master = subprocess.Popen(["rosmaster", "--core", "-p", str(PORT)],
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        wait_for(rosgraph.is_master_online, "the master answers")
+        rospy.init_node("few_threads_test", disable_signals=True)
+        rospy.set_param("/robot_description", ARMS)
+
+    @classmethod
+    def tearDownClass(cls):
+        rospy.signal_shutdown("the end")
+        cls.master.kill()
+        cls.master.wait()
+
+    def reason(self, threads):
+        """Why a node does not start with so many threads; None if it does."""
+        environment = dict(os.environ, LD_PRELOAD=FEW_THREADS, FEW_THREADS=str(threads))
+        with NodeProcess("few_threads", environment=environment) as node:
+            boxes = Recorder(node.name + "/boxes")
+            self.addCleanup(boxes.subscriber.unregister)
+            wait_for(lambda: boxes.messages or not node.is_running, "boxes or an end")
+            if node.is_running:
+                return None
+            self.assertEqual(node.wait(), 1, node.output)
+            lines = [line for line in node.output.splitlines() if "FATAL" in line]
+            self.assertEqual(len(lines), 1, node.output)
+            return lines[0]
+
+    def test_each_thread_of_the_start(self):
+        if SANITIZED:
+            self.skipTest("skipped: a sanitizer has to be loaded first")
+        reasons = []
+        for threads in range(MOST):
+            with self.subTest(threads=threads):
+                reasons.append(self.reason(threads))
+            if reasons and reasons[-1] is None:
+                break
+        self.assertIsNone(reasons[-1], "the node starts with enough threads")
+        for name in OURS:
+            self.assertTrue(any("cannot start the %s thread" % name in reason
+                                for reason in reasons[:-1]), reasons)
+
+
+if __name__ == "__main__":
+    unittest.main()
