@@ -3,8 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """After a life with meshes, reloads and listeners the node holds nothing open that ROS does not."""
 import os
+import pathlib
 import re
+import shutil
+import signal
 import socket
+import tempfile
 import unittest
 import xmlrpc.client
 from urllib.parse import urlparse
@@ -15,17 +19,28 @@ import rospy
 import rostest
 from bounds_testing import Recorder, box_link, load, names_of, robot, visual
 from geometry_msgs.msg import Polygon
-from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess
 from visualization_msgs.msg import MarkerArray
 
 DEMO = "package://link_bounds/launch/demo/meshes/"
 LISTENS_TCP = "0A"  # states in /proc/net/tcp
 ACCEPTS_UNIX = 0x10000  # a flag in /proc/net/unix
+FOLDERS = {"HOME": "home", "ROS_HOME": "ros_home", "ROS_LOG_DIR": "log", "TMPDIR": "tmp",
+           "XDG_CACHE_HOME": "cache", "XDG_RUNTIME_DIR": "runtime"}
+WRITTEN = re.compile(r"log/.|ros_home/rospack_cache_\d+$")
 HARMLESS = re.compile(r"pipe:|anon_inode:|/dev/(null|pts/\d+|tty)$")
 
 
 def mesh_link(name, uri):
     return '<link name="%s">%s</link>' % (name, visual('<mesh filename="%s"/>' % uri))
+
+
+MESHES = robot([mesh_link("base", DEMO + "pedestal.stl"), mesh_link("arm", DEMO + "forearm.obj"),
+                mesh_link("lost", DEMO + "no_such.stl")], [("base", "arm"), ("base", "lost")])
+
+
+def files_below(folder):
+    return {str(path.relative_to(folder)) for path in folder.rglob("*") if not path.is_dir()}
 
 
 class Process:
@@ -69,10 +84,7 @@ class NetworkManners(unittest.TestCase):
 
     @classmethod
     def live_with_meshes(cls):
-        load(NODE, robot([mesh_link("base", DEMO + "pedestal.stl"),
-                          mesh_link("arm", DEMO + "forearm.obj"),
-                          mesh_link("lost", DEMO + "no_such.stl")],
-                         [("base", "arm"), ("base", "lost")]))
+        load(NODE, MESHES)
         cls.boxes.wait(lambda m: names_of(m) == ["base"], "the box of a mesh")
 
     @classmethod
@@ -97,6 +109,26 @@ class NetworkManners(unittest.TestCase):
             if HARMLESS.match(file) or file.startswith("socket:"):
                 continue
             self.assertEqual(os.path.commonpath([log_folder, os.path.realpath(file)]), log_folder)
+
+    def test_which_files_are_written(self):
+        """A process has folders of its own for all that its environment names."""
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        for name in [*FOLDERS.values(), "working"]:
+            (folder / name).mkdir(mode=0o700)
+        environment = dict(os.environ)
+        environment.update((key, str(folder / name)) for key, name in FOLDERS.items())
+        rospy.set_param("/robot_description", MESHES)
+        with NodeProcess("writer", environment=environment, folder=folder / "working") as node:
+            boxes = Recorder(node.name + "/boxes")
+            self.addCleanup(boxes.subscriber.unregister)
+            boxes.wait(lambda m: names_of(m) == ["base"], "the box of a mesh")
+            load(node.name, MESHES, parts_per_link=2)
+            node.interrupt(signal.SIGINT)
+            self.assertEqual(node.wait(), 0)
+        written = files_below(folder)
+        self.assertTrue(any(file.startswith("ros_home/") for file in written), written)
+        self.assertEqual([file for file in written if not WRITTEN.match(file)], [])
 
     def test_no_url_is_read(self):
         with socket.create_server(("localhost", 0)) as server:
