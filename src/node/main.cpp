@@ -11,6 +11,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "log_text.h"
 #include "publisher_node.h"
 #include "usage.h"
 
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::exception& error) {
     // ROS's log may have ended already.
-    std::cerr << "[FATAL] " << error.what() << std::endl;
+    std::cerr << "[FATAL] " << link_bounds::logText(error.what()) << std::endl;
     return 1;
   }
 }

@@ -21,6 +21,8 @@ class ModelHandOver {
   /// `adopt` runs on the thread that serves the queue. When it throws, it is called again with the
   /// model that was in use.
   ModelHandOver(ros::CallbackQueueInterface& queue, std::function<void(ModelPtr)> adopt);
+  ModelHandOver(const ModelHandOver&) = delete;
+  ModelHandOver& operator=(const ModelHandOver&) = delete;
 
   /// Returns once the update thread uses the model; false if `gives_up`, which is asked often, says
   /// so before: then nothing more can be given. Throws what `adopt` throws; the old model is then
