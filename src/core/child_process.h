@@ -46,16 +46,20 @@ class ChildProcess {
   /// std::system_error.
   ChildProcess(std::vector<std::string> arguments, int standard_output);
 
-  /// Kills it if it still runs.
-  ~ChildProcess();
+  ~ChildProcess() { end(); }
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for its end; the signal that caused it, or 0.
+  /// Waits for its end, and ends what it has started; the signal that ended it, or 0.
   int waitForSignal(const CheckPatience& check_patience);
 
+  /// Kills it, if it still runs, and what it has started. False if it does not end for seconds, as
+  /// while it waits for a file system that does not answer: it is then waited for when the next one
+  /// starts.
+  bool end();
+
  private:
-  pid_t pid_ = 0;  ///< 0 once it has ended
+  pid_t pid_ = 0;  ///< 0 once it has ended or is given up
 };
 
 }  // namespace link_bounds

@@ -73,6 +73,11 @@ TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const Mes
   };
   try {
     return readMeshFrame(source, limits.max_bytes + kUnfolding);
+  } catch (const ImportError& error) {
+    if (process.end()) throw;
+    throw ImportError(std::string(error.what()) +
+                      "; the program that reads it cannot be killed, see that its file system "
+                      "answers");
   } catch (const FrameError&) {
     const int signal = pipe.hasEnded() ? process.waitForSignal(check_patience) : 0;
     if (signal == 0) throw;

@@ -10,8 +10,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace link_bounds {
@@ -27,11 +29,16 @@ constexpr std::uint64_t kLeastMemory = std::uint64_t(512) << 20;
 constexpr std::uint64_t kMemoryPerByte = 32;
 constexpr rlim_t kOpenFiles = 32;
 
+/// For functions that return -1 and leave their error in errno.
+void check(int result) {
+  if (result != 0) throw std::system_error(errno, std::system_category());
+}
+
 void limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
-  getrlimit(resource, &now);
+  check(getrlimit(resource, &now));
   const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
-  setrlimit(resource, &wanted);
+  check(setrlimit(resource, &wanted));
 }
 
 /// Sockets of the node must not live on in its children.
@@ -52,14 +59,15 @@ std::uint64_t memoryLimit(std::uint64_t file_bytes) {
 }
 
 void limitThisProcess(std::uint64_t memory_bytes, long cpu_seconds, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  check(prctl(PR_SET_PDEATHSIG, SIGKILL));
   if (getppid() != parent) _exit(1);
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  check(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
   closeInheritedFiles();
   const auto cpu = static_cast<rlim_t>(cpu_seconds);
   limit(RLIMIT_CPU, cpu, cpu + 1);
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_NOFILE, kOpenFiles, kOpenFiles);
+  limit(RLIMIT_NPROC, 0, 0);
   if (kIsSanitized) return;
   limit(RLIMIT_FSIZE, 0, 0);
   limit(RLIMIT_AS, memory_bytes, memory_bytes);

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "link_bounds/mesh_frame.h"
 #include "mesh_import.h"
@@ -47,7 +49,14 @@ int run(char** argv) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file.path, error);
   const std::uint64_t memory = memoryLimit(error ? 0 : size);
-  limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
+  try {
+    limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
+  } catch (const std::system_error& refusal) {
+    writeErrorFrame(
+        std::string("the program that reads it cannot limit itself (") + refusal.what() + ")",
+        writeToOutput);
+    _exit(0);
+  }
   answer(file, std::strtoull(argv[kMaxBytes], nullptr, 10), memory);
   // A reader that has damaged its memory must not damage the answer by tidying up.
   _exit(0);

@@ -4,10 +4,17 @@
 #include "link_bounds/mesh_process.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/ptrace.h>
+#include <sys/wait.h>
 
 #include <atomic>
+#include <chrono>
+#include <functional>
+#include <system_error>
 #include <thread>
 
+#include "child_process.h"
 #include "link_bounds/mesh_frame.h"
 #include "mesh_import.h"
 #include "mesh_texts.h"
@@ -19,6 +26,22 @@ namespace {
 
 constexpr double kShortTimeout = 0.3;  // s
 constexpr double kDeadline = 20;       // s
+
+/// Whether a condition becomes true.
+bool comesTrue(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kDeadline);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+pid_t numberIn(const std::string& path) {
+  pid_t number = 0;
+  std::ifstream(path) >> number;
+  return number;
+}
 
 class MeshProcess : public testing::Test {
  protected:
@@ -166,6 +189,81 @@ TEST_F(MeshProcess, CancellingEndsItSoon) {
     EXPECT_NE(std::string(error.what()).find("cancelled"), std::string::npos) << error.what();
   }
   EXPECT_EQ(asked, 3);
+}
+
+TEST_F(MeshProcess, WhatAWorkerStartsEndsWithIt) {
+  const std::string number = folder_ / "number";
+  const std::string start = "sleep 1000 >/dev/null & echo $! >'" + number + "'\n";
+  const auto expect_no_child = [&number](const char* what) {
+    const pid_t child = numberIn(number);
+    EXPECT_GT(child, 0) << what;
+    if (comesTrue([child] { return !isRunning(child); })) return;
+    ADD_FAILURE() << what << ": its child lives on";
+    kill(child, SIGKILL);
+  };
+  EXPECT_EQ(importInProcess(speaker(goodFrame(), start), stl_, {}).triangles.size(), 1u);
+  expect_no_child("a good answer");
+  expectReason(script(start + "exit 3"), "ends early");
+  expect_no_child("no answer");
+  expectReason(script(start + "kill -SEGV $$"), "Segmentation fault");
+  expect_no_child("a crash");
+  expectReason(script(start + "exec sleep 1000"), "mesh_timeout", kShortTimeout);
+  expect_no_child("a hang");
+}
+
+/// The files by which the process that imports and the one that traces its worker wait for each
+/// other.
+struct Steps {
+  explicit Steps(const TemporaryFolder& folder)
+      : number(folder / "number"), traced(folder / "traced"), released(folder / "released") {}
+  std::string number;    ///< of the worker
+  std::string traced;    ///< the import may be cancelled
+  std::string released;  ///< the worker may be waited for
+};
+
+/// 0 if an import that is cancelled gives up its worker, which does not end, and if the next import
+/// waits for it.
+int importBesideAStuckWorker(const std::string& stuck, const std::string& good,
+                             const MeshFile& mesh, const Steps& steps) {
+  try {
+    importInProcess(stuck, mesh, {}, [&] { return std::filesystem::exists(steps.traced); });
+    return 1;
+  } catch (const MeshError& error) {
+    if (std::string(error.what()).find("cannot be killed") == std::string::npos) return 2;
+  }
+  if (!hasChildren()) return 3;
+  std::ofstream(steps.number + ".given_up") << "";
+  if (!comesTrue([&] { return std::filesystem::exists(steps.released); })) return 4;
+  importInProcess(good, mesh, {});
+  return hasChildren() ? 5 : 0;
+}
+
+/// A process that another one traces is not seen to end by its parent until the other one lets it
+/// go; to its parent it looks like one that waits for a file system which does not answer.
+TEST_F(MeshProcess, AWorkerThatDoesNotEndWhenItIsKilledHoldsNobodyUp) {
+  const Steps steps(folder_);
+  const std::string stuck = script("echo $$ >'" + steps.number + "'; exec sleep 1000");
+  const pid_t importer = fork();
+  if (importer == 0) _exit(importBesideAStuckWorker(stuck, real_, stl_, steps));
+  EXPECT_TRUE(comesTrue([&] { return numberIn(steps.number) > 0; }));
+  const pid_t worker = numberIn(steps.number);
+  const bool is_traced = ptrace(PTRACE_SEIZE, worker, nullptr, nullptr) == 0;
+  std::ofstream(steps.traced) << "";
+  const auto given_up = [&] { return std::filesystem::exists(steps.number + ".given_up"); };
+  if (is_traced) {
+    EXPECT_TRUE(comesTrue(given_up)) << "waits for the worker without end";
+    EXPECT_EQ(waitpid(worker, nullptr, __WALL), worker);  // as its tracer
+  }
+  std::ofstream(steps.released) << "";
+  int status = -1;
+  EXPECT_TRUE(comesTrue([&] { return waitpid(importer, &status, WNOHANG) == importer; }));
+  if (!is_traced) GTEST_SKIP() << "skipped: no process may be traced here";
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST_F(MeshProcess, NoProgramStartsWithoutTheOutputThatItIsGiven) {
+  EXPECT_THROW(ChildProcess({"/bin/true"}, -1), std::system_error);
 }
 
 TEST_F(MeshProcess, ManyAtOnce) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 namespace link_bounds {
 
@@ -17,6 +18,14 @@ namespace link_bounds {
 inline bool hasChildren() {
   siginfo_t ignored;
   return waitid(P_ALL, 0, &ignored, WEXITED | WNOHANG | WNOWAIT) == 0 || errno != ECHILD;
+}
+
+/// False of one that has ended and that nobody has waited for.
+inline bool isRunning(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  if (!std::getline(stat, text)) return false;
+  return text.compare(text.rfind(')') + 2, 1, "Z") != 0;
 }
 
 inline long openDescriptors() {

@@ -5,16 +5,23 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstddef>
 #include <functional>
+#include <system_error>
 
+#include "ordinary_user.h"
 #include "sanitized.h"
 #include "temporary_folder.h"
 
@@ -97,6 +104,53 @@ TEST(WorkerLimits, ManyFilesAtOnceAreRefused) {
 
 TEST(WorkerLimits, NoPrivilegesAreGained) {
   EXPECT_EQ(statusOf([] { return prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) == 1; }), 0);
+}
+
+TEST(WorkerLimits, NoProcessIsStarted) {
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!becomeOrdinaryUser()) _exit(2);
+    limitThisProcess(kMemory, 100, parent);
+    const pid_t grandchild = fork();
+    _exit(grandchild < 0 && errno == EAGAIN ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+/// From now on the kernel refuses this system call; false if it does not take orders.
+bool forbid(unsigned call) {
+  std::array<sock_filter, 4> filter{{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                                     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1),
+                                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+                                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+  const sock_fprog program{filter.size(), filter.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0;
+}
+
+TEST(WorkerLimits, ALimitThatTheKernelRefusesIsAnError) {
+  enum Outcome { kUnlimited, kError, kNoFilter };
+  for (const unsigned call : {SYS_prlimit64, SYS_prctl}) {
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child == 0) {
+      if (!forbid(call)) _exit(kNoFilter);
+      try {
+        limitThisProcess(kMemory, 100, parent);
+        _exit(kUnlimited);
+      } catch (const std::system_error& error) {
+        _exit(error.code().value() == EPERM ? kError : kUnlimited);
+      }
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == kNoFilter) GTEST_SKIP() << "skipped: no filter of system calls";
+    EXPECT_EQ(WEXITSTATUS(status), kError) << call;
+  }
 }
 
 TEST(WorkerLimits, NoOrphanStarts) {
