@@ -79,7 +79,8 @@ struct Robot {
   std::vector<std::string> warnings;
 };
 
-/// Throws RobotError if the text is not a URDF, or its links are not one tree.
+/// Throws RobotError if the text is not a URDF, or its links are not one tree. Several threads may
+/// call it; they take turns.
 Robot parseRobot(const std::string& urdf);
 
 }  // namespace link_bounds

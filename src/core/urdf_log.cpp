@@ -11,17 +11,25 @@ bool mayContainPercent(const std::string& urdf) {
   return urdf.find('%') != std::string::npos || urdf.find("&#") != std::string::npos;
 }
 
+std::mutex& turns() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 }  // namespace
 
 UrdfLog::UrdfLog(const std::string& urdf)
-    : owner_(std::this_thread::get_id()),
+    : turn_(turns()),
+      owner_(std::this_thread::get_id()),
       others_(console_bridge::getOutputHandler()),
       is_deaf_(mayContainPercent(urdf)) {
   console_bridge::useOutputHandler(is_deaf_ ? nullptr : this);
 }
 
 UrdfLog::~UrdfLog() {
-  console_bridge::useOutputHandler(others_);
+  // Somebody else may have set another one meanwhile, which is then to stay.
+  const console_bridge::OutputHandler* const own = is_deaf_ ? nullptr : this;
+  if (console_bridge::getOutputHandler() == own) console_bridge::useOutputHandler(others_);
 }
 
 void UrdfLog::log(const std::string& text, console_bridge::LogLevel level, const char* file,

@@ -1,7 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Descriptions that cannot be used, and odd ones that can.
+#include <console_bridge/console.h>
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "link_bounds/robot.h"
 
@@ -206,6 +212,27 @@ TEST(OddRobots, UnknownElementsAndAttributesAreIgnored) {
 TEST(OddRobots, AByteOrderMark) {
   EXPECT_EQ(parseRobot("\xef\xbb\xbf<?xml version='1.0'?>" + inRobot(links({"a"}))).links.size(),
             1u);
+}
+
+/// Every second one contains a per cent sign, so that nobody may hear why it is refused.
+TEST(ManyRobots, AtOnceGetTheirOwnReasonsAndLeaveTheLogAsItWas) {
+  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
+  std::atomic<int> wrong{0};
+  const auto parse = [&wrong](const std::string& name) {
+    const std::string lost = inRobot(links({name, name}));
+    for (int i = 0; i < 300; ++i) {
+      wrong += refusal(lost).find("'" + name + "'") == std::string::npos ? 1 : 0;
+      wrong += refusal(inRobot(links({"%", "%"}))).empty() ? 1 : 0;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (const char* const name : {"first", "second", "third"})
+    threads.emplace_back(parse, name);
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(console_bridge::getOutputHandler(), before);
+  console_bridge::useOutputHandler(before);
 }
 
 }  // namespace
