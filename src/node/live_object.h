@@ -54,8 +54,8 @@ struct LiveObject {
   LinkReach reach{content.bounded};
   FollowedFrame::Frame frame = 0;  ///< content.frame
   std::optional<Placement> placement;
-  std::int64_t stamp = 0;          ///< that of the content, or the time of a later jump back
-  std::int64_t received = 0;       ///< the last time; a clock jump moves it with the clock
+  std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
+  std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
   std::int64_t waiting_since = 0;  ///< for the transform at its stamp
   Trouble trouble = Trouble::kNone;
   BoxState state;

@@ -92,8 +92,10 @@ class LiveObjects {
   std::optional<FollowedFrame::Target> target_;
   std::string fixed_frame_name_;
 
-  /// The fixed frame from those of before in which objects were placed; once found it stays.
+  /// Transforms to the fixed frame from earlier ones in which objects were placed. Once found, a
+  /// transform stays.
   std::map<FollowedFrame::Frame, std::optional<Eigen::Isometry3d>> carries_;
+
   std::optional<PastPose> past_pose_;  ///< until tf says more
   std::vector<ObjectKey> given_up_;
   std::uint64_t structure_ = 0;

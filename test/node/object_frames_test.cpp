@@ -151,8 +151,8 @@ TEST_F(ObjectFramesTest, WhatWasGivenUpIsTriedInTheNewFrame) {
   expectX(6.5, 7.5);
 }
 
-// The box of before has the numbers of the old frame.
-TEST_F(ObjectFramesTest, TheBoxOfBeforeDoesNotOutliveItsFrame) {
+// While new content waits, the previous box goes on, but not under the name of another frame.
+TEST_F(ObjectFramesTest, APreviousBoxDoesNotOutliveItsFrame) {
   hearOdom();
   putCube();
   put(boxIn("camera", 101));
