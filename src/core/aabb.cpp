@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "directed_sum.h"
 #include "link_bounds/length.h"
 #include "link_bounds/rounding.h"
 
@@ -70,8 +71,8 @@ std::array<std::array<int, 2>, 12> edges() {
 Aabb padded(const Aabb& box, double distance) {
   Aabb result = box;
   for (int k = 0; k < 3; ++k) {
-    result.min()[k] = addDown(box.min()[k], -distance);
-    result.max()[k] = addUp(box.max()[k], distance);
+    result.min()[k] = sumDown(box.min()[k], -distance);
+    result.max()[k] = sumUp(box.max()[k], distance);
   }
   return result;
 }
