@@ -9,6 +9,7 @@
 
 #include "box_sweep.h"
 #include "brute_force.h"
+#include "link_bounds/length.h"
 
 namespace link_bounds {
 
@@ -36,7 +37,7 @@ double distance(const Aabb& a, const Aabb& b) {
     inside = std::max(inside, gap);
     outside[k] = std::max(gap, 0.0);
   }
-  return inside <= 0 ? inside : outside.stableNorm();
+  return inside <= 0 ? inside : length(outside.x(), outside.y(), outside.z());
 }
 
 Overlaps bruteForce(const Boxes& boxes, double margin) {
