@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -78,5 +79,6 @@ int main(int argc, char** argv) {
                stderr);
     return 1;
   }
+  std::signal(SIGABRT, SIG_DFL);  // which the options of a sanitizer may have taken
   return link_bounds::run(argv);
 }
