@@ -11,8 +11,8 @@ bool mayContainPercent(const std::string& urdf) {
   return urdf.find('%') != std::string::npos || urdf.find("&#") != std::string::npos;
 }
 
-std::mutex& turns() {
-  static std::mutex mutex;
+std::recursive_mutex& turns() {
+  static std::recursive_mutex mutex;
   return mutex;
 }
 

@@ -15,8 +15,8 @@ namespace link_bounds {
 /// While it lives, keeps the messages that this thread sends to console_bridge (urdfdom's only
 /// channel for reasons) and passes on those of other threads. If `urdf` contains a per cent sign,
 /// nobody hears anything: urdfdom hands pieces of the text to printf as its format, and "%n" there
-/// ends the process. One at a time lives in a process, since console_bridge has one handler; a
-/// second one waits for the end of the first.
+/// ends the process. console_bridge has one handler, so one thread at a time may have such logs,
+/// one inside another; other threads wait for their turn.
 class UrdfLog : public console_bridge::OutputHandler {
  public:
   explicit UrdfLog(const std::string& urdf);
@@ -31,7 +31,7 @@ class UrdfLog : public console_bridge::OutputHandler {
   std::string messages(const std::string& part = "") const;
 
  private:
-  std::unique_lock<std::mutex> turn_;  ///< taken first, given back last
+  std::unique_lock<std::recursive_mutex> turn_;  ///< taken first, given back last
   std::thread::id owner_;
   console_bridge::OutputHandler* others_;
   bool is_deaf_;

@@ -220,7 +220,7 @@ TEST(ManyRobots, AtOnceGetTheirOwnReasonsAndLeaveTheLogAsItWas) {
   std::atomic<int> wrong{0};
   const auto parse = [&wrong](const std::string& name) {
     const std::string lost = inRobot(links({name, name}));
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 3000; ++i) {
       wrong += refusal(lost).find("'" + name + "'") == std::string::npos ? 1 : 0;
       wrong += refusal(inRobot(links({"%", "%"}))).empty() ? 1 : 0;
     }
