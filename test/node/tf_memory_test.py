@@ -77,7 +77,7 @@ class TfMemory(unittest.TestCase):
                 print("skipped: a sanitizer keeps memory that was freed")
                 continue
             wait_for(lambda: resident_bytes(self.node.pid) < before + kept,
-                     "the memory is back; MiB before and now: %.1f, %.1f" % (
+                     "the memory is back; MiB before and at first: %.1f, %.1f" % (
                          before / MEBIBYTE, resident_bytes(self.node.pid) / MEBIBYTE))
             print("memory [MiB]: %.1f before, %.1f after %d transforms in one message" % (
                 before / MEBIBYTE, resident_bytes(self.node.pid) / MEBIBYTE, MANY))
