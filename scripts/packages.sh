@@ -22,7 +22,7 @@ packages_of() {
         python3-rosparam python3-rosservice python3-rostopic ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
-        python3-rosmaster python3-rospkg python3-rostest python3-rosunit python3-tf2-ros \
+        python3-numpy python3-rosmaster python3-rospkg python3-rostest python3-rosunit python3-tf2-ros \
         python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
