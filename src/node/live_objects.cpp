@@ -60,7 +60,6 @@ void LiveObjects::adopt(const std::string& fixed_frame, double timeout, Transfor
   const std::int64_t start = observe(now);
   for (auto& [key, object] : objects_)
     object.waiting_since = start;
-  findCarries(tf, now);
   refreshAll(tf, now);
 }
 
@@ -225,6 +224,7 @@ bool LiveObjects::refreshAll(const TransformSource& tf, ros::Time now) {
   past_pose_.reset();
   if (!target_) return false;
   structure_ = tf.tree().structure();
+  findCarries(tf, now);
   for (auto& [frame, header] : frames_)
     header.followed.refresh(*target_, tf, now);
   bool is_changed = false;

@@ -130,6 +130,19 @@ TEST_F(ObjectFramesTest, AClockJumpTakesNothingAway) {
   expectX(101.5, 102.5);
 }
 
+TEST_F(ObjectFramesTest, AStaticWayThatAClockJumpFreesOfALoopCarriesOverAtOnce) {
+  tf_.add({edge("base", "cam", 0, turnedBy(0), {-100, 0, 0})}, true, now_);
+  hear("base", "loop", 100, 0);
+  hear("loop", "base", 100, 0);
+  putCube();
+  adopt("cam");
+  expectNoBox(LiveObject::Trouble::kNotCarried);
+  tf_.clear();
+  now_ = ros::Time(60);
+  EXPECT_TRUE(objects_.restart(tf_, now_));
+  expectX(101.5, 102.5);
+}
+
 TEST_F(ObjectFramesTest, WhatWaitsForItsFirstTransformWaitsOn) {
   hearOdom();
   put(boxIn("camera", 100.5));
