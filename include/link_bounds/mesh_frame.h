@@ -3,8 +3,8 @@
 /// The bytes in which mesh_worker answers: the triangles of a file, or why there are none.
 ///
 ///     magic      8 bytes     "LBMESH\r\n"
-///     version    uint32      1
-///     status     uint32      0: a mesh, 1: an error
+///     version    uint32      2
+///     status     uint32      0: a mesh, 1 + MeshFault: an error
 ///     vertices   uint64      0 of an error
 ///     triangles  uint64      0 of an error
 ///     text       uint64      bytes of the reason, 0 of a mesh
@@ -37,11 +37,11 @@ class FrameError : public MeshError {
 void writeMeshFrame(const TriangleMesh& mesh, const ByteSink& sink);
 
 /// Of a longer reason the beginning.
-void writeErrorFrame(const std::string& reason, const ByteSink& sink);
+void writeErrorFrame(const MeshError& error, const ByteSink& sink);
 
 /// Believes nothing: neither counts, before memory is taken for them, nor indices, nor numbers, and
 /// nothing may follow. Throws FrameError, also if the mesh takes more than `max_bytes` here, and
-/// MeshError with the reason if the frame holds one; of that only printable ASCII is kept.
+/// MeshError with reason and fault if the frame holds them; only printable ASCII is kept.
 TriangleMesh readMeshFrame(const ByteSource& source, std::uint64_t max_bytes);
 
 }  // namespace link_bounds

@@ -24,7 +24,7 @@ using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
 /// Told after each file: how many of how many are done. Calls do not overlap.
 using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// What became of a file: points, or the reason why there are none and what to do.
+/// What became of a file: points, or the reason why there are none, and the remedy.
 struct LoadedMesh {
   std::shared_ptr<const PointSet> points;
   std::string error;
@@ -41,7 +41,8 @@ enum class MeshContent { kPoints, kPointsAndTriangles };
 /// Not thread-safe itself; what it hands out is immutable.
 class MeshStore {
  public:
-  explicit MeshStore(MeshImporter importer) : importer_(std::move(importer)) {}
+  explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
+      : importer_(std::move(importer)), remedy_(std::move(remedy)) {}
 
   /// One result per file, in order. New files are imported side by side on the cores there are.
   std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
@@ -75,11 +76,13 @@ class MeshStore {
   static Version settledVersionOf(const std::string& path);
   LoadedMesh known(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version, MeshContent content) const;
+  LoadedMesh failure(const std::string& reason, MeshFault fault) const;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
                                             const LoadProgress& progress,
                                             MeshContent content) const;
 
   MeshImporter importer_;
+  MeshRemedy remedy_;
   std::map<std::string, Entry> entries_;
 };
 

@@ -6,22 +6,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
+#include "link_bounds/mesh_fault.h"
+
 namespace link_bounds {
-
-/// Why a mesh cannot be used, in words for the user; the thrower does not repeat the file's name.
-class MeshError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The same where the file itself may be sound; what() ends with what to do instead.
-class ImportError : public MeshError {
- public:
-  using MeshError::MeshError;
-};
 
 /// Metres, in the frame of the mesh file. A vertex is float32 by definition (see README,
 /// "Accuracy and cost").

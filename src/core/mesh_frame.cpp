@@ -11,9 +11,10 @@ namespace link_bounds {
 namespace {
 
 constexpr std::array<char, 8> kMagic{'L', 'B', 'M', 'E', 'S', 'H', '\r', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMesh = 0;
-constexpr std::uint32_t kError = 1;
+constexpr std::uint32_t kFirstError = 1;
+constexpr std::uint32_t kLastError = kFirstError + static_cast<std::uint32_t>(kLastMeshFault);
 constexpr std::uint64_t kLongestText = 4096;
 
 struct Header {
@@ -31,7 +32,8 @@ constexpr std::uint64_t kTriangleBytes = sizeof(TriangleMesh::triangles[0]);
 static_assert(kVertexBytes == 12 && kTriangleBytes == 12, "no padding");
 
 void readAll(const ByteSource& source, void* out, std::size_t count) {
-  if (source(out, count) != count) throw FrameError("the answer of the mesh reader ends early");
+  if (source(out, count) == count) return;
+  throw FrameError("the answer of the mesh reader ends early", MeshFault::kReader);
 }
 
 void checkEnd(const ByteSource& source) {
@@ -42,8 +44,9 @@ void checkEnd(const ByteSource& source) {
 Header readHeader(const ByteSource& source) {
   Header header;
   readAll(source, &header, sizeof(header));
-  if (header.magic != kMagic || header.version != kVersion || header.status > kError) {
-    throw FrameError("the answer of the mesh reader is not one; is mesh_worker of this version?");
+  if (header.magic != kMagic || header.version != kVersion || header.status > kLastError) {
+    throw FrameError("the answer of the mesh reader is not one of this version",
+                     MeshFault::kReader);
   }
   return header;
 }
@@ -56,7 +59,10 @@ void checkCounts(const Header& header, std::uint64_t max_bytes) {
   // Each alone first, so that the sum cannot overflow.
   if (header.vertices > max_bytes / kVertexBytes || header.triangles > max_bytes / kTriangleBytes ||
       header.vertices * kVertexBytes + header.triangles * kTriangleBytes > max_bytes) {
-    throw FrameError("its triangles take more than " + std::to_string(max_bytes) + " bytes");
+    throw FrameError("its " + std::to_string(header.vertices) + " vertices and " +
+                         std::to_string(header.triangles) + " triangles take more than " +
+                         std::to_string(max_bytes) + " bytes",
+                     MeshFault::kTooLarge);
   }
 }
 
@@ -80,7 +86,7 @@ void checkContent(const TriangleMesh& mesh) {
   checkEnd(source);
   const auto is_odd = [](char c) { return c < ' ' || c > '~'; };
   std::replace_if(reason.begin(), reason.end(), is_odd, '?');
-  throw MeshError(reason);
+  throw MeshError(reason, static_cast<MeshFault>(header.status - kFirstError));
 }
 
 }  // namespace
@@ -94,9 +100,10 @@ void writeMeshFrame(const TriangleMesh& mesh, const ByteSink& sink) {
   sink(mesh.triangles.data(), mesh.triangles.size() * kTriangleBytes);
 }
 
-void writeErrorFrame(const std::string& reason, const ByteSink& sink) {
+void writeErrorFrame(const MeshError& error, const ByteSink& sink) {
+  const std::string reason = error.what();
   Header header;
-  header.status = kError;
+  header.status = kFirstError + static_cast<std::uint32_t>(error.fault());
   header.text = std::min<std::uint64_t>(reason.size(), kLongestText);
   sink(&header, sizeof(header));
   sink(reason.data(), header.text);
@@ -104,7 +111,7 @@ void writeErrorFrame(const std::string& reason, const ByteSink& sink) {
 
 TriangleMesh readMeshFrame(const ByteSource& source, std::uint64_t max_bytes) {
   const Header header = readHeader(source);
-  if (header.status == kError) throwReason(header, source);
+  if (header.status != kMesh) throwReason(header, source);
   checkCounts(header, max_bytes);
   TriangleMesh mesh;
   mesh.vertices.resize(static_cast<std::size_t>(header.vertices));

@@ -4,6 +4,7 @@
 #include "link_bounds/mesh_process.h"
 
 #include <dlfcn.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -28,27 +29,33 @@ constexpr std::uint64_t kUnfolding = 16 << 20;
 
 constexpr double kLongestTimeout = 1e8;
 
+[[noreturn]] void throwTooSlow(const MeshLimits& limits) {
+  std::ostringstream reason;
+  reason << "reading it takes longer than " << limits.timeout << " s";
+  throw MeshError(reason.str(), MeshFault::kTooSlow);
+}
+
 CheckPatience patienceOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
   const std::chrono::duration<double> wait(std::min(limits.timeout, kLongestTimeout));
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
-  return [end, seconds = limits.timeout, &is_cancelled] {
-    if (is_cancelled && is_cancelled()) throw ImportError("reading it was cancelled; reload");
-    if (Clock::now() < end) return;
-    std::ostringstream reason;
-    reason << "reading it takes longer than the " << seconds
-           << " s of mesh_timeout; raise that or simplify the mesh";
-    throw ImportError(reason.str());
+  return [end, limits, &is_cancelled] {
+    if (is_cancelled && is_cancelled()) {
+      throw MeshError("reading it was cancelled", MeshFault::kCancelled);
+    }
+    if (Clock::now() >= end) throwTooSlow(limits);
   };
 }
 
 void checkSize(const MeshFile& file, const MeshLimits& limits) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file.path, error);
-  if (error) throw MeshError("its size is not to be had (" + error.message() + ")");
+  if (error) {
+    throw MeshError("its size is not to be had (" + error.message() + ")", MeshFault::kUnreadable);
+  }
   if (size <= limits.max_bytes) return;
-  throw ImportError("its " + std::to_string(size) + " bytes are more than the " +
-                    std::to_string(limits.max_bytes) +
-                    " of max_mesh_bytes; raise that or simplify the mesh");
+  throw MeshError("its " + std::to_string(size) + " bytes are more than the " +
+                      std::to_string(limits.max_bytes) + " that are allowed",
+                  MeshFault::kTooLarge);
 }
 
 /// See src/tools/mesh_worker.cpp.
@@ -63,6 +70,16 @@ std::vector<std::string> commandLine(const std::string& worker, const MeshFile& 
           std::to_string(getpid())};
 }
 
+/// SIGKILL is not ours here; the kernel sends it where memory runs out.
+[[noreturn]] void throwDeath(int signal, const MeshLimits& limits) {
+  if (signal == SIGXCPU) throwTooSlow(limits);
+  if (signal == SIGKILL) {
+    throw MeshError("the program that reads it was killed, as where memory runs out",
+                    MeshFault::kComputer);
+  }
+  throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) + ")");
+}
+
 TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
                       const CheckPatience& check_patience) {
   Pipe pipe;
@@ -73,17 +90,25 @@ TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const Mes
   };
   try {
     return readMeshFrame(source, limits.max_bytes + kUnfolding);
-  } catch (const ImportError& error) {
-    if (process.end()) throw;
-    throw ImportError(std::string(error.what()) +
-                      "; the program that reads it cannot be killed, see that its file system "
-                      "answers");
   } catch (const FrameError&) {
     const int signal = pipe.hasEnded() ? process.waitForSignal(check_patience) : 0;
     if (signal == 0) throw;
-    throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) +
-                    ")");
+    throwDeath(signal, limits);
+  } catch (const MeshError& error) {
+    if (process.end()) throw;
+    throw MeshError(std::string(error.what()) + "; the program that reads it cannot be killed",
+                    MeshFault::kFileSystem);
   }
+}
+
+/// Why no program could be started.
+MeshFault faultOf(const std::error_code& error) {
+  for (const std::errc shortage :
+       {std::errc::resource_unavailable_try_again, std::errc::not_enough_memory,
+        std::errc::too_many_files_open, std::errc::too_many_files_open_in_system}) {
+    if (error == shortage) return MeshFault::kComputer;
+  }
+  return MeshFault::kReader;
 }
 
 /// Or of the running program, if the library is linked into it; "" if it is not to be had.
@@ -125,8 +150,8 @@ TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
     checkSize(file, limits);
     return answerOf(worker, file, limits, check_patience);
   } catch (const std::system_error& error) {
-    throw ImportError("cannot run " + worker + " (" + error.code().message() +
-                      "); install link_bounds as a whole, or end some processes");
+    throw MeshError("cannot run " + worker + " (" + error.code().message() + ")",
+                    faultOf(error.code()));
   }
 }
 

@@ -15,6 +15,8 @@
 namespace link_bounds {
 namespace {
 
+constexpr char kChangedReason[] = "it changed while it was read";
+
 /// Times of files come from a clock that moves in ticks of at most so much.
 constexpr std::chrono::milliseconds kTickOfFiles(20);
 
@@ -95,20 +97,25 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
                              MeshContent content) const {
   try {
     auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
-    if (!(versionOf(file.path) == version)) {
-      throw ImportError("it changed while it was read; reload when it is complete");
-    }
+    if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
     std::shared_ptr<const PointSet> points = known(file).points;
     if (!points) points = std::make_shared<const PointSet>(mesh->vertices);
     if (content == MeshContent::kPoints) mesh = nullptr;
     return {std::move(points), "", std::move(mesh)};
   } catch (const std::bad_alloc&) {
-    return {nullptr, "it does not fit into memory; simplify the mesh"};
-  } catch (const ImportError& error) {
-    return {nullptr, error.what()};
+    return failure("it does not fit into memory", MeshFault::kComputer);
+  } catch (const MeshError& error) {
+    const bool is_half_written =
+        error.fault() == MeshFault::kFile && !(versionOf(file.path) == version);
+    if (is_half_written) return failure(kChangedReason, MeshFault::kChanged);
+    return failure(error.what(), error.fault());
   } catch (const std::exception& error) {
-    return {nullptr, error.what() + std::string("; repair or replace the file")};
+    return failure(error.what(), MeshFault::kFile);
   }
+}
+
+LoadedMesh MeshStore::failure(const std::string& reason, MeshFault fault) const {
+  return {nullptr, reason + "; " + remedy_(fault)};
 }
 
 std::map<std::string, MeshStore::Imported> MeshStore::importAll(

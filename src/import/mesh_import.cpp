@@ -81,7 +81,7 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
 void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
   constexpr std::size_t kLongestHeader = 1 << 16;
   Assimp::IOStream* file = files.Open(path.c_str(), "rb");
-  if (!file) throw MeshError("it cannot be opened");
+  if (!file) throw MeshError("it cannot be opened", MeshFault::kUnreadable);
   std::string header(kLongestHeader, ' ');
   header.resize(file->Read(header.data(), 1, kLongestHeader));
   files.Close(file);

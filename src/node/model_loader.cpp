@@ -9,6 +9,7 @@
 
 #include "link_bounds/mesh_process.h"
 #include "log_text.h"
+#include "mesh_remedy.h"
 #include "object_meshes.h"
 #include "package_path.h"
 #include "queued_function.h"
@@ -58,7 +59,7 @@ ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(Model
       on_mesh_(std::move(on_mesh)),
       server_([this] { return isToEnd(); }),
       worker_(meshWorker()),
-      store_([this](const MeshFile& file) { return import(file); }) {
+      store_([this](const MeshFile& file) { return import(file); }, nodeRemedy) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =

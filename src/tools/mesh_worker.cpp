@@ -37,11 +37,14 @@ void answer(const MeshFile& file, std::uint64_t max_bytes, std::uint64_t memory_
   try {
     writeMeshFrame(importMesh(file, max_bytes), writeToOutput);
   } catch (const std::bad_alloc&) {
-    writeErrorFrame("to read it takes more memory than the " + std::to_string(memory_bytes >> 20) +
-                        " MiB for a file of its size",
+    writeErrorFrame(MeshError("to read it takes more than " + std::to_string(memory_bytes >> 20) +
+                                  " MiB of memory, which are allowed for a file of its size",
+                              MeshFault::kMemory),
                     writeToOutput);
+  } catch (const MeshError& error) {
+    writeErrorFrame(error, writeToOutput);
   } catch (const std::exception& error) {
-    writeErrorFrame(error.what(), writeToOutput);
+    writeErrorFrame(MeshError(error.what()), writeToOutput);
   }
 }
 
@@ -53,9 +56,10 @@ int run(char** argv) {
   try {
     limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
   } catch (const std::system_error& refusal) {
-    writeErrorFrame(
-        std::string("the program that reads it cannot limit itself (") + refusal.what() + ")",
-        writeToOutput);
+    writeErrorFrame(MeshError(std::string("the program that reads it cannot limit itself (") +
+                                  refusal.what() + ")",
+                              MeshFault::kForbidden),
+                    writeToOutput);
     _exit(0);
   }
   answer(file, std::strtoull(argv[kMaxBytes], nullptr, 10), memory);

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::uint64_t kMaxBytes = 1000;
 
+/// A status that no frame has.
+constexpr std::uint32_t kPastLast = 2 + static_cast<std::uint32_t>(kLastMeshFault);
+
 const TriangleMesh kMesh{{{0, 0, 0}, {1, 2, 3}, {-4, 5e-40f, 3e38f}}, {{0, 1, 2}, {2, 1, 0}}};
 
 ByteSink appendTo(std::string& out) {
@@ -29,9 +32,9 @@ std::string frameOf(const TriangleMesh& mesh) {
   return bytes;
 }
 
-std::string errorFrame(const std::string& reason) {
+std::string errorFrame(const std::string& reason, MeshFault fault = MeshFault::kFile) {
   std::string bytes;
-  writeErrorFrame(reason, appendTo(bytes));
+  writeErrorFrame(MeshError(reason, fault), appendTo(bytes));
   return bytes;
 }
 
@@ -87,6 +90,17 @@ TEST(MeshFrame, AReasonComesBackAsAnOrdinaryError) {
   EXPECT_EQ(reasonIn(errorFrame("")), "");
 }
 
+TEST(MeshFrame, AFaultComesBack) {
+  for (int fault = 0; fault <= static_cast<int>(kLastMeshFault); ++fault) {
+    try {
+      read(errorFrame("reason", static_cast<MeshFault>(fault)));
+      ADD_FAILURE() << "no error";
+    } catch (const MeshError& error) {
+      EXPECT_EQ(static_cast<int>(error.fault()), fault);
+    }
+  }
+}
+
 TEST(MeshFrame, OfAReasonOnlyPrintableTextIsKept) {
   EXPECT_EQ(reasonIn(errorFrame("a\x1b[31m\xff\nb")), "a?[31m??b");
 }
@@ -111,8 +125,9 @@ TEST(MeshFrame, NothingMayFollow) {
 
 TEST(MeshFrame, AnotherMagicVersionOrStatus) {
   expectBroken(with(frameOf(kMesh), kMagic, 'X'), "of this version");
-  expectBroken(with(frameOf(kMesh), kVersion, std::uint32_t(2)), "of this version");
-  expectBroken(with(frameOf(kMesh), kStatus, std::uint32_t(2)), "of this version");
+  expectBroken(with(frameOf(kMesh), kVersion, std::uint32_t(1)), "of this version");
+  expectBroken(with(frameOf(kMesh), kStatus, kPastLast), "of this version");
+  expectBroken(with(errorFrame("reason"), kStatus, kPastLast), "of this version");
 }
 
 TEST(MeshFrame, CountsThatContradictEachOther) {

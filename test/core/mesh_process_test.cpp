@@ -65,21 +65,28 @@ class MeshProcess : public testing::Test {
     return script("cat '" + folder_.write("answer", bytes) + "'\n" + commands);
   }
 
-  std::string reasonOf(const std::string& worker, double timeout = kDeadline) const {
+  MeshError errorOf(const std::string& worker, double timeout = kDeadline) const {
     try {
       MeshLimits limits;
       limits.timeout = timeout;
       importInProcess(worker, stl_, limits);
     } catch (const MeshError& error) {
-      return error.what();
+      return error;
     }
-    return "no error";
+    return MeshError("no error");
   }
 
+  std::string reasonOf(const std::string& worker) const { return errorOf(worker).what(); }
+
   void expectReason(const std::string& worker, const std::string& words,
-                    double timeout = kDeadline) const {
-    const std::string reason = reasonOf(worker, timeout);
-    EXPECT_NE(reason.find(words), std::string::npos) << reason;
+                    MeshFault fault = MeshFault::kFile, double timeout = kDeadline) const {
+    const MeshError error = errorOf(worker, timeout);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_EQ(error.fault(), fault) << error.what();
+  }
+
+  void expectTooSlow(const std::string& worker) const {
+    expectReason(worker, "longer than 0.3 s", MeshFault::kTooSlow, kShortTimeout);
   }
 
   TemporaryFolder folder_;
@@ -115,12 +122,12 @@ TEST_F(MeshProcess, TheRealWorkerOpensNothingOutsideTheRoot) {
 }
 
 TEST_F(MeshProcess, AMissingWorker) {
-  expectReason(folder_ / "nowhere", "cannot run");
+  expectReason(folder_ / "nowhere", "cannot run", MeshFault::kReader);
 }
 
 TEST_F(MeshProcess, AMissingMesh) {
   std::filesystem::remove(stl_.path);
-  expectReason(real_, "No such file");
+  expectReason(real_, "No such file", MeshFault::kUnreadable);
 }
 
 TEST_F(MeshProcess, AFileAboveTheLimitStartsNoWorker) {
@@ -132,7 +139,7 @@ TEST_F(MeshProcess, AFileAboveTheLimitStartsNoWorker) {
     importInProcess(folder_ / "nowhere", stl_, limits);
     ADD_FAILURE() << "not refused";
   } catch (const MeshError& error) {
-    EXPECT_NE(std::string(error.what()).find("max_mesh_bytes"), std::string::npos) << error.what();
+    EXPECT_EQ(error.fault(), MeshFault::kTooLarge) << error.what();
   }
 }
 
@@ -147,28 +154,35 @@ TEST_F(MeshProcess, ACrashAfterTheWholeAnswerChangesNothing) {
 }
 
 TEST_F(MeshProcess, AnEndWithoutAnAnswer) {
-  expectReason(script("exit 0"), "ends early");
-  expectReason(script("exit 3"), "ends early");
-  expectReason(speaker(goodFrame().substr(0, 50)), "ends early");
+  expectReason(script("exit 0"), "ends early", MeshFault::kReader);
+  expectReason(script("exit 3"), "ends early", MeshFault::kReader);
+  expectReason(speaker(goodFrame().substr(0, 50)), "ends early", MeshFault::kReader);
 }
 
 TEST_F(MeshProcess, AHang) {
-  expectReason(script("exec sleep 1000"), "0.3 s of mesh_timeout", kShortTimeout);
-  expectReason(speaker(goodFrame().substr(0, 50), "exec sleep 1000"), "mesh_timeout",
-               kShortTimeout);
-  expectReason(speaker(goodFrame(), "exec sleep 1000"), "mesh_timeout", kShortTimeout);
-  expectReason(script("exec >/dev/null; exec sleep 1000"), "mesh_timeout", kShortTimeout);
+  expectTooSlow(script("exec sleep 1000"));
+  expectTooSlow(speaker(goodFrame().substr(0, 50), "exec sleep 1000"));
+  expectTooSlow(speaker(goodFrame(), "exec sleep 1000"));
+  expectTooSlow(script("exec >/dev/null; exec sleep 1000"));
+}
+
+TEST_F(MeshProcess, TimeOfTheProcessorThatIsUsedUp) {
+  expectReason(script("kill -XCPU $$"), "longer than 20 s", MeshFault::kTooSlow);
+}
+
+TEST_F(MeshProcess, AKillByTheSystem) {
+  expectReason(script("kill -KILL $$"), "was killed", MeshFault::kComputer);
 }
 
 TEST_F(MeshProcess, AnAnswerWithoutEnd) {
   expectReason(speaker(goodFrame(), "exec cat /dev/zero"), "does not end");
-  expectReason(script("exec cat /dev/zero"), "is not one");
+  expectReason(script("exec cat /dev/zero"), "is not one", MeshFault::kReader);
 }
 
 TEST_F(MeshProcess, ALieAboutSizes) {
   std::string lie = goodFrame();
   lie[31] = 0x40;  // the highest byte of the number of triangles
-  expectReason(speaker(lie, "exec cat /dev/zero"), "take more than");
+  expectReason(speaker(lie, "exec cat /dev/zero"), "take more than", MeshFault::kTooLarge);
 }
 
 TEST_F(MeshProcess, WhatItSaysOnStandardErrorIsNotPassedOn) {
@@ -187,6 +201,7 @@ TEST_F(MeshProcess, CancellingEndsItSoon) {
     ADD_FAILURE() << "not cancelled";
   } catch (const MeshError& error) {
     EXPECT_NE(std::string(error.what()).find("cancelled"), std::string::npos) << error.what();
+    EXPECT_EQ(error.fault(), MeshFault::kCancelled);
   }
   EXPECT_EQ(asked, 3);
 }
@@ -203,11 +218,11 @@ TEST_F(MeshProcess, WhatAWorkerStartsEndsWithIt) {
   };
   EXPECT_EQ(importInProcess(speaker(goodFrame(), start), stl_, {}).triangles.size(), 1u);
   expect_no_child("a good answer");
-  expectReason(script(start + "exit 3"), "ends early");
+  expectReason(script(start + "exit 3"), "ends early", MeshFault::kReader);
   expect_no_child("no answer");
   expectReason(script(start + "kill -SEGV $$"), "Segmentation fault");
   expect_no_child("a crash");
-  expectReason(script(start + "exec sleep 1000"), "mesh_timeout", kShortTimeout);
+  expectTooSlow(script(start + "exec sleep 1000"));
   expect_no_child("a hang");
 }
 
@@ -230,6 +245,7 @@ int importBesideAStuckWorker(const std::string& stuck, const std::string& good,
     return 1;
   } catch (const MeshError& error) {
     if (std::string(error.what()).find("cannot be killed") == std::string::npos) return 2;
+    if (error.fault() != MeshFault::kFileSystem) return 6;
   }
   if (!hasChildren()) return 3;
   std::ofstream(steps.number + ".given_up") << "";

@@ -232,9 +232,25 @@ TEST_F(MeshStoreTest, ManyFilesEachOnce) {
   EXPECT_EQ(imports(), 200);
 }
 
-TEST_F(MeshStoreTest, AnImportThatFailsForAnotherReasonKeepsItsRemedy) {
-  MeshStore store([](const MeshFile&) -> TriangleMesh { throw ImportError("too slow; wait"); });
-  EXPECT_EQ(store.load({write("a", "1")}).at(0).error, "too slow; wait");
+TEST_F(MeshStoreTest, TheRemedyFollowsFromTheFault) {
+  const auto import = [](const MeshFile&) -> TriangleMesh {
+    throw MeshError("too slow", MeshFault::kTooSlow);
+  };
+  const auto remedy = [](MeshFault fault) {
+    return fault == MeshFault::kTooSlow ? "wait" : "another";
+  };
+  const MeshFile file = write("a", "1");
+  EXPECT_EQ(MeshStore(import, remedy).load({file}).at(0).error, "too slow; wait");
+  EXPECT_EQ(MeshStore(import).load({file}).at(0).error, "too slow; simplify the mesh");
+}
+
+TEST_F(MeshStoreTest, AFileThatIsBrokenOnlyWhileItIsWrittenHasChanged) {
+  MeshStore store([&](const MeshFile& mesh) {
+    replace(mesh, "x");
+    return readTriangle(mesh);
+  });
+  EXPECT_EQ(store.load({write("a", "1")}).at(0).error,
+            "it changed while it was read; try again when it is complete");
 }
 
 TEST_F(MeshStoreTest, AFileThatChangesWhileItIsReadIsRefusedUntilForgotten) {

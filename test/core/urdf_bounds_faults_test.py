@@ -9,7 +9,10 @@ import json
 import os
 import pty
 import re
+import shutil
+import subprocess
 
+import urdf_bounds_testing
 from urdf_bounds_testing import (ARM, UrdfBoundsTest, main, mesh, run, solid, tetrahedron, tree)
 
 
@@ -86,6 +89,54 @@ class MeshTest(UrdfBoundsTest):
             os.close(slave)
         self.assertIn('1/1 meshes', text)
         self.assertTrue(text.endswith('\r\x1b[K'), repr(text))
+
+
+class RemedyTest(UrdfBoundsTest):
+    """What helps follows from the cause; the node's parameters and services are not ours."""
+
+    def refusal(self, mesh_file, program=None):
+        urdf = tree(mesh('base', 'file://' + mesh_file)).encode()
+        done = subprocess.run([program or urdf_bounds_testing.URDF_BOUNDS, '-', '--format=json'],
+                              input=urdf, stdout=subprocess.PIPE, timeout=60, check=True)
+        reason = json.loads(done.stdout)['incomplete']['base']
+        for word in ('mesh_timeout', 'max_mesh_bytes', 'reload'):
+            self.assertNotIn(word, reason)
+        return reason
+
+    def refusal_by(self, commands):
+        """That of a copy of the program, beside which a script stands for the mesh reader."""
+        worker = self.write('bin/mesh_worker', '#!/bin/sh\n' + commands)
+        os.chmod(worker, 0o755)
+        program = shutil.copy(urdf_bounds_testing.URDF_BOUNDS, os.path.dirname(worker))
+        return self.refusal(self.write('t.stl', tetrahedron()), program)
+
+    def check(self, reason, cause, remedy):
+        self.assertRegex(reason, cause + '.*; ' + remedy + '$')
+
+    def test_a_broken_file(self):
+        self.check(self.refusal(self.write('t.stl', 'no mesh')), 'assimp cannot read it',
+                   'repair or replace the file')
+
+    def test_a_file_above_the_limit(self):
+        large = self.write('large.stl', '')
+        os.truncate(large, 2**29 + 1)
+        self.check(self.refusal(large), '536870913 bytes', 'simplify the mesh')
+
+    def test_a_reader_that_takes_too_long(self):
+        self.check(self.refusal_by('kill -XCPU $$'), 'longer than 30 s', 'simplify the mesh')
+
+    def test_a_reader_that_is_killed(self):
+        self.check(self.refusal_by('kill -KILL $$'), 'was killed',
+                   'end some other programs and try again')
+
+    def test_a_reader_that_does_not_start(self):
+        for commands in ('exit 127', 'echo "This is some other program that has this name."'):
+            self.check(self.refusal_by(commands), 'mesh reader', 'install link_bounds as a whole')
+
+    def test_a_file_that_changes_while_it_is_read(self):
+        self.check(self.refusal_by('echo >>"$1"; exec "%s" "$@"' % os.path.join(
+            os.path.dirname(urdf_bounds_testing.URDF_BOUNDS), 'mesh_worker')),
+                   'changed while it was read', 'try again when it is complete')
 
 
 class IncompleteTest(UrdfBoundsTest):

@@ -37,9 +37,9 @@ std::string frameOf(const TriangleMesh& mesh) {
   return bytes;
 }
 
-std::string frameOf(const std::string& reason) {
+std::string frameOf(const MeshError& error) {
   std::string bytes;
-  writeErrorFrame(reason, [&](const void* next, std::size_t count) {
+  writeErrorFrame(error, [&](const void* next, std::size_t count) {
     bytes.append(static_cast<const char*>(next), count);
   });
   return bytes;
@@ -80,7 +80,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   static const std::vector<std::string> kSeeds{
       frameOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}}),
       frameOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, {{0, 1, 2}, {1, 2, 3}}}),
-      frameOf("it has no triangle")};
+      frameOf(MeshError("it has no triangle"))};
   const std::size_t seed_size = seeded(kSeeds, random, data, size, max_size);
   return seed_size > 0 ? seed_size : LLVMFuzzerMutate(data, size, max_size);
 }

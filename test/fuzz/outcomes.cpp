@@ -29,7 +29,7 @@ void printRow(const std::string& name, const Row& row) {
 
 Outcome refusalOf(const std::string& reason) {
   if (reason.find("died of it") != std::string::npos) return Outcome::kDied;
-  if (reason.find("mesh_timeout") != std::string::npos) return Outcome::kTimedOut;
+  if (reason.find("takes longer than") != std::string::npos) return Outcome::kTimedOut;
   return Outcome::kRefused;
 }
 

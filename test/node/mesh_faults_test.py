@@ -34,6 +34,11 @@ def write_stl(path, triangles):
     path.write_bytes(bytes(80) + struct.pack("<I", triangles) + triangle * triangles)
 
 
+def write_polygon(path, corners):
+    """A fan: each corner but two is a triangle of 12 bytes, two bytes in the file."""
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf" + " 1 2 3" * (corners // 3) + "\n")
+
+
 def mesh_robot(uri):
     """A mast beside the base, whose mesh is the case."""
     mesh = visual('<mesh filename="%s"/>' % uri)
@@ -157,6 +162,15 @@ class MeshFaults(unittest.TestCase):
         node = self.check_refused("file://%s" % self.large, "max_mesh_bytes", str(size),
                                   max_mesh_bytes=size - 1)
         rospy.set_param(node.name + "/max_mesh_bytes", size)
+        self.reload(node)
+        self.assertEqual(node.output.count("ERROR"), 1, node.output)
+
+    def test_max_mesh_bytes_where_a_small_file_unfolds(self):
+        polygon = self.package / "polygon.obj"
+        write_polygon(polygon, 2500000)
+        node = self.check_refused("file://%s" % polygon, "raise max_mesh_bytes or simplify",
+                                  max_mesh_bytes=polygon.stat().st_size)
+        rospy.set_param(node.name + "/max_mesh_bytes", 2 * TRIANGLES * 50)
         self.reload(node)
         self.assertEqual(node.output.count("ERROR"), 1, node.output)
 
