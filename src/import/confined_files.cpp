@@ -5,7 +5,6 @@
 #include "confined_files.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <assimp/IOStream.hpp>
@@ -47,15 +46,15 @@ class ReadStream : public Assimp::IOStream {
   std::size_t size_;
 };
 
-/// The size of a regular file below root that is open.
-std::optional<std::uint64_t> allowedSize(const std::string& root, int descriptor) {
+/// What the kernel says of a regular file below root that is open.
+std::optional<struct stat> allowedStatus(const std::string& root, int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   std::error_code error;
   const auto real =
       std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
   if (error || !isBelow(root, real)) return std::nullopt;
-  return static_cast<std::uint64_t>(status.st_size);
+  return status;
 }
 
 /// Does not wait for the writer of a pipe, nor take a terminal.
@@ -68,7 +67,7 @@ int openForReading(const char* path) {
 bool ConfinedFiles::Exists(const char* path) const {
   const int descriptor = openForReading(path);
   if (descriptor < 0) return false;
-  const bool is_allowed = allowedSize(root_, descriptor).has_value();
+  const bool is_allowed = allowedStatus(root_, descriptor).has_value();
   close(descriptor);
   return is_allowed;
 }
@@ -77,13 +76,29 @@ Assimp::IOStream* ConfinedFiles::Open(const char* path, const char* mode) {
   if (std::string(mode).find_first_of("wa+") != std::string::npos) return nullptr;
   const int descriptor = openForReading(path);
   if (descriptor < 0) return nullptr;
-  const std::optional<std::uint64_t> size = allowedSize(root_, descriptor);
-  std::FILE* file = size && *size <= max_bytes_ ? fdopen(descriptor, "rb") : nullptr;
+  const std::optional<struct stat> status = allowedStatus(root_, descriptor);
+  std::FILE* file = status && mayBeRead(path, *status) ? fdopen(descriptor, "rb") : nullptr;
   if (!file) {
     close(descriptor);
     return nullptr;
   }
-  return new ReadStream(file, static_cast<std::size_t>(*size));
+  return new ReadStream(file, static_cast<std::size_t>(status->st_size));
+}
+
+/// Keeps the books on sizes; readers may open a file twice.
+bool ConfinedFiles::mayBeRead(const char* path, const struct stat& status) {
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size > max_bytes_) {
+    too_large_ = std::filesystem::path(path).filename().string() + " has " + std::to_string(size) +
+                 " bytes, more than the " + std::to_string(max_bytes_) + " that are allowed";
+    return false;
+  }
+  bytes_[{status.st_dev, status.st_ino}] = size;
+  std::uint64_t sum = 0;
+  for (const auto& [file, bytes] : bytes_)
+    sum += bytes;
+  if (on_bytes_) on_bytes_(sum);
+  return true;
 }
 
 void ConfinedFiles::Close(Assimp::IOStream* file) {

@@ -4,9 +4,14 @@
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>
+#include <sys/stat.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
+
+#include "mesh_import.h"
 
 namespace link_bounds {
 
@@ -15,16 +20,25 @@ namespace link_bounds {
 /// opened.
 class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
-  ConfinedFiles(std::string root, std::uint64_t max_bytes)
-      : root_(std::move(root)), max_bytes_(max_bytes) {}
+  /// `on_bytes`, which may be null, is told before each new file how large all are together.
+  ConfinedFiles(std::string root, std::uint64_t max_bytes, BytesHandler on_bytes)
+      : root_(std::move(root)), max_bytes_(max_bytes), on_bytes_(std::move(on_bytes)) {}
+
+  /// Which file is not opened for its size; "" if there is none.
+  const std::string& tooLarge() const { return too_large_; }
 
   bool Exists(const char* path) const override;
   Assimp::IOStream* Open(const char* path, const char* mode) override;
   void Close(Assimp::IOStream* file) override;
 
  private:
+  bool mayBeRead(const char* path, const struct stat& status);
+
   std::string root_;
   std::uint64_t max_bytes_;
+  BytesHandler on_bytes_;
+  std::string too_large_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> bytes_;  ///< by device and inode
 };
 
 }  // namespace link_bounds

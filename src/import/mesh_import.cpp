@@ -121,10 +121,11 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 
 }  // namespace
 
-TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes) {
+TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
+                        const BytesHandler& on_bytes) {
   const ImportLog log;
   Assimp::Importer importer;
-  auto* files = new ConfinedFiles(file.root, max_bytes);
+  auto* files = new ConfinedFiles(file.root, max_bytes, on_bytes);
   importer.SetIOHandler(files);
   refuseTriangleStrips(*files, file.path);
   // Otherwise a file without geometry gets one that shows its nodes.
@@ -133,7 +134,9 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes) {
   if (!scene || !scene->mRootNode) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    throw MeshError("assimp cannot read it (" + reason + ")");
+    const std::string& too_large = files->tooLarge();
+    if (too_large.empty()) throw MeshError("assimp cannot read it (" + reason + ")");
+    throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);
   // The reader of OFF replaces a wrong index by a right one.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -55,10 +56,12 @@ void closeInheritedFiles() {
 }  // namespace
 
 std::uint64_t memoryLimit(std::uint64_t file_bytes) {
-  return kLeastMemory + kMemoryPerByte * file_bytes;
+  constexpr std::uint64_t kLargest =
+      (std::numeric_limits<std::uint64_t>::max() - kLeastMemory) / kMemoryPerByte;
+  return kLeastMemory + kMemoryPerByte * std::min(file_bytes, kLargest);
 }
 
-void limitThisProcess(std::uint64_t memory_bytes, long cpu_seconds, pid_t parent) {
+void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent) {
   check(prctl(PR_SET_PDEATHSIG, SIGKILL));
   if (getppid() != parent) _exit(1);
   check(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
@@ -70,7 +73,13 @@ void limitThisProcess(std::uint64_t memory_bytes, long cpu_seconds, pid_t parent
   limit(RLIMIT_NPROC, 0, 0);
   if (kIsSanitized) return;
   limit(RLIMIT_FSIZE, 0, 0);
-  limit(RLIMIT_AS, memory_bytes, memory_bytes);
+  limit(RLIMIT_AS, memory.now, memory.max);
+}
+
+void raiseMemoryLimit(std::uint64_t bytes) {
+  rlimit now{};
+  check(getrlimit(RLIMIT_AS, &now));
+  if (bytes > now.rlim_cur) limit(RLIMIT_AS, bytes, now.rlim_max);
 }
 
 }  // namespace link_bounds

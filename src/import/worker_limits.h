@@ -13,11 +13,19 @@ namespace link_bounds {
 /// side by side, up to some twenty times the file.
 std::uint64_t memoryLimit(std::uint64_t file_bytes);
 
-/// For the rest of this process's life: no memory above the limit (but under sanitizers, which take
-/// terabytes of addresses), no more time of the processor than that, few files at once, none
+struct MemoryLimits {
+  std::uint64_t now;  ///< bytes, until raiseMemoryLimit()
+  std::uint64_t max;  ///< bytes, for ever
+};
+
+/// For the rest of this process's life: no memory above the limits (but under sanitizers, which
+/// take terabytes of addresses), no more time of the processor than that, few files at once, none
 /// written, no further process or thread (root may start some), no core file, no new privileges, no
 /// descriptor but the standard streams. It is killed when `parent` ends, and at once if that has
 /// happened. Throws std::system_error if the kernel refuses one of the limits.
-void limitThisProcess(std::uint64_t memory_bytes, long cpu_seconds, pid_t parent);
+void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent);
+
+/// So much memory, if it is more than now, but never more than the max. Throws std::system_error.
+void raiseMemoryLimit(std::uint64_t bytes);
 
 }  // namespace link_bounds

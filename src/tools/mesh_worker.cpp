@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <new>
 #include <string>
 #include <system_error>
@@ -33,14 +32,22 @@ void writeToOutput(const void* bytes, std::size_t count) {
   }
 }
 
-void answer(const MeshFile& file, std::uint64_t max_bytes, std::uint64_t memory_bytes) {
+/// A mesh may keep its vertices in another file: it may take memory for both.
+void answer(const MeshFile& file, std::uint64_t max_bytes) {
+  std::uint64_t file_bytes = 0;
+  const auto on_bytes = [&file_bytes](std::uint64_t bytes) {
+    file_bytes = bytes;
+    raiseMemoryLimit(memoryLimit(bytes));
+  };
   try {
-    writeMeshFrame(importMesh(file, max_bytes), writeToOutput);
+    writeMeshFrame(importMesh(file, max_bytes, on_bytes), writeToOutput);
   } catch (const std::bad_alloc&) {
-    writeErrorFrame(MeshError("to read it takes more than " + std::to_string(memory_bytes >> 20) +
-                                  " MiB of memory, which are allowed for a file of its size",
-                              MeshFault::kMemory),
-                    writeToOutput);
+    writeErrorFrame(
+        MeshError("to read it takes more than " + std::to_string(memoryLimit(file_bytes) >> 20) +
+                      " MiB of memory, which are allowed for its " + std::to_string(file_bytes) +
+                      " bytes",
+                  MeshFault::kMemory),
+        writeToOutput);
   } catch (const MeshError& error) {
     writeErrorFrame(error, writeToOutput);
   } catch (const std::exception& error) {
@@ -50,9 +57,8 @@ void answer(const MeshFile& file, std::uint64_t max_bytes, std::uint64_t memory_
 
 int run(char** argv) {
   const MeshFile file{argv[kFile], argv[kRoot]};
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file.path, error);
-  const std::uint64_t memory = memoryLimit(error ? 0 : size);
+  const std::uint64_t max_bytes = std::strtoull(argv[kMaxBytes], nullptr, 10);
+  const MemoryLimits memory{memoryLimit(0), memoryLimit(max_bytes)};
   try {
     limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
   } catch (const std::system_error& refusal) {
@@ -62,7 +68,7 @@ int run(char** argv) {
                     writeToOutput);
     _exit(0);
   }
-  answer(file, std::strtoull(argv[kMaxBytes], nullptr, 10), memory);
+  answer(file, max_bytes);
   // A reader that has damaged its memory must not damage the answer by tidying up.
   _exit(0);
 }

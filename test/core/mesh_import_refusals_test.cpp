@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <atomic>
+#include <set>
 #include <thread>
 
 #include "mesh_import.h"
@@ -158,7 +159,22 @@ TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {
   const MeshFile mesh{folder_.write("meshes/a.gltf", gltf("data.bin")), folder_ / "meshes"};
   const std::uint64_t size = threeVertices().size() + buffer.size();
   EXPECT_EQ(importMesh(mesh, size).vertices.size(), 3u);
-  EXPECT_THROW(importMesh(mesh, size - 1), MeshError);
+  try {
+    importMesh(mesh, size - 1);
+    ADD_FAILURE() << "not refused";
+  } catch (const MeshError& error) {
+    EXPECT_EQ(error.fault(), MeshFault::kTooLarge) << error.what();
+    EXPECT_NE(std::string(error.what()).find("data.bin has 10036 bytes"), std::string::npos);
+  }
+}
+
+TEST_F(ImportRefusals, TheBytesOfAllFilesAreAddedUpEachOnce) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const MeshFile mesh{folder_.write("meshes/a.gltf", gltf("data.bin")), folder_ / "meshes"};
+  std::set<std::uint64_t> sums;
+  importMesh(mesh, 10000, [&sums](std::uint64_t bytes) { sums.insert(bytes); });
+  const std::uint64_t alone = gltf("data.bin").size();
+  EXPECT_EQ(sums, (std::set<std::uint64_t>{alone, alone + threeVertices().size()}));
 }
 
 TEST_F(ImportRefusals, ABufferOutsideTheRootIsNot) {

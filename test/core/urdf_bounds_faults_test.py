@@ -10,6 +10,7 @@ import os
 import pty
 import re
 import shutil
+import struct
 import subprocess
 
 import urdf_bounds_testing
@@ -137,6 +138,38 @@ class RemedyTest(UrdfBoundsTest):
         self.check(self.refusal_by('echo >>"$1"; exec "%s" "$@"' % os.path.join(
             os.path.dirname(urdf_bounds_testing.URDF_BOUNDS), 'mesh_worker')),
                    'changed while it was read', 'try again when it is complete')
+
+
+    def gltf(self, triangles, triangle):
+        """A small file whose vertices are in a large one beside it; all but the last triangle are
+        points at the origin, which take no disk."""
+        size = triangles * len(triangle)
+        with open(self.write('t.bin', ''), 'r+b') as buffer:
+            buffer.truncate(size)
+            buffer.seek(size - len(triangle))
+            buffer.write(triangle)
+        return self.write('t.gltf', json.dumps({
+            'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}],
+            'nodes': [{'mesh': 0}], 'meshes': [{'primitives': [{'attributes': {'POSITION': 0}}]}],
+            'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 3 * triangles,
+                           'type': 'VEC3', 'min': [0, 0, 0], 'max': [1, 2, 3]}],
+            'bufferViews': [{'buffer': 0, 'byteLength': size}],
+            'buffers': [{'byteLength': size, 'uri': 't.bin'}]}))
+
+    triangle = struct.pack('<9f', 0, 0, 0, 1, 2, 0, 0, 0, 3)
+
+    def test_a_large_file_beside_the_mesh_gives_the_reader_memory(self):
+        if 'ASAN_OPTIONS' in os.environ or 'TSAN_OPTIONS' in os.environ:
+            print('skipped: no limit of memory under a sanitizer')
+            return
+        gltf = self.gltf(4000000, self.triangle)
+        code, out, err = run('-', '--format=json', urdf=tree(mesh('base', 'file://' + gltf)))
+        self.assertEqual((code, err), (0, ''))
+        self.check_box(json.loads(out)['boxes']['base'], [0, 0, 0], [1, 2, 3])
+
+    def test_a_file_beside_the_mesh_above_the_limit(self):
+        gltf = self.gltf(2**29 // 36 + 1, self.triangle)
+        self.check(self.refusal(gltf), r't\.bin has 536870916 bytes', 'simplify the mesh')
 
 
 class IncompleteTest(UrdfBoundsTest):

@@ -36,7 +36,7 @@ int statusOf(const std::function<bool()>& body, long cpu_seconds = 100) {
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {
-    limitThisProcess(kMemory, cpu_seconds, parent);
+    limitThisProcess({kMemory, kMemory}, cpu_seconds, parent);
     _exit(body() ? 0 : 1);
   }
   int status = -1;
@@ -56,6 +56,31 @@ TEST(WorkerLimits, MemoryEnds) {
 TEST(WorkerLimits, AFileThatDoublesGetsMoreMemory) {
   EXPECT_GT(memoryLimit(2000000), memoryLimit(1000000));
   EXPECT_LT(memoryLimit(0), std::uint64_t(1) << 30);
+  EXPECT_GT(memoryLimit(~std::uint64_t(0)), std::uint64_t(1) << 63);
+}
+
+/// Whether a process can take so much memory.
+bool canTake(std::uint64_t bytes) {
+  return mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
+}
+
+TEST(WorkerLimits, TheMemoryLimitRisesToItsMaxAndNeverFalls) {
+  if (kIsSanitized) GTEST_SKIP() << "no such limit under a sanitizer";
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    limitThisProcess({kMemory, 3 * kMemory}, 100, parent);
+    if (canTake(kMemory)) _exit(1);
+    raiseMemoryLimit(2 * kMemory);
+    raiseMemoryLimit(kMemory);
+    if (!canTake(kMemory)) _exit(2);
+    raiseMemoryLimit(100 * kMemory);
+    _exit(canTake(3 * kMemory) ? 3 : 0);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_TRUE(WIFEXITED(status));
 }
 
 TEST(WorkerLimits, TimeOfTheProcessorEnds) {
@@ -111,7 +136,7 @@ TEST(WorkerLimits, NoProcessIsStarted) {
   const pid_t child = fork();
   if (child == 0) {
     if (!becomeOrdinaryUser()) _exit(2);
-    limitThisProcess(kMemory, 100, parent);
+    limitThisProcess({kMemory, kMemory}, 100, parent);
     const pid_t grandchild = fork();
     _exit(grandchild < 0 && errno == EAGAIN ? 0 : 1);
   }
@@ -139,7 +164,7 @@ TEST(WorkerLimits, ALimitThatTheKernelRefusesIsAnError) {
     if (child == 0) {
       if (!forbid(call)) _exit(kNoFilter);
       try {
-        limitThisProcess(kMemory, 100, parent);
+        limitThisProcess({kMemory, kMemory}, 100, parent);
         _exit(kUnlimited);
       } catch (const std::system_error& error) {
         _exit(error.code().value() == EPERM ? kError : kUnlimited);
@@ -156,7 +181,7 @@ TEST(WorkerLimits, ALimitThatTheKernelRefusesIsAnError) {
 TEST(WorkerLimits, NoOrphanStarts) {
   const pid_t child = fork();
   if (child == 0) {
-    limitThisProcess(kMemory, 100, getpid());  // which is not its parent
+    limitThisProcess({kMemory, kMemory}, 100, getpid());  // which is not its parent
     _exit(0);
   }
   int status = 0;
@@ -172,7 +197,7 @@ TEST(WorkerLimits, ItEndsWithItsParent) {
     const pid_t self = getpid();
     if (fork() == 0) {
       dup2(pipe_ends[1], STDOUT_FILENO);
-      limitThisProcess(kMemory, 100, self);
+      limitThisProcess({kMemory, kMemory}, 100, self);
       const ssize_t written = write(STDOUT_FILENO, "x", 1);
       for (;;)
         pause();
