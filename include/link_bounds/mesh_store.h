@@ -76,7 +76,7 @@ class MeshStore {
   static Version settledVersionOf(const std::string& path);
   LoadedMesh known(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version, MeshContent content) const;
-  LoadedMesh failure(const std::string& reason, MeshFault fault) const;
+  LoadedMesh failure(const char* reason, MeshFault fault) const noexcept;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
                                             const LoadProgress& progress,
                                             MeshContent content) const;

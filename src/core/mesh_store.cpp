@@ -9,7 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <system_error>
+#include <new>
 #include <thread>
 
 namespace link_bounds {
@@ -39,7 +39,7 @@ std::vector<std::thread> startThreads(std::size_t count, const std::function<voi
   try {
     for (std::size_t i = 0; i < count; ++i)
       threads.emplace_back(work);
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     // Those that run, and the caller's own, do the work.
   }
   return threads;
@@ -114,8 +114,13 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
   }
 }
 
-LoadedMesh MeshStore::failure(const std::string& reason, MeshFault fault) const {
-  return {nullptr, reason + "; " + remedy_(fault)};
+/// Where not even the words fit into memory, some that need none.
+LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcept {
+  try {
+    return {nullptr, std::string(reason) + "; " + remedy_(fault)};
+  } catch (const std::exception&) {
+    return {nullptr, "out of memory"};
+  }
 }
 
 std::map<std::string, MeshStore::Imported> MeshStore::importAll(

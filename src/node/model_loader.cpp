@@ -136,21 +136,12 @@ void ModelLoader::loadRequestedMeshes() {
     uris.swap(requests_);
   }
   if (uris.empty()) return;
-  const std::vector<LoadedMesh> meshes = loadMeshes(uris);
+  const std::vector<LoadedMesh> meshes = loadObjectMeshes(uris, rosPackages(), store_);
   for (std::size_t i = 0; i < uris.size(); ++i) {
     enqueue(*ros::getGlobalCallbackQueue(),
             [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); });
   }
   trimHeap();
-}
-
-/// A running node goes on without them, whatever happens.
-std::vector<LoadedMesh> ModelLoader::loadMeshes(const std::vector<std::string>& uris) {
-  try {
-    return loadObjectMeshes(uris, rosPackages(), store_);
-  } catch (const std::exception& error) {
-    return {uris.size(), LoadedMesh{nullptr, error.what()}};
-  }
 }
 
 /// Called from several threads while load() waits; a node that ends does not wait for meshes.

@@ -59,7 +59,6 @@ class ModelLoader {
   void reload();
   void serveObjectsMeanwhile();
   void loadRequestedMeshes();
-  std::vector<LoadedMesh> loadMeshes(const std::vector<std::string>& uris);
   XmlRpc::XmlRpcValue readDescription() const;
   TriangleMesh import(const MeshFile& file) const;
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);

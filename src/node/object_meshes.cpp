@@ -3,10 +3,23 @@
 // Resolves all URIs, then loads what could be resolved in one go.
 #include "object_meshes.h"
 
-namespace link_bounds {
+#include <exception>
+#include <new>
 
-std::vector<LoadedMesh> loadObjectMeshes(const std::vector<std::string>& uris,
-                                         const PackagePath& package_path, MeshStore& store) {
+#include "mesh_remedy.h"
+
+namespace link_bounds {
+namespace {
+
+std::string unexpectedReason(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) {
+    return "it does not fit into memory; " + nodeRemedy(MeshFault::kComputer);
+  }
+  return std::string("unexpected: ") + error.what() + "; call ~reload";
+}
+
+std::vector<LoadedMesh> load(const std::vector<std::string>& uris, const PackagePath& package_path,
+                             MeshStore& store) {
   std::vector<LoadedMesh> results(uris.size());
   std::vector<MeshFile> files;
   std::vector<std::size_t> places;
@@ -16,6 +29,8 @@ std::vector<LoadedMesh> loadObjectMeshes(const std::vector<std::string>& uris,
       places.push_back(i);
     } catch (const MeshError& error) {
       results[i].error = error.what();
+    } catch (const std::exception& error) {
+      results[i].error = unexpectedReason(error);
     }
   }
   const std::vector<LoadedMesh> loaded = store.load(files);
@@ -25,6 +40,17 @@ std::vector<LoadedMesh> loadObjectMeshes(const std::vector<std::string>& uris,
     if (!result.points) result.error = "cannot use " + files[i].path + ": " + result.error;
   }
   return results;
+}
+
+}  // namespace
+
+std::vector<LoadedMesh> loadObjectMeshes(const std::vector<std::string>& uris,
+                                         const PackagePath& package_path, MeshStore& store) {
+  try {
+    return load(uris, package_path, store);
+  } catch (const std::exception& error) {
+    return {uris.size(), LoadedMesh{nullptr, unexpectedReason(error)}};
+  }
 }
 
 }  // namespace link_bounds

@@ -10,8 +10,8 @@
 
 namespace link_bounds {
 
-/// One result per URI, in order; an error names the file and the remedy. Throws nothing but what a
-/// lack of memory does.
+/// One result per URI, in order; an error names the file and the remedy. Whatever goes wrong
+/// becomes such an error.
 std::vector<LoadedMesh> loadObjectMeshes(const std::vector<std::string>& uris,
                                          const PackagePath& package_path, MeshStore& store);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A function as an entry of a callback queue.
+// A function as an entry of a callback queue, whose thread sees nothing of what it throws.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
@@ -9,13 +9,15 @@
 #include <functional>
 #include <utility>
 
+#include "guarded.h"
+
 namespace link_bounds {
 
 class QueuedFunction : public ros::CallbackInterface {
  public:
   explicit QueuedFunction(std::function<void()> function) : function_(std::move(function)) {}
   CallResult call() override {
-    function_();
+    guarded(function_);
     return Success;
   }
 

@@ -244,6 +244,18 @@ TEST_F(MeshStoreTest, TheRemedyFollowsFromTheFault) {
   EXPECT_EQ(MeshStore(import).load({file}).at(0).error, "too slow; simplify the mesh");
 }
 
+TEST_F(MeshStoreTest, AReasonThatDoesNotFitIntoMemoryHarmsNoOtherFile) {
+  const auto remedy = [](MeshFault) -> std::string { throw std::bad_alloc(); };
+  MeshStore store(readTriangle, remedy);
+  std::vector<MeshFile> files{write("good", "1")};
+  for (int i = 0; i < 20; ++i)
+    files.push_back(write("bad" + std::to_string(i), "x"));
+  const auto meshes = store.load(files);
+  EXPECT_TRUE(meshes[0].points);
+  for (std::size_t i = 1; i < files.size(); ++i)
+    EXPECT_EQ(meshes[i].error, "out of memory");
+}
+
 TEST_F(MeshStoreTest, AFileThatIsBrokenOnlyWhileItIsWrittenHasChanged) {
   MeshStore store([&](const MeshFile& mesh) {
     replace(mesh, "x");
