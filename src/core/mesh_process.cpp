@@ -50,7 +50,7 @@ void checkSize(const MeshFile& file, const MeshLimits& limits) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file.path, error);
   if (error) {
-    throw MeshError("its size is not to be had (" + error.message() + ")", MeshFault::kUnreadable);
+    throw MeshError("its size cannot be read (" + error.message() + ")", MeshFault::kUnreadable);
   }
   if (size <= limits.max_bytes) return;
   throw MeshError("its " + std::to_string(size) + " bytes are more than the " +
@@ -111,7 +111,7 @@ MeshFault faultOf(const std::error_code& error) {
   return MeshFault::kReader;
 }
 
-/// Or of the running program, if the library is linked into it; "" if it is not to be had.
+/// Or of the running program, if the library is linked into it; "" if it cannot be found.
 std::filesystem::path folderOfLibrary() {
   static const char own_symbol = 0;
   Dl_info info{};
