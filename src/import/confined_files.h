@@ -20,7 +20,8 @@ namespace link_bounds {
 /// opened.
 class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `on_bytes`, which may be null, is called before each new file with the bytes of all so far.
+  /// `on_bytes`, which may be null, is called before a file is opened with the bytes of all files,
+  /// this one included.
   ConfinedFiles(std::string root, std::uint64_t max_bytes, BytesHandler on_bytes)
       : root_(std::move(root)), max_bytes_(max_bytes), on_bytes_(std::move(on_bytes)) {}
 
