@@ -9,7 +9,7 @@ import unittest
 import rospy
 import rostest
 from bounds_testing import (NodeLog, Pose, Recorder, box_of, latched, load, names_of, transform,
-                            turn, union)
+                            turn, union, wait_for)
 from link_bounds.msg import BoxOverlapArray
 from node_testing import (ALL, ARMS, NODE, ArmsTf, Diagnostics, arm_bounds, joint_pose, value_of)
 from object_testing import ObjectSender, deletion, ellipsoid_bounds, marker, shows_box
@@ -263,15 +263,14 @@ class Objects(unittest.TestCase):
         self.objects.send(unknown_action)
         self.expect_incomplete("odd/1")
         log.wait(lambda m: '"odd/1"' in m.msg and "action 77" in m.msg, "the reason")
-        self.objects.send(marker("odd/1"))
         self.boxes.clear()
+        self.objects.send(marker("odd/1"))
         self.boxes.wait(lambda m: box_of(m, "odd/1") and not m.incomplete, "mended")
 
     def test_a_refused_marker_has_its_lifetime(self):
         self.objects.send(marker("brief/1", scale=(math.nan, 1, 1), lifetime=rospy.Duration(0.3)))
         self.expect_incomplete("brief/1")
-        self.boxes.clear()
-        self.boxes.wait(lambda m: "brief/1" not in m.incomplete, "no name left")
+        wait_for(lambda: "brief/1" not in self.boxes.messages[-1].incomplete, "no name left")
 
     def test_diagnostics_count_objects(self):
         diagnostics = Diagnostics()
