@@ -11,9 +11,9 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "log_text.h"
-#include "publisher_node.h"
-#include "usage.h"
+#include "node/interface/usage.h"
+#include "node/log/log_text.h"
+#include "node/publisher_node.h"
 
 namespace {
 

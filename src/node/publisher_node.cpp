@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From what arrives to a scene and its output, in the order of the functions below.
-#include "publisher_node.h"
+#include "node/publisher_node.h"
 
 #include <time.h>
 
 #include <algorithm>
 
-#include "guarded.h"
+#include "node/log/guarded.h"
 
 namespace link_bounds {
 namespace {

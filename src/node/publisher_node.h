@@ -10,16 +10,16 @@
 
 #include <memory>
 
-#include "clock_watch.h"
-#include "diagnostics.h"
-#include "master_watch.h"
-#include "model_loader.h"
-#include "object_source.h"
-#include "refusal_log.h"
-#include "scene.h"
-#include "scene_output.h"
-#include "topics.h"
-#include "transform_source.h"
+#include "node/clock/clock_watch.h"
+#include "node/diagnostics/diagnostics.h"
+#include "node/loading/model_loader.h"
+#include "node/log/refusal_log.h"
+#include "node/master/master_watch.h"
+#include "node/names/topics.h"
+#include "node/objects/object_source.h"
+#include "node/outputs/scene_output.h"
+#include "node/scene/scene.h"
+#include "node/tf/transform_source.h"
 
 namespace link_bounds {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "brute_force.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

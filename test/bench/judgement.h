@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "link_bounds/aabb.h"
-#include "link_bounds/triangle_mesh.h"
+#include "link_bounds/geometry/box/aabb.h"
+#include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "poses.h"
 
 namespace link_bounds::bench {

@@ -3,7 +3,7 @@
 // Updates of few and many links: what memory costs when the tables do not fit the caches.
 #include <algorithm>
 
-#include "link_bounds/shape.h"
+#include "link_bounds/geometry/shape/shape.h"
 #include "methods.h"
 
 namespace link_bounds::bench {

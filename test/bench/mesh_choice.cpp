@@ -11,9 +11,9 @@
 #include <set>
 #include <sstream>
 
-#include "link_bounds/mesh_uri.h"
-#include "link_bounds/robot.h"
-#include "mesh_import.h"
+#include "link_bounds/robot/mesh/mesh_uri.h"
+#include "link_bounds/robot/urdf/robot.h"
+#include "robot/worker/mesh_import.h"
 #include "synthetic_meshes.h"
 
 namespace link_bounds::bench {

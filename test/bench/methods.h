@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "link_bounds/direction_table.h"
+#include "link_bounds/geometry/support/direction_table.h"
 #include "method.h"
 
 namespace link_bounds::bench {

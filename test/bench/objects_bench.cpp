@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "benchmark_main.h"
-#include "brute_force.h"
-#include "link_bounds/link_boxes.h"
+#include "link_bounds/geometry/shape/link_boxes.h"
 #include "machine.h"
-#include "marker_shape.h"
+#include "node/objects/marker_shape.h"
 #include "suite.h"
 #include "target.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

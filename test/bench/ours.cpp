@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // This library, by each path of instructions that the processor has.
-#include "link_bounds/shape.h"
+#include "link_bounds/geometry/shape/shape.h"
 #include "methods.h"
 
 namespace link_bounds::bench {

@@ -5,7 +5,7 @@
 // from step to step, which is faster than to empty the cache.
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
-#include "link_bounds/rounding.h"
+#include "link_bounds/geometry/box/rounding.h"
 #include "overlap_methods.h"
 
 namespace link_bounds::bench {

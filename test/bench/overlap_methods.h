@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/box_overlaps.h"
+#include "link_bounds/geometry/overlaps/box_overlaps.h"
 #include "overlap_scenes.h"
 
 namespace link_bounds::bench {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "brute_force.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

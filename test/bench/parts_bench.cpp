@@ -12,11 +12,11 @@
 #include <sstream>
 
 #include "benchmark_main.h"
-#include "brute_force.h"
-#include "link_bounds/bounded_robot.h"
-#include "link_bounds/kinematics.h"
+#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "machine.h"
-#include "mesh_import.h"
+#include "robot/worker/mesh_import.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <boost/make_shared.hpp>
 
-#include "box_message.h"
-#include "scene.h"
+#include "node/outputs/box_message.h"
+#include "node/scene/scene.h"
 #include "usual_tf2.h"
 
 namespace link_bounds::bench {

@@ -3,7 +3,7 @@
 // Fixed seeds, and the random numbers of the tests.
 #include "poses.h"
 
-#include "brute_force.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "link_bounds/robot/mesh/weld.h"
+
 namespace link_bounds::bench {
 namespace {
 

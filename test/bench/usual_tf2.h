@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/aabb.h"
+#include "link_bounds/geometry/box/aabb.h"
 
 namespace link_bounds::bench {
 

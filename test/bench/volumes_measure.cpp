@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "brute_force.h"
-#include "link_bounds/bounding_sphere.h"
-#include "link_bounds/kinematics.h"
-#include "link_bounds/oriented_box.h"
+#include "link_bounds/geometry/volumes/bounding_sphere.h"
+#include "link_bounds/geometry/volumes/oriented_box.h"
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "poses.h"
 #include "suite.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "mesh_import.h"
+#include "robot/worker/mesh_import.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -3,8 +3,8 @@
 // The oracles of test/core, on one link.
 #include "box_check.h"
 
-#include "exactness.h"
-#include "quad.h"
+#include "testing/exactness.h"
+#include "testing/quad.h"
 
 namespace link_bounds {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "brute_force.h"
-#include "link_bounds/link_boxes.h"
+#include "link_bounds/geometry/shape/link_boxes.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds {
 

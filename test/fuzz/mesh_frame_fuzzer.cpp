@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "fuzzing.h"
-#include "link_bounds/mesh_frame.h"
+#include "robot/worker/mesh_frame.h"
 
 namespace link_bounds {
 namespace {

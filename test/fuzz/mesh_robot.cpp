@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "brute_force.h"
-#include "link_bounds/bounded_robot.h"
-#include "link_bounds/mesh_process.h"
+#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/worker/mesh_process.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/link_boxes.h"
-#include "link_bounds/triangle_mesh.h"
+#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/shape/link_boxes.h"
 
 namespace link_bounds {
 

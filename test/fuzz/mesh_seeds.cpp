@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "mesh_texts.h"
+#include "testing/mesh_texts.h"
 
 namespace link_bounds {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "fuzzing.h"
-#include "link_bounds/mesh_uri.h"
-#include "temporary_folder.h"
+#include "link_bounds/robot/mesh/mesh_uri.h"
+#include "testing/temporary_folder.h"
 
 namespace link_bounds {
 namespace {

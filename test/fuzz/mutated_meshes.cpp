@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "box_check.h"
-#include "link_bounds/mesh_process.h"
+#include "link_bounds/robot/worker/mesh_process.h"
 #include "mesh_robot.h"
-#include "mesh_texts.h"
 #include "mutation.h"
 #include "outcomes.h"
-#include "process_census.h"
-#include "sanitized.h"
-#include "temporary_folder.h"
+#include "testing/mesh_texts.h"
+#include "testing/process_census.h"
+#include "testing/sanitized.h"
+#include "testing/temporary_folder.h"
 
 namespace link_bounds {
 namespace {

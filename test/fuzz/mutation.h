@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "brute_force.h"
 #include "mesh_seeds.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds {
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "fuzzing.h"
-#include "link_bounds/bounded_robot.h"
-#include "link_bounds/kinematics.h"
+#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "mutation.h"
 
 namespace link_bounds {

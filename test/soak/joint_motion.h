@@ -5,7 +5,7 @@
 
 #include <tf2_msgs/TFMessage.h>
 
-#include "link_bounds/robot.h"
+#include "link_bounds/robot/urdf/robot.h"
 
 namespace link_bounds {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <thread>
 
-#include "link_bounds/robot.h"
+#include "link_bounds/robot/urdf/robot.h"
 
 namespace link_bounds {
 

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// From joint values to link poses: enough kinematics for boxes without tf.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+
+/// A joint value that makes no sense for the robot; says which and why.
+class JointError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One value [rad or m] per joint of the robot: the given ones, 0 for the others; mimic joints
+/// follow the joint they mimic, whatever is given for them. Limits are not enforced. Throws
+/// JointError for a name that is no movable joint, a number that is not finite, and mimic joints
+/// that follow each other in a circle or follow no joint.
+std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given);
+
+/// The pose of each link in the frame of the root link [m]; `values` as from jointValues. Throws
+/// JointError if a joint of non-zero value has no axis.
+std::vector<Eigen::Isometry3d> linkPoses(const Robot& robot, const std::vector<double>& values);
+
+}  // namespace link_bounds

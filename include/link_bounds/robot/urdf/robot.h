@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// A robot description as the rest of the library wants it: links in the order of the text, each
+/// with its placed shapes, and joints from the root outward.
+///
+/// Units are those of URDF: metres and radians. The text is read by urdfdom, as
+/// robot_state_publisher and rviz do, and then compared with the XML, because urdfdom drops what
+/// it cannot parse without saying so in its model.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/shape/shape.h"
+
+namespace link_bounds {
+
+/// The description cannot be used at all; says why, for the user.
+class RobotError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class Purpose { kVisual, kCollision };
+
+/// "visual" or "collision".
+const char* toText(Purpose purpose);
+
+/// One <visual> or <collision> element of a link.
+struct Element {
+  Purpose purpose = Purpose::kVisual;
+  std::size_t number = 0;      ///< counts the elements of this purpose in its link, from 1
+  Solid solid = Solid::kNone;  ///< kNone for a mesh
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();                 ///< of the solid [m], see Shape
+  std::string mesh_uri;                                           ///< as written; "" for a solid
+  Eigen::Affine3d link_from_shape = Eigen::Affine3d::Identity();  ///< origin times mesh scale
+};
+
+/// An element that the URDF has and this robot lacks.
+struct LostElement {
+  Purpose purpose;
+  std::size_t number;  ///< from 1
+  std::string reason;
+};
+
+struct Link {
+  std::string name;
+  std::vector<Element> elements;
+  std::vector<LostElement> lost;
+};
+
+enum class Motion { kNone, kRotation, kTranslation };
+
+struct Mimic {
+  std::string joint;
+  double multiplier;
+  double offset;  ///< rad or m
+};
+
+struct Joint {
+  std::string name;
+  std::size_t parent;  ///< index of a link
+  std::size_t child;   ///< index of a link
+  Motion motion;       ///< fixed, floating and planar joints have none
+  Eigen::Isometry3d parent_from_joint;
+  Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero if the URDF says zero
+  std::optional<Mimic> mimic;
+  bool is_fixed = false;
+};
+
+struct Robot {
+  std::string name;
+  std::vector<Link> links;    ///< in the order of the <link> elements
+  std::vector<Joint> joints;  ///< parents before children
+  std::size_t root = 0;       ///< index of the root link
+  std::vector<std::string> warnings;
+};
+
+/// Throws RobotError if the text is not a URDF, or its links are not one tree. Several threads may
+/// call it; they take turns.
+Robot parseRobot(const std::string& urdf);
+
+}  // namespace link_bounds

@@ -1,0 +1,16 @@
+# What all our code is compiled with. Contraction would make results differ between processors.
+include(CheckCXXSymbolExists)
+option(LINK_BOUNDS_WERROR "treat warnings in our code as errors" ON)
+add_library(${PROJECT_NAME}_flags INTERFACE)
+target_compile_features(${PROJECT_NAME}_flags INTERFACE cxx_std_17)
+target_compile_options(${PROJECT_NAME}_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${LINK_BOUNDS_WERROR}>:-Werror>
+  -ffp-contract=off)
+# Headers inside the package are included by their path below src.
+get_filename_component(src ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+target_include_directories(${PROJECT_NAME}_flags INTERFACE ${src})
+# Eigen contracts on its own where ARM's compilers say that they can.
+check_cxx_symbol_exists(__ARM_FEATURE_FMA cstddef LINK_BOUNDS_ARM_FMA)
+if(LINK_BOUNDS_ARM_FMA)
+  target_compile_options(${PROJECT_NAME}_flags INTERFACE -U__ARM_FEATURE_FMA)
+endif()

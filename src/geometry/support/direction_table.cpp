@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses the grid and packs its lists into blocks.
+#include "link_bounds/geometry/support/direction_table.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/support/build/direction_build.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kCoarsestGrid = 8;
+constexpr int kFinestGrid = 64;
+constexpr double kMeanListSize = 8;
+constexpr std::size_t kBytesPerTable = 128 * 1024;
+constexpr std::size_t kBytesPerPoint = 48;
+constexpr std::size_t kPart = 1 << 16;
+/// A scan over so many points takes about as long as going to a grid that is in no cache.
+constexpr std::size_t kGriddedPoints = 64;
+constexpr int kPasses = 4;
+
+/// Four points of the list; what is beyond its end repeats the last one.
+PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
+                   std::size_t first) {
+  PointBlock block;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const Eigen::Vector3f& point = points[list[std::min(first + lane, list.size() - 1)]];
+    block.x[lane] = point.x();
+    block.y[lane] = point.y();
+    block.z[lane] = point.z();
+  }
+  return block;
+}
+
+void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
+            DirectionTable& table) {
+  DirectionTable::Cell cell;
+  cell.near[0] = blockOf(points, list, 0);
+  cell.near[1] = blockOf(points, list, 4);
+  cell.first = static_cast<std::uint32_t>(table.more.size());
+  for (std::size_t i = 8; i < list.size(); i += 4)
+    table.more.push_back(blockOf(points, list, i));
+  cell.count = static_cast<std::uint32_t>(table.more.size()) - cell.first;
+  table.cells.push_back(cell);
+}
+
+DirectionTable packed(const std::vector<Eigen::Vector3f>& points, const CandidateGrid& grid) {
+  DirectionTable table;
+  table.grid = DirectionGrid(grid.grid);
+  table.cells.reserve(grid.cells.size());
+  for (const CellCandidates& cell : grid.cells)
+    append(points, cell.all(), table);
+  table.more.shrink_to_fit();
+  return table;
+}
+
+std::vector<Eigen::Vector3d> toDouble(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(points.size());
+  for (const Eigen::Vector3f& point : points)
+    result.push_back(point.cast<double>());
+  return result;
+}
+
+/// One cell with all points, so that a query is a plain scan.
+CandidateGrid listOfAll(std::size_t count) {
+  CandidateGrid result{1, {CellCandidates()}};
+  result.cells[0].upper.resize(count);
+  std::iota(result.cells[0].upper.begin(), result.cells[0].upper.end(), 0u);
+  return result;
+}
+
+/// The grid of 8, the first whose lists are as short as can be.
+CandidateGrid coarsestLists(GridBuilder& builder) {
+  CandidateGrid grid = builder.coarsest();
+  while (grid.grid < kCoarsestGrid)
+    grid = builder.refined(grid);
+  return grid;
+}
+
+void appendNamed(const std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& named) {
+  GridBuilder builder(toDouble(points));
+  for (const std::uint32_t index : coarsestLists(builder).named())
+    named.push_back(points[index]);
+}
+
+/// Of a large set what its parts cannot do without: a part fits into the processor's cache.
+std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<Eigen::Vector3f> left;
+  for (std::size_t first = 0; first < points.size(); first += kPart) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto size = static_cast<std::ptrdiff_t>(std::min(kPart, points.size() - first));
+    appendNamed({begin, begin + size}, left);
+  }
+  return left;
+}
+
+bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
+  return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.named().size());
+}
+
+DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
+  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
+  GridBuilder builder(toDouble(points));
+  CandidateGrid grid = coarsestLists(builder);
+  DirectionTable table = packed(points, grid);
+  // A finer grid never names fewer points, so that what is above the limit stays above it.
+  while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
+         grid.grid < kFinestGrid) {
+    grid = builder.refined(grid);
+    DirectionTable finer = packed(points, grid);
+    if (!isWithinLimit(finer, grid)) break;
+    table = std::move(finer);
+  }
+  return table;
+}
+
+DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
+  if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
+  GridBuilder builder(toDouble(points));
+  const CandidateGrid grid = coarsestLists(builder);
+  const PointIndices named = grid.named();
+  if (named.size() > kGriddedPoints) {
+    DirectionTable table = packed(points, grid);
+    if (table.bytes() <= most_bytes) return table;
+  }
+  CandidateGrid list = listOfAll(0);
+  list.cells[0].upper = named;
+  return packed(points, list);
+}
+
+/// `finish` makes the table of what is left of the points.
+template <class Finish>
+DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes,
+                            const Finish& finish) {
+  if (passes == 0 || points.size() <= 2 * kPart) return finish(points);
+  const std::vector<Eigen::Vector3f> left = reducedByParts(points);
+  return reducedTable(left, 2 * left.size() < points.size() ? passes - 1 : 0, finish);
+}
+
+}  // namespace
+
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
+  return reducedTable(points, kPasses, wholeTable);
+}
+
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
+  return reducedTable(points, kPasses, [most_bytes](const std::vector<Eigen::Vector3f>& left) {
+    return smallTable(left, most_bytes);
+  });
+}
+
+DirectionGrid::DirectionGrid(int cells_per_side)
+    : side(cells_per_side),
+      log2_side(__builtin_ctz(static_cast<unsigned>(cells_per_side))),
+      mask(static_cast<unsigned>(cells_per_side * cells_per_side - 1)),
+      half(cells_per_side * (0.5 - 1.25e-7)) {}
+
+std::size_t DirectionTable::bytes() const {
+  return sizeof(*this) + cells.capacity() * sizeof(Cell) + more.capacity() * sizeof(PointBlock);
+}
+
+}  // namespace link_bounds

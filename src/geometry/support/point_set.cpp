@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is known about all points, and which of the two ways they are kept.
+#include "link_bounds/geometry/support/point_set.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "geometry/support/query/point_scan.h"
+
+namespace link_bounds {
+namespace {
+
+Eigen::Vector3d magnitudeOf(const std::vector<Eigen::Vector3f>& points) {
+  Eigen::Vector3f result = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& point : points)
+    result = result.cwiseMax(point.cwiseAbs());
+  return result.cast<double>();
+}
+
+}  // namespace
+
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
+    : table_(directionTable(points)),
+      magnitude_(magnitudeOf(points)),
+      size_(this->points().size()) {}
+
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes)
+    : table_(directionTable(points, most_bytes)),
+      magnitude_(magnitudeOf(points)),
+      size_(this->points().size()) {}
+
+PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
+    : xyz_(std::move(xyz)), magnitude_(scannedMagnitude(xyz_.get(), count)), size_(count) {}
+
+Extents PointSet::scan(const Directions& directions) const {
+  return scannedExtents(xyz_.get(), size_, directions);
+}
+
+std::size_t PointSet::bytes() const {
+  const std::size_t scanned = isScanned() ? 3 * sizeof(double) * size_ : 0;
+  return sizeof(*this) - sizeof(table_) + table_.bytes() + scanned;
+}
+
+bool PointSet::isSame(const PointSet& other) const {
+  if (this == &other) return true;
+  return isScanned() && other.isScanned() && size_ == other.size_ &&
+         std::equal(xyz_.get(), xyz_.get() + 3 * size_, other.xyz_.get());
+}
+
+std::vector<Eigen::Vector3f> PointSet::points() const {
+  std::set<std::array<float, 3>> distinct;
+  const auto insert = [&distinct](const PointBlock& block) {
+    for (int lane = 0; lane < 4; ++lane)
+      distinct.insert({block.x[lane], block.y[lane], block.z[lane]});
+  };
+  for (const DirectionTable::Cell& cell : table_.cells) {
+    insert(cell.near[0]);
+    insert(cell.near[1]);
+  }
+  for (const PointBlock& block : table_.more)
+    insert(block);
+  std::vector<Eigen::Vector3f> result;
+  for (const std::array<float, 3>& point : distinct)
+    result.emplace_back(point[0], point[1], point[2]);
+  return result;
+}
+
+std::vector<Eigen::Vector3d> PointSet::keptPoints() const {
+  std::vector<Eigen::Vector3d> result;
+  for (const Eigen::Vector3f& point : points())
+    result.push_back(point.cast<double>());
+  if (!isScanned()) return result;
+  for (std::size_t i = 0; i < size_; ++i)
+    result.emplace_back(xyz_.get() + 3 * i);
+  return result;
+}
+
+}  // namespace link_bounds

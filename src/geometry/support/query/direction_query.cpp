@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The plain path, and the choice among the paths.
+#include "geometry/support/query/direction_query.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "geometry/support/direction_fold.h"
+
+namespace link_bounds {
+namespace {
+
+/// Of one row; what a list gives is added point by point.
+struct Range {
+  double low;
+  double high;
+
+  void add(const PointBlock& block, double r0, double r1, double r2) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const double reach = (r0 * block.x[lane] + r1 * block.y[lane]) + r2 * block.z[lane];
+      low = std::min(low, reach);
+      high = std::max(high, reach);
+    }
+  }
+};
+
+void find(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = directions.row(static_cast<Eigen::Index>(k));
+    cells[k] = &table.cells[cellOf(row[0], row[1], row[2], table.grid)];
+  }
+}
+
+void scan(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+          Extents& result) {
+  for (int k = 0; k < 3; ++k) {
+    const double r0 = directions(k, 0);
+    const double r1 = directions(k, 1);
+    const double r2 = directions(k, 2);
+    const DirectionTable::Cell& cell = *cells[static_cast<std::size_t>(k)];
+    const double first = (r0 * cell.near[0].x[0] + r1 * cell.near[0].y[0]) + r2 * cell.near[0].z[0];
+    Range range{first, first};
+    range.add(cell.near[0], r0, r1, r2);
+    range.add(cell.near[1], r0, r1, r2);
+    for (std::uint32_t i = 0; i < cell.count; ++i)
+      range.add(table.more[cell.first + i], r0, r1, r2);
+    result.low[k] = range.low + 0.0;
+    result.high[k] = range.high + 0.0;
+  }
+}
+
+Extents findAndScan(const DirectionTable& table, const Directions& directions) {
+  CellsOfRows cells;
+  find(table, directions, cells);
+  Extents result;
+  scan(table, directions, cells, result);
+  return result;
+}
+
+QueryPath bestPath() {
+  if (isSupported(QueryPath::kAvx2)) return QueryPath::kAvx2;
+  return isSupported(QueryPath::kSse2) ? QueryPath::kSse2 : QueryPath::kPlain;
+}
+
+const Query& queryBy(QueryPath path) {
+#ifdef __SSE2__
+  if (path == QueryPath::kSse2) return kSse2Query;
+  if (path == QueryPath::kAvx2) return kAvx2Query;
+#endif
+  static_cast<void>(path);
+  return kPlainQuery;
+}
+
+/// Null until a path is chosen.
+std::atomic<const Query*> chosen_query{nullptr};
+
+const Query& query() {
+  const Query* const chosen = chosen_query.load(std::memory_order_relaxed);
+  if (chosen) return *chosen;
+  useQueryPath(bestPath());
+  return queryBy(bestPath());
+}
+
+}  // namespace
+
+const Query kPlainQuery{QueryPath::kPlain, findAndScan, find, scan};
+
+bool isSupported(QueryPath path) {
+#ifdef __SSE2__
+  return path != QueryPath::kAvx2 || __builtin_cpu_supports("avx2");
+#else
+  return path == QueryPath::kPlain;
+#endif
+}
+
+QueryPath queryPath() {
+  return query().path;
+}
+
+void useQueryPath(QueryPath path) {
+  chosen_query.store(&queryBy(path), std::memory_order_relaxed);
+}
+
+Extents extents(const DirectionTable& table, const Directions& directions) {
+  return query().both(table, directions);
+}
+
+void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+  query().find(table, directions, cells);
+  for (const DirectionTable::Cell* cell : cells) {
+    __builtin_prefetch(&cell->near[0]);
+    __builtin_prefetch(&cell->near[1].y);
+    __builtin_prefetch(&cell->count);
+  }
+}
+
+void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+               Extents& result) {
+  query().scan(table, directions, cells, result);
+}
+
+}  // namespace link_bounds

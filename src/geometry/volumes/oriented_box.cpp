@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A search over orientations; each one costs an axis-aligned box of the turned link.
+#include "link_bounds/geometry/volumes/oriented_box.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "geometry/support/direction_fold.h"
+#include "link_bounds/geometry/box/length.h"
+#include "link_bounds/geometry/box/rounding.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kDirections = 16;               ///< per side of the square of all directions
+constexpr int kSpins = 12;                    ///< about each of them, in a quarter turn
+constexpr double kFirstStep = 0.08;           ///< rad, about half the way between samples
+constexpr double kLastStep = 1e-8;            ///< rad
+constexpr double kLeastGain = 1e-6;           ///< of the volume, to turn at all
+constexpr double kFlatPerDiagonal = 1e-9;     ///< what counts as no width at all
+constexpr double kFlatPerMagnitude = 1e-12;   ///< more than rounding and its pads are worth
+constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude, for turning there and back
+constexpr double kPlacedPad = 64 * kUnitRoundoff;
+
+struct Candidate {
+  Eigen::Quaterniond orientation;
+  double volume;  ///< see Search
+};
+
+Eigen::Affine3d boxFromLink(const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3d link_from_box = orientation.toRotationMatrix();
+  return Eigen::Affine3d(link_from_box.transpose());
+}
+
+/// Compares boxes of one link in any orientation. What rounding adds to a face depends on the
+/// orientation, so boxes are compared without it; otherwise it would decide which box of a flat
+/// link is the smallest.
+class Search {
+ public:
+  Search(const BoundedLink& link, const Aabb& box_at_rest)
+      : link_(link),
+        reach_(link),
+        diagonal_(std::max(length(box_at_rest.sizes()), 1e-300)),
+        flat_(std::max(kFlatPerDiagonal, kFlatPerMagnitude * (magnitude(link) / diagonal_))) {
+    for (ShapeReach& shape : reach_.shapes)
+      shape.pad_per_entry = 0;
+  }
+
+  /// In units that neither overflow nor vanish. Of flat boxes the one of least area is the
+  /// smallest.
+  double volume(const Eigen::Array3d& widths) const {
+    return (widths / diagonal_).max(flat_).prod();
+  }
+
+  Candidate candidate(const Eigen::Quaterniond& orientation) {
+    const std::optional<Aabb> found = linkBox(link_, boxFromLink(orientation), reach_);
+    if (!found) return {orientation, std::numeric_limits<double>::infinity()};
+    return {orientation, volume(found->sizes().array())};
+  }
+
+ private:
+  static double length(const Eigen::Vector3d& v) {
+    return link_bounds::length(v.x(), v.y(), v.z());
+  }
+
+  const BoundedLink& link_;
+  LinkReach reach_;
+  double diagonal_;  ///< of the box at rest [m], the unit of length
+  double flat_;      ///< the smallest width that counts, in that unit
+};
+
+void keepBetter(const Candidate& candidate, Candidate& best) {
+  if (candidate.volume < best.volume) best = candidate;
+}
+
+/// The shapes' own axes.
+void tryShapes(const BoundedLink& link, Search& search, Candidate& best) {
+  for (const Shape& shape : link.shapes) {
+    const Eigen::Quaterniond axes(shape.link_from_shape.rotation());
+    if (axes.coeffs().allFinite()) keepBetter(search.candidate(axes.normalized()), best);
+  }
+}
+
+/// Directions over the half sphere for the third axis of the box, and turns about it. Since any of
+/// the three may be the third one, every orientation has three samples around it.
+void tryGrid(Search& search, Candidate& best) {
+  for (int i = 0; i < kDirections * kDirections; ++i) {
+    const double s = (2 * (i % kDirections) + 1.0) / kDirections - 1;
+    const double t = (2 * (i / kDirections) + 1.0) / kDirections - 1;
+    const auto third = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                          directionAt(s, t, faceAt(s, t)));
+    for (int spin = 0; spin < kSpins; ++spin) {
+      const Eigen::AngleAxisd turn(M_PI / 2 * spin / kSpins, Eigen::Vector3d::UnitZ());
+      keepBetter(search.candidate((third * turn).normalized()), best);
+    }
+  }
+}
+
+/// Axes of the box, its diagonals and those of its faces, in both senses.
+std::vector<Eigen::Vector3d> turnAxes() {
+  std::vector<Eigen::Vector3d> result;
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3d axis(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (!axis.isZero(0)) result.push_back(axis.normalized());
+  }
+  return result;
+}
+
+/// Turns by steps that shrink once none of them helps.
+void refine(Search& search, Candidate& best) {
+  const std::vector<Eigen::Vector3d> axes = turnAxes();
+  for (double step = kFirstStep; step > kLastStep;) {
+    const Candidate center = best;
+    for (const Eigen::Vector3d& axis : axes) {
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));
+      keepBetter(search.candidate((center.orientation * turn).normalized()), best);
+    }
+    if (best.volume == center.volume) step /= 2;
+  }
+}
+
+OrientedBox toOrientedBox(const Aabb& box, const Eigen::Quaterniond& orientation, double pad) {
+  const CenterRadius form = toCenterRadius(padded(box, pad));
+  return {orientation * form.center, orientation, 2 * form.radius};
+}
+
+std::optional<OrientedBox> ifFinite(const OrientedBox& box) {
+  const bool is_finite =
+      box.center.allFinite() && box.orientation.coeffs().allFinite() && box.size.allFinite();
+  if (!is_finite) return std::nullopt;
+  return box;
+}
+
+}  // namespace
+
+std::optional<OrientedBox> orientedBox(const BoundedLink& link) {
+  const Eigen::Quaterniond unturned = Eigen::Quaterniond::Identity();
+  const std::optional<Aabb> box = linkBox(link, boxFromLink(unturned));
+  if (!box) return std::nullopt;
+  const OrientedBox at_rest = toOrientedBox(*box, unturned, 0);
+  Search search(link, *box);
+  Candidate best = search.candidate(unturned);
+  tryShapes(link, search, best);
+  tryGrid(search, best);
+  refine(search, best);
+  const std::optional<Aabb> turned_box = linkBox(link, boxFromLink(best.orientation));
+  if (!turned_box) return ifFinite(at_rest);
+  const OrientedBox turned = toOrientedBox(*turned_box, best.orientation, kPad * magnitude(link));
+  const bool is_better =
+      search.volume(turned.size.array()) < (1 - kLeastGain) * search.volume(at_rest.size.array());
+  return ifFinite(is_better ? turned : at_rest);
+}
+
+std::optional<OrientedBox> placed(const OrientedBox& box,
+                                  const Eigen::Isometry3d& world_from_link) {
+  const Eigen::Matrix3d linear = world_from_link.linear();
+  const Eigen::Vector3d translation = world_from_link.translation();
+  const Eigen::Quaterniond rotation = Eigen::Quaterniond(linear).normalized();
+  // The part of the pose that is no rotation moves a point of the box by this part of its distance
+  // from the centre.
+  const double deviation =
+      (rotation.toRotationMatrix().transpose() * linear - Eigen::Matrix3d::Identity())
+          .cwiseAbs()
+          .sum();
+  const double reach = (linear.cwiseAbs() * box.center.cwiseAbs() + translation.cwiseAbs()).sum();
+  const double pad = (deviation + kPlacedPad) * box.size.sum() + kPlacedPad * reach;
+  return ifFinite({linear * box.center + translation, (rotation * box.orientation).normalized(),
+                   (box.size.array() + pad + std::numeric_limits<double>::min()).matrix()});
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user of a running node can do about a mesh that cannot be used.
+#pragma once
+
+#include <string>
+
+#include "link_bounds/robot/mesh/mesh_fault.h"
+
+namespace link_bounds {
+
+/// The plain remedy, but where a parameter or ~reload helps.
+std::string nodeRemedy(MeshFault fault);
+
+}  // namespace link_bounds

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Joins a description and parameters into a model.
+#include "node/loading/model.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "packages/package_path.h"
+
+namespace link_bounds {
+namespace {
+
+std::string withoutSlashes(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of('/');
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of('/') - begin + 1);
+}
+
+Selection selectionOf(const Parameters& parameters) {
+  Selection selection;
+  selection.visual = parameters.geometry != "collision";
+  selection.collision = parameters.geometry != "visual";
+  selection.links = parameters.links;
+  selection.ignore_links = parameters.ignore_links;
+  selection.padding = parameters.padding;
+  selection.link_padding = parameters.link_padding;
+  selection.parts_per_link = parameters.parts_per_link;
+  return selection;
+}
+
+SceneGroup allLinks(std::size_t count) {
+  SceneGroup group;
+  group.name = "robot";
+  for (std::size_t i = 0; i < count; ++i)
+    group.members.push_back(i);
+  return group;
+}
+
+/// The links that a member of a group can be: one that is bounded, or one that needs no box.
+struct KnownLinks {
+  std::map<std::string, std::size_t> bounded;
+  std::set<std::string> without_geometry;
+};
+
+/// The namespace that a member like "ns/*" stands for.
+std::optional<std::string> wholeNamespace(const std::string& member) {
+  if (member.size() < 2 || member.compare(member.size() - 2, 2, "/*") != 0) return std::nullopt;
+  return member.substr(0, member.size() - 2);
+}
+
+/// A name that both a link and an object can have is that of the link.
+void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
+  const auto found = known.bounded.find(member);
+  if (found != known.bounded.end()) {
+    group.members.push_back(found->second);
+  } else if (known.without_geometry.count(member)) {
+    return;
+  } else if (const auto ns = wholeNamespace(member)) {
+    group.namespaces.push_back(*ns);
+  } else if (const auto key = parseObjectName(member)) {
+    group.objects.push_back(*key);
+  } else {
+    group.lacks_members = true;
+  }
+}
+
+std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& parameters,
+                                   const KnownLinks& known) {
+  std::vector<SceneGroup> groups{allLinks(links)};
+  for (const auto& [name, members] : parameters.groups) {
+    groups.emplace_back().name = name;
+    for (const std::string& member : members)
+      addMember(groups.back(), member, known);
+  }
+  return groups;
+}
+
+bool hasGeometry(const Link& link, const Selection& selection) {
+  const auto counts = [&](const auto& element) {
+    return element.purpose == Purpose::kVisual ? selection.visual : selection.collision;
+  };
+  return std::any_of(link.elements.begin(), link.elements.end(), counts) ||
+         std::any_of(link.lost.begin(), link.lost.end(), counts);
+}
+
+KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
+  KnownLinks known;
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    known.bounded[model.links[i].name] = i;
+  for (const Link& link : robot.links) {
+    if (!hasGeometry(link, selection)) known.without_geometry.insert(link.name);
+  }
+  return known;
+}
+
+/// The bodies of those links that are bounded, by their numbers there.
+RigidBodies bodiesOf(const Robot& robot, const std::vector<BoundedLink>& links) {
+  std::map<std::string, std::size_t> numbers;
+  for (const Link& link : robot.links)
+    numbers.emplace(link.name, numbers.size());
+  const RigidBodies all = rigidBodies(robot);
+  RigidBodies bodies{{}, all.parents};
+  for (const BoundedLink& link : links)
+    bodies.of_links.push_back(all.of_links[numbers.at(link.name)]);
+  return bodies;
+}
+
+/// What an entry of ignore_pairs means for a robot with these links.
+std::vector<NamePair> pairsOf(const std::string& entry, const std::set<std::string>& links) {
+  return namePairs(entry, [&links](const std::string& name) {
+    return links.count(name) || parseObjectName(name);
+  });
+}
+
+std::vector<NamePair> ignoredPairs(const Parameters& parameters,
+                                   const std::set<std::string>& links) {
+  std::vector<NamePair> result;
+  for (const std::string& entry : parameters.ignore_pairs) {
+    const std::vector<NamePair> pairs = pairsOf(entry, links);
+    result.insert(result.end(), pairs.begin(), pairs.end());
+  }
+  return result;
+}
+
+void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>& links) {
+  for (const std::string& entry : parameters.ignore_pairs) {
+    if (!pairsOf(entry, links).empty()) continue;
+    throw ParameterError("parameter ~ignore_pairs: \"" + entry +
+                         "\" cannot be split into two names of links or objects; correct it");
+  }
+}
+
+std::set<std::string> linkNames(const Robot& robot) {
+  std::set<std::string> names;
+  for (const Link& link : robot.links)
+    names.insert(link.name);
+  return names;
+}
+
+/// One warning per unknown name, however often it is used. Names with a slash may be objects.
+std::vector<std::string> unknownNames(const Robot& robot, const Parameters& parameters) {
+  const std::set<std::string> known = linkNames(robot);
+  std::map<std::string, std::string> unknown;
+  const auto check = [&](const std::string& name, const std::string& parameter) {
+    if (!known.count(name)) unknown.emplace(name, parameter);
+  };
+  for (const std::string& name : parameters.links)
+    check(name, "links");
+  for (const std::string& name : parameters.ignore_links)
+    check(name, "ignore_links");
+  for (const auto& [name, padding] : parameters.link_padding)
+    check(name, "link_padding");
+  for (const auto& [group, members] : parameters.groups) {
+    for (const std::string& name : members) {
+      if (name.find('/') == std::string::npos) check(name, "groups/" + group);
+    }
+  }
+  for (const NamePair& pair : ignoredPairs(parameters, known)) {
+    for (const std::string& name : {pair.first, pair.second}) {
+      if (name.find('/') == std::string::npos) check(name, "ignore_pairs");
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [name, parameter] : unknown) {
+    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
+                       "\", which the robot description does not have; correct the name");
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::string tfName(const std::string& tf_prefix, const std::string& link) {
+  if (!link.empty() && link.front() == '/') return link.substr(1);
+  const std::string prefix = withoutSlashes(tf_prefix);
+  return prefix.empty() ? link : prefix + "/" + link;
+}
+
+Model modelWithoutRobot(const Parameters& parameters) {
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = tfName("", parameters.fixed_frame);
+  model.groups = makeGroups(0, parameters, KnownLinks());
+  model.ignored_pairs = NamePairs(ignoredPairs(parameters, {}));
+  return model;
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
+  const Robot robot = parseRobot(description);
+  checkIgnoredPairs(parameters, linkNames(robot));
+  const Selection selection = selectionOf(parameters);
+  BoundedRobot bounded = boundRobot(robot, selection, {rosPackages(), "", {}}, store);
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = parameters.fixed_frame.empty()
+                          ? tfName(parameters.tf_prefix, robot.links[robot.root].name)
+                          : tfName("", parameters.fixed_frame);
+  model.links = std::move(bounded.links);
+  model.parts = std::move(bounded.parts);
+  for (const BoundedLink& link : model.links) {
+    model.frames.push_back(tfName(parameters.tf_prefix, link.name));
+  }
+  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
+  model.bodies = bodiesOf(robot, model.links);
+  model.ignored_pairs = NamePairs(ignoredPairs(parameters, linkNames(robot)));
+  for (const auto& [path, points] : bounded.meshes)
+    model.mesh_bytes.emplace(path, points->bytes());
+  model.problems = std::move(bounded.problems);
+  model.warnings = unknownNames(robot, parameters);
+  model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
+  return model;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything the update thread needs to know about the robot: made once per load, never changed.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/box/box_groups.h"
+#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "node/names/object_key.h"
+#include "node/parameters/parameters.h"
+
+namespace link_bounds {
+
+/// A group whose members are links, single objects, and all objects of a namespace.
+struct SceneGroup : BoxGroup {
+  std::vector<ObjectKey> objects;
+  std::vector<std::string> namespaces;
+};
+
+struct Model {
+  Parameters parameters;
+  std::string fixed_frame;                      ///< tf name
+  std::vector<BoundedLink> links;               ///< in the order of the URDF
+  std::vector<std::string> frames;              ///< tf name of each link
+  std::vector<std::vector<BoundedLink>> parts;  ///< of each link; see BoundedRobot
+  std::vector<SceneGroup> groups;  ///< "robot", then the user's by name; members index links
+  RigidBodies bodies;              ///< of links, by the numbers they have here
+  NamePairs ignored_pairs;         ///< of links and objects, the overlaps of which nobody wants
+  std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
+  std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
+  std::vector<std::string> warnings;              ///< names in parameters that fit no link
+};
+
+/// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
+/// name are stripped; a link name that begins with a slash takes no prefix.
+std::string tfName(const std::string& tf_prefix, const std::string& link);
+
+/// For objects alone, while there is no description; parameters must name the fixed frame.
+Model modelWithoutRobot(const Parameters& parameters);
+
+/// Parses the description and loads its meshes. Throws RobotError, ParameterError.
+Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store);
+
+}  // namespace link_bounds

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Both threads see the members, but never at once: one waits while the other works.
+#include "node/loading/model_hand_over.h"
+
+#include <chrono>
+#include <future>
+
+#include "node/log/guarded.h"
+#include "node/threads/queued_function.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll(20);
+
+}  // namespace
+
+ModelHandOver::ModelHandOver(ros::CallbackQueueInterface& queue,
+                             std::function<void(ModelPtr)> adopt)
+    : queue_(queue), adopt_(std::move(adopt)) {}
+
+bool ModelHandOver::give(ModelPtr model, const std::function<bool()>& gives_up) {
+  if (next_) return false;
+  next_ = std::move(model);
+  const auto answer = std::make_shared<std::promise<void>>();
+  std::future<void> is_adopted = answer->get_future();
+  enqueue(queue_, [this, answer] {
+    try {
+      adoptNext();
+      answer->set_value();
+    } catch (...) {
+      answer->set_exception(std::current_exception());
+    }
+  });
+  while (is_adopted.wait_for(kPoll) != std::future_status::ready) {
+    if (gives_up()) return false;
+  }
+  const ModelPtr given = std::exchange(next_, nullptr);
+  is_adopted.get();
+  in_use_ = given;
+  return true;
+}
+
+void ModelHandOver::adoptNext() {
+  try {
+    adopt_(next_);
+  } catch (...) {
+    if (in_use_) guarded([this] { adopt_(in_use_); });
+    throw;
+  }
+}
+
+}  // namespace link_bounds

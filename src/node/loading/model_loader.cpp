@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A thread that spins its own callback queue and, until the first model is there, looks for it.
+#include "node/loading/model_loader.h"
+
+#include <malloc.h>
+#include <ros/init.h>
+#include <ros/this_node.h>
+
+#include "link_bounds/robot/worker/mesh_process.h"
+#include "node/loading/mesh_remedy.h"
+#include "node/loading/object_meshes.h"
+#include "node/log/log_text.h"
+#include "node/names/topics.h"
+#include "node/threads/queued_function.h"
+#include "node/threads/start_thread.h"
+#include "packages/package_path.h"
+
+namespace link_bounds {
+namespace {
+
+const ros::WallDuration kPollPeriod(0.2);
+const ros::WallDuration kWaitMessagePeriod(10.0);
+
+/// There is no description to load yet.
+class NoDescription : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+Parameters readParametersAndWarn(const ParameterServer& server) {
+  const ReadParameters read = readParameters(server);
+  for (const std::string& warning : read.warnings)
+    ROS_WARN("%s", logText(warning).c_str());
+  return read.parameters;
+}
+
+void report(const Model& model) {
+  for (const std::string& problem : model.problems)
+    ROS_ERROR("%s", logText(problem).c_str());
+  for (const std::string& warning : model.warnings)
+    ROS_WARN("%s", logText(warning).c_str());
+  ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
+           logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
+}
+
+/// Of what loading took for a while; the C library would keep it for later.
+void trimHeap() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
+                         MeshHandler on_mesh)
+    : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
+      on_mesh_(std::move(on_mesh)),
+      server_([this] { return isToEnd(); }),
+      worker_(meshWorker()),
+      store_([this](const MeshFile& file) { return import(file); }, nodeRemedy) {
+  ros::NodeHandle own_queue_node(private_node);
+  own_queue_node.setCallbackQueue(&queue_);
+  reload_service_ =
+      own_queue_node.advertiseService(privateName(kReloadService), &ModelLoader::onReload, this);
+  thread_ = startThread("loader", [this] { run(); });
+}
+
+ModelLoader::~ModelLoader() {
+  stops_ = true;
+  queue_.disable();
+  thread_.join();
+}
+
+void ModelLoader::run() {
+  try {
+    parameters_ = readParametersAndWarn(server_);
+    while (!isToEnd()) {
+      if (!has_loaded_) firstLoad();
+      queue_.callAvailable(kPollPeriod);
+    }
+  } catch (const std::exception& error) {
+    if (isToEnd()) return;
+    ROS_FATAL("%s", logText(error.what()).c_str());
+    has_failed_ = true;
+    ros::requestShutdown();
+  }
+}
+
+void ModelLoader::firstLoad() {
+  try {
+    const XmlRpc::XmlRpcValue description = readDescription();
+    if (!refused_.valid() || !(refused_ == description)) load(description);
+  } catch (const NoDescription& reason) {
+    refused_.clear();
+    waits_for_description_ = true;
+    sayWaiting(reason.what());
+    if (!serves_objects_) serveObjectsMeanwhile();
+  } catch (const std::exception& error) {
+    if (!serves_objects_) throw;
+    waits_for_description_ = true;
+    ROS_ERROR("%s; waiting for another robot_description", logText(error.what()).c_str());
+  }
+}
+
+void ModelLoader::serveObjectsMeanwhile() {
+  if (parameters_.fixed_frame.empty()) return;
+  serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
+}
+
+void ModelLoader::sayWaiting(const std::string& reason) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (!last_said_.isZero() && now - last_said_ < kWaitMessagePeriod) return;
+  last_said_ = now;
+  ROS_WARN("waiting for parameter robot_description: %s", logText(reason).c_str());
+}
+
+void ModelLoader::requestMesh(const std::string& uri) {
+  {
+    const std::lock_guard<std::mutex> lock(requests_mutex_);
+    requests_.push_back(uri);
+  }
+  enqueue(queue_, [this] { loadRequestedMeshes(); });
+}
+
+void ModelLoader::giveBackMemory() {
+  enqueue(queue_, [] { trimHeap(); });
+}
+
+/// All that have gathered, so that files load side by side.
+void ModelLoader::loadRequestedMeshes() {
+  std::vector<std::string> uris;
+  {
+    const std::lock_guard<std::mutex> lock(requests_mutex_);
+    uris.swap(requests_);
+  }
+  if (uris.empty()) return;
+  const std::vector<LoadedMesh> meshes = loadObjectMeshes(uris, rosPackages(), store_);
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    enqueue(*ros::getGlobalCallbackQueue(),
+            [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); });
+  }
+  trimHeap();
+}
+
+/// Called from several threads while load() waits; a node that ends does not wait for meshes.
+TriangleMesh ModelLoader::import(const MeshFile& file) const {
+  const MeshLimits limits{parameters_.mesh_timeout,
+                          static_cast<std::uint64_t>(parameters_.max_mesh_bytes)};
+  return importInProcess(worker_, file, limits, [this] { return isToEnd(); });
+}
+
+/// Throws NoDescription.
+XmlRpc::XmlRpcValue ModelLoader::readDescription() const {
+  try {
+    const auto name = server_.search(ros::this_node::getNamespace(), "robot_description");
+    if (name) {
+      if (const auto description = server_.get(*name)) return *description;
+    }
+  } catch (const NoMaster& error) {
+    throw NoDescription(error.what());
+  }
+  throw NoDescription("parameter robot_description is not set");
+}
+
+/// Throws RobotError, ParameterError, and what `adopt` throws.
+void ModelLoader::load(XmlRpc::XmlRpcValue description) {
+  refused_ = description;
+  if (description.getType() != XmlRpc::XmlRpcValue::TypeString) {
+    throw RobotError("parameter robot_description is not a string");
+  }
+  waits_for_description_ = false;
+  const auto model = std::make_shared<const Model>(
+      makeModel(static_cast<std::string&>(description), parameters_, store_));
+  report(*model);
+  has_loaded_ = handOver(model) || has_loaded_;
+  refused_.clear();
+  trimHeap();
+}
+
+bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const Parameters old_parameters = parameters_;
+  try {
+    reload();
+    response.success = true;
+    response.message = "reloaded";
+  } catch (const std::exception& error) {
+    const std::string reason = logText(error.what());
+    parameters_ = old_parameters;
+    waits_for_description_ = !has_loaded_;
+    ROS_ERROR("reload failed, everything stays as it was: %s", reason.c_str());
+    response.success = false;
+    response.message = reason;
+  }
+  return true;
+}
+
+void ModelLoader::reload() {
+  store_.forgetFailures();
+  parameters_ = readParametersAndWarn(server_);
+  try {
+    load(readDescription());
+  } catch (const NoDescription&) {
+    if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
+    serveObjectsMeanwhile();
+  }
+}
+
+/// Returns once the update thread uses the model; false if the node stops before.
+bool ModelLoader::handOver(ModelPtr model) {
+  return hand_over_.give(std::move(model), [this] { return isToEnd(); });
+}
+
+bool ModelLoader::isToEnd() const {
+  return stops_ || !ros::ok();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The calls that roscpp makes once, when something is advertised, in the same form once more.
+#include "node/master/registration.h"
+
+#include <ros/connection_manager.h>
+#include <ros/names.h>
+#include <ros/network.h>
+#include <ros/service_manager.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
+
+#include "node/names/topics.h"
+
+namespace link_bounds {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr int kSuccess = 1;
+/// roscpp does not tell the names of services; these are all that a node of ours has.
+constexpr std::array<const char*, 3> kServices{
+    {kReloadService.name, "~get_loggers", "~set_logger_level"}};
+
+std::string ownUri() {
+  return ros::XMLRPCManager::instance()->getServerURI();
+}
+
+std::string serviceUri() {
+  return "rosrpc://" + ros::network::getHost() + ":" +
+         std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+}
+
+/// Every call begins with the name of the caller.
+template <class... Values>
+XmlRpcValue arguments(const Values&... values) {
+  XmlRpcValue result;
+  int i = 0;
+  result[i++] = ros::this_node::getName();
+  ((result[i++] = values), ...);
+  return result;
+}
+
+/// The value of an answer of success.
+std::optional<XmlRpcValue> request(const XmlRpcCall& call, const std::string& method,
+                                   const XmlRpcValue& arguments) {
+  auto answer = call(method, arguments);
+  if (!answer || answer->status != kSuccess) return std::nullopt;
+  return std::move(answer->value);
+}
+
+bool registerPublishers(const XmlRpcCall& master, const XmlRpcCall& node) {
+  auto topics = request(node, "getPublications", arguments());
+  for (int i = 0; topics && i < topics->size(); ++i) {
+    XmlRpcValue& topic = (*topics)[i];
+    if (!request(master, "registerPublisher", arguments(topic[0], topic[1], ownUri()))) {
+      return false;
+    }
+  }
+  return topics.has_value();
+}
+
+/// The master answers with the topic's publishers. None at all is not passed on: it would end
+/// connections to those that live but did not register again.
+bool registerSubscribers(const XmlRpcCall& master, const XmlRpcCall& node) {
+  auto topics = request(node, "getSubscriptions", arguments());
+  for (int i = 0; topics && i < topics->size(); ++i) {
+    XmlRpcValue& topic = (*topics)[i];
+    const auto publishers =
+        request(master, "registerSubscriber", arguments(topic[0], topic[1], ownUri()));
+    if (!publishers) return false;
+    if (publishers->size() > 0 &&
+        !request(node, "publisherUpdate", arguments(topic[0], *publishers))) {
+      return false;
+    }
+  }
+  return topics.has_value();
+}
+
+bool registerServices(const XmlRpcCall& master) {
+  for (const char* name : kServices) {
+    const std::string service = ros::names::resolve(name);
+    if (!ros::ServiceManager::instance()->lookupServicePublication(service)) continue;
+    if (!request(master, "registerService", arguments(service, serviceUri(), ownUri()))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Standing askStanding(const XmlRpcCall& master) {
+  auto answer = master("lookupNode", arguments(ros::this_node::getName()));
+  if (!answer) return Standing::kUnreachable;
+  if (answer->status != kSuccess) return Standing::kUnknown;
+  return answer->value == XmlRpcValue(ownUri()) ? Standing::kKnown : Standing::kNameTaken;
+}
+
+bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node) {
+  return registerPublishers(master, node) && registerSubscribers(master, node) &&
+         registerServices(master);
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of objects, written and read.
+#include "node/names/object_key.h"
+
+#include <charconv>
+
+namespace link_bounds {
+
+std::string objectName(const ObjectKey& key) {
+  return key.ns + '/' + std::to_string(key.id);
+}
+
+std::optional<ObjectKey> parseObjectName(const std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string::npos) return std::nullopt;
+  ObjectKey key;
+  key.ns = name.substr(0, slash);
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + slash + 1, end, key.id);
+  // Names are written in one way only: "a/01" and "a/-0" name nothing.
+  if (error != std::errc() || rest != end || objectName(key) != name) return std::nullopt;
+  return key;
+}
+
+}  // namespace link_bounds

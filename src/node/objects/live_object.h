@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One object: what was said of it, and its box.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "link_bounds/geometry/box/box_groups.h"
+#include "link_bounds/geometry/shape/link_boxes.h"
+#include "node/tf/followed_frame.h"
+
+namespace link_bounds {
+
+/// What a publisher says of an object.
+struct ObjectContent {
+  BoundedLink bounded;     ///< what it draws, in the header frame; the name is that of the box
+  std::string frame;       ///< header frame, tf name
+  std::int64_t stamp = 0;  ///< nanoseconds; placed once, by the transform of then. 0: follows tf
+  ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
+  std::string mesh_uri;    ///< of a mesh, whose shape has no points until they are loaded
+  std::string publisher;   ///< name of the node that sent it
+
+  /// A refused marker has no frame.
+  bool follows() const { return stamp == 0 && !frame.empty(); }
+  bool isLoading() const {
+    return !mesh_uri.empty() && bounded.isWhole() && !bounded.shapes.front().points;
+  }
+};
+
+/// True if the same box follows from both: the publisher and the lifetime do not count.
+bool isSame(const ObjectContent& a, const ObjectContent& b);
+
+/// Where an object was placed once. Another fixed frame later does not change this.
+struct Placement {
+  FollowedFrame::Frame fixed_frame;  ///< of that time
+  std::string fixed_frame_name;
+  Eigen::Isometry3d fixed_from_header;
+};
+
+/// One object and its box. Times are nanoseconds of ROS time.
+struct LiveObject {
+  enum class Trouble {
+    kNone,
+    kNoTransform,
+    kStale,
+    kPoseNotFinite,
+    kWaiting,     ///< for the transform at its stamp
+    kGivenUp,     ///< it has waited too long
+    kNotCarried,  ///< no transform yet from the fixed frame of its placement to the present one
+  };
+
+  ObjectContent content;
+  LinkReach reach{content.bounded};
+  FollowedFrame::Frame frame = 0;  ///< content.frame
+  std::optional<Placement> placement;
+  std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
+  std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
+  std::int64_t waiting_since = 0;  ///< for the transform at its stamp
+  Trouble trouble = Trouble::kNone;
+  BoxState state;
+
+  /// Why the object is incomplete, in words; "" if it is not.
+  std::string reason() const;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One short function per kind of marker.
+#include "node/objects/marker_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "link_bounds/geometry/box/length.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// rviz's arrows are cut here into shaft and head, unless scale.z says where.
+constexpr double kHeadPart = 0.23;
+constexpr double kShaftPart = 0.77;
+
+Eigen::Vector3d toVector(const geometry_msgs::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
+  return {p.x, p.y, p.z};
+}
+
+/// Of points that are where they stay.
+std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> points) {
+  static_assert(sizeof(geometry_msgs::Point) == 3 * sizeof(double));
+  const auto owner = std::make_shared<const std::vector<geometry_msgs::Point>>(std::move(points));
+  return std::make_shared<const PointSet>(std::shared_ptr<const double>(owner, &owner->front().x),
+                                          owner->size());
+}
+
+/// A disc around `center`, perpendicular to the third of `axes`; diameters along the first two.
+Shape disc(const Eigen::Isometry3d& pose, const Eigen::Vector3d& center,
+           const Eigen::Matrix3d& axes, double width, double height) {
+  Shape shape{nullptr, Solid::kCylinder, {width, height, 0}, pose};
+  shape.link_from_shape.translate(center).rotate(axes);
+  return shape;
+}
+
+Shape point(const Eigen::Isometry3d& pose, const Eigen::Vector3d& position) {
+  Shape shape{nullptr, Solid::kNone, Eigen::Vector3d::Zero(), pose};
+  shape.link_from_shape.translate(position);
+  return shape;
+}
+
+/// The box around the discs at both ends of a shaft is that around the shaft, and the box around
+/// the base and the tip of a cone is that around the cone.
+std::vector<Shape> arrowByPose(const Marker& marker, const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d scale = toVector(marker.scale);
+  Eigen::Matrix3d axes;
+  axes << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX();
+  return {disc(pose, {0, 0, 0}, axes, scale.y(), scale.z()),
+          disc(pose, {kShaftPart * scale.x(), 0, 0}, axes, 2 * scale.y(), 2 * scale.z()),
+          point(pose, {scale.x(), 0, 0})};
+}
+
+std::vector<Shape> arrowByPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d tail = toVector(marker.points[0]);
+  const Eigen::Vector3d tip = toVector(marker.points[1]);
+  const Eigen::Vector3d shaft = tip - tail;
+  const double whole = length(shaft.x(), shaft.y(), shaft.z());
+  const double head =
+      marker.scale.z == 0 ? kHeadPart * whole : std::min<double>(marker.scale.z, whole);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rviz draws no length across z
+  if (whole > 0) {
+    axes.col(2) = shaft.stableNormalized();
+    axes.col(0) = axes.col(2).unitOrthogonal();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+  }
+  const Eigen::Vector3d neck = tip - head * axes.col(2);
+  return {disc(pose, tail, axes, marker.scale.x, marker.scale.x),
+          disc(pose, neck, axes, marker.scale.x, marker.scale.x),
+          disc(pose, neck, axes, marker.scale.y, marker.scale.y), point(pose, tip)};
+}
+
+Shape scaledPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
+  Shape shape{nullptr, Solid::kNone, Eigen::Vector3d::Zero(), pose};
+  shape.link_from_shape.scale(toVector(marker.scale));
+  return shape;
+}
+
+/// Those of lists lack their points.
+std::vector<Shape> shapesOf(const Marker& marker) {
+  const Eigen::Isometry3d pose = markerPose(marker);
+  const auto solid = [&](Solid kind) { return Shape{nullptr, kind, toVector(marker.scale), pose}; };
+  const auto ball = [&](double diameter) {
+    return Shape{nullptr, Solid::kEllipsoid, Eigen::Vector3d::Constant(diameter), pose};
+  };
+  switch (marker.type) {
+    case Marker::ARROW:
+      return marker.points.empty() ? arrowByPose(marker, pose) : arrowByPoints(marker, pose);
+    case Marker::CUBE:
+    case Marker::CUBE_LIST:
+      return {solid(Solid::kBox)};
+    case Marker::SPHERE:
+    case Marker::SPHERE_LIST:
+      return {solid(Solid::kEllipsoid)};
+    case Marker::CYLINDER:
+      return {solid(Solid::kCylinder)};
+    case Marker::LINE_STRIP:
+    case Marker::LINE_LIST:
+      return {ball(marker.scale.x)};
+    case Marker::POINTS:
+      return {ball(length(marker.scale.x, marker.scale.y))};
+    case Marker::TRIANGLE_LIST:
+    case Marker::MESH_RESOURCE:
+      return {scaledPoints(marker, pose)};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+bool isList(const visualization_msgs::Marker& marker) {
+  switch (marker.type) {
+    case Marker::LINE_STRIP:
+    case Marker::LINE_LIST:
+    case Marker::CUBE_LIST:
+    case Marker::SPHERE_LIST:
+    case Marker::POINTS:
+    case Marker::TRIANGLE_LIST:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool hasShape(const Marker& marker) {
+  return marker.type != Marker::TEXT_VIEW_FACING;
+}
+
+Eigen::Isometry3d markerPose(const Marker& marker) {
+  const geometry_msgs::Quaternion& q = marker.pose.orientation;
+  Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
+  const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
+  if (largest > 0) {
+    rotation.coeffs() /= largest;  // squares of huge or tiny numbers would be lost
+    rotation.normalize();
+  } else {
+    rotation.setIdentity();
+  }
+  Eigen::Isometry3d pose(rotation);
+  pose.translation() = toVector(marker.pose.position);
+  return pose;
+}
+
+MarkerShape markerShape(Marker&& marker) {
+  const bool is_mesh = marker.type == Marker::MESH_RESOURCE;
+  MarkerShape result{shapesOf(marker), is_mesh ? marker.mesh_resource : ""};
+  if (isList(marker)) result.shapes.front().points = pointSet(std::move(marker.points));
+  return result;
+}
+
+MarkerShape markerShape(const Marker& marker) {
+  return markerShape(Marker(marker));
+}
+
+}  // namespace link_bounds

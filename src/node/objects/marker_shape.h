@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The shapes that bound a visualization marker as rviz draws it.
+//
+// What each type makes of the marker's fields, all in the frame of its pose [m]:
+//   CUBE, SPHERE, CYLINDER   a solid of extent scale around the origin; the cylinder's axis is z
+//   CUBE_LIST, SPHERE_LIST   that solid around each point; scale is no factor of the points
+//   LINE_STRIP, LINE_LIST    ribbons of width scale.x that turn to the camera: a ball around each
+//                            point contains them from everywhere; the rest of scale counts nothing
+//   POINTS                   squares that turn to the camera, the longer diagonal is
+//                            hypot(scale.x, scale.y); the positions follow the pose
+//   TRIANGLE_LIST            points times scale
+//   MESH_RESOURCE            vertices of the file times scale
+//   ARROW, no points         along x from the origin, scale.x long: a shaft as wide as scale.y and
+//                            as high as scale.z, then, for the last 23 % of the length, a cone
+//                            twice as wide and high
+//   ARROW, two points        from the first to the second: a shaft of diameter scale.x, a cone of
+//                            diameter scale.y and length scale.z, but no longer than the arrow, and
+//                            23 % of it for scale.z = 0
+//   TEXT_VIEW_FACING         its size depends on a font; ignored
+// Zero in scale makes it flat, for rviz and here. Of POINTS and SPHERE_LIST rviz 1.14 draws only
+// the first number of scale, as side and as diameter, where the graphics card has geometry shaders,
+// and the first two where it has none: with uneven scale its picture depends on the machine.
+#pragma once
+
+#include <visualization_msgs/Marker.h>
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/shape/shape.h"
+
+namespace link_bounds {
+
+/// What a marker draws.
+struct MarkerShape {
+  /// Each link_from_shape leads to the frame of the marker's header. The one shape of a
+  /// MESH_RESOURCE lacks its points: they are those of `mesh_uri`.
+  std::vector<Shape> shapes;
+  std::string mesh_uri;  ///< of a MESH_RESOURCE, else ""
+};
+
+/// Why the marker, which deletes nothing, cannot be bounded, in words with the remedy; "" if it
+/// can, or is to be ignored.
+std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
+
+/// False for text, which is ignored.
+bool hasShape(const visualization_msgs::Marker& marker);
+
+/// True for types that draw something at each of their points; an arrow is given by them.
+bool isList(const visualization_msgs::Marker& marker);
+
+/// Frame of the header from that of the marker. A zero quaternion is the identity, others are
+/// normalised. The marker must not be refused.
+Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);
+
+/// The marker must have a shape and not be refused. Takes its list of points away, for a copy would
+/// cost more than all else; nothing else of the message is kept, neither colours nor the array in
+/// which it came.
+MarkerShape markerShape(visualization_msgs::Marker&& marker);
+
+/// The same with a copy of the points.
+MarkerShape markerShape(const visualization_msgs::Marker& marker);
+
+}  // namespace link_bounds

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Judges a marker, turns it into the content of an object, and finds its mesh.
+#include "node/objects/object_source.h"
+
+#include <ros/console.h>
+
+#include <set>
+
+#include "node/loading/model.h"
+#include "node/objects/marker_shape.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// Names of this prefix are what a node like this one draws of objects.
+constexpr char kOwnNamespace[] = "link_bounds/";
+
+/// So many failures are remembered; a publisher may make up names without end.
+constexpr std::size_t kMostMeshes = 10000;
+
+bool isOurs(const Marker& marker) {
+  return marker.ns.compare(0, sizeof(kOwnNamespace) - 1, kOwnNamespace) == 0;
+}
+
+std::int64_t placementStamp(const Marker& marker) {
+  return marker.frame_locked ? 0 : static_cast<std::int64_t>(marker.header.stamp.toNSec());
+}
+
+}  // namespace
+
+ObjectSource::ObjectSource(LiveObjects& objects,
+                           std::function<void(const std::string& uri)> request_mesh)
+    : objects_(objects), request_mesh_(std::move(request_mesh)) {}
+
+bool ObjectSource::take(Marker&& marker, const std::string& publisher, TransformSource& tf,
+                        ros::Time now) {
+  if (marker.action == Marker::DELETEALL) return objects_.removeAll();
+  if (isOurs(marker)) return false;
+  const ObjectKey key{marker.ns, marker.id};
+  if (marker.action == Marker::DELETE) return objects_.remove(key);
+  if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);
+  return objects_.put(key, contentOf(key, std::move(marker), publisher), tf, now);
+}
+
+ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
+                                      const std::string& publisher) {
+  ObjectContent content;
+  content.bounded.name = objectName(key);
+  content.bounded.missing = whyMarkerRefused(marker);
+  content.publisher = publisher;
+  content.lifetime = marker.lifetime;
+  if (!content.bounded.isWhole()) {
+    const auto line = marker_log_.line(content.bounded.name, content.bounded.missing, publisher,
+                                       ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+    return content;
+  }
+  content.frame = tfName("", marker.header.frame_id);
+  content.stamp = placementStamp(marker);
+  MarkerShape shape = markerShape(std::move(marker));
+  content.bounded.shapes = std::move(shape.shapes);
+  content.mesh_uri = std::move(shape.mesh_uri);
+  if (!content.mesh_uri.empty()) useMesh(content);
+  return content;
+}
+
+void ObjectSource::useMesh(ObjectContent& content) {
+  const auto known = meshes_.find(content.mesh_uri);
+  if (known == meshes_.end()) return request(content.mesh_uri);
+  content.bounded.missing = known->second.error;
+  content.bounded.shapes.front().points = known->second.points.lock();
+  if (content.isLoading() && !known->second.is_loading) request(content.mesh_uri);
+}
+
+void ObjectSource::request(const std::string& uri) {
+  if (meshes_.size() >= kMostMeshes) meshes_.clear();
+  meshes_[uri].is_loading = true;
+  request_mesh_(uri);
+}
+
+bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh,
+                            const TransformSource& tf, ros::Time now) {
+  meshes_[uri] = {mesh.points, mesh.error, false};
+  if (!mesh.error.empty()) {
+    const auto line = mesh_log_.line(uri, mesh.error, "an object", ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+  }
+  return objects_.fillMesh(uri, mesh, tf, now);
+}
+
+void ObjectSource::warnOfGivenUp() {
+  for (const LiveObject* object : objects_.takeGivenUp()) {
+    const auto line =
+        marker_log_.line(object->content.bounded.name,
+                         object->reason() + "; publish that frame, or stamp 0 to follow it",
+                         object->content.publisher, ros::SteadyTime::now());
+    if (line) ROS_WARN_STREAM(*line);
+  }
+}
+
+void ObjectSource::reloadMeshes() {
+  marker_log_.forget();
+  mesh_log_.forget();
+  std::set<std::string> uris;
+  for (const auto& [key, object] : objects_.objects())
+    uris.insert(object.content.mesh_uri);
+  uris.erase("");
+  std::map<std::string, Mesh> known = std::move(meshes_);
+  meshes_.clear();
+  for (const std::string& uri : uris) {
+    request(uri);
+    meshes_[uri].points = known[uri].points;
+  }
+}
+
+}  // namespace link_bounds

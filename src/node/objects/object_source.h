@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From markers of any publisher to objects: what is added, replaced, deleted, refused or ignored.
+#pragma once
+
+#include <visualization_msgs/Marker.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "node/log/refusal_log.h"
+#include "node/objects/live_objects.h"
+
+namespace link_bounds {
+
+/// Runs on the update thread. Meshes are asked for by `request_mesh`, which returns at once; what
+/// became of one comes back through fillMesh(). Functions return true if a box, a stamp or an
+/// incomplete name changed.
+class ObjectSource {
+ public:
+  ObjectSource(LiveObjects& objects, std::function<void(const std::string& uri)> request_mesh);
+
+  /// Takes the points of a list out of the marker.
+  bool take(visualization_msgs::Marker&& marker, const std::string& publisher, TransformSource& tf,
+            ros::Time now);
+
+  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
+                ros::Time now);
+
+  /// Says which objects waited in vain for a transform.
+  void warnOfGivenUp();
+
+  /// Asks again for the meshes of all objects: files may have been repaired or replaced. What was
+  /// logged may be logged again.
+  void reloadMeshes();
+
+ private:
+  /// What is known of a mesh; neither points nor an error while it loads.
+  struct Mesh {
+    std::weak_ptr<const PointSet> points;
+    std::string error;
+    bool is_loading = false;
+  };
+
+  ObjectContent contentOf(const ObjectKey& key, visualization_msgs::Marker&& marker,
+                          const std::string& publisher);
+  void useMesh(ObjectContent& content);
+  void request(const std::string& uri);
+
+  LiveObjects& objects_;
+  std::function<void(const std::string& uri)> request_mesh_;
+  std::map<std::string, Mesh> meshes_;  ///< by URI
+  RefusalLog marker_log_{"the marker", "further markers"};
+  RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
+};
+
+}  // namespace link_bounds

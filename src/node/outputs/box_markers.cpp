@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// CUBE, LINE_LIST and TEXT per box, and the book-keeping of deletions.
+#include "node/outputs/box_markers.h"
+
+#include "node/outputs/geometry_message.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+/// Nodes like this one do not take markers of such namespaces for objects.
+constexpr char kObjectsNamespace[] = "link_bounds/objects/";
+
+enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
+
+constexpr double kThinnest = 1e-4;     ///< rviz cannot draw a box of zero size [m]
+constexpr double kFarthest = 1e18;     ///< squares of larger numbers overflow rviz's float32 [m]
+constexpr double kEdgeWidth = 0.002;   ///< [m]
+constexpr double kLabelHeight = 0.04;  ///< [m]
+
+bool isDrawable(const Aabb& box) {
+  return box.min().cwiseAbs().maxCoeff() <= kFarthest &&
+         box.max().cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 vector;
+  vector.x = v.x();
+  vector.y = v.y();
+  vector.z = v.z();
+  return vector;
+}
+
+std_msgs::ColorRGBA toColor(const std::array<double, 4>& rgba) {
+  std_msgs::ColorRGBA color;
+  color.r = static_cast<float>(rgba[0]);
+  color.g = static_cast<float>(rgba[1]);
+  color.b = static_cast<float>(rgba[2]);
+  color.a = static_cast<float>(rgba[3]);
+  return color;
+}
+
+/// What the markers of one box have in common.
+Marker commonMarker(const std_msgs::Header& header, const std::string& ns, MarkerId id, int type,
+                    const Eigen::Vector3d& center) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = ns;
+  marker.id = id;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.frame_locked = true;
+  marker.pose.position = toPoint(center);
+  marker.pose.orientation.w = 1;
+  return marker;
+}
+
+void addFaces(Marker marker, const Eigen::Vector3d& radius, const std_msgs::ColorRGBA& color,
+              MarkerArray& array) {
+  marker.scale = toVector(2 * radius);
+  marker.color = color;
+  array.markers.push_back(std::move(marker));
+}
+
+void addEdges(Marker marker, const Eigen::Vector3d& radius, std_msgs::ColorRGBA color,
+              MarkerArray& array) {
+  const auto corner = corners(Aabb(-radius, radius));
+  for (const auto& edge : edges()) {
+    marker.points.push_back(toPoint(corner[static_cast<std::size_t>(edge[0])]));
+    marker.points.push_back(toPoint(corner[static_cast<std::size_t>(edge[1])]));
+  }
+  color.a = 1;
+  marker.color = color;
+  marker.scale.x = kEdgeWidth;
+  array.markers.push_back(std::move(marker));
+}
+
+void addLabel(Marker marker, const Eigen::Vector3d& radius, const std::string& text,
+              MarkerArray& array) {
+  marker.pose.position.z += radius.z() + kLabelHeight;
+  marker.text = text;
+  marker.scale.z = kLabelHeight;
+  marker.color.r = marker.color.g = marker.color.b = marker.color.a = 1;
+  array.markers.push_back(std::move(marker));
+}
+
+void addBox(const BoxState& state, const std::string& name, const std::string& ns,
+            const std_msgs::Header& header, const Parameters& parameters, MarkerArray& array) {
+  if (!state.box || !isDrawable(*state.box)) return;
+  const auto [center, exact_radius] = toCenterRadius(*state.box);
+  const Eigen::Vector3d radius = exact_radius.cwiseMax(kThinnest / 2);
+  const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
+  const auto marker = [&, &box_center = center](MarkerId id, int type) {
+    return commonMarker(header, ns, id, type, box_center);
+  };
+  if (parameters.marker_style != "edges") {
+    addFaces(marker(kFaces, Marker::CUBE), radius, color, array);
+  }
+  if (parameters.marker_style != "faces") {
+    addEdges(marker(kEdges, Marker::LINE_LIST), radius, color, array);
+  }
+  if (parameters.marker_labels) {
+    addLabel(marker(kLabel, Marker::TEXT_VIEW_FACING), radius, name, array);
+  }
+}
+
+}  // namespace
+
+MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header) {
+  const Model& model = *scene.model();
+  MarkerArray array;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    addBox(scene.links.states()[i], model.links[i].name, model.frames[i], header, model.parameters,
+           array);
+  }
+  for (const auto& [key, object] : scene.objects.objects()) {
+    const std::string& name = object.content.bounded.name;
+    addBox(object.state, name, kObjectsNamespace + name, header, model.parameters, array);
+  }
+  return array;
+}
+
+std::set<ShownMarkers::Key> ShownMarkers::appendDeletions(MarkerArray& markers,
+                                                          const std_msgs::Header& header) const {
+  std::set<Key> added;
+  for (const Marker& marker : markers.markers)
+    added.emplace(marker.ns, marker.id);
+  for (const auto& [ns, id] : shown_) {
+    if (added.count({ns, id})) continue;
+    Marker marker;
+    marker.header = header;
+    marker.ns = ns;
+    marker.id = id;
+    marker.action = Marker::DELETE;
+    marker.pose.orientation.w = 1;
+    markers.markers.push_back(std::move(marker));
+  }
+  return added;
+}
+
+void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& header) {
+  shown_ = appendDeletions(markers, header);
+}
+
+void ShownMarkers::extendBy(MarkerArray& markers, const std_msgs::Header& header) {
+  shown_.merge(appendDeletions(markers, header));
+}
+
+}  // namespace link_bounds

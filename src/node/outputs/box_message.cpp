@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From states to AxisAlignedBoxArray.
+#include "node/outputs/box_message.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "node/outputs/geometry_message.h"
+
+namespace link_bounds {
+namespace {
+
+ros::Time toTime(std::int64_t nanoseconds) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
+}
+
+/// Keeps memory for what may come back soon, not for ten thousand objects that are gone.
+template <class T>
+void shorten(std::vector<T>& entries, std::size_t size) {
+  constexpr std::size_t kSpare = 1000;
+  entries.resize(size);
+  if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
+}
+
+}  // namespace
+
+BoxFiller::BoxFiller(AxisAlignedBoxArray& message, const std::string& frame) : message_(message) {
+  message_.header.frame_id = frame;
+}
+
+void BoxFiller::add(const std::string& name, const BoxState& state) {
+  if (state.incomplete) addIncomplete(name);
+  if (!state.box) return;
+  if (boxes_ == message_.boxes.size()) message_.boxes.emplace_back();
+  AxisAlignedBox& box = message_.boxes[boxes_++];
+  if (box.name != name) box.name = name;  // the box of before nearly always has it
+  box.stamp = timeOf(state.stamp);
+  box.min = toPoint(state.box->min());
+  box.max = toPoint(state.box->max());
+  newest_ = std::max(newest_, state.stamp);
+}
+
+void BoxFiller::finish() {
+  shorten(message_.boxes, boxes_);
+  shorten(message_.incomplete, incomplete_);
+  message_.header.stamp = toTime(newest_);
+}
+
+/// Most boxes have the same stamp.
+ros::Time BoxFiller::timeOf(std::int64_t stamp) {
+  if (stamp != stamp_) time_ = toTime(stamp);
+  stamp_ = stamp;
+  return time_;
+}
+
+void BoxFiller::addIncomplete(const std::string& name) {
+  if (incomplete_ == message_.incomplete.size()) message_.incomplete.emplace_back();
+  message_.incomplete[incomplete_++] = name;
+}
+
+std_msgs::Header headerOf(const Scene& scene) {
+  std::int64_t newest = 0;
+  scene.forEach([&newest](const std::string&, const BoxState& state) {
+    if (state.box) newest = std::max(newest, state.stamp);
+  });
+  std_msgs::Header header;
+  header.frame_id = scene.model()->fixed_frame;
+  header.stamp = toTime(newest);
+  return header;
+}
+
+void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {
+  BoxFiller filler(message, scene.model()->fixed_frame);
+  scene.forEach([&](const std::string& name, const BoxState& state) { filler.add(name, state); });
+  filler.finish();
+}
+
+void fillGroups(const Scene& scene, AxisAlignedBoxArray& message) {
+  const Model& model = *scene.model();
+  BoxFiller filler(message, model.fixed_frame);
+  for (const SceneGroup& group : model.groups)
+    filler.add(group.name, groupState(group, scene));
+  filler.finish();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The rectangle that the robot covers on the ground, as costmap_2d takes it.
+#pragma once
+
+#include <geometry_msgs/Polygon.h>
+
+#include <optional>
+
+#include "link_bounds/geometry/box/box_groups.h"
+
+namespace link_bounds {
+
+/// The corners (min x, min y), (max x, min y), (max x, max y), (min x, max y) at z = 0 [m], in
+/// float32 rounded outward. Nothing if the box is missing, incomplete or too large for float32.
+std::optional<geometry_msgs::Polygon> footprintOf(const BoxState& robot);
+
+}  // namespace link_bounds

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From states to BoxOverlapArray.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "link_bounds/BoxOverlapArray.h"
+#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "node/loading/model.h"
+
+namespace link_bounds {
+
+/// Searches the boxes of messages again and again; keeps memory for it.
+class SceneOverlaps {
+ public:
+  /// Overwrites `message`; reuses its memory. The first `link_count` of the boxes are of links of
+  /// the model, in its order.
+  void fill(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count,
+            BoxOverlapArray& message);
+
+ private:
+  /// Whose box it is.
+  struct Owner {
+    const std::string* name;
+    std::optional<std::size_t> link;  ///< nothing for objects
+  };
+
+  void collect(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count);
+  BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
+  bool isReported(const Model& model, const Owner& a, const Owner& b) const;
+
+  std::vector<Aabb> boxes_;
+  std::vector<Owner> owners_;
+  OverlapSearch search_;
+  std::vector<BoxOverlap> spare_;  ///< entries with memory for names
+};
+
+}  // namespace link_bounds

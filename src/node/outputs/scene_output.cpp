@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes and groups always; everything else while somebody listens.
+#include "node/outputs/scene_output.h"
+
+#include <algorithm>
+
+#include "node/outputs/box_message.h"
+#include "node/outputs/footprint.h"
+
+namespace link_bounds {
+namespace {
+
+/// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
+/// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
+constexpr std::uint32_t kBoxesQueue = 200;
+constexpr std::uint32_t kMarkersQueue = 10;
+constexpr std::uint32_t kFootprintQueue = 10;
+
+}  // namespace
+
+SceneOutput::SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
+                         const Guard& guard)
+    : scene_(scene),
+      boxes_publisher_(
+          private_node.advertise<AxisAlignedBoxArray>(privateName(kBoxesTopic), kBoxesQueue, true)),
+      groups_publisher_(private_node.advertise<AxisAlignedBoxArray>(privateName(kGroupsTopic),
+                                                                    kBoxesQueue, true)),
+      markers_(private_node, kMarkersTopic, kMarkersQueue, guard,
+               [this](auto& message, Audience audience) { return fillMarkers(message, audience); }),
+      parts_(private_node, kPartsTopic, kBoxesQueue, guard,
+             [this](auto& message, Audience) { return fillParts(message); }),
+      footprint_(private_node, kFootprintTopic, kFootprintQueue, guard,
+                 [this](auto& message, Audience) { return fillFootprint(message); }),
+      overlaps_(private_node, kOverlapsTopic, kBoxesQueue, guard,
+                [this](auto& message, Audience) { return fillOverlaps(message); }),
+      boxes_output_(node, guard, [this] { publishBoxes(); }),
+      markers_output_(node, guard, [this] { markers_.publish(); }) {}
+
+void SceneOutput::adopt() {
+  const Parameters& parameters = scene_.model()->parameters;
+  part_boxes_.adopt(*scene_.model());
+  boxes_output_.setRate(parameters.max_rate);
+  markers_output_.setRate(parameters.marker_rate);
+  boxes_output_.emitNow();
+  markers_output_.request();
+}
+
+void SceneOutput::request() {
+  boxes_output_.request();
+  if (markers_.isHeard()) markers_output_.request();
+}
+
+void SceneOutput::forgetMemory() {
+  scene_overlaps_ = SceneOverlaps();
+  overlaps_.forgetMessage();
+}
+
+void SceneOutput::publishBoxes() {
+  ++publications_;
+  fillBoxes(scene_, boxes_message_);
+  boxes_publisher_.publish(boxes_message_);
+  noteLag(boxes_message_.header.stamp);
+  fillGroups(scene_, groups_message_);
+  groups_publisher_.publish(groups_message_);
+  rememberShown();
+  parts_.publish();
+  footprint_.publish();
+  overlaps_.publish();
+}
+
+void SceneOutput::rememberShown() {
+  const std::vector<BoxState>& links = scene_.links.states();
+  shown_links_ = static_cast<std::size_t>(std::count_if(
+      links.begin(), links.end(), [](const BoxState& state) { return state.box.has_value(); }));
+  shown_robot_ = groupState(scene_.model()->groups.front(), scene_);
+  part_boxes_.place(scene_.links);
+}
+
+void SceneOutput::noteLag(ros::Time stamp) {
+  if (stamp.isZero()) return;
+  const double lag = (ros::Time::now().toSec() - stamp.toSec()) * 1e3;
+  lag_ms_ = std::max(lag, lag_ms_.value_or(lag));
+}
+
+/// A newcomer is shown everything; what others may still be showing is then not forgotten.
+bool SceneOutput::fillMarkers(visualization_msgs::MarkerArray& message, Audience audience) {
+  if (!scene_.model()) return false;
+  const std_msgs::Header header = headerOf(scene_);
+  message = boxMarkers(scene_, header);
+  if (audience == Audience::kAll) {
+    shown_.replaceBy(message, header);
+  } else {
+    shown_.extendBy(message, header);
+  }
+  return true;
+}
+
+bool SceneOutput::fillParts(AxisAlignedBoxArray& message) {
+  if (!part_boxes_.areWanted()) return false;
+  part_boxes_.fill(*scene_.model(), message);
+  return true;
+}
+
+bool SceneOutput::fillFootprint(geometry_msgs::Polygon& message) const {
+  const auto footprint = footprintOf(shown_robot_);
+  if (footprint) message = *footprint;
+  return footprint.has_value();
+}
+
+bool SceneOutput::fillOverlaps(BoxOverlapArray& message) {
+  if (publications_ == 0) return false;
+  scene_overlaps_.fill(*scene_.model(), boxes_message_, shown_links_, message);
+  return true;
+}
+
+}  // namespace link_bounds

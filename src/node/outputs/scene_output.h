@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is published of a scene, and when.
+#pragma once
+
+#include <geometry_msgs/Polygon.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <optional>
+#include <utility>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "link_bounds/BoxOverlapArray.h"
+#include "node/outputs/box_markers.h"
+#include "node/outputs/on_demand.h"
+#include "node/outputs/overlap_message.h"
+#include "node/outputs/paced_output.h"
+#include "node/outputs/part_boxes.h"
+#include "node/scene/scene.h"
+
+namespace link_bounds {
+
+/// Overlaps, parts and footprint are made from what the last ~boxes showed: a new subscriber may
+/// come while the scene is newer than that and max_rate lets it wait.
+class SceneOutput {
+ public:
+  /// `scene` must outlive this. `guard` runs what roscpp calls.
+  SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
+              const Guard& guard);
+
+  /// Everything at once, at the rates of the scene's new model.
+  void adopt();
+
+  /// Something changed: it is published as soon as the rates allow. There must be a model.
+  void request();
+
+  /// Frees what the search for overlaps keeps for scenes as large as the last one.
+  void forgetMemory();
+
+  /// Messages on ~boxes.
+  std::uint64_t publications() const { return publications_; }
+
+  /// The longest since the last call that the stamp of a ~boxes lay behind ROS time when it was
+  /// published [ms]; nothing if there was none with a stamp.
+  std::optional<double> takeLongestLag() { return std::exchange(lag_ms_, std::nullopt); }
+
+ private:
+  void publishBoxes();
+  void rememberShown();
+  void noteLag(ros::Time stamp);
+  bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
+  bool fillParts(AxisAlignedBoxArray& message);
+  bool fillFootprint(geometry_msgs::Polygon& message) const;
+  bool fillOverlaps(BoxOverlapArray& message);
+
+  const Scene& scene_;
+  std::uint64_t publications_ = 0;
+  std::optional<double> lag_ms_;
+  ShownMarkers shown_;
+  PartBoxes part_boxes_;
+  SceneOverlaps scene_overlaps_;
+  BoxState shown_robot_;         ///< in the last ~boxes, as all that depends on it
+  std::size_t shown_links_ = 0;  ///< boxes of links in it, which come first
+  AxisAlignedBoxArray boxes_message_;
+  AxisAlignedBoxArray groups_message_;
+  ros::Publisher boxes_publisher_;
+  ros::Publisher groups_publisher_;
+  OnDemand<visualization_msgs::MarkerArray> markers_;
+  OnDemand<AxisAlignedBoxArray> parts_;
+  OnDemand<geometry_msgs::Polygon> footprint_;
+  OnDemand<BoxOverlapArray> overlaps_;
+  PacedOutput boxes_output_;
+  PacedOutput markers_output_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Typed values from the parameter server's untyped ones, by a table of parameters.
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "node/parameters/parameter_error.h"
+
+namespace link_bounds {
+
+/// fromXml(value, out) fills `out` and returns "", or returns what the value should have been.
+/// XmlRpcValue gives access to its content only if it is not const, hence the references.
+std::string fromXml(XmlRpc::XmlRpcValue& value, std::string& out);
+std::string fromXml(XmlRpc::XmlRpcValue& value, bool& out);
+std::string fromXml(XmlRpc::XmlRpcValue& value, int& out);
+std::string fromXml(XmlRpc::XmlRpcValue& value, double& out);
+std::string fromXml(XmlRpc::XmlRpcValue& value, std::vector<std::string>& out);
+
+template <std::size_t count>
+std::string fromXml(XmlRpc::XmlRpcValue& value, std::array<double, count>& out) {
+  const std::string expected = "a list of " + std::to_string(count) + " numbers";
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeArray) return expected;
+  if (value.size() != static_cast<int>(count)) return expected;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!fromXml(value[static_cast<int>(i)], out[i]).empty()) return expected;
+  }
+  return "";
+}
+
+template <class T>
+std::string fromXml(XmlRpc::XmlRpcValue& value, std::optional<T>& out) {
+  return fromXml(value, out.emplace());
+}
+
+template <class T>
+std::string fromXml(XmlRpc::XmlRpcValue& value, std::map<std::string, T>& out) {
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeStruct) return "a map";
+  out.clear();
+  for (auto& [key, entry] : value) {
+    std::string expected = fromXml(entry, out[key]);
+    if (!expected.empty()) return expected;
+  }
+  return "";
+}
+
+/// A visitor of a table of parameters: sets every field that the struct `values` has, and collects
+/// the names that the table knows.
+class ParameterReader {
+ public:
+  explicit ParameterReader(XmlRpc::XmlRpcValue& values) : values_(values) {}
+
+  /// Throws ParameterError.
+  template <class T, class Rule>
+  void operator()(const char* name, T& field, Rule rule, const char*) {
+    known_.insert(name);
+    if (values_.getType() != XmlRpc::XmlRpcValue::TypeStruct || !values_.hasMember(name)) return;
+    const std::string expected = fromXml(values_[name], field);
+    const std::string fault = expected.empty() ? rule(field) : "must be " + expected;
+    if (!fault.empty()) throw ParameterError(std::string("parameter ~") + name + " " + fault);
+  }
+
+  std::vector<std::string> unknownNames() const;
+
+ private:
+  XmlRpc::XmlRpcValue& values_;
+  std::set<std::string> known_;
+};
+
+}  // namespace link_bounds

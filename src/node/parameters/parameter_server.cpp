@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The two calls of ROS's Parameter Server API that a reader needs.
+#include "node/parameters/parameter_server.h"
+
+#include <ros/master.h>
+#include <ros/names.h>
+#include <ros/this_node.h>
+#include <ros/time.h>
+
+#include "node/master/xmlrpc_call.h"
+
+namespace link_bounds {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr int kSuccess = 1;
+const ros::WallDuration kDeadline(10.0);
+const ros::WallDuration kPause(0.1);
+
+}  // namespace
+
+std::optional<XmlRpcValue> ParameterServer::get(const std::string& name) const {
+  return call("getParam", ros::this_node::getName(), ros::names::resolve(name));
+}
+
+/// The API searches in the namespace of the caller.
+std::optional<std::string> ParameterServer::search(const std::string& ns,
+                                                   const std::string& name) const {
+  const auto& remappings = ros::names::getUnresolvedRemappings();
+  const auto remapped = remappings.find(name);
+  auto found = call("searchParam", ns, remapped == remappings.end() ? name : remapped->second);
+  if (!found || found->getType() != XmlRpcValue::TypeString) return std::nullopt;
+  return static_cast<std::string>(*found);
+}
+
+std::optional<XmlRpcValue> ParameterServer::call(const std::string& method,
+                                                 const std::string& caller,
+                                                 const std::string& name) const {
+  const XmlRpcServer master{ros::master::getHost(), static_cast<int>(ros::master::getPort())};
+  XmlRpcValue arguments;
+  arguments[0] = caller;
+  arguments[1] = name;
+  const ros::SteadyTime end = ros::SteadyTime::now() + kDeadline;
+  for (ros::WallDuration left = kDeadline; left > ros::WallDuration(0);
+       left = end - ros::SteadyTime::now()) {
+    const auto answer = callXmlRpc(master, method, arguments, gives_up_, left);
+    if (answer) return answer->status == kSuccess ? std::optional(answer->value) : std::nullopt;
+    if (gives_up_()) break;
+    kPause.sleep();
+  }
+  throw NoMaster("the ROS master does not answer " + method + " of " + name);
+}
+
+}  // namespace link_bounds

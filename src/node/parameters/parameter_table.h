@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of parameters: name, meaning and what is allowed, each once. The reader, --help and
+// the test of the README's table all walk through it.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "node/parameters/parameters.h"
+
+namespace link_bounds {
+
+namespace rules {
+
+/// A rule says what a value must be, or "" if it is that.
+template <class T>
+std::string any(const T&) {
+  return "";
+}
+
+inline std::string notNegative(double value) {
+  return std::isfinite(value) && value >= 0 ? "" : "must be a finite number >= 0";
+}
+
+inline std::string positive(double value) {
+  return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
+}
+
+inline std::string positiveInt(int value) {
+  return value > 0 ? "" : "must be a whole number > 0";
+}
+
+inline std::string partCount(int value) {
+  return value >= 1 && value <= 256 ? "" : "must be a whole number from 1 to 256";
+}
+
+inline std::string geometry(const std::string& value) {
+  const bool known = value == "visual" || value == "collision" || value == "both";
+  return known ? "" : "must be visual, collision or both";
+}
+
+inline std::string markerStyle(const std::string& value) {
+  const bool known = value == "edges" || value == "faces" || value == "both";
+  return known ? "" : "must be edges, faces or both";
+}
+
+inline std::string color(const std::array<double, 4>& rgba) {
+  for (const double part : rgba) {
+    if (!(part >= 0 && part <= 1))
+      return "must be four numbers from 0 to 1: red, green, blue, alpha";
+  }
+  return "";
+}
+
+inline std::string linkPadding(const std::map<std::string, double>& value) {
+  for (const auto& [link, padding] : value) {
+    if (!notNegative(padding).empty())
+      return "must be finite numbers >= 0; see link \"" + link + "\"";
+  }
+  return "";
+}
+
+inline std::string groups(const std::map<std::string, std::vector<std::string>>& value) {
+  return value.count("robot") ? "must not define \"robot\", which is always all links" : "";
+}
+
+inline std::string ignorePairs(const std::vector<std::string>& value) {
+  const auto is_name = [](const std::string&) { return true; };
+  for (const std::string& entry : value) {
+    if (namePairs(entry, is_name).empty())
+      return "must be pairs of names with a space between them; see \"" + entry + "\"";
+  }
+  return "";
+}
+
+}  // namespace rules
+
+/// Calls visit(name, value, rule, meaning) for each private parameter.
+template <class AnyParameters, class Visitor>
+void visitParameters(AnyParameters& p, Visitor&& visit) {
+  visit("fixed_frame", p.fixed_frame, rules::any<std::string>,
+        "frame of the boxes; \"\" = the URDF's root link");
+  visit("geometry", p.geometry, rules::geometry, "visual, collision or both");
+  visit("links", p.links, rules::any<std::vector<std::string>>,
+        "only these links; [] = every link with geometry");
+  visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
+        "none of these links");
+  visit("padding", p.padding, rules::notNegative,
+        "metres, >= 0, added on every side of link boxes and their parts (groups and markers "
+        "follow)");
+  visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
+  visit("groups", p.groups, rules::groups,
+        "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
+        "namespace");
+  visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
+  visit("timeout", p.timeout, rules::notNegative,
+        "ROS seconds, counted by receipt, since tf last accepted a transform on the oldest "
+        "non-static edge of a link's path; then the link is stale: no box, in incomplete, until "
+        "tf accepts one again. 0 = never");
+  visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
+        "private, else found upwards as robot_state_publisher does; joined with one \"/\" to link "
+        "names and the default fixed frame for tf; slashes at its ends stripped; a link name that "
+        "begins with \"/\" is only stripped; an explicit fixed_frame is taken as it is; message "
+        "names stay the URDF's");
+  visit("marker_rate", p.marker_rate, rules::positive, "Hz, > 0");
+  visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
+  visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
+  visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
+  visit("overlap_margin", p.overlap_margin, rules::notNegative,
+        "metres, >= 0; pairs of boxes with distance <= it are in ~overlaps");
+  visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
+        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps");
+  visit("parts_per_link", p.parts_per_link, rules::partCount,
+        "at most so many boxes per link on ~parts, 1 to 256");
+  visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
+  visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which parameters of the server are those of this node.
+#include "node/parameters/parameters.h"
+
+#include <ros/this_node.h>
+
+#include "node/parameters/parameter_reader.h"
+#include "node/parameters/parameter_table.h"
+
+namespace link_bounds {
+namespace {
+
+/// As robot_state_publisher finds it: in the private namespace, else in those above.
+std::string foundTfPrefix(const ParameterServer& server) {
+  const auto name = server.search(ros::this_node::getName(), "tf_prefix");
+  auto value = name ? server.get(*name) : std::nullopt;
+  std::string prefix;
+  if (value && !fromXml(*value, prefix).empty()) {
+    throw ParameterError("parameter " + *name + " must be a string");
+  }
+  return prefix;
+}
+
+}  // namespace
+
+ReadParameters readParameters(const ParameterServer& server) {
+  XmlRpc::XmlRpcValue values =
+      server.get(ros::this_node::getName()).value_or(XmlRpc::XmlRpcValue());
+  ReadParameters result;
+  ParameterReader reader(values);
+  visitParameters(result.parameters, reader);
+  result.parameters.tf_prefix = foundTfPrefix(server);
+  for (const std::string& name : reader.unknownNames()) {
+    if (name == "diagnostic_period") continue;  // diagnostic_updater's
+    result.warnings.push_back("parameter ~" + name + " is unknown and ignored; see --help");
+  }
+  return result;
+}
+
+}  // namespace link_bounds

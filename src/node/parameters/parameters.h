@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// All parameters of the node: one struct, one table, one reader.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "node/parameters/parameter_error.h"
+#include "node/parameters/parameter_server.h"
+
+namespace link_bounds {
+
+/// Meanings and units: parameter_table.h.
+struct Parameters {
+  std::string fixed_frame;
+  std::string geometry = "visual";
+  std::vector<std::string> links;
+  std::vector<std::string> ignore_links;
+  double padding = 0.0;
+  std::map<std::string, double> link_padding;
+  std::map<std::string, std::vector<std::string>> groups;
+  double max_rate = 0.0;
+  double timeout = 2.0;
+  std::string tf_prefix;
+  double marker_rate = 30.0;
+  std::string marker_style = "both";
+  std::array<double, 4> marker_color{{0.1, 0.7, 1.0, 0.25}};
+  bool marker_labels = false;
+  double overlap_margin = 0.0;
+  std::vector<std::string> ignore_pairs;
+  int parts_per_link = 1;
+  double mesh_timeout = 30.0;
+  int max_mesh_bytes = 536870912;
+};
+
+/// A reading of the parameter server.
+struct ReadParameters {
+  Parameters parameters;
+  std::vector<std::string> warnings;  ///< private names that mean nothing to this node
+};
+
+/// Reads the private parameters of this node, and tf_prefix also from the namespaces above.
+/// Throws ParameterError, NoMaster.
+ReadParameters readParameters(const ParameterServer& server);
+
+}  // namespace link_bounds

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that has a box: the links of the robot, then objects.
+#pragma once
+
+#include "node/objects/live_objects.h"
+#include "node/scene/live_boxes.h"
+
+namespace link_bounds {
+
+struct Scene {
+  LiveBoxes links;
+  LiveObjects objects;
+
+  /// Null until the first model is there; nothing is published before.
+  const Model* model() const { return links.model(); }
+
+  /// Calls visit(name, state) for each box there is or should be, in the order of ~boxes.
+  template <class Visit>
+  void forEach(Visit&& visit) const {
+    for (std::size_t i = 0; i < links.states().size(); ++i)
+      visit(links.model()->links[i].name, links.states()[i]);
+    for (const auto& [key, object] : objects.objects())
+      visit(object.content.bounded.name, object.state);
+  }
+};
+
+/// The state of a group of links and objects; see BoxGroup.
+BoxState groupState(const SceneGroup& group, const Scene& scene);
+
+}  // namespace link_bounds

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A function as an entry of a callback queue, whose thread sees nothing of what it throws.
+#pragma once
+
+#include <ros/callback_queue_interface.h>
+
+#include <boost/make_shared.hpp>
+#include <functional>
+#include <utility>
+
+#include "node/log/guarded.h"
+
+namespace link_bounds {
+
+class QueuedFunction : public ros::CallbackInterface {
+ public:
+  explicit QueuedFunction(std::function<void()> function) : function_(std::move(function)) {}
+  CallResult call() override {
+    guarded(function_);
+    return Success;
+  }
+
+ private:
+  std::function<void()> function_;
+};
+
+inline void enqueue(ros::CallbackQueueInterface& queue, std::function<void()> function) {
+  queue.addCallback(boost::make_shared<QueuedFunction>(std::move(function)));
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks the search path by the rules of rospack, but not by rospack::crawl: that throws at the
+// first manifest that is not XML, crashes at one with an empty name, and keeps a file of its own.
+#include "packages/package_path.h"
+
+#include <rospack/rospack.h>
+#include <sys/stat.h>
+#include <tinyxml2.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A manifest has some kilobytes; what is larger is none.
+constexpr std::uintmax_t kMaxManifestBytes = 1 << 24;
+
+/// Where Debian keeps its packages, beside much else, so that its rospack does not go deeper.
+bool isFlat(const fs::path& root) {
+  return (root / "").lexically_normal() == "/usr/share/";
+}
+
+/// What the search looks for in a folder.
+struct Content {
+  std::set<std::string> files;  ///< those that have a meaning here
+  std::vector<fs::path> subfolders;
+};
+
+Content contentOf(const fs::path& folder) {
+  static const std::set<std::string> kFiles{"CATKIN_IGNORE", "manifest.xml", "package.xml",
+                                            "rospack_nosubdirs"};
+  Content content;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    const std::string name = entry->path().filename().string();
+    if (kFiles.count(name) && entry->is_regular_file(ignored)) content.files.insert(name);
+    if (name.front() != '.' && entry->is_directory(ignored)) {
+      content.subfolders.push_back(entry->path());
+    }
+  }
+  return content;
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr char kSpaces[] = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(kSpaces);
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
+}
+
+/// The name that a package.xml states, "" if it states none; nothing if it cannot be read.
+std::optional<std::string> statedName(const fs::path& manifest) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(manifest, error);
+  tinyxml2::XMLDocument document;
+  if (error || size > kMaxManifestBytes ||
+      document.LoadFile(manifest.c_str()) != tinyxml2::XML_SUCCESS || !document.RootElement()) {
+    return std::nullopt;
+  }
+  const tinyxml2::XMLElement* name = document.RootElement()->FirstChildElement("name");
+  const char* text = name ? name->GetText() : nullptr;
+  return text ? trimmed(text) : "";
+}
+
+/// The packages along a search path.
+class Packages {
+ public:
+  /// Visits each folder once, wherever links lead. The first package of a name counts.
+  void addBelow(const fs::path& root) {
+    std::vector<fs::path> open{root};
+    while (!open.empty()) {
+      const fs::path folder = std::move(open.back());
+      open.pop_back();
+      if (!isNewFolder(folder)) continue;
+      const Content content = contentOf(folder);
+      if (content.files.count("CATKIN_IGNORE")) continue;
+      if (content.files.count("package.xml")) {
+        addPackage(folder);
+      } else if (content.files.count("manifest.xml")) {
+        folders_.emplace(folder.filename().string(), folder.string());
+      } else if (!content.files.count("rospack_nosubdirs") && (folder == root || !isFlat(root))) {
+        open.insert(open.end(), content.subfolders.begin(), content.subfolders.end());
+      }
+    }
+  }
+
+  /// "" if there is none of that name. Throws MeshError if it may be one that cannot be read.
+  std::string folderOf(const std::string& name) const {
+    const auto found = folders_.find(name);
+    if (found != folders_.end()) return found->second;
+    if (broken_.empty()) return "";
+    throw MeshError("there is no package \"" + name + "\", unless it is that of " +
+                    brokenManifestFor(name) +
+                    ", which is no readable XML; repair that file, install the package or add "
+                    "its folder to ROS_PACKAGE_PATH");
+  }
+
+ private:
+  bool isNewFolder(const fs::path& folder) {
+    struct stat status {};
+    return stat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+           visited_.emplace(status.st_dev, status.st_ino).second;
+  }
+
+  /// Without a stated name the folder's counts.
+  void addPackage(const fs::path& folder) {
+    const std::optional<std::string> name = statedName(folder / "package.xml");
+    if (name) {
+      folders_.emplace(name->empty() ? folder.filename().string() : *name, folder.string());
+    } else {
+      broken_.push_back(folder / "package.xml");
+    }
+  }
+
+  /// In the folder of that name, or else the first.
+  std::string brokenManifestFor(const std::string& name) const {
+    for (const fs::path& manifest : broken_) {
+      if (manifest.parent_path().filename() == name) return manifest.string();
+    }
+    return broken_.front().string();
+  }
+
+  std::map<std::string, std::string> folders_;
+  std::vector<fs::path> broken_;  ///< files
+  std::set<std::pair<dev_t, ino_t>> visited_;
+};
+
+std::unique_ptr<const Packages> findPackages() {
+  std::vector<std::string> search_path;
+  rospack::Rospack().getSearchPathFromEnv(search_path);
+  auto packages = std::make_unique<Packages>();
+  for (const std::string& root : search_path)
+    packages->addBelow(root);
+  return packages;
+}
+
+}  // namespace
+
+PackagePath rosPackages() {
+  const auto packages = std::make_shared<std::unique_ptr<const Packages>>();
+  return [packages](const std::string& name) {
+    if (!*packages) *packages = findPackages();
+    return (*packages)->folderOf(name);
+  };
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A cache of weak pointers and a handful of threads that fill it.
+#include "link_bounds/robot/mesh/mesh_store.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <new>
+#include <thread>
+
+namespace link_bounds {
+namespace {
+
+constexpr char kChangedReason[] = "it changed while it was read";
+
+/// Times of files come from a clock that moves in ticks of at most so much.
+constexpr std::chrono::milliseconds kTickOfFiles(20);
+
+bool areEqual(const timespec& a, const timespec& b) {
+  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+}
+
+/// In seconds; any times, however far apart.
+double secondsSince(const timespec& time) {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return static_cast<double>(now.tv_sec) - static_cast<double>(time.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
+}
+
+/// Up to that many threads; fewer if the system refuses to start more.
+std::vector<std::thread> startThreads(std::size_t count, const std::function<void()>& work) {
+  std::vector<std::thread> threads;
+  threads.reserve(count);
+  try {
+    for (std::size_t i = 0; i < count; ++i)
+      threads.emplace_back(work);
+  } catch (const std::exception&) {
+    // Those that run, and the caller's own, do the work.
+  }
+  return threads;
+}
+
+/// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores.
+void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
+  if (count == 0) return;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++)
+      job(i);
+  };
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> helpers = startThreads(std::min(cores, count) - 1, work);
+  work();
+  for (std::thread& helper : helpers)
+    helper.join();
+}
+
+}  // namespace
+
+bool MeshStore::Version::operator==(const Version& other) const {
+  return device == other.device && inode == other.inode && size == other.size &&
+         areEqual(written, other.written) && areEqual(changed, other.changed);
+}
+
+MeshStore::Version MeshStore::versionOf(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino, static_cast<std::uintmax_t>(status.st_size), status.st_mtim,
+          status.st_ctim};
+}
+
+/// The version of a file that was not written just now, so that every further write shows.
+MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
+  const Version version = versionOf(path);
+  const double age = secondsSince(version.changed);
+  if (age < 0 || age > std::chrono::duration<double>(kTickOfFiles).count()) return version;
+  std::this_thread::sleep_for(kTickOfFiles);
+  return versionOf(path);
+}
+
+LoadedMesh MeshStore::known(const MeshFile& file) const {
+  const auto found = entries_.find(file.path);
+  if (found == entries_.end()) return {};
+  const Entry& entry = found->second;
+  if (!entry.error.empty()) return {nullptr, entry.error};
+  if (!(entry.version == versionOf(file.path))) return {};
+  return {entry.points.lock(), ""};
+}
+
+/// Points that are in use stay those that all links share.
+LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
+                             MeshContent content) const {
+  try {
+    auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
+    if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
+    std::shared_ptr<const PointSet> points = known(file).points;
+    if (!points) points = std::make_shared<const PointSet>(mesh->vertices);
+    if (content == MeshContent::kPoints) mesh = nullptr;
+    return {std::move(points), "", std::move(mesh)};
+  } catch (const std::bad_alloc&) {
+    return failure("it does not fit into memory", MeshFault::kComputer);
+  } catch (const MeshError& error) {
+    const bool is_half_written =
+        error.fault() == MeshFault::kFile && !(versionOf(file.path) == version);
+    if (is_half_written) return failure(kChangedReason, MeshFault::kChanged);
+    return failure(error.what(), error.fault());
+  } catch (const std::exception& error) {
+    return failure(error.what(), MeshFault::kFile);
+  }
+}
+
+/// Where not even the words fit into memory, some that need none.
+LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcept {
+  try {
+    return {nullptr, std::string(reason) + "; " + remedy_(fault)};
+  } catch (const std::exception&) {
+    return {nullptr, "out of memory"};
+  }
+}
+
+std::map<std::string, MeshStore::Imported> MeshStore::importAll(
+    const std::map<std::string, MeshFile>& files, const LoadProgress& progress,
+    MeshContent content) const {
+  std::map<std::string, Imported> results;
+  std::vector<std::pair<const MeshFile*, Imported*>> jobs;
+  for (const auto& [path, file] : files)
+    jobs.emplace_back(&file, &results[path]);
+  std::mutex mutex;
+  std::size_t done = 0;
+  inParallel(jobs.size(), [&](std::size_t i) {
+    const MeshFile& file = *jobs[i].first;
+    const Version version = settledVersionOf(file.path);
+    *jobs[i].second = {version, import(file, version, content)};
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (progress) progress(done, jobs.size());
+  });
+  return results;
+}
+
+std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
+                                        const LoadProgress& progress, MeshContent content) {
+  std::map<std::string, LoadedMesh> meshes;
+  std::map<std::string, MeshFile> unknown;
+  for (const MeshFile& file : files) {
+    if (meshes.count(file.path) || unknown.count(file.path)) continue;
+    LoadedMesh mesh = known(file);
+    const bool has_content = mesh.points && content == MeshContent::kPoints;
+    if (has_content || !mesh.error.empty()) {
+      meshes.emplace(file.path, std::move(mesh));
+    } else {
+      unknown.emplace(file.path, file);
+    }
+  }
+  for (auto& [path, imported] : importAll(unknown, progress, content)) {
+    entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
+    meshes.emplace(path, std::move(imported.mesh));
+  }
+  std::vector<LoadedMesh> results;
+  for (const MeshFile& file : files)
+    results.push_back(meshes.at(file.path));
+  return results;
+}
+
+void MeshStore::forgetFailures() {
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    const bool failed = !entry->second.error.empty();
+    entry = failed || entry->second.points.expired() ? entries_.erase(entry) : std::next(entry);
+  }
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Schemes, percent-escapes and the check that a package's mesh lies inside the package.
+#include "link_bounds/robot/mesh/mesh_uri.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kPackageScheme[] = "package://";
+constexpr char kFileScheme[] = "file://";
+
+bool startsWith(const std::string& text, const std::string& prefix) {
+  return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/// A percent sign that is not followed by two hexadecimal digits stands for itself.
+std::string percentDecoded(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const int high = text[i] == '%' && i + 2 < text.size() ? hexDigit(text[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(text[i + 2]) : -1;
+    if (low < 0) {
+      result += text[i];
+      continue;
+    }
+    result += static_cast<char>(16 * high + low);
+    i += 2;
+  }
+  if (result.find('\0') != std::string::npos) throw MeshError("the URI contains a zero byte");
+  return result;
+}
+
+fs::path realPath(const fs::path& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (error) {
+    throw MeshError("cannot find " + path.string() + " (" + error.message() +
+                    "); correct the path or install the file");
+  }
+  return real;
+}
+
+MeshFile checkedFile(const fs::path& path, const fs::path& root) {
+  const fs::path real = realPath(path);
+  std::error_code error;
+  if (!fs::is_regular_file(real, error)) {
+    throw MeshError(real.string() + " is not a regular file; name a mesh file");
+  }
+  return {real.string(), (root.empty() ? real.parent_path() : root).string()};
+}
+
+MeshFile resolvePackageUri(const std::string& rest, const PackagePath& package_path) {
+  const std::size_t slash = rest.find('/');
+  const std::string package = rest.substr(0, slash);
+  if (package.empty() || slash == std::string::npos) {
+    throw MeshError("the URI names no package; write package://PACKAGE/PATH");
+  }
+  const std::string folder = package_path(package);
+  if (folder.empty()) {
+    throw MeshError("there is no package \"" + package +
+                    "\"; install it or add its folder to ROS_PACKAGE_PATH");
+  }
+  const fs::path root = realPath(folder);
+  const fs::path path = realPath(fs::path(folder + "/" + percentDecoded(rest.substr(slash + 1))));
+  if (!isBelow(root, path)) {
+    throw MeshError(path.string() + " lies outside package \"" + package +
+                    "\"; move it into the package or name it by file://");
+  }
+  return checkedFile(path, root);
+}
+
+MeshFile resolveFileUri(const std::string& rest) {
+  if (rest.empty() || rest.front() != '/') {
+    throw MeshError("a file URI needs an absolute path; write file:///PATH");
+  }
+  return checkedFile(percentDecoded(rest), {});
+}
+
+}  // namespace
+
+bool isBelow(const fs::path& folder, const fs::path& path) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+         folder.end();
+}
+
+MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
+                        const std::string& base_folder) {
+  if (uri.empty()) throw MeshError("the mesh has no file name");
+  if (startsWith(uri, kPackageScheme)) {
+    return resolvePackageUri(uri.substr(sizeof(kPackageScheme) - 1), package_path);
+  }
+  if (startsWith(uri, kFileScheme)) return resolveFileUri(uri.substr(sizeof(kFileScheme) - 1));
+  if (uri.find("://") != std::string::npos) {
+    throw MeshError("the scheme of this URI is not supported; use package:// or file://");
+  }
+  if (base_folder.empty()) {
+    throw MeshError("relative to what is not known; use package:// or file://");
+  }
+  return checkedFile(fs::path(base_folder) / percentDecoded(uri), {});
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Welding by hashing the bits of each vertex: linear in the number of corners.
+#include "link_bounds/robot/mesh/weld.h"
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace link_bounds {
+namespace {
+
+using Bits = std::array<std::uint32_t, 3>;
+
+/// Multiply and fold; the constant is 2^64 / golden ratio (Fibonacci hashing).
+std::size_t hashOf(const Bits& bits) {
+  std::uint64_t hash = 0;
+  for (const std::uint32_t word : bits) {
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+Bits bitsOf(const Eigen::Vector3f& vertex) {
+  Bits bits;
+  std::memcpy(bits.data(), vertex.data(), sizeof(bits));
+  return bits;
+}
+
+constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+
+/// From the bits of vertices to their indices, by open addressing: one look at memory for most.
+class IndexOfBits {
+ public:
+  explicit IndexOfBits(std::size_t most) {
+    std::size_t slots = 16;
+    while (slots < 2 * most)
+      slots *= 2;
+    slots_.assign(slots, kUnseen);
+  }
+
+  /// The index of an equal vertex of the list, or that of the one which is about to be its last.
+  std::uint32_t indexOf(const Bits& bits, const std::vector<Eigen::Vector3f>& vertices) {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = hashOf(bits) & mask;; slot = (slot + 1) & mask) {
+      if (slots_[slot] == kUnseen) slots_[slot] = static_cast<std::uint32_t>(vertices.size());
+      if (slots_[slot] == vertices.size() || bitsOf(vertices[slots_[slot]]) == bits) {
+        return slots_[slot];
+      }
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> slots_;
+};
+
+/// Copies used vertices into a mesh, giving equal ones the same new index.
+class Welder {
+ public:
+  explicit Welder(const std::vector<Eigen::Vector3f>& source)
+      : source_(source), new_index_(source.size(), kUnseen), index_of_bits_(source.size()) {}
+
+  std::uint32_t indexOf(std::uint32_t old_index) {
+    if (old_index >= source_.size()) {
+      throw MeshError("a triangle names vertex " + std::to_string(old_index) + " of " +
+                      std::to_string(source_.size()));
+    }
+    std::uint32_t& index = new_index_[old_index];
+    if (index == kUnseen) index = insert(source_[old_index]);
+    return index;
+  }
+
+  std::vector<Eigen::Vector3f> takeVertices() { return std::move(vertices_); }
+
+ private:
+  std::uint32_t insert(const Eigen::Vector3f& vertex) {
+    if (!vertex.allFinite()) throw MeshError("a triangle has a vertex that is not a finite number");
+    const Eigen::Vector3f unsigned_zero = vertex.array() + 0.0f;
+    const std::uint32_t index = index_of_bits_.indexOf(bitsOf(unsigned_zero), vertices_);
+    if (index == vertices_.size()) vertices_.push_back(unsigned_zero);
+    return index;
+  }
+
+  const std::vector<Eigen::Vector3f>& source_;
+  std::vector<std::uint32_t> new_index_;
+  IndexOfBits index_of_bits_;
+  std::vector<Eigen::Vector3f> vertices_;
+};
+
+}  // namespace
+
+TriangleMesh welded(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw MeshError("it has no triangle");
+  Welder welder(mesh.vertices);
+  TriangleMesh result;
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    const std::uint32_t first = welder.indexOf(triangle[0]);
+    const std::uint32_t second = welder.indexOf(triangle[1]);
+    const std::uint32_t third = welder.indexOf(triangle[2]);
+    result.triangles.push_back({first, second, third});
+  }
+  result.vertices = welder.takeVertices();
+  return result;
+}
+
+}  // namespace link_bounds

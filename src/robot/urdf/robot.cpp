@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From urdfdom's model, a web of shared pointers, to plain values; every walk is a loop, because
+// descriptions may be deeper than the stack.
+#include "link_bounds/robot/urdf/robot.h"
+
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cctype>
+#include <unordered_map>
+
+#include "robot/urdf/urdf_elements.h"
+#include "robot/urdf/urdf_log.h"
+#include "robot/urdf/urdf_losses.h"
+#include "robot/urdf/urdf_outline.h"
+
+namespace link_bounds {
+namespace {
+
+using LinkIndex = std::unordered_map<std::string, std::size_t>;
+
+/// A chain of 20,000 links that own each other would overflow the stack when it is freed.
+void dismantle(urdf::ModelInterface& model) {
+  for (auto& [name, link] : model.links_) {
+    link->child_links.clear();
+    link->child_joints.clear();
+    link->parent_joint.reset();
+  }
+}
+
+/// Frees a model without recursion.
+class ModelHolder {
+ public:
+  explicit ModelHolder(urdf::ModelInterfaceSharedPtr model) : model_(std::move(model)) {}
+  ~ModelHolder() {
+    if (model_) dismantle(*model_);
+  }
+  ModelHolder(const ModelHolder&) = delete;
+  ModelHolder& operator=(const ModelHolder&) = delete;
+  explicit operator bool() const { return model_ != nullptr; }
+  const urdf::ModelInterface& operator*() const { return *model_; }
+
+ private:
+  urdf::ModelInterfaceSharedPtr model_;
+};
+
+void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfLog& log,
+               Link& link) {
+  for (const Purpose purpose : {Purpose::kVisual, Purpose::kCollision}) {
+    const std::size_t kept =
+        purpose == Purpose::kVisual ? source.visual_array.size() : source.collision_array.size();
+    if (kept >= outline.elements(purpose).size()) continue;
+    const std::string messages = log.messages("[" + link.name + "]");
+    for (const LostElement& lost : lostElements(outline, purpose, kept, messages)) {
+      link.lost.push_back(lost);
+    }
+  }
+}
+
+/// Links that only urdfdom knows by their name, or all if the XML cannot be read: by name.
+void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
+  LinkIndex known;
+  for (const Link& link : robot.links)
+    known.emplace(link.name, known.size());
+  for (const auto& [name, link] : model.links_) {
+    if (known.count(name)) continue;
+    robot.warnings.push_back("the XML around link \"" + name +
+                             "\" can be read in two ways, so geometry that urdfdom could not parse "
+                             "there goes unnoticed; write it as plain, well-formed XML");
+    robot.links.push_back(toLink(*link));
+  }
+}
+
+/// In the order of the text.
+void addLinks(const std::vector<LinkOutline>& outlines, const urdf::ModelInterface& model,
+              const UrdfLog& log, Robot& robot) {
+  for (const LinkOutline& outline : outlines) {
+    const auto source = model.getLink(outline.name);
+    if (!source) continue;
+    Link link = toLink(*source);
+    addLosses(outline, *source, log, link);
+    robot.links.push_back(std::move(link));
+  }
+  addUnmatchedLinks(model, robot);
+}
+
+Motion motionOf(const urdf::Joint& joint) {
+  switch (joint.type) {
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::CONTINUOUS:
+      return Motion::kRotation;
+    case urdf::Joint::PRISMATIC:
+      return Motion::kTranslation;
+    default:
+      return Motion::kNone;
+  }
+}
+
+Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
+  Joint joint;
+  joint.name = source.name;
+  joint.parent = index.at(source.parent_link_name);
+  joint.child = index.at(source.child_link_name);
+  joint.motion = motionOf(source);
+  joint.is_fixed = source.type == urdf::Joint::FIXED;
+  joint.parent_from_joint = toIsometry(source.parent_to_joint_origin_transform);
+  joint.axis = toVector(source.axis).stableNormalized();
+  if (source.mimic) {
+    joint.mimic = Mimic{source.mimic->joint_name, source.mimic->multiplier, source.mimic->offset};
+  }
+  return joint;
+}
+
+/// The joint above each link; null for the root. Throws if a link has two.
+std::vector<const urdf::Joint*> jointsAbove(const urdf::ModelInterface& model,
+                                            const LinkIndex& index) {
+  std::vector<const urdf::Joint*> above(index.size(), nullptr);
+  for (const auto& [name, joint] : model.joints_) {
+    const urdf::Joint*& place = above[index.at(joint->child_link_name)];
+    if (place) {
+      throw RobotError("link \"" + joint->child_link_name + "\" has two parents, by joints \"" +
+                       place->name + "\" and \"" + name + "\"; remove one of them");
+    }
+    place = joint.get();
+  }
+  return above;
+}
+
+/// urdfdom 3 skips as many bytes as the first one of a UTF-8 character promises, even if the text
+/// ends before; these are what it then skips instead of what lies behind the text.
+const std::string kAfterText = "\n\n\n\n";
+
+/// Breadth first from the root, so that parents stand before their children.
+void addJoints(const urdf::ModelInterface& model, Robot& robot) {
+  LinkIndex index;
+  for (const Link& link : robot.links)
+    index.emplace(link.name, index.size());
+  const std::vector<const urdf::Joint*> above = jointsAbove(model, index);
+  std::vector<std::vector<std::size_t>> children(index.size());
+  for (std::size_t child = 0; child < above.size(); ++child) {
+    if (above[child]) children[index.at(above[child]->parent_link_name)].push_back(child);
+  }
+  robot.root = index.at(model.getRoot()->name);
+  std::vector<bool> reached(index.size(), false);
+  std::vector<std::size_t> queue{robot.root};
+  reached[robot.root] = true;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (const std::size_t child : children[queue[next]]) {
+      reached[child] = true;
+      queue.push_back(child);
+      robot.joints.push_back(toJoint(*above[child], index));
+    }
+  }
+  const auto detached = std::find(reached.begin(), reached.end(), false);
+  if (detached != reached.end()) {
+    const Link& link = robot.links[static_cast<std::size_t>(detached - reached.begin())];
+    throw RobotError("link \"" + link.name + "\" is not connected to root link \"" +
+                     model.getRoot()->name + "\", its joints form a loop; open the loop");
+  }
+}
+
+bool isBlank(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
+}
+
+/// urdfdom 4 refuses an XML declaration behind a comment, which earlier ones tolerate; without the
+/// declaration those may read other letters.
+urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
+  if (auto model = urdf::parseURDF(urdf + kAfterText)) return model;
+  const std::string elements = fromFirstElement(urdf);
+  const std::string before = urdf.substr(0, urdf.size() - elements.size());
+  const std::size_t declaration = before.rfind("<?xml");
+  const bool is_late = declaration != std::string::npos && declaration != before.find('<');
+  return is_late ? urdf::parseURDF(elements + kAfterText) : nullptr;
+}
+
+}  // namespace
+
+const char* toText(Purpose purpose) {
+  return purpose == Purpose::kVisual ? "visual" : "collision";
+}
+
+Robot parseRobot(const std::string& urdf) {
+  if (isBlank(urdf)) throw RobotError("the robot description is empty");
+  const std::vector<LinkOutline> outlines = outlineOf(urdf);
+  const UrdfLog log(urdf);
+  const ModelHolder model(readByUrdfdom(urdf));
+  if (!model) {
+    throw RobotError("the robot description is not a usable URDF: " + log.messages());
+  }
+  Robot robot;
+  robot.name = (*model).getName();
+  addLinks(outlines, *model, log, robot);
+  addJoints(*model, robot);
+  return robot;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The geometry of a link, from urdfdom's classes to plain values.
+#pragma once
+
+#include <urdf_model/link.h>
+
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+
+/// The rotation is normalised.
+Eigen::Isometry3d toIsometry(const urdf::Pose& pose);
+
+Eigen::Vector3d toVector(const urdf::Vector3& vector);
+
+/// Every visual and collision element; those with unusable numbers are among the lost.
+Link toLink(const urdf::Link& source);
+
+}  // namespace link_bounds

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// File access for assimp that cannot leave the mesh's folder or package.
+#pragma once
+
+#include <assimp/DefaultIOSystem.h>
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "robot/worker/mesh_import.h"
+
+namespace link_bounds {
+
+/// Opens for reading only, and only regular files whose real path lies below `root`: a mesh may
+/// name any file of the machine as its material or buffer. Each may have `max_bytes` when it is
+/// opened.
+class ConfinedFiles : public Assimp::DefaultIOSystem {
+ public:
+  /// `on_bytes`, which may be null, is called before a file is opened with the bytes of all files,
+  /// this one included.
+  ConfinedFiles(std::string root, std::uint64_t max_bytes, BytesHandler on_bytes)
+      : root_(std::move(root)), max_bytes_(max_bytes), on_bytes_(std::move(on_bytes)) {}
+
+  /// Which file is not opened for its size; "" if there is none.
+  const std::string& tooLarge() const { return too_large_; }
+
+  bool Exists(const char* path) const override;
+  Assimp::IOStream* Open(const char* path, const char* mode) override;
+  void Close(Assimp::IOStream* file) override;
+
+ private:
+  bool mayBeRead(const char* path, const struct stat& status);
+
+  std::string root_;
+  std::uint64_t max_bytes_;
+  BytesHandler on_bytes_;
+  std::string too_large_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> bytes_;  ///< by device and inode
+};
+
+}  // namespace link_bounds

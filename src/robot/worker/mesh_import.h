@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From a mesh file to triangles; the only place that knows assimp.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "link_bounds/robot/worker/mesh_process.h"
+
+namespace link_bounds {
+
+/// Is told how many bytes all files have that belong to a mesh, as far as they are known.
+using BytesHandler = std::function<void(std::uint64_t bytes)>;
+
+/// Reads any format assimp knows, in metres, exactly as rviz 1.14 draws it: node transforms and
+/// Collada's <unit> count, the rotation of the root node (Collada's <up_axis>) does not. Vertices
+/// are composed in double and rounded once to float32; only those of triangles count. Opens no
+/// file outside `file.root`, and none of more than `max_bytes`; calls `on_bytes`, which may be
+/// null, before it reads a further one. Throws MeshError, and std::bad_alloc if memory runs out.
+TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes = MeshLimits().max_bytes,
+                        const BytesHandler& on_bytes = nullptr);
+
+}  // namespace link_bounds

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One child process per file, a deadline, and a word for each way to fail.
+#include "link_bounds/robot/worker/mesh_process.h"
+
+#include <dlfcn.h>
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <system_error>
+
+#include "robot/worker/child_process.h"
+#include "robot/worker/mesh_frame.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Small files of text unfold: a line "f 1 2 3 4" becomes two triangles.
+constexpr std::uint64_t kUnfolding = 16 << 20;
+
+constexpr double kLongestTimeout = 1e8;
+
+[[noreturn]] void throwTooSlow(const MeshLimits& limits) {
+  std::ostringstream reason;
+  reason << "reading it takes longer than " << limits.timeout << " s";
+  throw MeshError(reason.str(), MeshFault::kTooSlow);
+}
+
+CheckPatience patienceOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
+  const std::chrono::duration<double> wait(std::min(limits.timeout, kLongestTimeout));
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
+  return [end, limits, &is_cancelled] {
+    if (is_cancelled && is_cancelled()) {
+      throw MeshError("reading it was cancelled", MeshFault::kCancelled);
+    }
+    if (Clock::now() >= end) throwTooSlow(limits);
+  };
+}
+
+void checkSize(const MeshFile& file, const MeshLimits& limits) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file.path, error);
+  if (error) {
+    throw MeshError("its size cannot be read (" + error.message() + ")", MeshFault::kUnreadable);
+  }
+  if (size <= limits.max_bytes) return;
+  throw MeshError("its " + std::to_string(size) + " bytes are more than the " +
+                      std::to_string(limits.max_bytes) + " that are allowed",
+                  MeshFault::kTooLarge);
+}
+
+/// See src/tools/mesh_worker/mesh_worker.cpp.
+std::vector<std::string> commandLine(const std::string& worker, const MeshFile& file,
+                                     const MeshLimits& limits) {
+  const double seconds = std::ceil(std::min(limits.timeout, kLongestTimeout));
+  return {worker,
+          file.path,
+          file.root,
+          std::to_string(limits.max_bytes),
+          std::to_string(static_cast<long>(seconds)),
+          std::to_string(getpid())};
+}
+
+/// SIGKILL is not ours here; the kernel sends it where memory runs out.
+[[noreturn]] void throwDeath(int signal, const MeshLimits& limits) {
+  if (signal == SIGXCPU) throwTooSlow(limits);
+  if (signal == SIGKILL) {
+    throw MeshError("the program that reads it was killed, as where memory runs out",
+                    MeshFault::kComputer);
+  }
+  throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) + ")");
+}
+
+TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+                      const CheckPatience& check_patience) {
+  Pipe pipe;
+  ChildProcess process(commandLine(worker, file, limits), pipe.writingEnd());
+  pipe.closeWritingEnd();
+  const auto source = [&](void* out, std::size_t wanted) {
+    return pipe.read(out, wanted, check_patience);
+  };
+  try {
+    return readMeshFrame(source, limits.max_bytes + kUnfolding);
+  } catch (const FrameError&) {
+    const int signal = pipe.hasEnded() ? process.waitForSignal(check_patience) : 0;
+    if (signal == 0) throw;
+    throwDeath(signal, limits);
+  } catch (const MeshError& error) {
+    if (process.end()) throw;
+    throw MeshError(std::string(error.what()) + "; the program that reads it cannot be killed",
+                    MeshFault::kFileSystem);
+  }
+}
+
+/// Why no program could be started.
+MeshFault faultOf(const std::error_code& error) {
+  for (const std::errc shortage :
+       {std::errc::resource_unavailable_try_again, std::errc::not_enough_memory,
+        std::errc::too_many_files_open, std::errc::too_many_files_open_in_system}) {
+    if (error == shortage) return MeshFault::kComputer;
+  }
+  return MeshFault::kReader;
+}
+
+/// Or of the running program, if the library is linked into it; "" if it cannot be found.
+std::filesystem::path folderOfLibrary() {
+  static const char own_symbol = 0;
+  Dl_info info{};
+  std::error_code ignored;
+  if (dladdr(&own_symbol, &info) == 0) return {};
+  return std::filesystem::canonical(info.dli_fname, ignored).parent_path();
+}
+
+/// Where mesh_worker may be, by preference.
+std::vector<std::filesystem::path> foldersOfWorker() {
+  std::vector<std::filesystem::path> folders{
+      std::filesystem::read_symlink("/proc/self/exe").parent_path()};
+  const std::filesystem::path library = folderOfLibrary();
+  if (library.empty()) return folders;
+  folders.push_back(library / "link_bounds");
+  // Of a library in lib/TRIPLET.
+  folders.push_back(library.parent_path() / "link_bounds");
+  return folders;
+}
+
+}  // namespace
+
+std::string meshWorker() {
+  const std::vector<std::filesystem::path> folders = foldersOfWorker();
+  for (const std::filesystem::path& folder : folders) {
+    if (std::filesystem::exists(folder / "mesh_worker")) return (folder / "mesh_worker").string();
+  }
+  return (folders.front() / "mesh_worker").string();
+}
+
+TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
+                             const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
+  const CheckPatience check_patience = patienceOf(limits, is_cancelled);
+  check_patience();
+  try {
+    checkSize(file, limits);
+    return answerOf(worker, file, limits, check_patience);
+  } catch (const std::system_error& error) {
+    throw MeshError("cannot run " + worker + " (" + error.code().message() + ")",
+                    faultOf(error.code()));
+  }
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads one mesh file and writes its triangles, or the reason why not, to standard output, in the
+// frame of link_bounds/mesh_frame.h. Started by link_bounds/mesh_process.h, never by hand.
+#include <errno.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "robot/worker/mesh_frame.h"
+#include "robot/worker/mesh_import.h"
+#include "robot/worker/worker_limits.h"
+
+namespace link_bounds {
+namespace {
+
+enum Argument { kFile = 1, kRoot, kMaxBytes, kCpuSeconds, kParent, kCount };
+
+void writeToOutput(const void* bytes, std::size_t count) {
+  const char* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t written = write(STDOUT_FILENO, next, count);
+    if (written < 0 && errno != EINTR) _exit(1);
+    if (written < 0) continue;
+    next += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+/// A mesh may keep its vertices in another file: it may take memory for both.
+void answer(const MeshFile& file, std::uint64_t max_bytes) {
+  std::uint64_t file_bytes = 0;
+  const auto on_bytes = [&file_bytes](std::uint64_t bytes) {
+    file_bytes = bytes;
+    raiseMemoryLimit(memoryLimit(bytes));
+  };
+  try {
+    writeMeshFrame(importMesh(file, max_bytes, on_bytes), writeToOutput);
+  } catch (const std::bad_alloc&) {
+    writeErrorFrame(
+        MeshError("to read it takes more than " + std::to_string(memoryLimit(file_bytes) >> 20) +
+                      " MiB of memory, which are allowed for its " + std::to_string(file_bytes) +
+                      " bytes",
+                  MeshFault::kMemory),
+        writeToOutput);
+  } catch (const MeshError& error) {
+    writeErrorFrame(error, writeToOutput);
+  } catch (const std::exception& error) {
+    writeErrorFrame(MeshError(error.what()), writeToOutput);
+  }
+}
+
+int run(char** argv) {
+  const MeshFile file{argv[kFile], argv[kRoot]};
+  const std::uint64_t max_bytes = std::strtoull(argv[kMaxBytes], nullptr, 10);
+  const MemoryLimits memory{memoryLimit(0), memoryLimit(max_bytes)};
+  try {
+    limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
+  } catch (const std::system_error& refusal) {
+    writeErrorFrame(MeshError(std::string("the program that reads it cannot limit itself (") +
+                                  refusal.what() + ")",
+                              MeshFault::kForbidden),
+                    writeToOutput);
+    _exit(0);
+  }
+  answer(file, max_bytes);
+  // A reader that has damaged its memory must not damage the answer by tidying up.
+  _exit(0);
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+#if defined(__SANITIZE_ADDRESS__)
+/// What kills the worker is for its parent to tell; a report would pass for a fault of ours.
+extern "C" const char* __asan_default_options() {
+  return "handle_segv=0:handle_abort=0:handle_sigbus=0:handle_sigfpe=0:allocator_may_return_null=1";
+}
+#endif
+
+int main(int argc, char** argv) {
+  if (argc != link_bounds::kCount) {
+    std::fputs("mesh_worker is started by link_bounds for one mesh file; use urdf_bounds\n",
+               stderr);
+    return 1;
+  }
+  std::signal(SIGABRT, SIG_DFL);  // which the options of a sanitizer may have taken
+  return link_bounds::run(argv);
+}

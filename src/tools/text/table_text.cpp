@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Columns as wide as their widest cell; numbers with as many digits as their reader wants.
+#include "tools/text/table_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace link_bounds {
+namespace {
+
+std::string shortNumber(double value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  if (std::abs(value) < 1e9) {
+    out << std::fixed << std::setprecision(6) << (std::abs(value) < 5e-7 ? 0.0 : value);
+  } else {
+    out << std::setprecision(9) << value;
+  }
+  return out.str();
+}
+
+}  // namespace
+
+Row shortRow(const std::string& name, const Numbers& numbers) {
+  Row row{name};
+  for (const double number : numbers)
+    row.push_back(shortNumber(number));
+  return row;
+}
+
+/// Only characters count, as setw would count bytes.
+void writeAligned(const std::vector<Row>& rows, std::ostream& out) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      widths[k] = std::max(widths[k], characterCount(row[k]));
+    }
+  }
+  for (const Row& row : rows) {
+    out << row[0] << std::string(widths[0] - characterCount(row[0]), ' ');
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      out << "  " << std::string(widths[k] - row[k].size(), ' ') << row[k];
+    }
+    out << '\n';
+  }
+}
+
+void writeIncomplete(const Reasons& incomplete, std::ostream& out) {
+  if (incomplete.empty()) return;
+  out << "\nincomplete:\n";
+  for (const auto& [name, reason] : incomplete) {
+    out << "  " << printable(name) << ": " << printable(reason) << '\n';
+  }
+}
+
+void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& out) {
+  out << csvField(name);
+  for (const double number : numbers)
+    out << ',' << exactNumber(number);
+  out << '\n';
+}
+
+std::string jsonNumbers(const Eigen::VectorXd& numbers) {
+  std::string result;
+  for (Eigen::Index k = 0; k < numbers.size(); ++k)
+    result += (k == 0 ? "" : ", ") + exactNumber(numbers[k]);
+  return "[" + result + "]";
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// getopt_long finds the options; what follows := must be a number to its last character.
+#include "tools/urdf_bounds/urdf_bounds_options.h"
+
+#include <getopt.h>
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace link_bounds {
+
+const char* const kUsage =
+    R"(usage: urdf_bounds FILE.urdf|- [joint:=value ...] [options]
+
+Prints the exact axis-aligned bounding box of every link of a robot that has geometry, and of the
+whole robot, in the frame of its root link. Needs no ROS master.
+
+  FILE.urdf           the robot; relative mesh names start at its folder
+  -                   read the robot from standard input; relative mesh names start here
+  joint:=value        position of a movable joint [rad or m]; 0 if not given; joints that mimic
+                      another one follow it
+  --geometry G        visual (default), collision or both
+  --representation R  min-max (default): smallest and largest corner
+                      min-width: smallest corner and widths
+                      center-radius: centre and half-extents
+  --format F          table (default): rounded to micrometres
+                      csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
+                      json: always min-max; also says what is incomplete and why
+  --volume V          instead of the box, for every link but not for the whole robot:
+                      sphere: centre and radius of a bounding sphere
+                      obb: centre, full widths and orientation (a quaternion) of a small box that
+                      turns with the link
+  --verbose           the memory that each mesh takes, on standard error
+  --strict            exit with 2 if any geometry was lost
+  -h, --help          this text
+
+Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict.
+)";
+
+namespace {
+
+enum Code { kGeometry = 256, kRepresentation, kFormat, kVolume, kVerbose, kStrict, kHelp };
+
+constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeometry},
+                                   {"representation", required_argument, nullptr, kRepresentation},
+                                   {"format", required_argument, nullptr, kFormat},
+                                   {"volume", required_argument, nullptr, kVolume},
+                                   {"verbose", no_argument, nullptr, kVerbose},
+                                   {"strict", no_argument, nullptr, kStrict},
+                                   {"help", no_argument, nullptr, kHelp},
+                                   {nullptr, 0, nullptr, 0}};
+
+/// The value that is called `name`; throws with the list of names otherwise.
+template <class Value>
+Value chosen(const std::string& option_name, const std::string& name,
+             const std::map<std::string, Value>& choices) {
+  const auto found = choices.find(name);
+  if (found != choices.end()) return found->second;
+  std::string names;
+  for (const auto& choice : choices)
+    names += (names.empty() ? "" : ", ") + choice.first;
+  throw UsageError(option_name + " is \"" + name + "\", but must be one of: " + names);
+}
+
+double toNumber(const std::string& joint, const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> std::noskipws >> value;
+  if (!in || in.peek() != std::istringstream::traits_type::eof() || !std::isfinite(value)) {
+    throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
+                     "\", but must be a number, such as 0.5");
+  }
+  return value;
+}
+
+/// A joint if it contains :=, else the file.
+void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
+  const std::size_t sign = argument.rfind(":=");
+  if (sign != std::string::npos) {
+    const std::string joint = argument.substr(0, sign);
+    const double value = toNumber(joint, argument.substr(sign + 2));
+    if (!options.joints.emplace(joint, value).second) {
+      throw UsageError("joint \"" + joint + "\" is given twice");
+    }
+  } else if (options.file.empty()) {
+    if (argument.empty()) throw UsageError("the name of the URDF file is empty");
+    options.file = argument;
+  } else {
+    throw UsageError("\"" + argument + "\" is one file too many, after \"" + options.file +
+                     "\"; a joint is written joint:=value");
+  }
+}
+
+void addGeometry(const std::string& name, UrdfBoundsOptions& options) {
+  enum Kind { kVisual = 1, kCollision = 2, kBoth = 3 };
+  const Kind kind = chosen<Kind>("--geometry", name,
+                                 {{"visual", kVisual}, {"collision", kCollision}, {"both", kBoth}});
+  options.visual = (kind & kVisual) != 0;
+  options.collision = (kind & kCollision) != 0;
+}
+
+/// Why getopt_long returned '?'; it leaves the letter or code in optopt where it knows one.
+std::string badOption(const char* const* argv) {
+  if (optopt >= kGeometry) return std::string(argv[optind - 1]) + ": this option takes no value";
+  if (optopt > 0) return std::string("there is no option -") + static_cast<char>(optopt);
+  return std::string("there is no option ") + argv[optind - 1];
+}
+
+/// `code` is what getopt_long returned.
+void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
+  switch (code) {
+    case 1:
+      return addArgument(optarg, options);
+    case kGeometry:
+      return addGeometry(optarg, options);
+    case kRepresentation:
+      options.representation =
+          chosen<Representation>("--representation", optarg,
+                                 {{"min-max", Representation::kMinMax},
+                                  {"min-width", Representation::kMinWidth},
+                                  {"center-radius", Representation::kCenterRadius}});
+      return;
+    case kFormat:
+      options.format = chosen<Format>(
+          "--format", optarg,
+          {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
+      return;
+    case kVolume:
+      options.volume = chosen<VolumeKind>(
+          "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
+      return;
+    case kVerbose:
+      options.verbose = true;
+      return;
+    case kStrict:
+      options.strict = true;
+      return;
+    case 'h':
+    case kHelp:
+      options.help = true;
+      return;
+    case ':':
+      throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
+    default:
+      throw UsageError(badOption(argv));
+  }
+}
+
+}  // namespace
+
+UrdfBoundsOptions parseOptions(int argc, char** argv) {
+  UrdfBoundsOptions options;
+  opterr = 0;
+  int code = 0;
+  // The leading minus hands over the other arguments in order, whatever POSIXLY_CORRECT says.
+  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
+    addOption(code, argv, options);
+    if (options.help) return options;
+  }
+  for (; optind < argc; ++optind)
+    addArgument(argv[optind], options);
+  if (options.file.empty()) throw UsageError("no URDF file is given");
+  if (options.representation && options.volume != VolumeKind::kBox) {
+    throw UsageError(
+        "--representation is about axis-aligned boxes, --volume asks for another one;"
+        " give only one of them");
+  }
+  return options;
+}
+
+}  // namespace link_bounds

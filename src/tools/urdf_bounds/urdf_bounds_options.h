@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of urdf_bounds.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "tools/urdf_bounds/box_table.h"
+
+namespace link_bounds {
+
+/// The command line asks for what cannot be done; says why.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Of the paper's Figure 2; kBox is axis-aligned.
+enum class VolumeKind { kBox, kSphere, kOrientedBox };
+
+struct UrdfBoundsOptions {
+  std::string file;                      ///< "-" is standard input
+  std::map<std::string, double> joints;  ///< rad or m
+  bool visual = true;
+  bool collision = false;
+  VolumeKind volume = VolumeKind::kBox;
+  std::optional<Representation> representation;  ///< of kBox; absent: min-max
+  Format format = Format::kTable;
+  bool verbose = false;
+  bool strict = false;
+  bool help = false;  ///< asked for; the rest then does not count
+};
+
+/// Throws UsageError. Not to be called twice, getopt keeps state.
+UrdfBoundsOptions parseOptions(int argc, char** argv);
+
+/// What --help prints.
+extern const char* const kUsage;
+
+}  // namespace link_bounds

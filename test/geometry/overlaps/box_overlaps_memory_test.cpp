@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes that go on moving cost no memory from the heap.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "testing/brute_force.h"
+
+namespace {
+
+long allocations = 0;
+
+}  // namespace
+
+// Not inlined, or GCC takes new and delete for a mismatched pair.
+__attribute__((noinline)) void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+__attribute__((noinline)) void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace link_bounds {
+namespace {
+
+constexpr int kPeriod = 50;
+
+/// Boxes that swing, each in its own direction, by less or more than slack allows.
+std::vector<Aabb> swinging(int step, double amplitude) {
+  brute_force::Random random(1);
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d center = random.vector(0.7);
+    const Eigen::Vector3d swing = random.vector(amplitude);
+    const Eigen::Vector3d min = center + std::sin(2 * M_PI * step / kPeriod) * swing;
+    boxes.emplace_back(min, min + Eigen::Vector3d::Constant(0.2));
+  }
+  return boxes;
+}
+
+TEST(BoxOverlapsMemory, SteadyMotionTakesNone) {
+  for (const double amplitude : {0.01, 0.1, 1.0}) {
+    std::vector<std::vector<Aabb>> steps;
+    for (int i = 0; i < kPeriod; ++i)
+      steps.push_back(swinging(i, amplitude));
+    OverlapSearch search;
+    std::size_t found = 0;
+    const auto run = [&](int periods) {
+      for (int i = 0; i < periods * kPeriod; ++i)
+        found += search.find(steps[static_cast<std::size_t>(i % kPeriod)], 0.01).size();
+    };
+    run(4);
+    const long before = allocations;
+    run(10);
+    EXPECT_EQ(allocations, before) << "with amplitude " << amplitude;
+    EXPECT_GT(found, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Degenerate and other hard sets of points: extents equal those of the scan, to the bit.
+#include "link_bounds/geometry/support/direction_table.h"
+
+#include <gtest/gtest.h>
+
+#include "testing/exactness.h"
+#include "testing/linear_maps.h"
+
+namespace link_bounds {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+constexpr int kMaps = 5000;
+
+Exactness compareAll(const Points& points, std::uint64_t seed, int count = kMaps,
+                     const Eigen::Matrix3d& levelling = Eigen::Matrix3d::Identity()) {
+  const PointSet set(points);
+  LinearMaps maps(seed);
+  Exactness result;
+  for (int i = 0; i < count; ++i)
+    result += compare(points, set, maps.next() * levelling);
+  return result;
+}
+
+void expectExact(const Points& points, std::uint64_t seed, int count = kMaps) {
+  const Exactness found = compareAll(points, seed, count);
+  EXPECT_EQ(found.wrong, 0) << found.wrong_map;
+  EXPECT_EQ(found.ties, 0);
+}
+
+/// Where points tie within the rounding of the sum, the table may hold another one of them.
+void expectExactButForTies(const Points& points, std::uint64_t seed,
+                           const Eigen::Matrix3d& levelling = Eigen::Matrix3d::Identity()) {
+  const Exactness found = compareAll(points, seed, kMaps, levelling);
+  EXPECT_EQ(found.wrong, 0) << found.wrong_map;
+  EXPECT_LT(found.ties, found.compared / 100);
+  std::cout << "ties within rounding: " << found.ties << " of " << found.compared << " faces\n";
+}
+
+/// Both faces of a plate of 2 x 2 x 0.1, divided into 20 x 20 squares.
+Points plate(const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
+  Points points;
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 20; ++j) {
+      for (const double z : {0.0, 0.1})
+        points.push_back((turn * Eigen::Vector3d(0.1 * i - 1, 0.1 * j - 1, z)).cast<float>());
+    }
+  }
+  return points;
+}
+
+Points onSphere(int count) {
+  brute_force::Random random(3);
+  Points points;
+  for (int i = 0; i < count; ++i)
+    points.push_back(random.vector(1).normalized().cast<float>());
+  return points;
+}
+
+Points alongLine(int count, const Eigen::Vector3f& step) {
+  Points points;
+  for (int i = 0; i < count; ++i)
+    points.push_back(Eigen::Vector3f(0.1f, 0.2f, 0.3f) + static_cast<float>(i) * step);
+  return points;
+}
+
+TEST(DirectionTable, Point) {
+  expectExact({{0.1f, -0.2f, 0.3f}}, 1);
+}
+
+TEST(DirectionTable, Segment) {
+  expectExact({{0.1f, -0.2f, 0.3f}, {1, 2, 3}}, 2);
+}
+
+TEST(DirectionTable, Triangle) {
+  expectExact({{0.1f, -0.2f, 0.3f}, {1, 2, 3}, {-1, 0, 0.5f}}, 3);
+}
+
+TEST(DirectionTable, AllEqual) {
+  expectExact(Points(64, Eigen::Vector3f(0.1f, -0.2f, 0.3f)), 4);
+}
+
+TEST(DirectionTable, Collinear) {
+  expectExact(alongLine(100, {0.25f, 0.5f, -0.125f}), 5);
+  expectExact(alongLine(100, {0, 0, 1}), 6);
+}
+
+TEST(DirectionTable, NearlyCollinear) {
+  // Rounded to float, these points leave their line by less than an ulp.
+  expectExactButForTies(alongLine(100, {0.013f, 0.027f, -0.031f}), 7);
+}
+
+TEST(DirectionTable, Plane) {
+  // Seen along its normal, all points of a plane tie.
+  brute_force::Random random(8);
+  for (int flat = 0; flat < 3; ++flat) {
+    Points points = random.points(300, 1);
+    for (Eigen::Vector3f& point : points)
+      point[flat] = 0.25f;
+    expectExactButForTies(points, 8);
+  }
+}
+
+TEST(DirectionTable, TessellatedPlate) {
+  expectExact(plate(), 9);
+}
+
+TEST(DirectionTable, Sphere) {
+  expectExact(onSphere(10000), 10, 500);
+}
+
+TEST(DirectionTable, TwoLongLines) {
+  // Seen across a line, its points come to a tie; to halve cones until it parts would never end.
+  Points points;
+  for (int i = 0; i < 20000; ++i) {
+    const float part = static_cast<float>(i) / 20000;
+    points.insert(points.end(), {{part, 0, 0}, {part, part, 0}});
+  }
+  points.emplace_back(1, 1, 1);
+  expectExact(points, 21, 20);
+}
+
+TEST(DirectionTable, LargeSetsInParts) {
+  brute_force::Random random(22);
+  Points points = onSphere(200000);
+  for (Eigen::Vector3f& point : points)
+    point *= 1 + 0.01f * random.vector(1).cast<float>().x();
+  expectExact(points, 23, 30);
+}
+
+TEST(DirectionTable, SmallSets) {
+  brute_force::Random random(11);
+  for (const std::size_t count : {4u, 15u, 16u, 17u, 18u, 33u}) {
+    SCOPED_TRACE(count);
+    expectExact(random.points(count, 0.5), count, 1000);
+  }
+}
+
+TEST(DirectionTable, FarFromTheOrigin) {
+  brute_force::Random random(12);
+  expectExact(random.points(500, 0.1, {1000, -2000, 3000}), 12);
+}
+
+TEST(DirectionTable, ExtremesOfFloat) {
+  Points points{{3.4e38f, -3.4e38f, 1e-45f}, {1e-38f, 3.4e38f, -1e-45f}};
+  for (int i = 0; i < 30; ++i)
+    points.emplace_back(static_cast<float>(i) * 1e37f, static_cast<float>(-i) * 1e36f, 1e-42f);
+  expectExact(points, 13);
+}
+
+TEST(DirectionTable, PlateTiltedBy3To4To5) {
+  Eigen::Matrix3d tilt;
+  tilt << 1, 0, 0, 0, 0.8, -0.6, 0, 0.6, 0.8;
+  expectExactButForTies(plate(tilt), 14);
+  expectExactButForTies(plate(tilt), 15, tilt.transpose());
+}
+
+TEST(DirectionTable, PlateTiltedBy45Degrees) {
+  const Eigen::Matrix3d tilt = brute_force::turned(45, Eigen::Vector3d::UnitX());
+  expectExactButForTies(plate(tilt), 16);
+  expectExactButForTies(plate(tilt), 17, tilt.transpose());
+}
+
+TEST(DirectionTable, ZeroIsPositive) {
+  for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+    if (!isSupported(path)) continue;
+    useQueryPath(path);
+    const Extents found =
+        extents(directionTable({{1, 2, 3}, {-1, -2, -3}}), Eigen::Matrix3d::Constant(-0.0));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_FALSE(std::signbit(found.low[k]));
+      EXPECT_FALSE(std::signbit(found.high[k]));
+    }
+  }
+}
+
+TEST(DirectionTable, WhatIsNoNumberDoesNoHarm) {
+  const DirectionTable table = directionTable(onSphere(1000));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e308, -1e308}) {
+    for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+      if (!isSupported(path)) continue;
+      useQueryPath(path);
+      Eigen::Matrix3d map = Eigen::Matrix3d::Identity();
+      map(1, 1) = bad;
+      const Extents found = extents(table, map);
+      EXPECT_NEAR(found.high[0], 1, 0.1);
+      EXPECT_NEAR(found.low[2], -1, 0.1);
+      extents(table, Eigen::Matrix3d::Constant(bad));
+    }
+  }
+}
+
+TEST(DirectionTable, GridAndMemoryFollowTheRules) {
+  brute_force::Random random(16);
+  EXPECT_EQ(directionTable(random.points(16, 1)).grid.side, 1);
+  EXPECT_EQ(directionTable(random.points(17, 1)).grid.side, 8);
+  for (const int count : {100, 1000, 10000}) {
+    const PointSet set(onSphere(count));
+    EXPECT_EQ(set.size(), static_cast<std::size_t>(count));
+    EXPECT_LE(set.bytes(), std::max<std::size_t>(128 * 1024, 48 * set.size()));
+  }
+}
+
+TEST(DirectionTable, OfSetsThatAreManyIsExactToo) {
+  for (const Points& points : {onSphere(1000), onSphere(100), plate(), Points{{1, 2, 3}}}) {
+    for (const std::size_t most_bytes : {std::size_t{0}, std::size_t{16'000}}) {
+      const PointSet set(points, most_bytes);
+      LinearMaps maps(most_bytes);
+      Exactness result;
+      for (int i = 0; i < 500; ++i)
+        result += compare(points, set, maps.next());
+      EXPECT_EQ(result.wrong, 0) << result.wrong_map;
+    }
+  }
+}
+
+TEST(DirectionTable, OfSetsThatAreManyIsAListOrAGridWithinTheLimit) {
+  constexpr std::size_t kLimit = 16'000;
+  const auto side = [](int points, std::size_t limit) {
+    return directionTable(onSphere(points), limit).grid.side;
+  };
+  EXPECT_EQ(side(50, kLimit), 1) << "few points";
+  EXPECT_EQ(side(200, kLimit), 8);
+  EXPECT_LE(directionTable(onSphere(200), kLimit).bytes(), kLimit);
+  EXPECT_EQ(side(200, 5'000), 1) << "a grid would take more";
+  EXPECT_EQ(side(5'000, kLimit), 1);
+  EXPECT_LE(directionTable(plate(), 0).bytes(), 1'000u) << "only what can be extreme";
+}
+
+}  // namespace
+}  // namespace link_bounds

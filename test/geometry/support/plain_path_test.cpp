@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The choice of a path where there is neither SSE2 nor AVX2; direction_query.cpp is compiled into
+// this test as on such a processor.
+#include <gtest/gtest.h>
+
+#include "link_bounds/geometry/support/direction_table.h"
+
+namespace link_bounds {
+namespace {
+
+TEST(PlainPath, IsTheOnlyOneOfAnotherProcessor) {
+  EXPECT_TRUE(isSupported(QueryPath::kPlain));
+  EXPECT_FALSE(isSupported(QueryPath::kSse2));
+  EXPECT_FALSE(isSupported(QueryPath::kAvx2));
+  EXPECT_EQ(queryPath(), QueryPath::kPlain);
+  useQueryPath(QueryPath::kPlain);
+  EXPECT_EQ(queryPath(), QueryPath::kPlain);
+}
+
+}  // namespace
+}  // namespace link_bounds

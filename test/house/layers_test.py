@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every file includes only headers of its own room and of rooms below it: layers_test.py PACKAGE
+
+A room is a folder of src, with its folders of the same path in include/link_bounds and test.
+"""
+import pathlib
+import re
+import sys
+
+# From the bottom to the top.
+ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes',
+         'geometry/parts', 'geometry/overlaps',
+         'robot/urdf', 'robot/mesh', 'robot/worker', 'robot',
+         'packages',
+         'node/names', 'node/log', 'node/clock', 'node/threads', 'node/master', 'node/parameters',
+         'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/outputs',
+         'node/diagnostics', 'node/interface', 'node',
+         'tools/text', 'tools/urdf_bounds', 'tools/assert_box', 'tools/mesh_worker']
+ROOTS = ['include/link_bounds', 'src', 'test']
+# Folders of test that are no rooms, and folders of tests that look at the node as a whole.
+WITHOUT_RULES = ['test/bench', 'test/consumer', 'test/fuzz', 'test/house', 'test/sanitizers',
+                 'test/soak', 'test/testing']
+WHOLE_NODE = ['test/node/demos', 'test/node/sequences']
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def level_of(folder):
+    """The number of the room that the folder is, or is a part of; None if it is none."""
+    while folder not in ROOMS:
+        if '/' not in folder:
+            return None
+        folder = folder.rpartition('/')[0]
+    return ROOMS.index(folder)
+
+
+def upward(room, text):
+    """The included headers of rooms above that one."""
+    headers = (name[len('link_bounds/'):] if name.startswith('link_bounds/') else name
+               for name in INCLUDE.findall(text))
+    levels = ((header, level_of(header.rpartition('/')[0])) for header in headers if '/' in header)
+    return [header for header, level in levels if level is not None and level > room]
+
+
+def unplaced(text):
+    """Headers included without their room's path; messages have none."""
+    return [name for name in INCLUDE.findall(text)
+            if '/' not in name or re.fullmatch(r'link_bounds/[a-z_]+\.h', name)]
+
+
+def files_of(package):
+    """Each source file with the level of its room."""
+    for root in ROOTS:
+        for path in sorted((package / root).rglob('*')):
+            folder = path.parent.relative_to(package).as_posix()
+            if path.suffix not in ('.h', '.cpp') or folder in WITHOUT_RULES:
+                continue
+            room = 'node' if folder in WHOLE_NODE else folder[len(root):].strip('/')
+            yield path, level_of(room)
+
+
+def faults_of(path, level):
+    if level is None:
+        return [f'{path} is in no room']
+    text = path.read_text('utf-8')
+    return ([f'{path}: {header} is above it' for header in upward(level, text)] +
+            [f'{path}: {header} has no room' for header in unplaced(text)])
+
+
+def check_rules():
+    """The rules must see what they are for, else the test could never fail."""
+    support = level_of('geometry/support/query')
+    assert support == ROOMS.index('geometry/support')
+    assert level_of('elsewhere') is None
+    assert upward(support, '#include "link_bounds/geometry/shape/shape.h"\n')
+    assert upward(support, '# include "geometry/shape/shape_steps.h"\n')
+    assert not upward(support, '#include "link_bounds/geometry/box/aabb.h"\n')
+    assert not upward(support, '// #include "geometry/shape/shape_steps.h"\n')
+    assert unplaced('#include "aabb.h"\n') and unplaced('#include "link_bounds/aabb.h"\n')
+    assert not unplaced('#include "link_bounds/AxisAlignedBox.h"\n#include <vector>\n')
+
+
+def main():
+    check_rules()
+    package = pathlib.Path(sys.argv[1])
+    files = list(files_of(package))
+    rooms = {level for _, level in files}
+    faults = [fault for path, level in files for fault in faults_of(path, level)]
+    faults += [f'there is no room {room}' for i, room in enumerate(ROOMS) if i not in rooms]
+    print('\n'.join(faults) or f'{len(files)} files include only what is below them')
+    return 1 if faults else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

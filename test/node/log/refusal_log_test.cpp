@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Enough is said about refused transforms, and not too much.
+#include "node/log/refusal_log.h"
+
+#include <gtest/gtest.h>
+
+namespace link_bounds {
+namespace {
+
+class RefusalLogTest : public testing::Test {
+ protected:
+  std::optional<std::string> line(const std::string& frame, double time) {
+    return log_.line(frame, "it is bad; mend it", "/driver", ros::SteadyTime(1000 + time));
+  }
+
+  RefusalLog log_{"a transform of", "transforms of further frames"};
+};
+
+TEST_F(RefusalLogTest, NamesFramePublisherAndRemedy) {
+  EXPECT_EQ(line("arm", 0),
+            "a transform of \"arm\" from \"/driver\" is refused: it is bad; mend it");
+}
+
+TEST_F(RefusalLogTest, TellsOfAFrameOnceInTenSeconds) {
+  EXPECT_TRUE(line("arm", 0));
+  EXPECT_FALSE(line("arm", 9));
+  EXPECT_TRUE(line("leg", 9));
+  EXPECT_TRUE(line("arm", 11));
+}
+
+TEST_F(RefusalLogTest, ManyFramesEndInOneLine) {
+  int lines = 0;
+  for (int i = 0; i < 5000; ++i)
+    lines += line("frame_" + std::to_string(i), 0).has_value();
+  EXPECT_EQ(lines, 11);
+}
+
+TEST_F(RefusalLogTest, LongAndStrangeNamesAreMadeFitForALog) {
+  const std::string text = line("a\n\x1b[31m\xff" + std::string(100000, 'x'), 0).value();
+  EXPECT_EQ(text.find("a transform of \"a??[31m?xx"), 0u);
+  EXPECT_LT(text.size(), 200u);
+}
+
+TEST_F(RefusalLogTest, ReasonsAreMadeFitForALogToo) {
+  const std::string reason = "cannot use /tmp/a\n\x1b[31m" + std::string(100000, 'x') + "; mend it";
+  const std::string text = log_.line("a", reason, "/b", ros::SteadyTime(1000)).value();
+  EXPECT_NE(text.find("is refused: cannot use /tmp/a??[31mxx"), std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 9), "; mend it");
+  EXPECT_LT(text.size(), 700u);
+}
+
+}  // namespace
+}  // namespace link_bounds

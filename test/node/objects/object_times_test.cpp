@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lifetimes, patience and stamps of objects, through reloads and whatever the clock does.
+#include "testing/live_objects_testing.h"
+
+namespace link_bounds {
+namespace {
+
+const ros::Time kFarAhead(3e9);  // more than a ros::Duration holds
+
+class ObjectTimesTest : public LiveObjectsTest {
+ protected:
+  void jumpTo(double seconds) {
+    now_ = ros::Time(seconds);
+    tf_.clear();
+    objects_.restart(tf_, now_);
+  }
+
+  void putFor(ObjectContent content, double lifetime) {
+    content.lifetime = ros::Duration(lifetime);
+    put(content);
+  }
+
+  bool isGone() const { return objects_.objects().empty(); }
+
+  double stamp() const { return static_cast<double>(state().stamp) / 1e9; }
+};
+
+TEST_F(ObjectTimesTest, AReloadDoesNotBeginALifetimeAnew) {
+  for (const ObjectContent& content : {boxIn("tray"), boxIn("camera", 101), boxIn("map", 99)}) {
+    putFor(content, 2);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_FALSE(isGone()) << content.frame << i;
+      objects_.adopt("map", 2, tf_, now_);
+      pass(0.7);
+    }
+    EXPECT_TRUE(isGone()) << content.frame;
+  }
+}
+
+TEST_F(ObjectTimesTest, AJumpBackLeavesWhatIsLeftOfALifetime) {
+  for (const ObjectContent& content : {boxIn("tray"), boxIn("camera", 101), boxIn("map", 99)}) {
+    jumpTo(100);
+    putFor(content, 10);
+    pass(4);
+    jumpTo(50);
+    EXPECT_FALSE(pass(1.9));
+    jumpTo(0);
+    pass(3.9);
+    EXPECT_FALSE(isGone()) << content.frame;
+    pass(0.3);
+    EXPECT_TRUE(isGone()) << content.frame;
+  }
+}
+
+TEST_F(ObjectTimesTest, ALoopOfTheClockMakesNothingImmortal) {
+  putFor(boxIn("map"), 5);
+  int loops = 0;
+  for (; !isGone() && loops < 100; ++loops) {
+    pass(1);
+    jumpTo(100);
+  }
+  EXPECT_EQ(loops, 5);
+}
+
+TEST_F(ObjectTimesTest, BeforeTheClockBeginsNoLifetimePasses) {
+  now_ = ros::Time();
+  jumpTo(0);
+  putFor(boxIn("map"), 1);
+  pass(0);
+  jumpTo(1000);
+  EXPECT_FALSE(pass(0.9));
+  EXPECT_TRUE(pass(0.2));
+}
+
+TEST_F(ObjectTimesTest, AClockFarAheadEndsLifetimesAndPatience) {
+  putFor(boxIn("map"), 1);
+  objects_.put({"scene", 2}, boxIn("camera", 101), tf_, now_);
+  objects_.put({"scene", 3}, boxIn("tray"), tf_, now_);
+  hear("map", "tray", 100, 0);
+  now_ = kFarAhead;
+  EXPECT_NO_THROW(objects_.expire(tf_, now_));
+  EXPECT_EQ(objects_.objects().count(kKey), 0u);
+  EXPECT_EQ(objects_.objects().at({"scene", 2}).trouble, LiveObject::Trouble::kGivenUp);
+  EXPECT_EQ(objects_.objects().at({"scene", 3}).trouble, LiveObject::Trouble::kStale);
+}
+
+TEST_F(ObjectTimesTest, AfterAJumpBackNoStampIsAheadOfTheClock) {
+  put(boxIn("map", 99));
+  EXPECT_EQ(stamp(), 99);
+  jumpTo(10);
+  EXPECT_TRUE(state().box) << "it stays";
+  EXPECT_EQ(stamp(), 10);
+  pass(5);
+  EXPECT_FALSE(put(boxIn("map", 99))) << "sent again unchanged";
+  EXPECT_EQ(stamp(), 10);
+  jumpTo(12);
+  EXPECT_EQ(stamp(), 10) << "that is not ahead";
+  EXPECT_TRUE(put(boxIn("map", 11)));
+  EXPECT_EQ(stamp(), 11);
+}
+
+TEST_F(ObjectTimesTest, AJumpBackIsNewsWhereItChangesAStamp) {
+  put(boxIn("map", 99));
+  now_ = ros::Time(10);
+  EXPECT_TRUE(objects_.restart(tf_, now_));
+  EXPECT_FALSE(objects_.restart(tf_, now_));
+}
+
+TEST_F(ObjectTimesTest, WhatTheOldEraSentArrivesLate) {
+  jumpTo(10);
+  put(boxIn("map", 99));
+  EXPECT_EQ(stamp(), 10);
+  put(boxIn("map", 10.25));
+  EXPECT_EQ(stamp(), 10.25) << "a clock that is a little ahead";
+  put(boxIn("map", 150));
+  EXPECT_EQ(stamp(), 150) << "the clock was never there";
+}
+
+TEST_F(ObjectTimesTest, NorIsThatOfABoxThatGoesOn) {
+  put(boxIn("map", 99));
+  put(boxIn("camera", 101));
+  ObjectContent other = boxIn("map", 98);
+  objects_.put({"scene", 2}, other, tf_, now_);
+  objects_.put({"scene", 2}, meshOf("package://a/b.stl"), tf_, now_);
+  jumpTo(10);
+  ASSERT_TRUE(state().box);
+  EXPECT_EQ(stamp(), 10);
+  ASSERT_TRUE(objects_.objects().at({"scene", 2}).state.box);
+  EXPECT_EQ(objects_.objects().at({"scene", 2}).state.stamp, 10'000'000'000);
+}
+
+}  // namespace
+}  // namespace link_bounds

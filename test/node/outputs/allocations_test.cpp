@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From the bytes of a tf message to filled messages, our code takes no memory from the heap.
+#include <gtest/gtest.h>
+#include <ros/serialization.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+
+#include "node/outputs/box_message.h"
+#include "node/outputs/overlap_message.h"
+#include "node/outputs/part_boxes.h"
+#include "node/tf/tf_message.h"
+#include "testing/live_boxes_testing.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kLinks = 50;
+constexpr int kSwing = 50;        // updates in which the chain moves to and fro
+constexpr double kPeriod = 0.01;  // s
+constexpr int kWarmUp = 3000;  // updates, until histories have their ten seconds, and memory for it
+constexpr int kUpdates = 1000;
+
+/// Whose turn it is to ask for memory, since the message code of roscpp is in headers.
+struct Counts {
+  long ours = 0;
+  long roscpp = 0;
+};
+
+Counts counts;
+bool is_counting = false;
+bool is_roscpp = false;
+
+void* allocate(std::size_t size) {
+  if (is_counting) ++(is_roscpp ? counts.roscpp : counts.ours);
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+// Not inlined, or GCC takes new and delete for a mismatched pair.
+__attribute__((noinline)) void* operator new(std::size_t size) {
+  return link_bounds::allocate(size);
+}
+
+// No more than malloc's alignment is asked for here.
+__attribute__((noinline)) void* operator new(std::size_t size, std::align_val_t) {
+  return link_bounds::allocate(size);
+}
+
+__attribute__((noinline)) void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+__attribute__((noinline)) void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+__attribute__((noinline)) void operator delete(void* memory, std::size_t,
+                                               std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace link_bounds {
+namespace {
+
+/// A chain of links with long names, each turned a little differently at each update.
+class Chain {
+ public:
+  Chain() {
+    std::vector<BoundedLink> links;
+    for (int i = 0; i < kLinks; ++i)
+      links.push_back(meshLink(name(i), static_cast<std::uint64_t>(i)));
+    auto model = std::make_shared<Model>(*modelOf("the_frame_that_is_fixed", links));
+    model->parameters.parts_per_link = 2;
+    for (const BoundedLink& link : links)
+      model->parts.push_back({link, link});
+    scene_.links.adopt(model, tf_, ros::Time(1));
+    parts_.adopt(*model);
+  }
+
+  /// What arrives from the network.
+  ros::SerializedMessage message(int update) const {
+    tf2_msgs::TFMessage message;
+    const double angle = 0.5 + 0.5 * std::sin(2 * M_PI * update / kSwing);
+    for (int i = 0; i < kLinks; ++i) {
+      const std::string parent = i == 0 ? "the_frame_that_is_fixed" : name(i - 1);
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
+      message.transforms.push_back(
+          edge(parent, name(i), 1 + kPeriod * update, turn, {0.1, 0.2, 0.3}));
+    }
+    return ros::serialization::serializeMessage(message);
+  }
+
+  void update(const ros::SerializedMessage& received, int update) {
+    ros::serialization::deserializeMessage(received, message_);
+    const ros::Time now(1 + kPeriod * update);
+    tf_.add(message_.transforms, false, now);
+    ASSERT_TRUE(scene_.links.update(tf_, now));
+    fillBoxes(scene_, boxes_);
+    fillGroups(scene_, groups_);
+    parts_.place(scene_.links);
+    parts_.fill(*scene_.model(), parts_message_);
+    scene_overlaps_.fill(*scene_.model(), boxes_, kLinks, overlaps_);
+    is_roscpp = true;
+    ros::serialization::serializeMessage(boxes_);
+    ros::serialization::serializeMessage(groups_);
+    ros::serialization::serializeMessage(parts_message_);
+    ros::serialization::serializeMessage(overlaps_);
+    is_roscpp = false;
+  }
+
+  std::size_t boxCount() const { return boxes_.boxes.size(); }
+  std::size_t partCount() const { return parts_message_.boxes.size(); }
+  std::size_t overlapCount() const { return overlaps_.overlaps.size(); }
+
+ private:
+  static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
+
+  TfMessage message_;
+  TransformSource tf_;
+  Scene scene_;
+  AxisAlignedBoxArray boxes_;
+  AxisAlignedBoxArray groups_;
+  PartBoxes parts_;
+  AxisAlignedBoxArray parts_message_;
+  SceneOverlaps scene_overlaps_;
+  BoxOverlapArray overlaps_;
+};
+
+TEST(Allocations, NoneOfOursInAThousandUpdates) {
+  Chain chain;
+  for (int i = 0; i < kWarmUp + kUpdates; ++i) {
+    const ros::SerializedMessage received = chain.message(i);
+    is_counting = i >= kWarmUp;
+    chain.update(received, i);
+    is_counting = false;
+  }
+  EXPECT_EQ(chain.boxCount(), static_cast<std::size_t>(kLinks));
+  EXPECT_EQ(chain.partCount(), static_cast<std::size_t>(2 * kLinks));
+  EXPECT_GT(chain.overlapCount(), 0u);
+  EXPECT_EQ(counts.ours, 0);
+  EXPECT_GT(counts.roscpp, 0);
+  std::cout << "allocations in " << kUpdates << " updates of " << kLinks << " links: ours "
+            << counts.ours << ", roscpp's for sending " << counts.roscpp << "\n";
+}
+
+TEST(Allocations, AreSeenWhereThereAreSome) {
+  counts = Counts();
+  is_counting = true;
+  const std::string text(100, 'x');
+  is_counting = false;
+  EXPECT_EQ(counts.ours, 1) << text;
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The polygon contains the box, corner by corner in the order that is promised.
+#include "node/outputs/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include "testing/brute_force.h"
+
+namespace link_bounds {
+namespace {
+
+BoxState stateOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+  return {Aabb(min, max), 0, false};
+}
+
+TEST(Footprint, GoesAroundFromTheSmallestCorner) {
+  const auto polygon = footprintOf(stateOf({-1, -2, -3}, {4, 5, 6}));
+  ASSERT_TRUE(polygon);
+  const std::vector<std::array<float, 2>> expected{{-1, -2}, {4, -2}, {4, 5}, {-1, 5}};
+  ASSERT_EQ(polygon->points.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(polygon->points[i].x, expected[i][0]);
+    EXPECT_EQ(polygon->points[i].y, expected[i][1]);
+    EXPECT_EQ(polygon->points[i].z, 0);
+  }
+}
+
+TEST(Footprint, ContainsTheBox) {
+  brute_force::Random random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d a = random.vector(random.magnitude(-6, 6));
+    const Eigen::Vector3d b = random.vector(random.magnitude(-6, 6));
+    const Eigen::Vector3d min = a.cwiseMin(b);
+    const Eigen::Vector3d max = a.cwiseMax(b);
+    const auto points = footprintOf(stateOf(min, max)).value().points;
+    EXPECT_TRUE(points[0].x <= min.x() && points[0].y <= min.y());
+    EXPECT_TRUE(points[2].x >= max.x() && points[2].y >= max.y());
+    EXPECT_LE(min.x() - points[0].x, 1.2e-7 * std::abs(min.x()));
+    EXPECT_LE(points[2].y - max.y(), 1.2e-7 * std::abs(max.y()));
+  }
+}
+
+TEST(Footprint, NoneOfARobotThatIsNotCompleteOrTooLarge) {
+  EXPECT_FALSE(footprintOf(BoxState{std::nullopt, 0, false}));
+  EXPECT_FALSE(
+      footprintOf(BoxState{Aabb(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)), 0, true}));
+  EXPECT_FALSE(footprintOf(stateOf({0, 0, 0}, {1, 1e39, 1})));
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each file is imported once, remembered while it is used, and read anew when it was replaced.
+#include "link_bounds/robot/mesh/mesh_store.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "testing/ordinary_user.h"
+#include "testing/temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+/// Reads a file whose text is a number n as a triangle of size n; other text is an error.
+TriangleMesh readTriangle(const MeshFile& file) {
+  float size = 0;
+  if (!(std::ifstream(file.path) >> size)) throw MeshError("it is no number");
+  return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
+}
+
+constexpr char kReason[] = "it is no number; repair or replace the file";
+
+class MeshStoreTest : public testing::Test {
+ protected:
+  MeshFile write(const std::string& name, const std::string& text) const {
+    return {folder_.write(name, text), folder_.path().string()};
+  }
+
+  /// Rewrites a file and makes sure that its time differs, however coarse the clock is.
+  void replace(const MeshFile& file, const std::string& text) const {
+    const auto before = std::filesystem::last_write_time(file.path);
+    std::ofstream(file.path) << text;
+    std::filesystem::last_write_time(file.path, before + std::chrono::seconds(1));
+  }
+
+  LoadedMesh loadOne(const MeshFile& file) { return store_.load({file}).at(0); }
+
+  LoadedMesh loadWithTriangles(const MeshFile& file) {
+    return store_.load({file}, nullptr, MeshContent::kPointsAndTriangles).at(0);
+  }
+
+  int imports() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return imports_;
+  }
+
+  TemporaryFolder folder_;
+  std::mutex mutex_;
+  int imports_ = 0;
+  MeshStore store_{[this](const MeshFile& file) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++imports_;
+    }
+    return readTriangle(file);
+  }};
+};
+
+double sizeOf(const LoadedMesh& mesh) {
+  return mesh.points->magnitude().x();
+}
+
+TEST_F(MeshStoreTest, GivesThePointsOfEachFileInOrder) {
+  const auto meshes = store_.load({write("b", "2"), write("a", "1"), write("c", "3")});
+  ASSERT_EQ(meshes.size(), 3u);
+  EXPECT_EQ(sizeOf(meshes[0]), 2);
+  EXPECT_EQ(sizeOf(meshes[1]), 1);
+  EXPECT_EQ(sizeOf(meshes[2]), 3);
+}
+
+TEST_F(MeshStoreTest, ManyRequestsOfOneFileShareOneImport) {
+  const MeshFile file = write("a", "1");
+  const auto first = store_.load({file, file, file});
+  const auto second = store_.load({file});
+  EXPECT_EQ(imports(), 1);
+  EXPECT_EQ(first[0].points, first[2].points);
+  EXPECT_EQ(first[0].points, second[0].points);
+}
+
+TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
+  EXPECT_TRUE(store_.load({}).empty());
+  EXPECT_EQ(imports(), 0);
+}
+
+TEST_F(MeshStoreTest, AFailureNamesItsReasonAndHarmsNoOtherFile) {
+  const auto meshes = store_.load({write("bad", "x"), write("good", "1")});
+  EXPECT_FALSE(meshes[0].points);
+  EXPECT_EQ(meshes[0].error, kReason);
+  EXPECT_TRUE(meshes[1].points);
+  EXPECT_EQ(meshes[1].error, "");
+}
+
+TEST_F(MeshStoreTest, FailuresAreRememberedUntilForgotten) {
+  const MeshFile file = write("bad", "x");
+  loadOne(file);
+  EXPECT_EQ(loadOne(file).error, kReason);
+  EXPECT_EQ(imports(), 1);
+  store_.forgetFailures();
+  EXPECT_EQ(loadOne(file).error, kReason);
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, ForgettingFailuresKeepsWhatIsInUse) {
+  const MeshFile file = write("good", "1");
+  const LoadedMesh kept = loadOne(file);
+  store_.forgetFailures();
+  EXPECT_EQ(loadOne(file).points, kept.points);
+  EXPECT_EQ(imports(), 1);
+}
+
+TEST_F(MeshStoreTest, ARepairedFileIsReadAfterForgetting) {
+  const MeshFile file = write("a", "x");
+  loadOne(file);
+  replace(file, "5");
+  store_.forgetFailures();
+  EXPECT_EQ(sizeOf(loadOne(file)), 5);
+}
+
+TEST_F(MeshStoreTest, AReplacedFileIsReadAnewAndOldPointsLiveOn) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  replace(file, "2");
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+  EXPECT_EQ(sizeOf(old), 1);
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, AFileRenamedOverTheOldIsReadAnewEvenIfItIsAsOldAndAsLarge) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  const auto time = std::filesystem::last_write_time(file.path);
+  const MeshFile other = write("b", "2");
+  std::filesystem::last_write_time(other.path, time);
+  std::filesystem::rename(other.path, file.path);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
+TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  const auto time = std::filesystem::last_write_time(file.path);
+  std::ofstream(file.path) << "2";
+  std::filesystem::last_write_time(file.path, time);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
+TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {
+  const MeshFile file = write("a", "1");
+  // In the year 2400, which nanoseconds in 64 bits do not reach.
+  const std::array<timespec, 2> times{{{13569465600, 0}, {13569465600, 0}}};
+  ASSERT_EQ(utimensat(AT_FDCWD, file.path.c_str(), times.data(), 0), 0);
+  const LoadedMesh old = loadOne(file);
+  EXPECT_EQ(loadOne(file).points, old.points);
+  EXPECT_EQ(imports(), 1);
+  std::ofstream(file.path) << "2";
+  ASSERT_EQ(utimensat(AT_FDCWD, file.path.c_str(), times.data(), 0), 0);
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+}
+
+TEST_F(MeshStoreTest, MemoryIsFreedWhenNobodyUsesIt) {
+  const MeshFile file = write("a", "1");
+  std::weak_ptr<const PointSet> watched = loadOne(file).points;
+  EXPECT_TRUE(watched.expired());
+  EXPECT_TRUE(loadOne(file).points) << "and read again when needed";
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, TrianglesAreThereOnlyWhereTheyAreAskedFor) {
+  const MeshFile file = write("a", "1");
+  EXPECT_FALSE(loadOne(file).triangles);
+  const LoadedMesh mesh = loadWithTriangles(file);
+  ASSERT_TRUE(mesh.triangles);
+  EXPECT_EQ(mesh.triangles->triangles.size(), 1u);
+  EXPECT_FALSE(loadWithTriangles(write("bad", "x")).triangles);
+}
+
+TEST_F(MeshStoreTest, WhoAsksForTrianglesLaterSharesThePoints) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh without = loadOne(file);
+  const LoadedMesh with = loadWithTriangles(file);
+  EXPECT_EQ(with.points, without.points);
+  EXPECT_EQ(imports(), 2);
+  replace(file, "2");
+  EXPECT_EQ(sizeOf(loadWithTriangles(file)), 2);
+}
+
+TEST_F(MeshStoreTest, TrianglesAreNotKept) {
+  const MeshFile file = write("a", "1");
+  LoadedMesh mesh = loadWithTriangles(file);
+  const std::weak_ptr<const TriangleMesh> watched = mesh.triangles;
+  mesh.triangles = nullptr;
+  EXPECT_TRUE(watched.expired());
+}
+
+TEST_F(MeshStoreTest, RunningOutOfMemoryIsAFailureOfThatFileAlone) {
+  const MeshFile huge = write("huge", "1");
+  MeshStore store([&](const MeshFile& file) {
+    if (file.path == huge.path) throw std::bad_alloc();
+    return readTriangle(file);
+  });
+  const auto meshes = store.load({huge, write("small", "1")});
+  EXPECT_NE(meshes[0].error.find("memory"), std::string::npos);
+  EXPECT_TRUE(meshes[1].points);
+}
+
+TEST_F(MeshStoreTest, ProgressCountsTheFilesThatAreNew) {
+  const MeshFile known = write("known", "1");
+  const LoadedMesh kept = loadOne(known);
+  std::vector<std::pair<std::size_t, std::size_t>> calls;
+  store_.load({known, write("a", "1"), write("b", "x"), write("a", "1"), write("c", "3")},
+              [&](std::size_t done, std::size_t total) { calls.emplace_back(done, total); });
+  EXPECT_EQ(calls, (std::vector<std::pair<std::size_t, std::size_t>>{{1, 3}, {2, 3}, {3, 3}}));
+}
+
+TEST_F(MeshStoreTest, ManyFilesEachOnce) {
+  std::vector<MeshFile> files;
+  for (int i = 1; i <= 200; ++i)
+    files.push_back(write(std::to_string(i), std::to_string(i)));
+  const auto meshes = store_.load(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(sizeOf(meshes[i]), static_cast<double>(i + 1));
+  }
+  EXPECT_EQ(imports(), 200);
+}
+
+TEST_F(MeshStoreTest, TheRemedyFollowsFromTheFault) {
+  const auto import = [](const MeshFile&) -> TriangleMesh {
+    throw MeshError("too slow", MeshFault::kTooSlow);
+  };
+  const auto remedy = [](MeshFault fault) {
+    return fault == MeshFault::kTooSlow ? "wait" : "another";
+  };
+  const MeshFile file = write("a", "1");
+  EXPECT_EQ(MeshStore(import, remedy).load({file}).at(0).error, "too slow; wait");
+  EXPECT_EQ(MeshStore(import).load({file}).at(0).error, "too slow; simplify the mesh");
+}
+
+TEST_F(MeshStoreTest, AReasonThatDoesNotFitIntoMemoryHarmsNoOtherFile) {
+  const auto remedy = [](MeshFault) -> std::string { throw std::bad_alloc(); };
+  MeshStore store(readTriangle, remedy);
+  std::vector<MeshFile> files{write("good", "1")};
+  for (int i = 0; i < 20; ++i)
+    files.push_back(write("bad" + std::to_string(i), "x"));
+  const auto meshes = store.load(files);
+  EXPECT_TRUE(meshes[0].points);
+  for (std::size_t i = 1; i < files.size(); ++i)
+    EXPECT_EQ(meshes[i].error, "out of memory");
+}
+
+TEST_F(MeshStoreTest, AFileThatIsBrokenOnlyWhileItIsWrittenHasChanged) {
+  MeshStore store([&](const MeshFile& mesh) {
+    replace(mesh, "x");
+    return readTriangle(mesh);
+  });
+  EXPECT_EQ(store.load({write("a", "1")}).at(0).error,
+            "it changed while it was read; try again when it is complete");
+}
+
+TEST_F(MeshStoreTest, AFileThatChangesWhileItIsReadIsRefusedUntilForgotten) {
+  const MeshFile file = write("a", "1");
+  bool changes = true;
+  MeshStore store([&](const MeshFile& mesh) {
+    if (changes) replace(mesh, "2");
+    return readTriangle(mesh);
+  });
+  EXPECT_NE(store.load({file}).at(0).error.find("changed while it was read"), std::string::npos);
+  changes = false;
+  EXPECT_FALSE(store.load({file}).at(0).points);
+  store.forgetFailures();
+  EXPECT_EQ(sizeOf(store.load({file}).at(0)), 2);
+}
+
+TEST_F(MeshStoreTest, AChangeRightAfterTheFileWasWrittenIsSeen) {
+  for (int i = 0; i < 20; ++i) {
+    const MeshFile file = write("a" + std::to_string(i), "1");
+    MeshStore store([](const MeshFile& mesh) {
+      std::ofstream(mesh.path) << "2";
+      return readTriangle(mesh);
+    });
+    EXPECT_FALSE(store.load({file}).at(0).points);
+  }
+}
+
+TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "a single core";
+  constexpr auto kDeadline = std::chrono::seconds(20);
+  std::mutex mutex;
+  std::condition_variable arrived;
+  int waiting = 0;
+  bool met = true;
+  MeshStore store([&](const MeshFile& file) {
+    std::unique_lock<std::mutex> lock(mutex);
+    ++waiting;
+    arrived.notify_all();
+    met &= arrived.wait_for(lock, kDeadline, [&] { return waiting >= 2; });
+    return readTriangle(file);
+  });
+  store.load({write("a", "1"), write("b", "2")});
+  EXPECT_TRUE(met) << "the second import began only after the first was over";
+}
+
+/// 0 if all files are loaded though no further thread starts.
+int loadWithoutThreads(const std::vector<MeshFile>& files) {
+  if (!forbidThreads()) return 2;
+  MeshStore store([](const MeshFile&) {
+    return TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  });
+  for (const LoadedMesh& mesh : store.load(files)) {
+    if (!mesh.points) return 1;
+  }
+  return 0;
+}
+
+TEST_F(MeshStoreTest, WhereNoThreadCanStartFilesAreImportedOneByOne) {
+  const std::vector<MeshFile> files{write("a", "1"), write("b", "2"), write("c", "3")};
+  const pid_t child = fork();
+  if (child == 0) _exit(loadWithoutThreads(files));
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+}  // namespace
+}  // namespace link_bounds

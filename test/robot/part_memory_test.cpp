@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts where memory ends while a link is split.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "link_bounds/robot/bounded_robot.h"
+#include "testing/part_meshes.h"
+#include "testing/temporary_folder.h"
+
+namespace {
+
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+
+/// More bytes at once are refused.
+std::atomic<std::size_t> limit{kNoLimit};
+
+}  // namespace
+
+__attribute__((noinline)) void* operator new(std::size_t size) {
+  void* const memory = size <= limit ? std::malloc(size) : nullptr;
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+__attribute__((noinline)) void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace link_bounds {
+namespace {
+
+/// What is kept of the mesh of each shape that a part has.
+std::vector<std::size_t> pointsOf(const BoundedLink& part) {
+  std::vector<std::size_t> result;
+  for (const Shape& shape : part.shapes)
+    result.push_back(shape.points ? shape.points->size() : 0);
+  return result;
+}
+
+class PartMemory : public testing::Test {
+ protected:
+  PartMemory() {
+    folder_.write("good.stl");
+    folder_.write("bad.stl");
+  }
+
+  ~PartMemory() override { limit = kNoLimit; }
+
+  /// One link of the given meshes; once they are loaded, memory ends.
+  BoundedRobot bound(const std::vector<std::string>& files) {
+    std::string visuals;
+    for (const std::string& file : files) {
+      visuals += "<visual><origin xyz='7 0 0'/><geometry><mesh filename='" + file +
+                 "'/></geometry></visual>";
+    }
+    const Robot robot = parseRobot("<robot name='r'><link name='l'>" + visuals + "</link></robot>");
+    MeshStore store([](const MeshFile& file) -> TriangleMesh {
+      if (file.path.find("bad") != std::string::npos) throw std::bad_alloc();
+      return hook(60, 40);
+    });
+    const auto end_memory = [](std::size_t done, std::size_t total) {
+      if (done == total) limit = 50'000;
+    };
+    Selection selection;
+    selection.parts_per_link = 8;
+    const BoundedRobot bounded =
+        boundRobot(robot, selection, {nullptr, folder_.path().string(), end_memory}, store);
+    limit = kNoLimit;
+    return bounded;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(PartMemory, ALinkThatCannotBeSplitIsItsOnlyPart) {
+  const BoundedRobot robot = bound({"good.stl"});
+  ASSERT_EQ(robot.parts.size(), 1u);
+  ASSERT_EQ(robot.parts[0].size(), 1u);
+  EXPECT_EQ(pointsOf(robot.parts[0][0]), pointsOf(robot.links[0]));
+}
+
+TEST_F(PartMemory, AMeshThatFailedIsInNoPart) {
+  const BoundedRobot robot = bound({"bad.stl", "good.stl", "bad.stl"});
+  ASSERT_EQ(robot.links.size(), 1u);
+  EXPECT_EQ(robot.links[0].shapes.size(), 1u);
+  ASSERT_EQ(robot.parts.size(), 1u);
+  ASSERT_EQ(robot.parts[0].size(), 1u);
+  EXPECT_EQ(pointsOf(robot.parts[0][0]), pointsOf(robot.links[0]));
+  const Eigen::Affine3d identity = Eigen::Affine3d::Identity();
+  const Aabb part = linkBox(robot.parts[0][0], identity).value();
+  const Aabb link = linkBox(robot.links[0], identity).value();
+  EXPECT_EQ(part.min(), link.min());
+  EXPECT_EQ(part.max(), link.max());
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Descriptions that cannot be used, and odd ones that can.
+#include <console_bridge/console.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+namespace {
+
+std::string joint(const std::string& name, const std::string& parent, const std::string& child) {
+  return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" +
+         child + "'/></joint>";
+}
+
+std::string links(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names)
+    result += "<link name='" + name + "'/>";
+  return result;
+}
+
+std::string inRobot(const std::string& content) {
+  return "<robot name='r'>" + content + "</robot>";
+}
+
+/// The error's text; "" if the description was accepted.
+std::string refusal(const std::string& urdf) {
+  try {
+    parseRobot(urdf);
+    return "";
+  } catch (const RobotError& error) {
+    return error.what();
+  }
+}
+
+void expectRefused(const std::string& urdf, const std::string& reason) {
+  EXPECT_NE(refusal(urdf).find(reason), std::string::npos) << "\"" << refusal(urdf) << "\"";
+}
+
+TEST(RobotRefusals, AnEmptyText) {
+  expectRefused("", "empty");
+  expectRefused(" \n\t ", "empty");
+}
+
+TEST(RobotRefusals, WhatIsNoXml) {
+  expectRefused("no robot at all", "not a usable URDF");
+  expectRefused("<robot name='r'><link name='l'></robot>", "not a usable URDF");
+  expectRefused(std::string(3, '\0'), "not a usable URDF");
+}
+
+TEST(RobotRefusals, AnotherFormat) {
+  expectRefused("<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>", "robot");
+  expectRefused("<?xml version='1.0'?><html/>", "not a usable URDF");
+}
+
+TEST(RobotRefusals, NoLinks) {
+  expectRefused(inRobot(""), "not a usable URDF");
+}
+
+TEST(RobotRefusals, NoName) {
+  expectRefused("<robot><link name='a'/></robot>", "not a usable URDF");
+}
+
+TEST(RobotRefusals, TwoRootsAreBothNamed) {
+  const std::string urdf = inRobot(links({"left", "right"}));
+  expectRefused(urdf, "left");
+  expectRefused(urdf, "right");
+}
+
+TEST(RobotRefusals, NoRoot) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "b", "a")), "root");
+}
+
+TEST(RobotRefusals, ALinkWithTwoParents) {
+  const std::string urdf = inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") +
+                                   joint("k", "a", "c") + joint("l", "b", "c"));
+  expectRefused(urdf, "link \"c\" has two parents, by joints \"k\" and \"l\"");
+}
+
+TEST(RobotRefusals, TwoJointsBetweenTheSameLinks) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "a", "b")),
+                "two parents");
+}
+
+TEST(RobotRefusals, ACycleApartFromTheTree) {
+  const std::string urdf =
+      inRobot(links({"a", "b", "c"}) + joint("j", "b", "c") + joint("k", "c", "b"));
+  expectRefused(urdf, "not connected to root link \"a\"");
+}
+
+TEST(RobotRefusals, ALinkThatIsItsOwnChild) {
+  expectRefused(inRobot(links({"a", "b"}) + joint("j", "b", "b")), "link \"b\" is not connected");
+  expectRefused(inRobot(links({"a"}) + joint("j", "a", "a")), "root");
+}
+
+TEST(RobotRefusals, DuplicateNames) {
+  expectRefused(inRobot(links({"a", "a"})), "'a' is not unique");
+  expectRefused(inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("j", "a", "c")),
+                "'j' is not unique");
+}
+
+TEST(RobotRefusals, JointsOfLinksThatDoNotExist) {
+  expectRefused(inRobot(links({"a"}) + joint("j", "a", "ghost")), "ghost");
+  expectRefused(inRobot(links({"a"}) + joint("j", "ghost", "a")), "ghost");
+}
+
+TEST(RobotRefusals, AnUnknownTypeOfJoint) {
+  expectRefused(
+      inRobot(links({"a", "b"}) +
+              "<joint name='j' type='rubber'><parent link='a'/><child link='b'/></joint>"),
+      "rubber");
+}
+
+TEST(RobotRefusals, DeepNestingInXmlThatOnlyUrdfdomUnderstands) {
+  constexpr int kDepth = 100000;
+  std::string urdf = "<robot name=unquoted><link name='a'/>";
+  for (int i = 0; i < kDepth; ++i)
+    urdf += "<x>";
+  expectRefused(urdf, "not well-formed XML");
+}
+
+TEST(OddRobots, DirectivesOfPrintfAreNotObeyed) {
+  for (const char* percent : {"%", "&#37;", "&#x25;", "&#x0025;"}) {
+    SCOPED_TRACE(percent);
+    const std::string directives = std::string(percent) + "s" + percent + "n" + percent + "s" +
+                                   percent + "n" + percent + "s" + percent + "n";
+    const Robot robot =
+        parseRobot(inRobot("<link name='a'><visual><origin xyz='" + directives +
+                           "'/><geometry><sphere radius='1'/></geometry></visual></link>"));
+    ASSERT_EQ(robot.links.at(0).lost.size(), 1u);
+    EXPECT_NE(robot.links[0].lost[0].reason.find("cannot be parsed"), std::string::npos);
+  }
+}
+
+TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
+  const Robot robot = parseRobot("\n<!-- made by a tool -->\n<?xml version=\"1.0\"?>\n" +
+                                 inRobot(links({"b", "a"}) + joint("j", "b", "a")));
+  EXPECT_EQ(robot.links.at(0).name, "b");
+  EXPECT_TRUE(robot.warnings.empty());
+}
+
+TEST(OddRobots, ACommentThatMentionsADeclaration) {
+  const Robot robot =
+      parseRobot("<robot name='r'><!-- no <?xml here --><link name='b'/><link name='a'/>" +
+                 joint("j", "b", "a") + "<!-- really? --><!-- ?> --></robot>");
+  EXPECT_EQ(robot.links.size(), 2u);
+}
+
+TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
+  const std::string urdf =
+      "<robot name=unquoted>" + links({"b", "a"}) + joint("j", "b", "a") + "</robot>";
+  if (refusal(urdf).find("XML_ERROR") != std::string::npos) {
+    GTEST_SKIP() << "urdfdom 4 understands well-formed XML only";
+  }
+  const Robot robot = parseRobot(urdf);
+  ASSERT_FALSE(robot.warnings.empty());
+  EXPECT_NE(robot.warnings[0].find("well-formed XML"), std::string::npos);
+  EXPECT_EQ(robot.links.at(0).name, "a") << "in alphabetical order";
+  EXPECT_EQ(robot.links.at(robot.root).name, "b");
+}
+
+/// The byte begins a character of two, so urdfdom 3 takes the "<" behind it for the second half.
+TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
+  const std::string urdf = "<?xml version='1.0'?><robot name='r'>\xd2<link name='a'/>" +
+                           links({"a", "b"}) + joint("j", "a", "b") + "</robot>";
+  if (!refusal(urdf).empty()) GTEST_SKIP() << "this urdfdom sees them twice";
+  const Robot robot = parseRobot(urdf);
+  ASSERT_EQ(robot.links.size(), 2u);
+  EXPECT_EQ(robot.links[robot.joints.at(0).child].name, "b");
+  EXPECT_FALSE(robot.warnings.empty());
+}
+
+/// A reader that takes the terminating zero for the second half of a character finds a whole robot.
+TEST(RobotRefusals, ATextThatEndsInHalfACharacter) {
+  const std::string text = "<?xml version='1.0'?><robot name='r'><link name='a\xd6";
+  std::string urdf = text + "0" + "'/></robot>";
+  urdf.resize(text.size());
+  expectRefused(urdf, "not a usable URDF");
+}
+
+TEST(OddRobots, NamesWithEntities) {
+  for (const char* name :
+       {"a&amp;b", "a&lt;b&gt;", "&quot;a&quot;", "caf\xc3\xa9", "a&#x41;", "&#233;t&#xe9;"}) {
+    SCOPED_TRACE(name);
+    const std::string urdf = inRobot(links({"base", name}) + joint("j", "base", name));
+    std::size_t count = 0;
+    EXPECT_NO_THROW(count = parseRobot(urdf).links.size());
+    EXPECT_EQ(count, 2u);
+  }
+}
+
+TEST(OddRobots, NamesThatParsersSpellDifferentlyGiveNoOtherError) {
+  EXPECT_NO_THROW(refusal("<robot name='r'><link/></robot>"));
+  EXPECT_NO_THROW(refusal(inRobot(links({"line\r\nbreak"}))));
+}
+
+TEST(OddRobots, UnknownElementsAndAttributesAreIgnored) {
+  const Robot robot = parseRobot(
+      "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><gazebo><plugin/></gazebo>"
+      "<transmission name='t'/><link name='a' colour='red'><sensor/></link></robot>");
+  EXPECT_EQ(robot.links.size(), 1u);
+  EXPECT_TRUE(robot.warnings.empty());
+}
+
+TEST(OddRobots, AByteOrderMark) {
+  EXPECT_EQ(parseRobot("\xef\xbb\xbf<?xml version='1.0'?>" + inRobot(links({"a"}))).links.size(),
+            1u);
+}
+
+/// Every second one contains a per cent sign, so that nobody may hear why it is refused.
+TEST(ManyRobots, AtOnceGetTheirOwnReasonsAndLeaveTheLogAsItWas) {
+  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
+  std::atomic<int> wrong{0};
+  const auto parse = [&wrong](const std::string& name) {
+    const std::string lost = inRobot(links({name, name}));
+    for (int i = 0; i < 3000; ++i) {
+      wrong += refusal(lost).find("'" + name + "'") == std::string::npos ? 1 : 0;
+      wrong += refusal(inRobot(links({"%", "%"}))).empty() ? 1 : 0;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (const char* const name : {"first", "second", "third"})
+    threads.emplace_back(parse, name);
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(console_bridge::getOutputHandler(), before);
+  console_bridge::useOutputHandler(before);
+}
+
+}  // namespace
+}  // namespace link_bounds

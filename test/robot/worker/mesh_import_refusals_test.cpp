@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that give no trustworthy mesh, and files that reach for other files.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include "robot/worker/mesh_import.h"
+#include "testing/mesh_texts.h"
+#include "testing/temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportRefusals : public testing::Test {
+ protected:
+  TriangleMesh import(const std::string& name, const std::string& content) const {
+    return importMesh({folder_.write("meshes/" + name, content), folder_ / "meshes"});
+  }
+
+  void expectRefused(const std::string& name, const std::string& content,
+                     const std::string& reason = "") const {
+    try {
+      import(name, content);
+      ADD_FAILURE() << name << " was accepted: " << content.substr(0, 200);
+    } catch (const MeshError& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+TEST_F(ImportRefusals, VerticesThatAreNotFinite) {
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
+    expectRefused("a.stl", binaryStl({{0, 0, 0}, {1, 0, 0}, {0, bad, 0}}), "not a finite number");
+  }
+  expectRefused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "not a finite number");
+}
+
+const std::string kOffVertices = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+const std::string kOffWithGoodIndex = kOffVertices + "3 0 1 2\n";
+const std::string kOffWithBadIndex = kOffVertices + "3 0 1 9\n";
+
+std::string ply(const std::string& face) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n" +
+         face + "\n";
+}
+
+TEST_F(ImportRefusals, AnIndexOfNoVertex) {
+  EXPECT_EQ(import("good.ply", ply("3 0 1 2")).triangles.size(), 1u);
+  expectRefused("a.ply", ply("3 0 1 3"), "face 0 names vertex 3 of 3");
+  expectRefused("a.ply", ply("3 0 1 1000000000"), "face 0 names");
+  expectRefused("a.ply", ply("3 0 1 -1"), "face 0 names");
+  expectRefused("a.ply", ply("5 0 1 2 0 7"), "face 0 names vertex 7 of 3");
+}
+
+TEST_F(ImportRefusals, AnIndexOfNoVertexInOtherFormats) {
+  expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  expectRefused("a.off", kOffWithBadIndex, "out of range");
+}
+
+TEST_F(ImportRefusals, OneFileIsNotBlamedForWhatAnotherThreadReads) {
+  std::atomic<int> wrong{0};
+  const auto read = [&](const std::string& name, bool is_good) {
+    for (int i = 0; i < 200; ++i) {
+      try {
+        importMesh({folder_ / ("meshes/" + name), folder_ / "meshes"});
+        wrong += is_good ? 0 : 1;
+      } catch (const MeshError&) {
+        wrong += is_good ? 1 : 0;
+      }
+    }
+  };
+  folder_.write("meshes/good.off", kOffWithGoodIndex);
+  folder_.write("meshes/bad.off", kOffWithBadIndex);
+  std::thread other(read, "good.off", true);
+  read("bad.off", false);
+  other.join();
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(ImportRefusals, NoTriangle) {
+  expectRefused("a.stl", binaryStl({}));
+  expectRefused("a.stl", "solid nothing\nendsolid nothing\n");
+  expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", "no triangle");
+  expectRefused("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                "property float z\nend_header\n0 0 0\n");
+}
+
+TEST_F(ImportRefusals, TriangleStripsThatWouldBeMisread) {
+  expectRefused("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "property float z\nelement tristrips 1\n"
+                "property list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n",
+                "triangle strips");
+}
+
+TEST_F(ImportRefusals, AnEmptyOrTruncatedFile) {
+  expectRefused("a.stl", "");
+  expectRefused("a.dae", "");
+  expectRefused("a.dae", "<COLLADA>");
+  const std::string whole = binaryStl(tetrahedronCorners());
+  expectRefused("a.stl", whole.substr(0, whole.size() - 60));
+}
+
+TEST_F(ImportRefusals, AFormatThatNobodyKnows) {
+  expectRefused("a.txt", "what is this", "assimp cannot read it");
+}
+
+TEST_F(ImportRefusals, AMissingFile) {
+  EXPECT_THROW(importMesh({folder_ / "missing.stl", folder_.path().string()}), MeshError);
+}
+
+TEST_F(ImportRefusals, AFileOutsideItsOwnRoot) {
+  const std::string path = folder_.write("elsewhere/a.stl", binaryStl(tetrahedronCorners()));
+  fs::create_directories(folder_ / "meshes");
+  EXPECT_THROW(importMesh({path, folder_ / "meshes"}), MeshError);
+}
+
+/// A glTF whose three vertices are in another file.
+std::string gltf(const std::string& buffer_uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+         R"("min":[0,0,0],"max":[1,2,3]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+         R"("buffers":[{"byteLength":36,"uri":")" +
+         buffer_uri + R"("}]})";
+}
+
+std::string threeVertices() {
+  std::string result;
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) {
+    result += bytesOf(number);
+  }
+  return result;
+}
+
+TEST_F(ImportRefusals, ABufferBesideTheMeshIsRead) {
+  folder_.write("meshes/data.bin", threeVertices());
+  EXPECT_EQ(import("a.gltf", gltf("data.bin")).vertices.size(), 3u);
+}
+
+TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {
+  const std::string buffer(10000, '\0');
+  folder_.write("meshes/data.bin", threeVertices() + buffer);
+  const MeshFile mesh{folder_.write("meshes/a.gltf", gltf("data.bin")), folder_ / "meshes"};
+  const std::uint64_t size = threeVertices().size() + buffer.size();
+  EXPECT_EQ(importMesh(mesh, size).vertices.size(), 3u);
+  try {
+    importMesh(mesh, size - 1);
+    ADD_FAILURE() << "not refused";
+  } catch (const MeshError& error) {
+    EXPECT_EQ(error.fault(), MeshFault::kTooLarge) << error.what();
+    EXPECT_NE(std::string(error.what()).find("data.bin has 10036 bytes"), std::string::npos);
+  }
+}
+
+TEST_F(ImportRefusals, TheBytesOfAllFilesAreAddedUpEachOnce) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const MeshFile mesh{folder_.write("meshes/a.gltf", gltf("data.bin")), folder_ / "meshes"};
+  std::set<std::uint64_t> sums;
+  importMesh(mesh, 10000, [&sums](std::uint64_t bytes) { sums.insert(bytes); });
+  const std::uint64_t alone = gltf("data.bin").size();
+  EXPECT_EQ(sums, (std::set<std::uint64_t>{alone, alone + threeVertices().size()}));
+}
+
+TEST_F(ImportRefusals, ABufferOutsideTheRootIsNot) {
+  const std::string secret = folder_.write("secret.bin", threeVertices());
+  expectRefused("a.gltf", gltf("../secret.bin"));
+  expectRefused("a.gltf", gltf(secret));
+  expectRefused("a.gltf", gltf("x/../../secret.bin"));
+}
+
+TEST_F(ImportRefusals, NorOneBehindASymlink) {
+  const std::string secret = folder_.write("secret.bin", threeVertices());
+  fs::create_directories(folder_ / "meshes");
+  fs::create_symlink(secret, folder_ / "meshes/data.bin");
+  expectRefused("a.gltf", gltf("data.bin"));
+}
+
+TEST_F(ImportRefusals, AFifoBesideTheMeshIsNotOpened) {
+  fs::create_directories(folder_ / "meshes");
+  ASSERT_EQ(mkfifo((folder_ / "meshes/pipe").c_str(), 0600), 0);
+  expectRefused("a.gltf", gltf("pipe"));
+  const std::string obj = "mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(import("a.obj", obj).triangles.size(), 1u);
+}
+
+}  // namespace
+}  // namespace link_bounds
