@@ -4,9 +4,9 @@
 //
 // usage: link_bounds_consumer URDF PACKAGES JOINT VALUE, where PACKAGES is a folder of packages
 #include <link_bounds/AxisAlignedBoxArray.h>
-#include <link_bounds/bounded_robot.h>
-#include <link_bounds/kinematics.h>
-#include <link_bounds/mesh_process.h>
+#include <link_bounds/robot/bounded_robot.h>
+#include <link_bounds/robot/urdf/kinematics.h>
+#include <link_bounds/robot/worker/mesh_process.h>
 
 #include <cstdio>
 #include <cstdlib>
