@@ -3,7 +3,7 @@
 // CUBE, LINE_LIST and TEXT per box, and the book-keeping of deletions.
 #include "node/outputs/box_markers.h"
 
-#include "node/outputs/geometry_message.h"
+#include "link_bounds/ros/messages.h"
 
 namespace link_bounds {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "node/outputs/geometry_message.h"
+#include "link_bounds/ros/messages.h"
 
 namespace link_bounds {
 namespace {

@@ -3,7 +3,7 @@
 // The boxes are those of ~boxes, in the same order.
 #include "node/outputs/overlap_message.h"
 
-#include "node/outputs/geometry_message.h"
+#include "link_bounds/ros/messages.h"
 
 namespace link_bounds {
 
@@ -13,7 +13,7 @@ void SceneOverlaps::collect(const Model& model, const AxisAlignedBoxArray& boxes
   owners_.clear();
   std::size_t link = 0;
   for (const AxisAlignedBox& box : boxes.boxes) {
-    boxes_.emplace_back(toVector(box.min), toVector(box.max));
+    boxes_.push_back(toAabb(box));
     Owner& owner = owners_.emplace_back(Owner{&box.name, std::nullopt});
     if (owners_.size() > link_count) continue;
     while (model.links[link].name != box.name)
