@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selects links, resolves their meshes in one go so that files load side by side, and keeps book
-// of what is missing.
-#include "link_bounds/robot/bounded_robot.h"
+// Resolves the meshes of all links before the first is loaded, so that files load side by side.
+#include "robot/bounded_robot.h"
 
 #include <algorithm>
 
@@ -29,20 +28,19 @@ double paddingOf(const std::string& link, const Selection& selection) {
   return found == selection.link_padding.end() ? selection.padding : found->second;
 }
 
-/// A mesh element of a bounded link: where its points go once they are there.
+/// A mesh element, and the shape that gets its points when they are loaded.
 struct Request {
   const Element* element;
-  std::size_t link;
-  std::size_t shape;
+  std::size_t link;   ///< index in BoundedRobot::links
+  std::size_t shape;  ///< index in BoundedLink::shapes
   MeshFile file;
 };
 
-/// Collects the links and what is wrong with them.
 struct Draft {
   BoundedRobot robot;
   std::vector<Request> requests;
 
-  /// One message per element; the link keeps all of them as its reason.
+  /// Adds a message to the robot's problems, and to what the link misses.
   void addProblem(BoundedLink& link, Purpose purpose, std::size_t number, const std::string& uri,
                   const std::string& reason) {
     std::string what = std::string(toText(purpose)) + " " + std::to_string(number);
@@ -62,8 +60,10 @@ void addMesh(Draft& draft, BoundedLink& link, const Element& element, const Mesh
   }
 }
 
-void addLink(Draft& draft, const Link& source_link, const Selection& selection,
+/// Adds a link if it has selected geometry, usable or not.
+void addLink(Draft& draft, const Robot& robot, std::size_t index, const Selection& selection,
              const MeshSource& source) {
+  const Link& source_link = robot.links[index];
   BoundedLink link;
   link.name = source_link.name;
   link.padding = paddingOf(link.name, selection);
@@ -80,11 +80,13 @@ void addLink(Draft& draft, const Link& source_link, const Selection& selection,
       addMesh(draft, link, element, source);
     }
   }
-  if (!link.shapes.empty() || !link.isWhole()) draft.robot.links.push_back(std::move(link));
+  if (link.shapes.empty() && link.isWhole()) return;
+  draft.robot.links.push_back(std::move(link));
+  draft.robot.indices.push_back(index);
 }
 
-/// Puts the loaded points in their places; what failed to load becomes a problem.
-void fillIn(Draft& draft, const std::vector<LoadedMesh>& meshes) {
+/// Gives the shapes their points; each mesh that failed to load becomes a problem.
+void addPoints(Draft& draft, const std::vector<LoadedMesh>& meshes) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const Request& request = draft.requests[i];
     BoundedLink& link = draft.robot.links[request.link];
@@ -99,7 +101,7 @@ void fillIn(Draft& draft, const std::vector<LoadedMesh>& meshes) {
   }
 }
 
-/// A mesh that has no points would otherwise count as a point at its origin.
+/// Whether it is a mesh that failed to load, which would count as a point at its origin.
 bool isEmpty(const Shape& shape) {
   return shape.solid == Solid::kNone && !shape.points;
 }
@@ -109,8 +111,8 @@ void dropEmptyShapes(BoundedLink& link) {
                     link.shapes.end());
 }
 
-/// By link. To be called when all shapes are there, also the empty ones, by whose places meshes are
-/// found; the result has none of these.
+/// The shapes of each link but the empty ones, with their triangles. To be called before
+/// dropEmptyShapes, which changes the indices that requests hold.
 std::vector<std::vector<DivisibleShape>> divisibleShapes(const Draft& draft,
                                                          const std::vector<LoadedMesh>& meshes) {
   std::vector<std::vector<DivisibleShape>> divisible;
@@ -129,11 +131,10 @@ std::vector<std::vector<DivisibleShape>> divisibleShapes(const Draft& draft,
   return divisible;
 }
 
-/// To be called when no link has an empty shape any more: a link that cannot be split is its own
-/// part.
-void addParts(const std::vector<std::vector<DivisibleShape>>& divisible, std::size_t most,
+/// To be called after dropEmptyShapes: the only part of a link that cannot be split is the link.
+void addParts(const std::vector<std::vector<DivisibleShape>>& divisible, std::size_t max_parts,
               BoundedRobot& robot) {
-  LinkSplitter splitter(most);
+  LinkSplitter splitter(max_parts);
   for (std::size_t i = 0; i < divisible.size(); ++i)
     robot.parts.push_back(splitter.split(robot.links[i], divisible[i]));
 }
@@ -143,8 +144,8 @@ void addParts(const std::vector<std::vector<DivisibleShape>>& divisible, std::si
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store) {
   Draft draft;
-  for (const Link& link : robot.links) {
-    if (isSelected(link, selection)) addLink(draft, link, selection, source);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (isSelected(robot.links[i], selection)) addLink(draft, robot, i, selection, source);
   }
   std::vector<MeshFile> files;
   for (const Request& request : draft.requests)
@@ -152,7 +153,7 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   const bool has_parts = selection.parts_per_link > 1;
   const std::vector<LoadedMesh> meshes = store.load(
       files, source.progress, has_parts ? MeshContent::kPointsAndTriangles : MeshContent::kPoints);
-  fillIn(draft, meshes);
+  addPoints(draft, meshes);
   std::vector<std::vector<DivisibleShape>> divisible;
   if (has_parts) divisible = divisibleShapes(draft, meshes);
   for (BoundedLink& link : draft.robot.links)

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "benchmark_main.h"
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "machine.h"
 #include "robot/worker/mesh_import.h"
@@ -85,7 +85,7 @@ class RestingRobot {
   BoundedRobot bounded(int level) {
     Selection selection;
     selection.parts_per_link = level;
-    return boundRobot(robot_, selection, {package_path_, "", nullptr}, store_);
+    return loader_.load(robot_, selection, {package_path_});
   }
 
   /// Called from several threads.
@@ -122,7 +122,7 @@ class RestingRobot {
   std::map<std::string, Eigen::Isometry3d> poses_;
   std::mutex mutex_;
   std::map<std::string, TriangleMesh> read_;
-  MeshStore store_{[this](const MeshFile& file) { return imported(file); }};
+  RobotLoader loader_{[this](const MeshFile& file) { return imported(file); }};
   BoundedRobot whole_;
 };
 

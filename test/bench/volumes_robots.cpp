@@ -29,21 +29,18 @@ MeasuredRobot readRobot(const fs::path& urdf, const PackagePath& package_path,
   std::ostringstream text;
   text << std::ifstream(urdf).rdbuf();
   MeasuredRobot result{urdf.stem().string(), parseRobot(text.str()), {}, {}};
-  MeshStore store([](const MeshFile& file) { return importMesh(file); });
-  const MeshSource source{package_path, urdf.parent_path().string(), nullptr};
-  const BoundedRobot bounded = boundRobot(result.robot, Selection(), source, store);
-  const std::vector<Link>& links = result.robot.links;
-  for (const BoundedLink& link : bounded.links) {
+  RobotLoader loader([](const MeshFile& file) { return importMesh(file); });
+  const MeshSource source{package_path, urdf.parent_path().string()};
+  const BoundedRobot bounded = loader.load(result.robot, Selection(), source);
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    const BoundedLink& link = bounded.links[i];
     if (!link.isWhole() || isFlat(link)) {
       notes << "left out, because it is flat or not whole: link " << link.name << " of "
             << result.name << "\n";
       continue;
     }
-    const auto found = std::find_if(links.begin(), links.end(), [&link](const Link& candidate) {
-      return candidate.name == link.name;
-    });
     result.links.push_back(link);
-    result.index.push_back(static_cast<std::size_t>(found - links.begin()));
+    result.index.push_back(bounded.indices[i]);
   }
   return result;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 
 namespace link_bounds::bench {
 

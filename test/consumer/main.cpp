@@ -4,9 +4,9 @@
 //
 // usage: link_bounds_consumer URDF PACKAGES JOINT VALUE, where PACKAGES is a folder of packages
 #include <link_bounds/AxisAlignedBoxArray.h>
-#include <link_bounds/robot/bounded_robot.h>
+#include <link_bounds/robot/robot_loader.h>
 #include <link_bounds/robot/urdf/kinematics.h>
-#include <link_bounds/robot/worker/mesh_process.h>
+#include <link_bounds/ros/messages.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -18,47 +18,17 @@ namespace {
 using link_bounds::AxisAlignedBox;
 using link_bounds::AxisAlignedBoxArray;
 
-link_bounds::Robot readRobot(const char* file) {
-  std::ifstream in(file);
-  return link_bounds::parseRobot({std::istreambuf_iterator<char>(in), {}});
-}
-
-/// The links that have geometry, with all their meshes.
-link_bounds::BoundedRobot boundRobot(const link_bounds::Robot& robot, const std::string& packages) {
-  const std::string worker = link_bounds::meshWorker();
-  link_bounds::MeshStore store([&worker](const link_bounds::MeshFile& file) {
-    return link_bounds::importInProcess(worker, file, link_bounds::MeshLimits());
-  });
-  link_bounds::MeshSource source;
-  source.package_path = [&packages](const std::string& name) { return packages + "/" + name; };
-  return link_bounds::boundRobot(robot, link_bounds::Selection(), source, store);
-}
-
-AxisAlignedBox toMessage(const std::string& name, const link_bounds::Aabb& box) {
-  AxisAlignedBox message;
-  message.name = name;
-  message.min.x = box.min().x();
-  message.min.y = box.min().y();
-  message.min.z = box.min().z();
-  message.max.x = box.max().x();
-  message.max.y = box.max().y();
-  message.max.z = box.max().z();
-  return message;
-}
-
-/// In the frame of the root link, those of links in the order of the URDF.
-AxisAlignedBoxArray boxesOf(const link_bounds::Robot& robot,
-                            const link_bounds::BoundedRobot& bounded,
+/// In the frame of the root link, in the order of the URDF.
+AxisAlignedBoxArray boxesOf(const link_bounds::LoadedRobot& loaded,
                             const std::map<std::string, double>& joints) {
+  const auto& [robot, bounded] = loaded;
   const auto poses = linkPoses(robot, jointValues(robot, joints));
   AxisAlignedBoxArray result;
   result.header.frame_id = robot.links[robot.root].name;
-  for (const link_bounds::BoundedLink& link : bounded.links) {
-    std::size_t i = 0;
-    while (robot.links[i].name != link.name)
-      ++i;
-    const auto box = linkBox(link, Eigen::Affine3d(poses[i]));
-    if (box) result.boxes.push_back(toMessage(link.name, *box));
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    const link_bounds::BoundedLink& link = bounded.links[i];
+    const auto box = linkBox(link, Eigen::Affine3d(poses[bounded.indices[i]]));
+    if (box) result.boxes.push_back(link_bounds::toMessage(link.name, *box));
     if (!link.isWhole() || !box) result.incomplete.push_back(link.name);
   }
   return result;
@@ -68,11 +38,13 @@ AxisAlignedBoxArray boxesOf(const link_bounds::Robot& robot,
 
 int main(int argc, char** argv) {
   if (argc != 5) return 2;
-  const link_bounds::Robot robot = readRobot(argv[1]);
-  const link_bounds::BoundedRobot bounded = boundRobot(robot, argv[2]);
-  for (const std::string& problem : bounded.problems)
+  std::ifstream file(argv[1]);
+  const std::string urdf(std::istreambuf_iterator<char>(file), {});
+  const auto folder_of = [&](const std::string& package) { return argv[2] + ("/" + package); };
+  const link_bounds::LoadedRobot loaded = link_bounds::loadRobot(urdf, {folder_of});
+  for (const std::string& problem : loaded.bounded.problems)
     std::fprintf(stderr, "%s\n", problem.c_str());
-  const AxisAlignedBoxArray boxes = boxesOf(robot, bounded, {{argv[3], std::atof(argv[4])}});
+  const AxisAlignedBoxArray boxes = boxesOf(loaded, {{argv[3], std::atof(argv[4])}});
   for (const AxisAlignedBox& box : boxes.boxes)
     std::printf("%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", box.name.c_str(), box.min.x, box.min.y,
                 box.min.z, box.max.x, box.max.y, box.max.z);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// boundRobot with an importer that remembers.
+// A RobotLoader whose importer keeps each mesh.
 #include "mesh_robot.h"
 
 #include <filesystem>
 #include <mutex>
 
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/worker/mesh_process.h"
 #include "testing/brute_force.h"
 
@@ -41,7 +41,7 @@ MeshRobot meshRobot(const std::string& folder, const std::vector<std::string>& f
     robot.links.push_back(meshLink(file));
   const std::string worker = meshWorker();
   std::mutex mutex;
-  MeshStore store([&](const MeshFile& file) {
+  RobotLoader loader([&](const MeshFile& file) {
     const std::string name = std::filesystem::path(file.path).filename();
     const double seconds = name == files.front() ? MeshLimits().timeout : timeout;
     TriangleMesh mesh = importInProcess(worker, file, {seconds, kMaxBytes});
@@ -49,9 +49,7 @@ MeshRobot meshRobot(const std::string& folder, const std::vector<std::string>& f
     result.meshes[name] = mesh;
     return mesh;
   });
-  MeshSource source;
-  source.base_folder = folder;
-  result.links = boundRobot(robot, Selection(), source, store).links;
+  result.links = loader.load(robot, Selection(), {nullptr, folder}).links;
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "fuzzing.h"
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "mutation.h"
 
@@ -43,18 +43,17 @@ void checkJoints(const Robot& robot) {
 
 /// Without meshes: all files are refused.
 void checkBoxes(const Robot& robot) {
-  MeshStore store([](const MeshFile&) -> TriangleMesh { throw MeshError("not here"); });
-  MeshSource source;
-  source.package_path = [](const std::string&) { return std::string(); };
+  RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not here"); });
+  const auto no_package = [](const std::string&) { return std::string(); };
   Selection all;
   all.collision = true;
   const std::vector<Eigen::Isometry3d> poses = linkPoses(robot, jointValues(robot, {}));
-  for (const BoundedLink& link : boundRobot(robot, all, source, store).links) {
-    const auto is_it = [&](const Link& candidate) { return candidate.name == link.name; };
-    const auto found = std::find_if(robot.links.begin(), robot.links.end(), is_it);
-    require(found != robot.links.end(), "a bounded link is a link");
-    const auto index = static_cast<std::size_t>(found - robot.links.begin());
-    const std::optional<Aabb> box = linkBox(link, Eigen::Affine3d(poses[index].matrix()));
+  const BoundedRobot bounded = loader.load(robot, all, {no_package});
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    const BoundedLink& link = bounded.links[i];
+    require(robot.links.at(bounded.indices[i]).name == link.name, "a bounded link is a link");
+    const Eigen::Affine3d pose(poses[bounded.indices[i]].matrix());
+    const std::optional<Aabb> box = linkBox(link, pose);
     require(!box || (box->min().allFinite() && box->max().allFinite()), "a box is finite");
   }
 }

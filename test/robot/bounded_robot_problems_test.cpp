@@ -3,7 +3,7 @@
 // What is said about geometry that is not bounded, and that everything else still is.
 #include <gtest/gtest.h>
 
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -30,11 +30,11 @@ class BoundRobotProblems : public testing::Test {
     const auto package_path = [this](const std::string& package) {
       return package == "arm" ? folder_ / "arm" : std::string();
     };
-    return boundRobot(robot, selection, {package_path, "", nullptr}, store_);
+    return loader_.load(robot, selection, {package_path, "", nullptr});
   }
 
   TemporaryFolder folder_;
-  MeshStore store_{[](const MeshFile& file) -> TriangleMesh {
+  RobotLoader loader_{[](const MeshFile& file) -> TriangleMesh {
     if (file.path.find("broken") != std::string::npos) throw MeshError("it has no triangle");
     return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   }};

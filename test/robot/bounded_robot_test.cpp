@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which links of a robot are bounded, by what, and with how much padding.
-#include "link_bounds/robot/bounded_robot.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
 
+#include "link_bounds/robot/robot_loader.h"
 #include "testing/brute_force.h"
 #include "testing/temporary_folder.h"
 
@@ -29,12 +28,12 @@ class BoundRobot : public testing::Test {
  protected:
   BoundedRobot bound(const std::string& content, const Selection& selection = {}) {
     const Robot robot = parseRobot("<robot name='r'>" + content + "</robot>");
-    return boundRobot(robot, selection, {nullptr, folder_.path().string(), nullptr}, store_);
+    return loader_.load(robot, selection, {nullptr, folder_.path().string(), nullptr});
   }
 
   TemporaryFolder folder_;
   std::atomic<int> imports_{0};
-  MeshStore store_{[this](const MeshFile& file) {
+  RobotLoader loader_{[this](const MeshFile& file) {
     ++imports_;
     return tetrahedron(file);
   }};
@@ -164,14 +163,13 @@ TEST_F(BoundRobot, LinksWithoutSelectedGeometryAreAbsent) {
   EXPECT_TRUE(robot.problems.empty());
 }
 
-TEST_F(BoundRobot, TellsProgressOnTheFiles) {
+TEST_F(BoundRobot, ReportsProgressOfTheFiles) {
   folder_.write("part.stl");
   std::size_t last = 0;
   const Robot robot = parseRobot("<robot name='r'>" + meshLink("m", "1 1 1") + "</robot>");
-  boundRobot(robot, {},
-             {nullptr, folder_.path().string(),
-              [&](std::size_t done, std::size_t total) { last = 10 * done + total; }},
-             store_);
+  loader_.load(robot, {},
+               {nullptr, folder_.path().string(),
+                [&](std::size_t done, std::size_t total) { last = 10 * done + total; }});
   EXPECT_EQ(last, 11u);
 }
 

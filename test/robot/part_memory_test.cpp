@@ -8,7 +8,7 @@
 #include <limits>
 #include <new>
 
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "testing/part_meshes.h"
 #include "testing/temporary_folder.h"
 
@@ -63,7 +63,7 @@ class PartMemory : public testing::Test {
                  "'/></geometry></visual>";
     }
     const Robot robot = parseRobot("<robot name='r'><link name='l'>" + visuals + "</link></robot>");
-    MeshStore store([](const MeshFile& file) -> TriangleMesh {
+    RobotLoader loader([](const MeshFile& file) -> TriangleMesh {
       if (file.path.find("bad") != std::string::npos) throw std::bad_alloc();
       return hook(60, 40);
     });
@@ -73,7 +73,7 @@ class PartMemory : public testing::Test {
     Selection selection;
     selection.parts_per_link = 8;
     const BoundedRobot bounded =
-        boundRobot(robot, selection, {nullptr, folder_.path().string(), end_memory}, store);
+        loader.load(robot, selection, {nullptr, folder_.path().string(), end_memory});
     limit = kNoLimit;
     return bounded;
   }

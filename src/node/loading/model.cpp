@@ -96,15 +96,12 @@ KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& s
   return known;
 }
 
-/// The bodies of those links that are bounded, by their numbers there.
-RigidBodies bodiesOf(const Robot& robot, const std::vector<BoundedLink>& links) {
-  std::map<std::string, std::size_t> numbers;
-  for (const Link& link : robot.links)
-    numbers.emplace(link.name, numbers.size());
+/// The bodies of some links, which `indices` gives in the order of the result.
+RigidBodies bodiesOf(const Robot& robot, const std::vector<std::size_t>& indices) {
   const RigidBodies all = rigidBodies(robot);
   RigidBodies bodies{{}, all.parents};
-  for (const BoundedLink& link : links)
-    bodies.of_links.push_back(all.of_links[numbers.at(link.name)]);
+  for (const std::size_t index : indices)
+    bodies.of_links.push_back(all.of_links[index]);
   return bodies;
 }
 
@@ -188,11 +185,17 @@ Model modelWithoutRobot(const Parameters& parameters) {
   return model;
 }
 
-Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store) {
+MeshSource meshSource(const Parameters& parameters) {
+  const MeshLimits limits{parameters.mesh_timeout,
+                          static_cast<std::uint64_t>(parameters.max_mesh_bytes)};
+  return {rosPackages(), "", nullptr, limits};
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader) {
   const Robot robot = parseRobot(description);
   checkIgnoredPairs(parameters, linkNames(robot));
   const Selection selection = selectionOf(parameters);
-  BoundedRobot bounded = boundRobot(robot, selection, {rosPackages(), "", {}}, store);
+  BoundedRobot bounded = loader.load(robot, selection, meshSource(parameters));
   Model model;
   model.parameters = parameters;
   model.fixed_frame = parameters.fixed_frame.empty()
@@ -204,7 +207,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Me
     model.frames.push_back(tfName(parameters.tf_prefix, link.name));
   }
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
-  model.bodies = bodiesOf(robot, model.links);
+  model.bodies = bodiesOf(robot, bounded.indices);
   model.ignored_pairs = NamePairs(ignoredPairs(parameters, linkNames(robot)));
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());

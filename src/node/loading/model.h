@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/box/box_groups.h"
-#include "link_bounds/robot/bounded_robot.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "node/names/object_key.h"
 #include "node/parameters/parameters.h"
@@ -43,7 +43,10 @@ std::string tfName(const std::string& tf_prefix, const std::string& link);
 /// For objects alone, while there is no description; parameters must name the fixed frame.
 Model modelWithoutRobot(const Parameters& parameters);
 
+/// Meshes of packages and of file URIs, within the limits that the parameters set.
+MeshSource meshSource(const Parameters& parameters);
+
 /// Parses the description and loads its meshes. Throws RobotError, ParameterError.
-Model makeModel(const std::string& description, const Parameters& parameters, MeshStore& store);
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader);
 
 }  // namespace link_bounds

@@ -7,14 +7,11 @@
 #include <ros/init.h>
 #include <ros/this_node.h>
 
-#include "link_bounds/robot/worker/mesh_process.h"
 #include "node/loading/mesh_remedy.h"
-#include "node/loading/object_meshes.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
 #include "node/threads/queued_function.h"
 #include "node/threads/start_thread.h"
-#include "packages/package_path.h"
 
 namespace link_bounds {
 namespace {
@@ -58,8 +55,7 @@ ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(Model
     : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
       on_mesh_(std::move(on_mesh)),
       server_([this] { return isToEnd(); }),
-      worker_(meshWorker()),
-      store_([this](const MeshFile& file) { return import(file); }, nodeRemedy) {
+      robot_loader_(nodeRemedy, [this] { return isToEnd(); }) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =
@@ -136,19 +132,12 @@ void ModelLoader::loadRequestedMeshes() {
     uris.swap(requests_);
   }
   if (uris.empty()) return;
-  const std::vector<LoadedMesh> meshes = loadObjectMeshes(uris, rosPackages(), store_);
+  const std::vector<LoadedMesh> meshes = robot_loader_.loadMeshes(uris, meshSource(parameters_));
   for (std::size_t i = 0; i < uris.size(); ++i) {
     enqueue(*ros::getGlobalCallbackQueue(),
             [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); });
   }
   trimHeap();
-}
-
-/// Called from several threads while load() waits; a node that ends does not wait for meshes.
-TriangleMesh ModelLoader::import(const MeshFile& file) const {
-  const MeshLimits limits{parameters_.mesh_timeout,
-                          static_cast<std::uint64_t>(parameters_.max_mesh_bytes)};
-  return importInProcess(worker_, file, limits, [this] { return isToEnd(); });
 }
 
 /// Throws NoDescription.
@@ -172,7 +161,7 @@ void ModelLoader::load(XmlRpc::XmlRpcValue description) {
   }
   waits_for_description_ = false;
   const auto model = std::make_shared<const Model>(
-      makeModel(static_cast<std::string&>(description), parameters_, store_));
+      makeModel(static_cast<std::string&>(description), parameters_, robot_loader_));
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
   refused_.clear();
@@ -197,7 +186,7 @@ bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 }
 
 void ModelLoader::reload() {
-  store_.forgetFailures();
+  robot_loader_.forgetFailures();
   parameters_ = readParametersAndWarn(server_);
   try {
     load(readDescription());

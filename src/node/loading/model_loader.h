@@ -15,7 +15,6 @@
 #include <thread>
 #include <vector>
 
-#include "link_bounds/robot/mesh/mesh_store.h"
 #include "node/loading/model.h"
 #include "node/loading/model_hand_over.h"
 #include "node/parameters/parameter_server.h"
@@ -60,7 +59,6 @@ class ModelLoader {
   void serveObjectsMeanwhile();
   void loadRequestedMeshes();
   XmlRpc::XmlRpcValue readDescription() const;
-  TriangleMesh import(const MeshFile& file) const;
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void sayWaiting(const std::string& reason);
   bool handOver(ModelPtr model);
@@ -69,8 +67,7 @@ class ModelLoader {
   ModelHandOver hand_over_;
   MeshHandler on_mesh_;
   ParameterServer server_;
-  std::string worker_;
-  MeshStore store_;
+  RobotLoader robot_loader_;
   Parameters parameters_;
   bool has_loaded_ = false;      ///< a robot
   bool serves_objects_ = false;  ///< though there is no robot

@@ -17,8 +17,8 @@ constexpr char kUrdf[] = R"(<robot name="r">
 </robot>)";
 
 Model modelWith(const Parameters& parameters) {
-  MeshStore store([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
-  return makeModel(kUrdf, parameters, store);
+  RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
+  return makeModel(kUrdf, parameters, loader);
 }
 
 TEST(TfName, JoinsWithOneSlash) {

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// From a robot description and its mesh files to the links that get a box.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/robot/mesh/mesh_store.h"
+#include "link_bounds/robot/urdf/robot.h"
+#include "link_bounds/robot/worker/mesh_process.h"
+
+namespace link_bounds {
+
+/// Which links are bounded, and by what.
+struct Selection {
+  bool visual = true;
+  bool collision = false;
+  std::vector<std::string> links;              ///< only these; empty: every link with geometry
+  std::vector<std::string> ignore_links;       ///< none of these
+  double padding = 0;                          ///< metres, >= 0
+  std::map<std::string, double> link_padding;  ///< replaces padding for that link
+  int parts_per_link = 1;                      ///< max number of parts of a link, >= 1
+};
+
+/// Where mesh files are found, and what reading one may take.
+struct MeshSource {
+  PackagePath package_path = {};  ///< may be null if no mesh URI names a package
+  std::string base_folder = {};   ///< of relative mesh names; "" = they are refused
+  LoadProgress progress = {};     ///< may be null
+  MeshLimits limits = {};
+};
+
+struct BoundedRobot {
+  std::vector<BoundedLink> links;     ///< selected and with geometry, in the order of the URDF
+  std::vector<std::size_t> indices;   ///< of each of `links` its index in Robot::links
+  std::vector<std::string> problems;  ///< one per element that is not bounded: link, element,
+                                      ///< file, reason, remedy
+  std::map<std::string, std::shared_ptr<const PointSet>> meshes;  ///< those in use, by real path
+  /// The parts of each link, with its name, padding and missing geometry; none for a link without
+  /// shapes. Empty if parts_per_link is 1.
+  std::vector<std::vector<BoundedLink>> parts;
+};
+
+/// Loads the meshes of robots and of single objects. Owns the store of what has been read: as long
+/// as points are in use, a further load shares them and reads only files that have changed.
+/// Not thread-safe.
+class RobotLoader {
+ public:
+  /// Each mesh file is read by a process of its own. `remedy` words what a user can do about a mesh
+  /// that cannot be used; `is_cancelled`, which may be null, is called from several threads and
+  /// ends a load early.
+  explicit RobotLoader(MeshRemedy remedy = plainRemedy,
+                       std::function<bool()> is_cancelled = nullptr);
+
+  /// Mesh files are read by `importer`, which MeshSource::limits do not concern.
+  explicit RobotLoader(MeshImporter importer, MeshRemedy remedy = plainRemedy);
+
+  RobotLoader(const RobotLoader&) = delete;
+  RobotLoader& operator=(const RobotLoader&) = delete;
+
+  /// Geometry that cannot be used throws nothing: its link is then incomplete.
+  BoundedRobot load(const Robot& robot, const Selection& selection, const MeshSource& source);
+
+  /// One result per mesh URI, in order; an error names the file, the reason and the remedy. Throws
+  /// nothing but std::bad_alloc where not even the errors fit into memory.
+  std::vector<LoadedMesh> loadMeshes(const std::vector<std::string>& uris,
+                                     const MeshSource& source);
+
+  /// Until then, files that could not be read are not read again.
+  void forgetFailures() { store_.forgetFailures(); }
+
+ private:
+  std::vector<LoadedMesh> loadResolved(const std::vector<std::string>& uris,
+                                       const MeshSource& source);
+  std::string wording(const std::exception& error) const;
+
+  MeshLimits limits_;  ///< of the load that is under way
+  MeshRemedy remedy_;
+  MeshStore store_;
+};
+
+struct LoadedRobot {
+  Robot robot;
+  BoundedRobot bounded;
+};
+
+/// Parses the URDF and loads the meshes of the selected links, once. Throws RobotError if the text
+/// cannot be used as a URDF; what is wrong with single elements is in BoundedRobot::problems.
+LoadedRobot loadRobot(const std::string& urdf, const MeshSource& source,
+                      const Selection& selection = {});
+
+}  // namespace link_bounds

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What RobotLoader::load does, with its store.
+#pragma once
+
+#include "link_bounds/robot/robot_loader.h"
+
+namespace link_bounds {
+
+/// Selects links and loads their meshes by the store. Bad geometry makes its link incomplete.
+BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
+                        MeshStore& store);
+
+}  // namespace link_bounds

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The store with mesh_worker as its importer.
+#include "link_bounds/robot/robot_loader.h"
+
+#include <new>
+
+#include "robot/bounded_robot.h"
+
+namespace link_bounds {
+
+RobotLoader::RobotLoader(MeshRemedy remedy, std::function<bool()> is_cancelled)
+    : RobotLoader(
+          [this, worker = meshWorker(),
+           is_cancelled = std::move(is_cancelled)](const MeshFile& file) {
+            return importInProcess(worker, file, limits_, is_cancelled);
+          },
+          std::move(remedy)) {}
+
+RobotLoader::RobotLoader(MeshImporter importer, MeshRemedy remedy)
+    : remedy_(std::move(remedy)), store_(std::move(importer), remedy_) {}
+
+BoundedRobot RobotLoader::load(const Robot& robot, const Selection& selection,
+                               const MeshSource& source) {
+  limits_ = source.limits;
+  return boundRobot(robot, selection, source, store_);
+}
+
+std::vector<LoadedMesh> RobotLoader::loadMeshes(const std::vector<std::string>& uris,
+                                                const MeshSource& source) {
+  limits_ = source.limits;
+  try {
+    return loadResolved(uris, source);
+  } catch (const std::exception& error) {
+    return {uris.size(), LoadedMesh{nullptr, wording(error)}};
+  }
+}
+
+/// Resolves all URIs first, so that the files load side by side.
+std::vector<LoadedMesh> RobotLoader::loadResolved(const std::vector<std::string>& uris,
+                                                  const MeshSource& source) {
+  std::vector<LoadedMesh> results(uris.size());
+  std::vector<MeshFile> files;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < uris.size(); ++i) {
+    try {
+      files.push_back(resolveMeshUri(uris[i], source.package_path, source.base_folder));
+      places.push_back(i);
+    } catch (const std::exception& error) {
+      results[i].error = wording(error);
+    }
+  }
+  const std::vector<LoadedMesh> loaded = store_.load(files, source.progress);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    LoadedMesh& result = results[places[i]];
+    result = loaded[i];
+    if (!result.points) result.error = "cannot use " + files[i].path + ": " + result.error;
+  }
+  return results;
+}
+
+/// For the user. Reasons of resolveMeshUri contain their remedy.
+std::string RobotLoader::wording(const std::exception& error) const {
+  if (dynamic_cast<const MeshError*>(&error)) return error.what();
+  if (dynamic_cast<const std::bad_alloc*>(&error)) {
+    return "it does not fit into memory; " + remedy_(MeshFault::kComputer);
+  }
+  return std::string("unexpected: ") + error.what() + "; " + remedy_(MeshFault::kCancelled);
+}
+
+LoadedRobot loadRobot(const std::string& urdf, const MeshSource& source,
+                      const Selection& selection) {
+  LoadedRobot result{parseRobot(urdf), {}};
+  result.bounded = RobotLoader().load(result.robot, selection, source);
+  return result;
+}
+
+}  // namespace link_bounds

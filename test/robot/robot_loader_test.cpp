@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One call from a description to boxes; single meshes; limits; and what stays from load to load.
+#include "link_bounds/robot/robot_loader.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "testing/temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr char kTriangle[] =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\n"
+    "endfacet\nendsolid s\n";
+
+TriangleMesh readTriangle(const MeshFile&) {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+}
+
+std::string robotWith(const std::string& mesh) {
+  return "<robot name='r'><link name='bare'/><link name='arm'><visual><geometry><mesh filename='" +
+         mesh +
+         "'/></geometry></visual></link><joint name='j' type='fixed'><parent link='bare'/>"
+         "<child link='arm'/></joint></robot>";
+}
+
+class RobotLoaderTest : public testing::Test {
+ protected:
+  RobotLoaderTest() { folder_.write("arm/a.stl", kTriangle); }
+
+  PackagePath packages() const {
+    return [this](const std::string& package) { return folder_ / package; };
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RobotLoaderTest, OneCallGivesTheRobotAndItsLinks) {
+  const auto [robot, bounded] = loadRobot(robotWith("package://arm/a.stl"), {packages()});
+  ASSERT_EQ(robot.links.size(), 2u);
+  ASSERT_EQ(bounded.links.size(), 1u);
+  EXPECT_EQ(bounded.indices, std::vector<std::size_t>{1});
+  EXPECT_EQ(robot.links[bounded.indices[0]].name, bounded.links[0].name);
+  const auto box = linkBox(bounded.links[0], Eigen::Affine3d::Identity());
+  ASSERT_TRUE(box);
+  EXPECT_NEAR(box->max().y(), 2, 1e-12);
+}
+
+TEST_F(RobotLoaderTest, OneCallTakesABaseFolderLimitsAndASelection) {
+  const std::string urdf = robotWith("a.stl");
+  EXPECT_EQ(loadRobot(urdf, {}).bounded.problems.size(), 1u);
+  EXPECT_TRUE(loadRobot(urdf, {nullptr, folder_ / "arm"}).bounded.problems.empty());
+  const MeshSource small{nullptr, folder_ / "arm", nullptr, {30, sizeof(kTriangle) - 2}};
+  const BoundedRobot refused = loadRobot(urdf, small).bounded;
+  ASSERT_EQ(refused.problems.size(), 1u);
+  EXPECT_NE(refused.problems[0].find("bytes are more than the"), std::string::npos);
+  Selection collision;
+  collision.visual = false;
+  collision.collision = true;
+  EXPECT_TRUE(loadRobot(urdf, {}, collision).bounded.links.empty());
+  EXPECT_THROW(loadRobot("<robot", {}), RobotError);
+}
+
+TEST_F(RobotLoaderTest, ALaterLoadSharesPointsInUseAndTakesItsOwnLimits) {
+  RobotLoader loader;
+  const Robot robot = parseRobot(robotWith("package://arm/a.stl"));
+  const MeshSource small{packages(), "", nullptr, {30, 10}};
+  EXPECT_EQ(loader.load(robot, {}, small).problems.size(), 1u);
+  EXPECT_EQ(loader.load(robot, {}, {packages()}).problems.size(), 1u) << "it remembers failures";
+  loader.forgetFailures();
+  const BoundedRobot first = loader.load(robot, {}, {packages()});
+  ASSERT_TRUE(first.problems.empty());
+  const BoundedRobot second = loader.load(robot, {}, {packages()});
+  EXPECT_EQ(second.links.at(0).shapes.at(0).points, first.links.at(0).shapes.at(0).points);
+  const auto object = loader.loadMeshes({"file://" + folder_ / "arm/a.stl"}, {});
+  EXPECT_EQ(object.at(0).points, first.links.at(0).shapes.at(0).points);
+}
+
+TEST_F(RobotLoaderTest, ACancelledLoadEndsEarly) {
+  RobotLoader loader(plainRemedy, [] { return true; });
+  const Robot robot = parseRobot(robotWith("package://arm/a.stl"));
+  const BoundedRobot bounded = loader.load(robot, {}, {packages()});
+  ASSERT_EQ(bounded.problems.size(), 1u);
+  EXPECT_NE(bounded.problems[0].find("reading it was cancelled; try again"), std::string::npos);
+}
+
+std::string folderOf(const std::string& package) {
+  if (package == "large") throw std::bad_alloc();
+  if (package == "odd") throw std::logic_error("it is odd");
+  return "";
+}
+
+std::string remedy(MeshFault fault) {
+  return fault == MeshFault::kComputer    ? "end some"
+         : fault == MeshFault::kCancelled ? "reload"
+                                          : "";
+}
+
+TEST_F(RobotLoaderTest, AnExceptionIsTheReasonOfThatMeshAlone) {
+  RobotLoader loader(readTriangle, remedy);
+  const auto meshes = loader.loadMeshes({"package://large/a.stl", "file://" + folder_ / "arm/a.stl",
+                                         "package://odd/a.stl", "package://missing/a.stl"},
+                                        {folderOf});
+  ASSERT_EQ(meshes.size(), 4u);
+  EXPECT_FALSE(meshes[0].points);
+  EXPECT_EQ(meshes[0].error, "it does not fit into memory; end some");
+  EXPECT_TRUE(meshes[1].points);
+  EXPECT_EQ(meshes[1].error, "");
+  EXPECT_EQ(meshes[2].error, "unexpected: it is odd; reload");
+  EXPECT_NE(meshes[3].error.find("there is no package"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace link_bounds
