@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What assert_box demands and what it reports, without a ROS master: box_watch_test.py ASSERT_BOX"""
+import importlib.util
+import math
+import sys
+import unittest
+from importlib.machinery import SourceFileLoader
+from xml.etree import ElementTree
+
+from geometry_msgs.msg import Point
+from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
+from std_msgs.msg import Header
+
+INF, NAN = math.inf, math.nan
+TOLERANCE = 1e-3  # m
+ROUNDING = 1e-12  # m
+
+
+def load_script(path):
+    """A program whose name does not end in .py, as a module."""
+    sys.dont_write_bytecode = True
+    loader = SourceFileLoader('assert_box', path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader('assert_box', loader))
+    loader.exec_module(module)
+    return module
+
+
+assert_box = load_script(sys.argv.pop())
+Box = assert_box.Box
+WANTED = Box((-1, -2, 0), (1, 2, 3))
+HALF = (math.cos(math.pi / 6) + math.sin(math.pi / 6)) / 2
+CUBE = Box((-HALF, -HALF, 1), (HALF, HALF, 2))  # around a cube of 1 m, turned by 30 degrees about z
+PALM_INSIDE = {'name': 'palm', 'min': [-1, -2, 0], 'max': [1.0, 2.0, 3.0], 'check': 'inside',
+               'hold': 1}
+
+
+def moved(box, x, y, z):
+    return Box(*(tuple(map(sum, zip(corner, (x, y, z)))) for corner in box))
+
+
+def grown(metres):
+    """Each side of WANTED further out, or further in."""
+    return Box(tuple(c - metres for c in WANTED.min), tuple(c + metres for c in WANTED.max))
+
+
+def with_coordinate(box, number, value):
+    """The first three are those of min."""
+    corners = [*box.min, *box.max]
+    corners[number] = value
+    return Box(tuple(corners[:3]), tuple(corners[3:]))
+
+
+def assertion(check, wanted=WANTED):
+    return assert_box.Assertion('/boxes', 'palm', check, wanted, TOLERANCE, 10.0, 0.0)
+
+
+def message_of(name, box=CUBE, incomplete=()):
+    return AxisAlignedBoxArray(
+        header=Header(frame_id='world'), incomplete=list(incomplete),
+        boxes=[AxisAlignedBox(name=name, min=Point(*box.min), max=Point(*box.max))])
+
+
+class Checks(unittest.TestCase):
+    def check(self, is_kept, check, box, wanted=WANTED):
+        with self.subTest(box=box):
+            self.assertEqual(assertion(check, wanted).is_kept([box]), is_kept)
+
+    def check_excess(self, check, box, metres):
+        self.assertAlmostEqual(assertion(check).excess(box), metres, delta=ROUNDING)
+
+    def test_equal_compares_each_coordinate(self):
+        self.check(True, 'equal', WANTED)
+        coordinates = [*WANTED.min, *WANTED.max]
+        for number, value in enumerate(coordinates):
+            for step in (-TOLERANCE, TOLERANCE):
+                far = with_coordinate(WANTED, number, value + 1.1 * step)
+                self.check(True, 'equal', with_coordinate(WANTED, number, value + 0.9 * step))
+                self.check(False, 'equal', far)
+                self.check_excess('equal', far, 1.1 * TOLERANCE)
+
+    def test_inside_grows_the_zone_by_the_tolerance(self):
+        self.check(True, 'inside', CUBE)
+        self.check(True, 'inside', grown(0.9 * TOLERANCE))
+        for axis in range(3):
+            for sign in (-1, 1):
+                step = [0, 0, 0]
+                step[axis] = sign * 1.1 * TOLERANCE
+                self.check(False, 'inside', moved(WANTED, *step))
+                self.check_excess('inside', moved(WANTED, *step), 1.1 * TOLERANCE)
+
+    def test_outside_needs_one_axis_without_overlap(self):
+        touching = 1 + HALF  # m along x
+        for sign in (-1, 1):
+            self.check(True, 'outside', moved(CUBE, sign * touching, 0, 0))
+            self.check(True, 'outside', moved(CUBE, sign * (touching - 0.9e-3), 0, 0))
+            self.check(False, 'outside', moved(CUBE, sign * (touching - 1.1e-3), 0, 0))
+        self.check(True, 'outside', moved(CUBE, 0, 0, 2))
+        self.check(False, 'outside', CUBE)
+
+    def test_a_flat_box_across_the_zone_is_not_outside(self):
+        self.check(False, 'outside', Box((-5, -5, 1), (5, 5, 1)))
+
+    def test_a_box_partly_inside_is_neither(self):
+        self.check(False, 'inside', moved(CUBE, 1, 0, 0))
+        self.check(False, 'outside', moved(CUBE, 1, 0, 0))
+
+    def test_an_infinite_side_is_no_limit(self):
+        half_space = Box((-INF, -INF, 0), (INF, INF, INF))
+        self.check(True, 'inside', CUBE, half_space)
+        self.check(False, 'inside', moved(CUBE, 0, 0, -1.5), half_space)
+        self.check(True, 'outside', moved(CUBE, 0, 0, -2), half_space)
+        self.check(False, 'outside', CUBE, half_space)
+
+    def test_what_is_no_box_keeps_nothing(self):
+        inverted = moved(WANTED, 10, 0, 0)
+        inverted = Box((11, *inverted.min[1:]), (9, *inverted.max[1:]))
+        for check in ('equal', 'inside', 'outside'):
+            for number in range(6):
+                for value in (NAN, INF, -INF):
+                    self.check(False, check, with_coordinate(WANTED, number, value))
+            self.check(False, check, inverted)
+            self.check(False, check, Box((INF, -1, 0), (INF, 1, 1)))
+
+    def test_each_of_several_boxes_must_keep_it(self):
+        inside = assertion('inside')
+        self.assertTrue(inside.is_kept([CUBE, WANTED]))
+        self.assertFalse(inside.is_kept([CUBE, moved(WANTED, 0, 1, 0)]))
+        self.assertFalse(inside.is_kept([]))
+
+
+class Hold(unittest.TestCase):
+    def test_begins_anew_after_a_break(self):
+        hold = assert_box.Hold(2.0)
+        self.assertFalse(hold.is_kept(0.0))
+        hold.update(True, 1.0)
+        hold.update(True, 2.0)
+        self.assertFalse(hold.is_kept(2.9))
+        hold.update(False, 2.9)
+        self.assertFalse(hold.is_kept(4.0))
+        hold.update(True, 5.0)
+        self.assertFalse(hold.is_kept(6.9))
+        self.assertAlmostEqual(hold.longest(6.0), 1.9)
+        self.assertTrue(hold.is_kept(7.0))
+
+    def test_of_no_length_is_kept_at_once(self):
+        hold = assert_box.Hold(0.0)
+        self.assertFalse(hold.is_kept(1.0))
+        hold.update(True, 1.0)
+        self.assertTrue(hold.is_kept(1.0))
+
+    def test_stays_kept_whatever_comes_later(self):
+        at_once = assert_box.Hold(0.0)
+        at_once.update(True, 1.0)
+        at_once.update(False, 1.0)
+        self.assertTrue(at_once.is_kept(1.0))
+        hold = assert_box.Hold(2.0)
+        hold.update(True, 1.0)
+        hold.update(False, 3.0)
+        hold.update(True, 3.5)
+        self.assertTrue(hold.is_kept(3.6))
+
+
+class Parameters(unittest.TestCase):
+    def test_become_an_assertion(self):
+        self.assertEqual(assert_box.assertion_from(PALM_INSIDE), assert_box.Assertion(
+            '/link_bounds_publisher/boxes', 'palm', 'inside', WANTED, 1e-6, 10.0, 1))
+
+    def test_are_checked_alone_and_together(self):
+        faults = (({'name': None}, 'must be a string'), ({'name': ''}, 'must not be empty'),
+                  ({'tolerance': True}, 'must be a number'),
+                  ({'tolerance': INF}, 'must be a finite number >= 0'),
+                  ({'min': [0.0, 0.0, NAN]}, 'must not hold NaN'),
+                  ({'min': [0.0, 2.1, 0.0]}, '~min must not be greater'),
+                  ({'hold': 10.0}, '~hold must be less than ~deadline'),
+                  ({'check': 'equal', 'max': [1.0, 2.0, INF]}, 'must be finite'),
+                  ({'tolerence': 0.1}, '~tolerence is unknown'))
+        for change, text in faults:
+            with self.subTest(change):
+                with self.assertRaisesRegex(assert_box.ParameterError, text):
+                    assert_box.assertion_from(dict(PALM_INSIDE, **change))
+
+    def test_name_and_corners_are_required(self):
+        for name in ('name', 'min', 'max'):
+            without = {key: value for key, value in PALM_INSIDE.items() if key != name}
+            with self.assertRaisesRegex(assert_box.ParameterError, f'~{name} is required'):
+                assert_box.assertion_from(without)
+
+
+class Watch(unittest.TestCase):
+    def setUp(self):
+        self.watch = assert_box.BoxWatch(assert_box.assertion_from(PALM_INSIDE))
+
+    def check_failure(self, *texts):
+        self.assertFalse(self.watch.is_passed(9.0))
+        for text in texts:
+            self.assertIn(text, self.watch.failure(9.0))
+
+    def test_passes_after_the_hold_without_further_messages(self):
+        self.watch.see(message_of('palm'), 1.0)
+        self.assertFalse(self.watch.is_passed(1.9))
+        self.assertTrue(self.watch.is_passed(2.0))
+
+    def test_passes_though_the_break_came_before_it_was_asked(self):
+        """The watch is asked now and then; many messages may come in between."""
+        self.watch.see(message_of('palm'), 1.0)
+        self.watch.see(message_of('palm'), 2.5)
+        self.watch.see(message_of('thumb'), 2.5)
+        self.assertTrue(self.watch.is_passed(2.5))
+        self.assertTrue(self.watch.is_passed(9.0))
+
+    def test_a_missing_box_is_a_break(self):
+        self.watch.see(message_of('palm'), 1.0)
+        self.watch.see(message_of('thumb'), 1.5)
+        self.check_failure('Boxes: thumb', 'at most for 0.5 s', 'within 10 s',
+                           'last box: [-0.683012702, -0.683012702, 1] to '
+                           '[0.683012702, 0.683012702, 2] in frame "world"')
+
+    def test_an_incomplete_box_is_a_break(self):
+        self.watch.see(message_of('palm'), 1.0)
+        self.watch.see(message_of('palm', incomplete=['palm']), 1.5)
+        self.check_failure('incomplete')
+
+    def test_nothing_holds_without_a_publisher(self):
+        self.watch.see(message_of('palm'), 1.0)
+        self.watch.lose_publisher(1.5)
+        self.check_failure('nobody publishes')
+
+    def test_tells_how_far_off_the_box_is(self):
+        self.watch.see(message_of('palm', moved(CUBE, 0, 0, 1.25)), 1.0)
+        self.check_failure('off by 0.25 m')
+
+    def test_tells_that_nothing_came(self):
+        self.check_failure('no message came')
+
+
+class Report(unittest.TestCase):
+    def test_has_only_characters_of_xml(self):
+        failure = 'first\x01 <line>\nsecond \ufffe \udcff \x1b[2J'
+        root = ElementTree.fromstring(assert_box.junit_xml('a<b\x02', '"c" & d', 0.5, failure))
+        case = root.find('testcase')
+        self.assertEqual((root.get('name'), case.get('classname'), case.get('name')),
+                         ('a<b ', 'a<b ', '"c" & d'))
+        self.assertEqual(case.find('failure').get('message'), 'first  <line>')
+        self.assertEqual(case.find('failure').text, 'first  <line>\nsecond      [2J')
+        self.assertEqual((root.get('tests'), root.get('failures'), root.get('time')),
+                         ('1', '1', '0.500'))
+
+    def test_has_no_failure_when_all_is_well(self):
+        root = ElementTree.fromstring(assert_box.junit_xml('suite', 'test', 0.5, ''))
+        self.assertEqual(root.get('failures'), '0')
+        self.assertEqual(list(root.find('testcase')), [])
+
+    def test_an_exception_that_nobody_expects_is_a_failure(self):
+        verdict = assert_box.Verdict()
+        unittest.FunctionTestCase(lambda: 1 / 0).run(verdict)
+        self.assertIn('ZeroDivisionError', verdict.failure)
+
+
+if __name__ == '__main__':
+    unittest.main()
