@@ -13,7 +13,7 @@ import sys
 ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes',
          'geometry/parts', 'geometry/overlaps',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot',
-         'packages', 'ros',
+         'packages', 'ros', 'text',
          'node/names', 'node/log', 'node/clock', 'node/threads', 'node/master', 'node/parameters',
          'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/outputs',
          'node/diagnostics', 'node/interface', 'node',

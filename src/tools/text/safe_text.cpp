@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A strict UTF-8 check and the escapes of each format.
+// The escapes of each format.
 #include "tools/text/safe_text.h"
 
 #include <cstdio>
@@ -8,6 +8,8 @@
 #include <limits>
 #include <locale>
 #include <sstream>
+
+#include "text/utf8.h"
 
 namespace link_bounds {
 namespace {
@@ -17,35 +19,11 @@ bool isControl(char c) {
   return byte < 0x20 || byte == 0x7f;
 }
 
-/// The length of the well-formed character at `start` (Unicode, table 3-7); 0 if there is none.
-std::size_t characterLength(const std::string& text, std::size_t start) {
-  const auto byte = [&](std::size_t i) -> unsigned {
-    return start + i < text.size() ? static_cast<unsigned char>(text[start + i]) : 0;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (lead < 0xc2 || lead > 0xf4) return 0;
-  const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-  // These leads would else spell overlong forms, surrogates or what lies beyond U+10FFFF.
-  const unsigned low = lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80;
-  const unsigned high = lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
-  if (byte(1) < low || byte(1) > high) return 0;
-  for (std::size_t i = 2; i < length; ++i) {
-    if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
-  }
-  return length;
-}
-
 }  // namespace
 
 std::string validUtf8(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = characterLength(text, i);
-    result += length > 0 ? text.substr(i, length) : "\xef\xbf\xbd";
-    i += length > 0 ? length : 1;
-  }
-  return result;
+  return sanitized(
+      text, [](std::uint32_t) { return true; }, "\xef\xbf\xbd");
 }
 
 std::string printable(const std::string& text) {

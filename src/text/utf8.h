@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, paths and reasons come from outside and may hold any bytes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace link_bounds {
+
+/// Replaces each byte that is not part of well-formed UTF-8, and each character whose code point
+/// `is_allowed` refuses.
+std::string sanitized(std::string_view text, bool (*is_allowed)(std::uint32_t code),
+                      std::string_view replacement);
+
+}  // namespace link_bounds
