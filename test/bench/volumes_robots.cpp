@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Read as the node reads them, but in this process.
+// Loaded as the node loads them.
 #include "volumes_robots.h"
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 #include <fstream>
 #include <ostream>
 #include <sstream>
-
-#include "robot/worker/mesh_import.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -28,10 +26,8 @@ MeasuredRobot readRobot(const fs::path& urdf, const PackagePath& package_path,
                         std::ostream& notes) {
   std::ostringstream text;
   text << std::ifstream(urdf).rdbuf();
-  MeasuredRobot result{urdf.stem().string(), parseRobot(text.str()), {}, {}};
-  RobotLoader loader([](const MeshFile& file) { return importMesh(file); });
-  const MeshSource source{package_path, urdf.parent_path().string()};
-  const BoundedRobot bounded = loader.load(result.robot, Selection(), source);
+  auto [robot, bounded] = loadRobot(text.str(), {package_path, urdf.parent_path().string()});
+  MeasuredRobot result{urdf.stem().string(), std::move(robot), {}, {}};
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
     const BoundedLink& link = bounded.links[i];
     if (!link.isWhole() || isFlat(link)) {

@@ -8,8 +8,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
+#include <cstring>
 #include <new>
 #include <sstream>
 #include <utility>
@@ -18,7 +20,6 @@
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/robot/mesh/weld.h"
 #include "robot/worker/confined_files.h"
-#include "robot/worker/import_log.h"
 
 namespace link_bounds {
 namespace {
@@ -101,7 +102,31 @@ void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
   }
 }
 
-/// Iterative, since nodes may be nested deeper than the stack.
+/// The reader of OFF replaces an index that is out of range by a valid one, and only logs it.
+class IndexErrorLog : public Assimp::Logger {
+ public:
+  /// "" if there is none.
+  const std::string& firstError() const { return first_error_; }
+
+  // The names of pure functions differ between versions of assimp (OnVerboseDebug, detachStream
+  // and detatchStream), so none is marked as overriding.
+  void OnDebug(const char*) {}
+  void OnVerboseDebug(const char*) {}
+  void OnInfo(const char*) {}
+  void OnWarn(const char*) {}
+  void OnError(const char* message) {
+    const bool is_index_error = std::strstr(message, "out of range") != nullptr;
+    if (is_index_error && first_error_.empty()) first_error_ = message;
+  }
+  bool attachStream(Assimp::LogStream*, unsigned int) { return false; }
+  bool detachStream(Assimp::LogStream*, unsigned int) { return false; }
+  bool detatchStream(Assimp::LogStream*, unsigned int) { return false; }
+
+ private:
+  std::string first_error_;
+};
+
+/// A loop, because nodes may be nested more deeply than the stack allows.
 TriangleMesh collectTriangles(const aiScene& scene) {
   TriangleMesh mesh;
   std::vector<std::pair<const aiNode*, Eigen::Affine3d>> open;
@@ -124,7 +149,8 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 
 TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
                         const BytesHandler& on_bytes) {
-  const ImportLog log;
+  auto* const log = new IndexErrorLog;
+  Assimp::DefaultLogger::set(log);  // which owns it
   Assimp::Importer importer;
   auto* files = new ConfinedFiles(file.root, max_bytes, on_bytes);
   importer.SetIOHandler(files);
@@ -140,9 +166,9 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
     throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);
-  // The reader of OFF replaces a wrong index by a right one.
-  const std::string index_error = log.errorWith("out of range");
-  if (!index_error.empty()) throw MeshError("assimp found a fault in it (" + index_error + ")");
+  if (!log->firstError().empty()) {
+    throw MeshError("assimp found a fault in it (" + log->firstError() + ")");
+  }
   return welded(collectTriangles(*scene));
 }
 

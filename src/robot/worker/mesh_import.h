@@ -10,7 +10,7 @@
 
 namespace link_bounds {
 
-/// Is told how many bytes all files have that belong to a mesh, as far as they are known.
+/// Gets the sum of the sizes of all files of a mesh that have been opened.
 using BytesHandler = std::function<void(std::uint64_t bytes)>;
 
 /// Reads any format assimp knows, in metres, exactly as rviz 1.14 draws it: node transforms and
@@ -18,6 +18,7 @@ using BytesHandler = std::function<void(std::uint64_t bytes)>;
 /// are composed in double and rounded once to float32; only those of triangles count. Opens no
 /// file outside `file.root`, and none of more than `max_bytes`; calls `on_bytes`, which may be
 /// null, before it reads a further one. Throws MeshError, and std::bad_alloc if memory runs out.
+/// Only one thread at a time may call it: assimp has one log for the process.
 TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes = MeshLimits().max_bytes,
                         const BytesHandler& on_bytes = nullptr);
 

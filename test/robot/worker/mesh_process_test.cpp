@@ -296,5 +296,26 @@ TEST_F(MeshProcess, ManyAtOnce) {
   EXPECT_EQ(good, 40);
 }
 
+TEST_F(MeshProcess, OneFileIsNotBlamedForWhatIsReadBesideIt) {
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  const MeshFile good{folder_.write("meshes/good.off", off + "3 0 1 2\n"), folder_ / "meshes"};
+  const MeshFile bad{folder_.write("meshes/bad.off", off + "3 0 1 9\n"), folder_ / "meshes"};
+  const auto accepted = [&](const MeshFile& file) {
+    int count = 0;
+    for (int i = 0; i < 20; ++i) {
+      try {
+        count += importInProcess(real_, file, {}).triangles.size() == 1;
+      } catch (const MeshError&) {
+      }
+    }
+    return count;
+  };
+  int bad_accepted = -1;
+  std::thread other([&] { bad_accepted = accepted(bad); });
+  EXPECT_EQ(accepted(good), 20);
+  other.join();
+  EXPECT_EQ(bad_accepted, 0);
+}
+
 }  // namespace
 }  // namespace link_bounds
