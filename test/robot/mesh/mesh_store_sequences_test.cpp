@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Random sequences of loads and of changes to the files, compared with reading each file anew.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <map>
+
+#include "link_bounds/robot/mesh/mesh_store.h"
+#include "testing/brute_force.h"
+#include "testing/temporary_folder.h"
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSteps = 500;
+constexpr std::size_t kFiles = 5;
+
+/// Reads a file whose text is a number n as a triangle of size n; other text is an error.
+TriangleMesh readTriangle(const MeshFile& file) {
+  float size = 0;
+  if (!(std::ifstream(file.path) >> size)) throw MeshError("it is no number");
+  return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
+}
+
+/// What the contract of MeshStore says of one file.
+struct Expectation {
+  bool has_failed = false;  ///< since failures were forgotten
+  bool has_changed = true;  ///< since it was last imported
+  std::weak_ptr<const PointSet> points;
+};
+
+class Sequence {
+ public:
+  explicit Sequence(std::uint64_t seed) : random_(seed) {
+    for (std::size_t i = 0; i < kFiles; ++i)
+      files_.push_back({folder_.write(std::to_string(i), "1"), folder_.path().string()});
+  }
+
+  void run() {
+    for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
+      switch (below(6)) {
+        case 0:
+        case 1:
+          changeFile(files_[below(kFiles)]);
+          break;
+        case 2:
+          held_.clear();
+          break;
+        case 3:
+          if (below(4) == 0) forgetFailures();
+          break;
+        default:
+          load();
+      }
+    }
+  }
+
+ private:
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(random_.uniform(0, 1) * static_cast<double>(count)) % count;
+  }
+
+  std::string number() { return std::to_string(1 + below(9)); }
+
+  void changeFile(const MeshFile& file) {
+    expected_[file.path].has_changed = true;
+    const auto time = fs::exists(file.path) ? fs::last_write_time(file.path) : fs::file_time_type();
+    switch (below(6)) {
+      case 0:
+        std::ofstream(file.path) << number();
+        return;
+      case 1:
+        std::ofstream(file.path) << "broken";
+        return;
+      case 2:
+        fs::remove(file.path);
+        return;
+      case 3:  // touched
+        std::ofstream(file.path, std::ios::app).close();
+        fs::last_write_time(file.path, time + std::chrono::seconds(1));
+        return;
+      case 4:  // in place, as old and as large
+        std::ofstream(file.path) << number();
+        fs::last_write_time(file.path, time);
+        return;
+      default:  // replaced by one that is as old and as large
+        const std::string other = folder_.write("other", number());
+        fs::last_write_time(other, time);
+        fs::rename(other, file.path);
+    }
+  }
+
+  void forgetFailures() {
+    store_.forgetFailures();
+    for (auto& [path, file] : expected_)
+      file.has_failed = false;
+  }
+
+  void load() {
+    const auto content = below(3) == 0 ? MeshContent::kPointsAndTriangles : MeshContent::kPoints;
+    std::vector<MeshFile> batch;
+    for (std::size_t i = 1 + below(4); i > 0; --i)
+      batch.push_back(files_[below(kFiles)]);
+    std::map<std::string, bool> is_imported;
+    for (const MeshFile& file : batch) {
+      const Expectation& now = expected_[file.path];
+      const bool is_known = !now.has_changed && !now.points.expired();
+      is_imported[file.path] = !now.has_failed && (!is_known || content != MeshContent::kPoints);
+    }
+    imports_ = 0;
+    const std::vector<LoadedMesh> meshes = store_.load(batch, nullptr, content);
+    int expected_imports = 0;
+    for (const auto& [path, imported] : is_imported)
+      expected_imports += imported;
+    EXPECT_EQ(imports_, expected_imports);
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      check(batch[i], meshes[i], content);
+    if (below(2) == 0) held_.insert(held_.end(), meshes.begin(), meshes.end());
+  }
+
+  void check(const MeshFile& file, const LoadedMesh& mesh, MeshContent content) {
+    Expectation& now = expected_[file.path];
+    if (now.has_failed) {
+      EXPECT_FALSE(mesh.points) << "failures are remembered";
+      EXPECT_EQ(mesh.error, "it is no number; repair or replace the file");
+      return;
+    }
+    try {
+      const PointSet points(readTriangle(file).vertices);
+      ASSERT_TRUE(mesh.points) << mesh.error;
+      EXPECT_EQ(mesh.points->magnitude(), points.magnitude());
+      EXPECT_EQ(mesh.error, "");
+      EXPECT_EQ(mesh.triangles != nullptr, content != MeshContent::kPoints);
+      const auto shared = now.points.lock();
+      EXPECT_TRUE(!shared || now.has_changed || mesh.points == shared) << "points are shared";
+      now.points = mesh.points;
+    } catch (const MeshError&) {
+      EXPECT_FALSE(mesh.points);
+      EXPECT_EQ(mesh.error, "it is no number; repair or replace the file");
+      now.has_failed = true;
+      now.points.reset();
+    }
+    now.has_changed = false;
+  }
+
+  brute_force::Random random_;
+  TemporaryFolder folder_;
+  std::vector<MeshFile> files_;
+  std::map<std::string, Expectation> expected_;  // by path
+  std::vector<LoadedMesh> held_;
+  std::atomic<int> imports_{0};
+  MeshStore store_{[this](const MeshFile& file) {
+    ++imports_;
+    return readTriangle(file);
+  }};
+};
+
+TEST(MeshStoreSequences, GiveWhatAStoreWithoutMemoryGives) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Sequence(seed).run();
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds
