@@ -1,39 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts where memory ends while a link is split.
+// Parts of a link where memory runs out while it is split.
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <limits>
-#include <new>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "testing/part_meshes.h"
+#include "testing/replaced_new.h"
 #include "testing/temporary_folder.h"
-
-namespace {
-
-constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-
-/// More bytes at once are refused.
-std::atomic<std::size_t> limit{kNoLimit};
-
-}  // namespace
-
-__attribute__((noinline)) void* operator new(std::size_t size) {
-  void* const memory = size <= limit ? std::malloc(size) : nullptr;
-  if (!memory) throw std::bad_alloc();
-  return memory;
-}
-
-__attribute__((noinline)) void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-
-__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace link_bounds {
 namespace {
@@ -53,7 +26,7 @@ class PartMemory : public testing::Test {
     folder_.write("bad.stl");
   }
 
-  ~PartMemory() override { limit = kNoLimit; }
+  ~PartMemory() override { replaced_new::limit = replaced_new::kNoLimit; }
 
   /// One link of the given meshes; once they are loaded, memory ends.
   BoundedRobot bound(const std::vector<std::string>& files) {
@@ -68,13 +41,13 @@ class PartMemory : public testing::Test {
       return hook(60, 40);
     });
     const auto end_memory = [](std::size_t done, std::size_t total) {
-      if (done == total) limit = 50'000;
+      if (done == total) replaced_new::limit = 50'000;
     };
     Selection selection;
     selection.parts_per_link = 8;
     const BoundedRobot bounded =
         loader.load(robot, selection, {nullptr, folder_.path().string(), end_memory});
-    limit = kNoLimit;
+    replaced_new::limit = replaced_new::kNoLimit;
     return bounded;
   }
 

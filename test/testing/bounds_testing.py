@@ -75,6 +75,11 @@ def corners_of(box):
     return [box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z]
 
 
+def at(seconds):
+    """A stamp; fractions are rounded to nanoseconds."""
+    return rospy.Time.from_sec(seconds)
+
+
 def transform(parent, child, stamp, xyz=(0, 0, 0), xyzw=(0, 0, 0, 1)):
     result = TransformStamped()
     result.header.frame_id = parent

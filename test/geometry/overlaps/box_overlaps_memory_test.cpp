@@ -3,32 +3,9 @@
 // Boxes that go on moving cost no memory from the heap.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "link_bounds/geometry/overlaps/box_overlaps.h"
 #include "testing/brute_force.h"
-
-namespace {
-
-long allocations = 0;
-
-}  // namespace
-
-// Not inlined, or GCC takes new and delete for a mismatched pair.
-__attribute__((noinline)) void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-__attribute__((noinline)) void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-
-__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "testing/replaced_new.h"
 
 namespace link_bounds {
 namespace {
@@ -60,9 +37,11 @@ TEST(BoxOverlapsMemory, SteadyMotionTakesNone) {
         found += search.find(steps[static_cast<std::size_t>(i % kPeriod)], 0.01).size();
     };
     run(4);
-    const long before = allocations;
+    long allocations = 0;
+    replaced_new::counter = &allocations;
     run(10);
-    EXPECT_EQ(allocations, before) << "with amplitude " << amplitude;
+    replaced_new::counter = nullptr;
+    EXPECT_EQ(allocations, 0) << "with amplitude " << amplitude;
     EXPECT_GT(found, 0u);
   }
 }

@@ -8,7 +8,7 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, box_of, load, names_of, wait_for
+from bounds_testing import Recorder, at, box_of, load, names_of, wait_for
 from node_testing import (ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, Repeater,
                           SimulatedClock, at_angles, shows)
 
@@ -18,10 +18,6 @@ STILL = 3.0  # wall seconds
 BACK_AGAIN = 0.5  # wall seconds in which boxes of a new era must appear
 YEAR_2100 = rospy.Time(4102444800)
 ONLY_STATIC = {name: 0 for name in STATIC}
-
-
-def at(seconds):
-    return rospy.Time.from_sec(seconds)
 
 
 class ClockTest(unittest.TestCase):

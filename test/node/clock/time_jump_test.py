@@ -7,7 +7,7 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, box_of, corners_of, difference, load, names_of, wait_for
+from bounds_testing import Recorder, at, box_of, corners_of, difference, load, names_of, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
 from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, SimulatedClock,
                           arm_bounds, value_of)
@@ -15,10 +15,6 @@ from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics,
 TOLERANCE = 1e-12  # m
 BACK_AGAIN = 0.5  # wall seconds in which boxes of the new era must appear
 DOUBT = 0.5  # wall seconds after a jump in which stamps far ahead are dropped
-
-
-def at(seconds):
-    return rospy.Time.from_sec(seconds)
 
 
 class TimeJump(unittest.TestCase):

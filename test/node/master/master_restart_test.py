@@ -2,60 +2,26 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A master that dies takes nothing away that is connected, and its successor learns all of it."""
-import os
 import signal
-import socket
 import subprocess
 import sys
 import time
 import unittest
 import xmlrpc.client
 
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
+import rosgraph
+import rospy
+from bounds_testing import DEADLINE, Recorder, wait_for
+from node_testing import ALL, ARMS, NODE, ArmsTf, NodeProcess, Repeater
+from own_master import OwnMaster
+from std_srvs.srv import Trigger
 
 STRANGER = "stranger"  # the argument of a second process of this script
-
-# This test needs a master that it may kill; rospy reads the variable when it is imported.
-PORT = free_port()
-if STRANGER not in sys.argv:
-    os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % PORT
-
-import rosgraph  # noqa: E402
-import rospy  # noqa: E402
-from bounds_testing import DEADLINE, Recorder, wait_for  # noqa: E402
-from node_testing import ALL, ARMS, NODE, ArmsTf, NodeProcess, Repeater  # noqa: E402
-from std_srvs.srv import Trigger  # noqa: E402
-
 BACK_AT_MASTER = 5.0  # wall seconds
 PROMPT = 10.0  # wall seconds for the end of a node, with some for a busy machine
 RATE = 100  # Hz
 LOST = "lost the ROS master"
 BACK = "knows this node again"
-
-
-class Master:
-    """A master of its own, which can die and be born again on the same port."""
-
-    def __init__(self):
-        self.start()
-
-    def start(self):
-        self._process = subprocess.Popen(
-            ["rosmaster", "--core", "-p", str(PORT)], stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
-        wait_for(rosgraph.is_master_online, "the master answers")
-
-    def signal(self, number):
-        self._process.send_signal(number)
-
-    def kill(self):
-        self.signal(signal.SIGKILL)
-        self._process.wait()
 
 
 def entries(node):
@@ -87,7 +53,7 @@ def run(*command):
 class MasterRestart(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.master = Master()
+        cls.master = OwnMaster()
         rospy.init_node("master_restart_test", disable_signals=True)
 
     @classmethod

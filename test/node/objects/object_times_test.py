@@ -6,17 +6,13 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, box_of, load
+from bounds_testing import Recorder, at, box_of, load
 from link_bounds.msg import BoxOverlapArray
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, SimulatedClock
 from object_testing import ObjectSender, marker
 from visualization_msgs.msg import MarkerArray
 
 FAR_AHEAD = 3e9  # s; more than a ros::Duration holds
-
-
-def at(seconds):
-    return rospy.Time.from_sec(seconds)
 
 
 class ObjectTimes(unittest.TestCase):

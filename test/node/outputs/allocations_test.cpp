@@ -5,15 +5,14 @@
 #include <ros/serialization.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <new>
 
 #include "node/outputs/box_message.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/part_boxes.h"
 #include "node/tf/tf_message.h"
 #include "testing/live_boxes_testing.h"
+#include "testing/replaced_new.h"
 
 namespace link_bounds {
 namespace {
@@ -24,54 +23,13 @@ constexpr double kPeriod = 0.01;  // s
 constexpr int kWarmUp = 3000;  // updates, until histories have their ten seconds, and memory for it
 constexpr int kUpdates = 1000;
 
-/// Whose turn it is to ask for memory, since the message code of roscpp is in headers.
+/// Requests of our code and of roscpp, whose message code is compiled into this program, too.
 struct Counts {
   long ours = 0;
   long roscpp = 0;
 };
 
 Counts counts;
-bool is_counting = false;
-bool is_roscpp = false;
-
-void* allocate(std::size_t size) {
-  if (is_counting) ++(is_roscpp ? counts.roscpp : counts.ours);
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-}  // namespace link_bounds
-
-// Not inlined, or GCC takes new and delete for a mismatched pair.
-__attribute__((noinline)) void* operator new(std::size_t size) {
-  return link_bounds::allocate(size);
-}
-
-// No more than malloc's alignment is asked for here.
-__attribute__((noinline)) void* operator new(std::size_t size, std::align_val_t) {
-  return link_bounds::allocate(size);
-}
-
-__attribute__((noinline)) void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-
-__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
-__attribute__((noinline)) void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-
-__attribute__((noinline)) void operator delete(void* memory, std::size_t,
-                                               std::align_val_t) noexcept {
-  std::free(memory);
-}
-
-namespace link_bounds {
-namespace {
 
 /// A chain of links with long names, each turned a little differently at each update.
 class Chain {
@@ -111,12 +69,13 @@ class Chain {
     parts_.place(scene_.links);
     parts_.fill(*scene_.model(), parts_message_);
     scene_overlaps_.fill(*scene_.model(), boxes_, kLinks, overlaps_);
-    is_roscpp = true;
+    long* const counter = replaced_new::counter;
+    if (counter) replaced_new::counter = &counts.roscpp;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);
     ros::serialization::serializeMessage(parts_message_);
     ros::serialization::serializeMessage(overlaps_);
-    is_roscpp = false;
+    replaced_new::counter = counter;
   }
 
   std::size_t boxCount() const { return boxes_.boxes.size(); }
@@ -141,9 +100,9 @@ TEST(Allocations, NoneOfOursInAThousandUpdates) {
   Chain chain;
   for (int i = 0; i < kWarmUp + kUpdates; ++i) {
     const ros::SerializedMessage received = chain.message(i);
-    is_counting = i >= kWarmUp;
+    if (i >= kWarmUp) replaced_new::counter = &counts.ours;
     chain.update(received, i);
-    is_counting = false;
+    replaced_new::counter = nullptr;
   }
   EXPECT_EQ(chain.boxCount(), static_cast<std::size_t>(kLinks));
   EXPECT_EQ(chain.partCount(), static_cast<std::size_t>(2 * kLinks));
@@ -155,11 +114,11 @@ TEST(Allocations, NoneOfOursInAThousandUpdates) {
 }
 
 TEST(Allocations, AreSeenWhereThereAreSome) {
-  counts = Counts();
-  is_counting = true;
+  long count = 0;
+  replaced_new::counter = &count;
   const std::string text(100, 'x');
-  is_counting = false;
-  EXPECT_EQ(counts.ours, 1) << text;
+  replaced_new::counter = nullptr;
+  EXPECT_EQ(count, 1) << text;
 }
 
 }  // namespace

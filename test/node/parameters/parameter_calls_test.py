@@ -6,29 +6,16 @@ import http.client
 import http.server
 import itertools
 import os
-import socket
-import subprocess
 import threading
 import time
 import unittest
 import xmlrpc.client
 
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
-
-# This test needs a master of its own, which rospy learns of when it is imported.
-PORT = free_port()
-os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % PORT
-
-import rosgraph  # noqa: E402
-import rospy  # noqa: E402
-from bounds_testing import Recorder, box_link, box_of, robot, wait_for  # noqa: E402
-from node_testing import NodeProcess  # noqa: E402
-from std_srvs.srv import Trigger  # noqa: E402
+import rospy
+from bounds_testing import Recorder, box_link, box_of, robot, wait_for
+from node_testing import NodeProcess
+from own_master import OwnMaster
+from std_srvs.srv import Trigger
 
 PATIENCE = 15.0  # wall seconds until a node gives its reason, with some for a busy machine
 CLOSED, ERROR_500, SILENT = "closed", "error 500", "silent"
@@ -44,7 +31,8 @@ CALLS = [("getParam", NODE), ("searchParam", "tf_prefix"), ("getParam", PREFIX),
 class Proxy:
     """A master that forwards all to the real one, but does not answer the calls that it drops."""
 
-    def __init__(self):
+    def __init__(self, port):
+        self._port = port
         self.dropped = []  # methods and names of the calls that were dropped
         self._to_drop = None
         self._times = 0
@@ -77,7 +65,7 @@ class Proxy:
             self.dropped.append(self._to_drop)
             self._refuse(request)
             return
-        master = http.client.HTTPConnection("localhost", PORT)
+        master = http.client.HTTPConnection("localhost", self._port)
         master.request("POST", "/RPC2", body, {"Content-Type": "text/xml"})
         answer = master.getresponse().read()
         master.close()
@@ -103,19 +91,16 @@ class Proxy:
 class ParameterCalls(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.master = subprocess.Popen(["rosmaster", "--core", "-p", str(PORT)],
-                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wait_for(rosgraph.is_master_online, "the master answers")
+        cls.master = OwnMaster()
         rospy.init_node("parameter_calls_test", disable_signals=True)
 
     @classmethod
     def tearDownClass(cls):
         rospy.signal_shutdown("the end")
         cls.master.kill()
-        cls.master.wait()
 
     def setUp(self):
-        self.proxy = Proxy()
+        self.proxy = Proxy(self.master.port)
         self.addCleanup(self.proxy.end)
         rospy.set_param(NODE, {"padding": PADDING, "timeout": 0.0})
         rospy.set_param(PREFIX, "cell")

@@ -3,26 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A thread that cannot be started, as under a pids limit, ends the start with a clear reason."""
 import os
-import socket
-import subprocess
 import sys
 import unittest
 
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
-
-# A master of its own, which rospy learns of when it is imported.
-PORT = free_port()
-os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % PORT
-
-import rosgraph  # noqa: E402
-import rospy  # noqa: E402
-from bounds_testing import Recorder, wait_for  # noqa: E402
-from node_testing import ARMS, SANITIZED, NodeProcess  # noqa: E402
+import rospy
+from bounds_testing import Recorder, wait_for
+from node_testing import ARMS, SANITIZED, NodeProcess
+from own_master import OwnMaster
 
 FEW_THREADS = sys.argv.pop(1)  # the library to preload
 MOST = 50  # threads; a node needs fewer
@@ -32,9 +19,7 @@ OURS = ("loader", "master watch")
 class FewThreads(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.master = subprocess.Popen(["rosmaster", "--core", "-p", str(PORT)],
-                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wait_for(rosgraph.is_master_online, "the master answers")
+        cls.master = OwnMaster()
         rospy.init_node("few_threads_test", disable_signals=True)
         rospy.set_param("/robot_description", ARMS)
 
@@ -42,7 +27,6 @@ class FewThreads(unittest.TestCase):
     def tearDownClass(cls):
         rospy.signal_shutdown("the end")
         cls.master.kill()
-        cls.master.wait()
 
     def reason(self, threads):
         """Why a node does not start with so many threads; None if it does."""
