@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "overlap_scenes.h"
 
 namespace link_bounds::bench {

@@ -11,7 +11,7 @@ class OurOverlaps : public OverlapMethod {
   void step(const SceneBoxes& boxes) override { pairs = search_.find(boxes, kOverlapMargin); }
 
  private:
-  OverlapSearch search_;
+  SweepAndPrune search_;
 };
 
 }  // namespace

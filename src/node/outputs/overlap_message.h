@@ -9,7 +9,7 @@
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
-#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "node/loading/model.h"
 
 namespace link_bounds {
@@ -35,7 +35,7 @@ class SceneOverlaps {
 
   std::vector<Aabb> boxes_;
   std::vector<Owner> owners_;
-  OverlapSearch search_;
+  SweepAndPrune search_;
   std::vector<BoxOverlap> spare_;  ///< entries with memory for names
 };
 

@@ -3,7 +3,7 @@
 // Boxes that go on moving cost no memory from the heap.
 #include <gtest/gtest.h>
 
-#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "testing/brute_force.h"
 #include "testing/replaced_new.h"
 
@@ -25,12 +25,12 @@ std::vector<Aabb> swinging(int step, double amplitude) {
   return boxes;
 }
 
-TEST(BoxOverlapsMemory, SteadyMotionTakesNone) {
+TEST(SweepAndPruneMemory, SteadyMotionTakesNone) {
   for (const double amplitude : {0.01, 0.1, 1.0}) {
     std::vector<std::vector<Aabb>> steps;
     for (int i = 0; i < kPeriod; ++i)
       steps.push_back(swinging(i, amplitude));
-    OverlapSearch search;
+    SweepAndPrune search;
     std::size_t found = 0;
     const auto run = [&](int periods) {
       for (int i = 0; i < periods * kPeriod; ++i)

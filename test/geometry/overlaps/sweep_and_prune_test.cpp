@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The pairs and distances are those of comparing all with all, to the bit.
-#include "link_bounds/geometry/overlaps/box_overlaps.h"
+#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "geometry/overlaps/box_sweep.h"
+#include "geometry/overlaps/brute_force_overlaps.h"
+#include "geometry/overlaps/sweep.h"
 #include "link_bounds/geometry/box/length.h"
 #include "testing/brute_force.h"
 
@@ -40,26 +41,16 @@ double distance(const Aabb& a, const Aabb& b) {
   return inside <= 0 ? inside : length(outside.x(), outside.y(), outside.z());
 }
 
-Overlaps bruteForce(const Boxes& boxes, double margin) {
-  Overlaps result;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      const double d = distance(boxes[i], boxes[j]);
-      if (d <= margin) result.push_back({i, j, d});
-    }
-  }
-  return result;
-}
-
-/// Returns how many there are.
-std::size_t expectExact(OverlapSearch& search, const Boxes& boxes, double margin) {
-  const Overlaps expected = bruteForce(boxes, margin);
+/// Returns how many pairs there are.
+std::size_t expectExact(SweepAndPrune& search, const Boxes& boxes, double margin) {
+  BruteForceOverlaps brute_force;
+  const Overlaps& expected = brute_force.find(boxes, margin);
   EXPECT_EQ(search.find(boxes, margin), expected) << boxes.size() << " boxes, margin " << margin;
   return expected.size();
 }
 
 std::size_t expectExact(const Boxes& boxes, double margin) {
-  OverlapSearch search;
+  SweepAndPrune search;
   const std::size_t count = expectExact(search, boxes, margin);
   expectExact(search, boxes, margin);  // with what the first search left
   return count;
@@ -79,12 +70,12 @@ Boxes clutter(Random& random, std::size_t count, double size) {
   return boxes;
 }
 
-TEST(BoxOverlaps, NoBoxAndOneBox) {
+TEST(SweepAndPrune, NoBoxAndOneBox) {
   EXPECT_EQ(expectExact({}, 0), 0u);
   EXPECT_EQ(expectExact({Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones())}, 1), 0u);
 }
 
-TEST(BoxOverlaps, RandomScenes) {
+TEST(SweepAndPrune, RandomScenes) {
   Random random(1);
   for (const double size : {0.05, 0.5, 1.0, 5.0}) {
     for (const std::size_t count : {2u, 9u, 40u, 300u}) {
@@ -94,7 +85,7 @@ TEST(BoxOverlaps, RandomScenes) {
   }
 }
 
-TEST(BoxOverlaps, SizesOfAllMagnitudes) {
+TEST(SweepAndPrune, SizesOfAllMagnitudes) {
   Random random(2);
   for (int round = 0; round < 20; ++round) {
     Boxes boxes;
@@ -107,19 +98,19 @@ TEST(BoxOverlaps, SizesOfAllMagnitudes) {
   }
 }
 
-TEST(BoxOverlaps, TouchingBoxesCount) {
+TEST(SweepAndPrune, TouchingBoxesCount) {
   Boxes boxes;
   for (int i = 0; i < 4 * 4 * 4; ++i) {
     const Eigen::Vector3d min(i % 4, i / 4 % 4, i / 16);
     boxes.emplace_back(min, min + Eigen::Vector3d::Ones());
   }
-  OverlapSearch search;
+  SweepAndPrune search;
   EXPECT_EQ(expectExact(search, boxes, 0), (10u * 10 * 10 - 64) / 2);
   for (const BoxPair& overlap : search.find(boxes, 0))
     EXPECT_EQ(overlap.distance, 0);
 }
 
-TEST(BoxOverlaps, GapsAsWideAsTheMargin) {
+TEST(SweepAndPrune, GapsAsWideAsTheMargin) {
   Random random(3);
   for (const double gap : {0.1, 0.3, 1e-9, 1e-300, 3.0, 1e7}) {
     Boxes boxes;
@@ -132,7 +123,7 @@ TEST(BoxOverlaps, GapsAsWideAsTheMargin) {
   }
 }
 
-TEST(BoxOverlaps, AGapThatIsRoundedDownToTheMargin) {
+TEST(SweepAndPrune, AGapThatIsRoundedDownToTheMargin) {
   const double tiny = std::ldexp(0.9, -53);
   ASSERT_EQ(1 + tiny, 1);
   ASSERT_LT(1 - tiny, 1);
@@ -141,12 +132,12 @@ TEST(BoxOverlaps, AGapThatIsRoundedDownToTheMargin) {
   EXPECT_EQ(expectExact(boxes, 1), 1u);
 }
 
-TEST(BoxOverlaps, IdenticalBoxes) {
+TEST(SweepAndPrune, IdenticalBoxes) {
   const Boxes boxes(50, Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()));
   EXPECT_EQ(expectExact(boxes, 0), 50u * 49 / 2);
 }
 
-TEST(BoxOverlaps, FlatBoxes) {
+TEST(SweepAndPrune, FlatBoxes) {
   Random random(4);
   Boxes boxes;
   for (int i = 0; i < 200; ++i) {
@@ -159,7 +150,7 @@ TEST(BoxOverlaps, FlatBoxes) {
   EXPECT_GT(expectExact(boxes, 0.25), 0u);
 }
 
-TEST(BoxOverlaps, HugeBoxes) {
+TEST(SweepAndPrune, HugeBoxes) {
   Random random(5);
   Boxes boxes = clutter(random, 100, 1);
   boxes[17] = boxAround({0, 0, 0}, Eigen::Vector3d::Constant(2));  // covers all
@@ -172,7 +163,7 @@ TEST(BoxOverlaps, HugeBoxes) {
   expectExact(boxes, 1e38);
 }
 
-TEST(BoxOverlaps, FarFromTheOrigin) {
+TEST(SweepAndPrune, FarFromTheOrigin) {
   Random random(6);
   for (const double away : {1e6, -1e12, 1e15}) {
     Boxes boxes = clutter(random, 200, 1);
@@ -183,7 +174,7 @@ TEST(BoxOverlaps, FarFromTheOrigin) {
   }
 }
 
-TEST(BoxOverlaps, AlongEachAxis) {
+TEST(SweepAndPrune, AlongEachAxis) {
   for (int axis = 0; axis < 3; ++axis) {
     Boxes boxes;
     for (int i = 0; i < 500; ++i)
@@ -200,11 +191,11 @@ Eigen::Vector3d step(Random& random, double length) {
   return random.rotation() * Eigen::Vector3d(length, 0, 0);
 }
 
-TEST(BoxOverlaps, MovingBoxes) {
+TEST(SweepAndPrune, MovingBoxes) {
   for (const double length : {1e-5, 0.001, 0.002, 0.004, 0.02, 0.1, 0.5}) {
     for (const double margin : {0.0, 0.05}) {
       Random random(7);
-      OverlapSearch search;
+      SweepAndPrune search;
       Boxes boxes = clutter(random, 120, 0.6);
       std::vector<Eigen::Vector3d> velocities;
       for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -221,9 +212,9 @@ TEST(BoxOverlaps, MovingBoxes) {
   }
 }
 
-TEST(BoxOverlaps, OneBoxMovesAmongManyThatRest) {
+TEST(SweepAndPrune, OneBoxMovesAmongManyThatRest) {
   Random random(8);
-  OverlapSearch search;
+  SweepAndPrune search;
   Boxes boxes = clutter(random, 100, 0.6);
   for (int i = 0; i < 300; ++i) {
     boxes[50].translate(step(random, i % 40 == 0 ? 1.0 : 0.01));
@@ -231,11 +222,11 @@ TEST(BoxOverlaps, OneBoxMovesAmongManyThatRest) {
   }
 }
 
-TEST(BoxOverlaps, GrowingAndShrinkingBoxes) {
+TEST(SweepAndPrune, GrowingAndShrinkingBoxes) {
   Random random(9);
   const Boxes resting = clutter(random, 100, 0.6);
   for (const double low_share : {0.0, 0.5, 1.0}) {
-    OverlapSearch search;
+    SweepAndPrune search;
     for (int i = 0; i < 200; ++i) {
       Boxes boxes = resting;
       for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -268,17 +259,17 @@ Boxes arms(double degrees) {
   return boxes;
 }
 
-TEST(BoxOverlaps, TurningArms) {
+TEST(SweepAndPrune, TurningArms) {
   for (const double degrees_per_step : {0.01, 0.2, 30.0, 45.0}) {
-    OverlapSearch search;
+    SweepAndPrune search;
     for (int i = 0; i < 100; ++i)
       EXPECT_GT(expectExact(search, arms(degrees_per_step * i), 0.02), 100u);
   }
 }
 
-TEST(BoxOverlaps, BoxesComeAndGo) {
+TEST(SweepAndPrune, BoxesComeAndGo) {
   Random random(10);
-  OverlapSearch search;
+  SweepAndPrune search;
   const Boxes all = clutter(random, 150, 0.6);
   for (int i = 0; i < 200; ++i) {
     Boxes boxes;
@@ -291,9 +282,9 @@ TEST(BoxOverlaps, BoxesComeAndGo) {
   }
 }
 
-TEST(BoxOverlaps, AnotherBoxInTheSamePlaceOfTheList) {
+TEST(SweepAndPrune, AnotherBoxInTheSamePlaceOfTheList) {
   Random random(11);
-  OverlapSearch search;
+  SweepAndPrune search;
   Boxes boxes = clutter(random, 50, 0.4);
   for (int i = 0; i < 50; ++i) {
     std::rotate(boxes.begin(), boxes.begin() + 1, boxes.end());
@@ -301,9 +292,9 @@ TEST(BoxOverlaps, AnotherBoxInTheSamePlaceOfTheList) {
   }
 }
 
-TEST(BoxOverlaps, TheMarginMayChange) {
+TEST(SweepAndPrune, TheMarginMayChange) {
   Random random(12);
-  OverlapSearch search;
+  SweepAndPrune search;
   Boxes boxes = clutter(random, 100, 0.8);
   for (int i = 0; i < 100; ++i) {
     for (Aabb& box : boxes)
@@ -312,34 +303,38 @@ TEST(BoxOverlaps, TheMarginMayChange) {
   }
 }
 
-TEST(BoxSweep, PlainAndFastFindTheSame) {
-  Random random(13);
-  SweepBoxes boxes;
-  std::vector<NumberPair> fast;
-  std::vector<NumberPair> plain;
-  for (const std::size_t count : {1u, 7u, 8u, 9u, 100u, 1000u}) {
-    arrange(clutter(random, count, 1), 0.01, boxes);
-    sweep(boxes, fast);
-    sweepPlain(boxes, plain);
-    EXPECT_EQ(fast, plain);
-  }
-}
-
-TEST(BoxSweep, SeldomFindsWhatIsNotNear) {
+TEST(Sweep, SeldomFindsWhatIsNotNear) {
   Random random(14);
-  SweepBoxes boxes;
-  std::vector<NumberPair> pairs;
+  Sweep sweep;
+  std::vector<IndexPair> pairs;
   Boxes scene = clutter(random, 1000, 1);
   scene[500] = boxAround({1e30, 0, 0}, Eigen::Vector3d::Constant(2e30));
   for (const double away : {0.0, 1e6}) {
     for (Aabb& box : scene)
       box.translate(Eigen::Vector3d::Constant(away));
-    arrange(scene, 0, boxes);
-    sweep(boxes, pairs);
-    const std::size_t near = bruteForce(scene, 0).size();
+    sweep.find(scene, 0, pairs);
+    const std::size_t near = BruteForceOverlaps().find(scene, 0).size();
     EXPECT_GE(pairs.size(), near);
     EXPECT_LE(pairs.size(), near + near / 100);
   }
+}
+
+TEST(BruteForceOverlaps, DistancesAreThoseOfTheFormula) {
+  Random random(15);
+  const Boxes boxes = clutter(random, 200, 1);
+  std::size_t found = 0;
+  for (const double margin : kMargins) {
+    Overlaps expected;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+        const double d = distance(boxes[i], boxes[j]);
+        if (d <= margin) expected.push_back({i, j, d});
+      }
+    }
+    EXPECT_EQ(BruteForceOverlaps().find(boxes, margin), expected);
+    found += expected.size();
+  }
+  EXPECT_GT(found, 1000u);
 }
 
 }  // namespace
