@@ -161,7 +161,7 @@ void PublisherNode::watchMemory() {
   most_objects_ = std::max(most_objects_, objects);
   if (most_objects_ < kManyObjects || objects > most_objects_ / 2) return;
   most_objects_ = objects;
-  output_.forgetMemory();
+  output_.freeSpareMemory();
   loader_->giveBackMemory();
 }
 

@@ -33,7 +33,7 @@ Selection selectionOf(const Parameters& parameters) {
 
 SceneGroup allLinks(std::size_t count) {
   SceneGroup group;
-  group.name = "robot";
+  group.name = kRobotGroup;
   for (std::size_t i = 0; i < count; ++i)
     group.members.push_back(i);
   return group;

@@ -7,12 +7,13 @@
 
 #include <optional>
 
-#include "link_bounds/geometry/box/box_groups.h"
+#include "link_bounds/AxisAlignedBoxArray.h"
 
 namespace link_bounds {
 
 /// The corners (min x, min y), (max x, min y), (max x, max y), (min x, max y) at z = 0 [m], in
-/// float32 rounded outward. Nothing if the box is missing, incomplete or too large for float32.
-std::optional<geometry_msgs::Polygon> footprintOf(const BoxState& robot);
+/// float32 rounded outward. `groups` is a message of ~groups. Nothing if its box robot is missing,
+/// incomplete or too large for float32.
+std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups);
 
 }  // namespace link_bounds

@@ -7,18 +7,14 @@
 
 namespace link_bounds {
 
-void SceneOverlaps::collect(const Model& model, const AxisAlignedBoxArray& boxes,
-                            std::size_t link_count) {
+void SceneOverlaps::collect(const AxisAlignedBoxArray& boxes,
+                            const std::vector<std::size_t>& links) {
   boxes_.clear();
   owners_.clear();
-  std::size_t link = 0;
   for (const AxisAlignedBox& box : boxes.boxes) {
+    const std::size_t i = boxes_.size();
     boxes_.push_back(toAabb(box));
-    Owner& owner = owners_.emplace_back(Owner{&box.name, std::nullopt});
-    if (owners_.size() > link_count) continue;
-    while (model.links[link].name != box.name)
-      ++link;
-    owner.link = link++;
+    owners_.push_back({&box.name, i < links.size() ? std::optional(links[i]) : std::nullopt});
   }
 }
 
@@ -37,9 +33,9 @@ BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t
 }
 
 void SceneOverlaps::fill(const Model& model, const AxisAlignedBoxArray& boxes,
-                         std::size_t link_count, BoxOverlapArray& message) {
+                         const std::vector<std::size_t>& links, BoxOverlapArray& message) {
   message.header = boxes.header;
-  collect(model, boxes, link_count);
+  collect(boxes, links);
   std::size_t count = 0;
   for (const BoxPair& pair : search_.find(boxes_, model.parameters.overlap_margin)) {
     const Owner& first = owners_[pair.first];

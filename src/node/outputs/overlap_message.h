@@ -17,10 +17,10 @@ namespace link_bounds {
 /// Searches the boxes of messages again and again; keeps memory for it.
 class SceneOverlaps {
  public:
-  /// Overwrites `message`; reuses its memory. The first `link_count` of the boxes are of links of
-  /// the model, in its order.
-  void fill(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count,
-            BoxOverlapArray& message);
+  /// Overwrites `message`; reuses its memory. `boxes` begins with boxes of links, whose indices in
+  /// the model `links` gives.
+  void fill(const Model& model, const AxisAlignedBoxArray& boxes,
+            const std::vector<std::size_t>& links, BoxOverlapArray& message);
 
  private:
   /// Whose box it is.
@@ -29,7 +29,7 @@ class SceneOverlaps {
     std::optional<std::size_t> link;  ///< nothing for objects
   };
 
-  void collect(const Model& model, const AxisAlignedBoxArray& boxes, std::size_t link_count);
+  void collect(const AxisAlignedBoxArray& boxes, const std::vector<std::size_t>& links);
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
   bool isReported(const Model& model, const Owner& a, const Owner& b) const;
 

@@ -51,7 +51,7 @@ void SceneOutput::request() {
   if (markers_.isHeard()) markers_output_.request();
 }
 
-void SceneOutput::forgetMemory() {
+void SceneOutput::freeSpareMemory() {
   scene_overlaps_ = SceneOverlaps();
   overlaps_.forgetMessage();
 }
@@ -63,17 +63,19 @@ void SceneOutput::publishBoxes() {
   noteLag(boxes_message_.header.stamp);
   fillGroups(scene_, groups_message_);
   groups_publisher_.publish(groups_message_);
-  rememberShown();
+  rememberLinks();
   parts_.publish();
   footprint_.publish();
   overlaps_.publish();
 }
 
-void SceneOutput::rememberShown() {
+/// What overlaps and parts need besides the messages.
+void SceneOutput::rememberLinks() {
   const std::vector<BoxState>& links = scene_.links.states();
-  shown_links_ = static_cast<std::size_t>(std::count_if(
-      links.begin(), links.end(), [](const BoxState& state) { return state.box.has_value(); }));
-  shown_robot_ = groupState(scene_.model()->groups.front(), scene_);
+  boxed_links_.clear();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].box) boxed_links_.push_back(i);
+  }
   part_boxes_.place(scene_.links);
 }
 
@@ -103,14 +105,14 @@ bool SceneOutput::fillParts(AxisAlignedBoxArray& message) {
 }
 
 bool SceneOutput::fillFootprint(geometry_msgs::Polygon& message) const {
-  const auto footprint = footprintOf(shown_robot_);
+  const auto footprint = footprintOf(groups_message_);
   if (footprint) message = *footprint;
   return footprint.has_value();
 }
 
 bool SceneOutput::fillOverlaps(BoxOverlapArray& message) {
   if (publications_ == 0) return false;
-  scene_overlaps_.fill(*scene_.model(), boxes_message_, shown_links_, message);
+  scene_overlaps_.fill(*scene_.model(), boxes_message_, boxed_links_, message);
   return true;
 }
 

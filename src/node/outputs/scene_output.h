@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
@@ -34,8 +35,8 @@ class SceneOutput {
   /// Something changed: it is published as soon as the rates allow. There must be a model.
   void request();
 
-  /// Frees what the search for overlaps keeps for scenes as large as the last one.
-  void forgetMemory();
+  /// Frees the memory that the search for overlaps keeps between updates.
+  void freeSpareMemory();
 
   /// Messages on ~boxes.
   std::uint64_t publications() const { return publications_; }
@@ -46,7 +47,7 @@ class SceneOutput {
 
  private:
   void publishBoxes();
-  void rememberShown();
+  void rememberLinks();
   void noteLag(ros::Time stamp);
   bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
   bool fillParts(AxisAlignedBoxArray& message);
@@ -59,10 +60,9 @@ class SceneOutput {
   ShownMarkers shown_;
   PartBoxes part_boxes_;
   SceneOverlaps scene_overlaps_;
-  BoxState shown_robot_;         ///< in the last ~boxes, as all that depends on it
-  std::size_t shown_links_ = 0;  ///< boxes of links in it, which come first
-  AxisAlignedBoxArray boxes_message_;
-  AxisAlignedBoxArray groups_message_;
+  AxisAlignedBoxArray boxes_message_;     ///< the last one published
+  std::vector<std::size_t> boxed_links_;  ///< indices of the links that it begins with
+  AxisAlignedBoxArray groups_message_;    ///< the last one published
   ros::Publisher boxes_publisher_;
   ros::Publisher groups_publisher_;
   OnDemand<visualization_msgs::MarkerArray> markers_;

@@ -63,7 +63,7 @@ inline std::string linkPadding(const std::map<std::string, double>& value) {
 }
 
 inline std::string groups(const std::map<std::string, std::vector<std::string>>& value) {
-  return value.count("robot") ? "must not define \"robot\", which is always all links" : "";
+  return value.count(kRobotGroup) ? "must not define \"robot\", which is always all links" : "";
 }
 
 inline std::string ignorePairs(const std::vector<std::string>& value) {

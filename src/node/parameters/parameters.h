@@ -13,6 +13,8 @@
 
 namespace link_bounds {
 
+constexpr char kRobotGroup[] = "robot";  ///< the group of all links
+
 /// Meanings and units: parameter_table.h.
 struct Parameters {
   std::string fixed_frame;

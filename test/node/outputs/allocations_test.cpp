@@ -40,8 +40,10 @@ class Chain {
       links.push_back(meshLink(name(i), static_cast<std::uint64_t>(i)));
     auto model = std::make_shared<Model>(*modelOf("the_frame_that_is_fixed", links));
     model->parameters.parts_per_link = 2;
-    for (const BoundedLink& link : links)
+    for (const BoundedLink& link : links) {
+      boxed_links_.push_back(boxed_links_.size());
       model->parts.push_back({link, link});
+    }
     scene_.links.adopt(model, tf_, ros::Time(1));
     parts_.adopt(*model);
   }
@@ -68,7 +70,7 @@ class Chain {
     fillGroups(scene_, groups_);
     parts_.place(scene_.links);
     parts_.fill(*scene_.model(), parts_message_);
-    scene_overlaps_.fill(*scene_.model(), boxes_, kLinks, overlaps_);
+    scene_overlaps_.fill(*scene_.model(), boxes_, boxed_links_, overlaps_);
     long* const counter = replaced_new::counter;
     if (counter) replaced_new::counter = &counts.roscpp;
     ros::serialization::serializeMessage(boxes_);
@@ -92,6 +94,7 @@ class Chain {
   AxisAlignedBoxArray groups_;
   PartBoxes parts_;
   AxisAlignedBoxArray parts_message_;
+  std::vector<std::size_t> boxed_links_;
   SceneOverlaps scene_overlaps_;
   BoxOverlapArray overlaps_;
 };

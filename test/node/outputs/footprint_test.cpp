@@ -5,17 +5,27 @@
 
 #include <gtest/gtest.h>
 
+#include "node/outputs/box_message.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {
 namespace {
 
-BoxState stateOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
-  return {Aabb(min, max), 0, false};
+AxisAlignedBoxArray groupsOf(const BoxState& robot) {
+  AxisAlignedBoxArray message;
+  BoxFiller filler(message, "base");
+  filler.add("robot", robot);
+  filler.add("arm", {Aabb(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)), 0, true});
+  filler.finish();
+  return message;
+}
+
+AxisAlignedBoxArray groupsOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+  return groupsOf(BoxState{Aabb(min, max), 0, false});
 }
 
 TEST(Footprint, GoesAroundFromTheSmallestCorner) {
-  const auto polygon = footprintOf(stateOf({-1, -2, -3}, {4, 5, 6}));
+  const auto polygon = footprintOf(groupsOf({-1, -2, -3}, {4, 5, 6}));
   ASSERT_TRUE(polygon);
   const std::vector<std::array<float, 2>> expected{{-1, -2}, {4, -2}, {4, 5}, {-1, 5}};
   ASSERT_EQ(polygon->points.size(), expected.size());
@@ -33,7 +43,7 @@ TEST(Footprint, ContainsTheBox) {
     const Eigen::Vector3d b = random.vector(random.magnitude(-6, 6));
     const Eigen::Vector3d min = a.cwiseMin(b);
     const Eigen::Vector3d max = a.cwiseMax(b);
-    const auto points = footprintOf(stateOf(min, max)).value().points;
+    const auto points = footprintOf(groupsOf(min, max)).value().points;
     EXPECT_TRUE(points[0].x <= min.x() && points[0].y <= min.y());
     EXPECT_TRUE(points[2].x >= max.x() && points[2].y >= max.y());
     EXPECT_LE(min.x() - points[0].x, 1.2e-7 * std::abs(min.x()));
@@ -42,10 +52,13 @@ TEST(Footprint, ContainsTheBox) {
 }
 
 TEST(Footprint, NoneOfARobotThatIsNotCompleteOrTooLarge) {
-  EXPECT_FALSE(footprintOf(BoxState{std::nullopt, 0, false}));
-  EXPECT_FALSE(
-      footprintOf(BoxState{Aabb(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)), 0, true}));
-  EXPECT_FALSE(footprintOf(stateOf({0, 0, 0}, {1, 1e39, 1})));
+  const Aabb box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+  EXPECT_TRUE(footprintOf(groupsOf(BoxState{box, 0, false})));
+  EXPECT_FALSE(footprintOf(groupsOf(BoxState{box, 0, true})));
+  EXPECT_FALSE(footprintOf(groupsOf(BoxState{std::nullopt, 0, false})));
+  EXPECT_FALSE(footprintOf(groupsOf(BoxState{std::nullopt, 0, true})));
+  EXPECT_FALSE(footprintOf(AxisAlignedBoxArray()));
+  EXPECT_FALSE(footprintOf(groupsOf({0, 0, 0}, {1, 1e39, 1})));
 }
 
 }  // namespace
