@@ -23,16 +23,9 @@ ModelHandOver::ModelHandOver(ros::CallbackQueueInterface& queue,
 bool ModelHandOver::give(ModelPtr model, const std::function<bool()>& gives_up) {
   if (next_) return false;
   next_ = std::move(model);
-  const auto answer = std::make_shared<std::promise<void>>();
-  std::future<void> is_adopted = answer->get_future();
-  enqueue(queue_, [this, answer] {
-    try {
-      adoptNext();
-      answer->set_value();
-    } catch (...) {
-      answer->set_exception(std::current_exception());
-    }
-  });
+  const auto task = std::make_shared<std::packaged_task<void()>>([this] { adoptNext(); });
+  std::future<void> is_adopted = task->get_future();
+  enqueue(queue_, [task] { (*task)(); });
   while (is_adopted.wait_for(kPoll) != std::future_status::ready) {
     if (gives_up()) return false;
   }
