@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts the node.
-#include <malloc.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 
@@ -13,19 +12,10 @@
 
 #include "node/interface/usage.h"
 #include "node/log/log_text.h"
+#include "node/memory/heap.h"
 #include "node/publisher_node.h"
 
 namespace {
-
-constexpr int kLargeBlock = 1 << 20;  // bytes
-constexpr int kKeptFree = 1 << 18;    // bytes at the end of each of the C library's heaps
-
-/// Large blocks go back to the system when they are freed. By itself the C library would keep
-/// blocks as large as the largest one that was ever freed, and twice that at the end of a heap.
-void giveBackLargeBlocks() {
-  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
-  mallopt(M_TRIM_THRESHOLD, kKeptFree);
-}
 
 /// roscpp stops the process at a breakpoint where it cannot read the URI.
 void checkMasterUri() {
@@ -57,7 +47,7 @@ int main(int argc, char** argv) {
       return 0;
     }
   }
-  giveBackLargeBlocks();
+  link_bounds::returnLargeBlocks();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The node: subscriptions, and the state of the update thread.
+// The node: connects what arrives to the scene, and the scene to its outputs.
 #pragma once
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -11,70 +10,62 @@
 #include <memory>
 
 #include "node/clock/clock_watch.h"
+#include "node/diagnostics/callback_times.h"
 #include "node/diagnostics/diagnostics.h"
 #include "node/loading/model_loader.h"
-#include "node/log/refusal_log.h"
 #include "node/master/master_watch.h"
-#include "node/names/topics.h"
+#include "node/memory/heap.h"
 #include "node/objects/object_source.h"
 #include "node/outputs/scene_output.h"
 #include "node/scene/scene.h"
-#include "node/tf/transform_source.h"
+#include "node/tf/tf_receiver.h"
 
 namespace link_bounds {
 
-/// Everything here runs on the thread that spins the global callback queue.
+/// Everything here runs on the thread that spins the global callback queue, the update thread.
 class PublisherNode {
  public:
   PublisherNode();
+  PublisherNode(const PublisherNode&) = delete;
+  PublisherNode& operator=(const PublisherNode&) = delete;
 
   /// 0, or 1 if there was nothing to publish.
   int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
 
  private:
-  using TfEvent = ros::MessageEvent<const TfMessage>;
+  using Marker = visualization_msgs::Marker;
   /// Not const: as the only reader of the topic the node may take points out of the message.
   using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
-  using MarkerEvent = ros::MessageEvent<visualization_msgs::Marker>;
+  using MarkerEvent = ros::MessageEvent<Marker>;
 
-  void subscribe();
-  ros::Subscriber subscribeToTf(const TopicName& topic, bool is_static);
+  /// Runs a callback: records how long it takes, and lets no exception out.
+  void guard(const std::function<void()>& body);
+
+  ros::WallTimer repeat(ros::WallDuration period, void (PublisherNode::*function)());
   void subscribeToObjects();
   void adopt(ModelLoader::ModelPtr model);
-  void onTransforms(const TfEvent& event, bool is_static);
-  void addTransforms(const std::vector<TransformView>& transforms, bool is_static, ros::Time now,
-                     const TfEvent& event);
-  void onMarkers(const MarkersEvent& event);
-  void onMarker(const MarkerEvent& event);
+  void onTransforms(const TfReceiver::Event& event, bool is_static);
+  void onMarkers(Marker* markers, std::size_t count, const std::string& publisher);
   void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
   void observeClock(ros::Time now);
-  void watchMemory();
+  void freeMemory();
   void onNews();
   void publishDiagnostics();
 
-  /// Guards a callback and takes its time [ms], which it returns.
-  template <class Body>
-  double timed(Body&& body);
-
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
-  TfMessageMemory tf_memory_;
-  TfMessageMemory tf_static_memory_;
   TransformSource tf_;
   Scene scene_;
   ObjectSource object_source_;
-  std::size_t most_objects_ = 0;  ///< since memory was given back
+  ObjectMemory object_memory_;
   ModelLoader::ModelPtr model_;
   ClockWatch clock_;
-  RefusalLog refusal_log_{"a transform of", "transforms of further frames"};
-  Health health_;
-  ros::SteadyTime last_status_ = ros::SteadyTime::now();
-  std::uint64_t last_updates_ = 0;  ///< as of last_status_
+  CallbackTimes times_;
+  std::uint64_t updates_ = 0;
   SceneOutput output_;
-  ros::Publisher diagnostics_publisher_;
-  ros::Subscriber tf_subscriber_;
-  ros::Subscriber tf_static_subscriber_;
+  Diagnostics diagnostics_;
+  TfReceiver tf_receiver_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::WallTimer tick_timer_;

@@ -14,8 +14,8 @@ ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes
          'geometry/parts', 'geometry/overlaps',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot',
          'packages', 'ros', 'text',
-         'node/names', 'node/log', 'node/clock', 'node/threads', 'node/master', 'node/parameters',
-         'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/outputs',
+         'node/names', 'node/log', 'node/clock', 'node/threads', 'node/memory', 'node/master',
+         'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/outputs',
          'node/diagnostics', 'node/interface', 'node',
          'tools/text', 'tools/urdf_bounds', 'tools/mesh_worker']
 ROOTS = ['include/link_bounds', 'src', 'test']

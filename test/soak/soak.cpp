@@ -158,8 +158,8 @@ bool soak(int minutes, int pid, double max_growth) {
   waitFor([&] { return listener.told("objects") == 0; }, "all objects are gone");
   const Counts after = settledCounts(listener);
   const bool is_complete = reportLosses(static_cast<double>(sender.sent()), before, after);
-  std::printf("update: p99 %.3f ms, worst %.3f ms\n",
-              listener.told("time per tf message, p99 [ms]"),
+  std::printf("update: mean of the worst second %.3f ms, worst %.3f ms\n",
+              listener.largest("time per tf message, mean of the last second [ms]"),
               listener.told("time per tf message, longest [ms]"));
   const double missing = links - listener.told("boxes");
   if (missing > 0) std::printf("%.0f links have no box\n", missing);

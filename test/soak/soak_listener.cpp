@@ -6,6 +6,7 @@
 #include <geometry_msgs/Polygon.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
@@ -41,8 +42,11 @@ void SoakListener::onDiagnostics(const diagnostic_msgs::DiagnosticArray& array) 
   for (const auto& status : array.status) {
     if ("/" + status.name != publisher_ + ": boxes") continue;
     told_.clear();
-    for (const auto& pair : status.values)
+    for (const auto& pair : status.values) {
       told_[pair.key] = pair.value;
+      double& largest = largest_[pair.key];
+      largest = std::max(largest, std::strtod(pair.value.c_str(), nullptr));
+    }
   }
 }
 
@@ -50,6 +54,12 @@ double SoakListener::told(const std::string& key) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = told_.find(key);
   return found == told_.end() ? 0 : std::strtod(found->second.c_str(), nullptr);
+}
+
+double SoakListener::largest(const std::string& key) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = largest_.find(key);
+  return found == largest_.end() ? 0 : found->second;
 }
 
 }  // namespace link_bounds

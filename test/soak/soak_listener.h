@@ -25,6 +25,9 @@ class SoakListener {
   /// A value of the newest diagnostics, 0 if there is none.
   double told(const std::string& key) const;
 
+  /// The largest value of all diagnostics so far, 0 if there is none.
+  double largest(const std::string& key) const;
+
  private:
   void onDiagnostics(const diagnostic_msgs::DiagnosticArray& array);
 
@@ -33,6 +36,7 @@ class SoakListener {
   std::atomic<std::uint64_t> markers_{0};
   mutable std::mutex mutex_;
   std::map<std::string, std::string> told_;  ///< guarded by mutex_
+  std::map<std::string, double> largest_;    ///< guarded by mutex_
   std::vector<ros::Subscriber> subscribers_;
 };
 

@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Level, one sentence, and figures.
+// A level, one sentence, and key-value pairs.
 #include "node/diagnostics/diagnostics.h"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/this_node.h>
-#include <ros/time.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "node/log/log_text.h"
+#include "node/names/topics.h"
 
 namespace link_bounds {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::size_t kMostObjectLines = 100;
+constexpr std::size_t kMaxObjectLines = 100;
 
 void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);
@@ -45,7 +47,7 @@ void addIncomplete(const std::string& name, const std::string& reason, Diagnosti
   add(status, "incomplete: " + name, reason);
 }
 
-/// Adds a line per incomplete link; returns how many there are.
+/// Adds an entry per incomplete link; returns their number.
 std::size_t addIncomplete(const LiveBoxes& links, DiagnosticStatus& status) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < links.states().size(); ++i) {
@@ -56,12 +58,12 @@ std::size_t addIncomplete(const LiveBoxes& links, DiagnosticStatus& status) {
   return count;
 }
 
-/// The same for objects, of which there may be very many.
+/// The same for objects, but at most kMaxObjectLines entries.
 std::size_t addIncomplete(const LiveObjects& objects, DiagnosticStatus& status) {
   std::size_t count = 0;
   for (const auto& [key, object] : objects.objects()) {
     if (!object.state.incomplete) continue;
-    if (count < kMostObjectLines)
+    if (count < kMaxObjectLines)
       addIncomplete(object.content.bounded.name, object.reason(), status);
     ++count;
   }
@@ -105,16 +107,24 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
 }
 
+void addTimes(CallbackTimes& times, DiagnosticStatus& status) {
+  const Durations recent = times.takeRecentTf();
+  const auto text = [&recent](double value) {
+    return recent.count > 0 ? std::to_string(value) : "none";
+  };
+  add(status, "time per tf message, mean of the last second [ms]", text(recent.mean()));
+  add(status, "time per tf message, maximum of the last second [ms]", text(recent.max));
+  add(status, "time per tf message, longest [ms]", std::to_string(times.tf().max));
+  add(status, "longest callback [ms]", std::to_string(times.longest()));
+  add(status, "longest callback, CPU [ms]", std::to_string(times.longestCpu()));
+}
+
 std::string nodeName() {
   const std::string name = ros::this_node::getName();
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
-}  // namespace
-
-diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& health) {
-  DiagnosticStatus status;
-  status.name = nodeName() + ": boxes";
+void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) {
   if (scene.model()) {
     describeScene(scene, status);
   } else if (!health.waits_for_description) {
@@ -126,22 +136,35 @@ diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& heal
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
-  const DurationHistogram& tf = health.tf_callbacks_ms;
-  add(status, "tf messages", std::to_string(tf.count()));
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics(ros::NodeHandle& node)
+    : publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10)) {}
+
+void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTimes& times) {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  DiagnosticStatus& status = array.status.emplace_back();
+  status.name = nodeName() + ": boxes";
+  assess(scene, health, status);
+  add(status, "tf messages", std::to_string(times.tf().count));
   addIntake(health.intake, status);
   add(status, "updates", std::to_string(health.updates));
-  add(status, "updates per second", std::to_string(health.updates_per_second));
+  add(status, "updates per second", std::to_string(updatesPerSecond(health.updates)));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
-  add(status, "time per tf message, p99 [ms]", std::to_string(tf.quantile(0.99)));
-  add(status, "time per tf message, longest [ms]", std::to_string(tf.longest()));
-  add(status, "longest callback [ms]", std::to_string(health.longest_callback_ms));
-  add(status, "longest callback, CPU [ms]", std::to_string(health.longest_callback_cpu_ms));
-  diagnostic_msgs::DiagnosticArray array;
-  array.header.stamp = ros::Time::now();
-  array.status.push_back(status);
-  return array;
+  addTimes(times, status);
+  publisher_.publish(array);
+}
+
+/// Since the last status, by wall time.
+double Diagnostics::updatesPerSecond(std::uint64_t updates) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double seconds = (now - std::exchange(last_status_, now)).toSec();
+  return static_cast<double>(updates - std::exchange(last_updates_, updates)) / seconds;
 }
 
 }  // namespace link_bounds

@@ -1,37 +1,46 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the node tells about its health.
+// What the node reports about itself.
 #pragma once
 
-#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/node_handle.h>
+#include <ros/time.h>
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
-#include "node/diagnostics/duration_histogram.h"
+#include "node/diagnostics/callback_times.h"
 #include "node/scene/scene.h"
 
 namespace link_bounds {
 
-/// What cannot be read off the boxes.
+/// What cannot be read from the scene.
 struct Health {
   bool waits_for_description = false;
   bool waits_for_clock = false;
-  bool clock_jumped = false;           ///< in the last five seconds
-  std::uint64_t updates = 0;           ///< tf messages that changed something
-  std::uint64_t publications = 0;      ///< of ~boxes
-  double longest_callback_ms = 0;      ///< wall time of the slowest callback of the update thread
-  double longest_callback_cpu_ms = 0;  ///< the most CPU time one of them took
-  DurationHistogram tf_callbacks_ms;   ///< wall time, one per tf message received
-  double updates_per_second = 0;       ///< since the last status, wall time
-  std::optional<double> lag_ms;  ///< the longest since the last status that the newest stamp of a
-                                 ///< ~boxes lay behind ROS time when it was published
+  bool clock_jumped = false;       ///< in the last five seconds
+  std::uint64_t updates = 0;       ///< changes of the scene, since the start
+  std::uint64_t publications = 0;  ///< of ~boxes, since the start
+  std::optional<double> lag_ms;    ///< by how much the newest stamp of a ~boxes lay behind ROS time
+                                   ///< when it was published; the maximum since the last status
   TfIntake intake;
 };
 
-/// One status named "<node name>: boxes". ERROR: there is no model, or not one box though links
-/// are bounded. WARN: something is incomplete or waited for, or the clock jumped. Else OK.
-diagnostic_msgs::DiagnosticArray diagnose(const Scene& scene, const Health& health);
+class Diagnostics {
+ public:
+  explicit Diagnostics(ros::NodeHandle& node);
+
+  /// Publishes one status named "<node name>: boxes". ERROR: there is no model, or links are
+  /// bounded but none has a box. WARN: something is incomplete or waited for, or the clock jumped.
+  /// Else OK. `times` begins a new period.
+  void publish(const Scene& scene, const Health& health, CallbackTimes& times);
+
+ private:
+  double updatesPerSecond(std::uint64_t updates);
+
+  ros::Publisher publisher_;
+  ros::SteadyTime last_status_ = ros::SteadyTime::now();
+  std::uint64_t last_updates_ = 0;  ///< at last_status_
+};
 
 }  // namespace link_bounds

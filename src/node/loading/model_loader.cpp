@@ -3,27 +3,17 @@
 // A thread that spins its own callback queue and, until the first model is there, looks for it.
 #include "node/loading/model_loader.h"
 
-#include <malloc.h>
 #include <ros/init.h>
-#include <ros/this_node.h>
 
 #include "node/loading/mesh_remedy.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
-#include "node/threads/queued_function.h"
 #include "node/threads/start_thread.h"
 
 namespace link_bounds {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.2);
-const ros::WallDuration kWaitMessagePeriod(10.0);
-
-/// There is no description to load yet.
-class NoDescription : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 Parameters readParametersAndWarn(const ParameterServer& server) {
   const ReadParameters read = readParameters(server);
@@ -41,21 +31,20 @@ void report(const Model& model) {
            logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
 }
 
-/// Of what loading took for a while; the C library would keep it for later.
-void trimHeap() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 }  // namespace
 
 ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
-                         MeshHandler on_mesh)
+                         MeshRequests::Handler on_mesh)
     : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
-      on_mesh_(std::move(on_mesh)),
       server_([this] { return isToEnd(); }),
-      robot_loader_(nodeRemedy, [this] { return isToEnd(); }) {
+      description_(server_),
+      robot_loader_(nodeRemedy, [this] { return isToEnd(); }),
+      mesh_requests_(
+          queue_, *ros::getGlobalCallbackQueue(),
+          [this](const auto& uris) {
+            return robot_loader_.loadMeshes(uris, meshSource(parameters_));
+          },
+          std::move(on_mesh)) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =
@@ -86,12 +75,12 @@ void ModelLoader::run() {
 
 void ModelLoader::firstLoad() {
   try {
-    const XmlRpc::XmlRpcValue description = readDescription();
+    const XmlRpc::XmlRpcValue description = description_.read();
     if (!refused_.valid() || !(refused_ == description)) load(description);
   } catch (const NoDescription& reason) {
     refused_.clear();
     waits_for_description_ = true;
-    sayWaiting(reason.what());
+    description_.warnOfWaiting(reason.what());
     if (!serves_objects_) serveObjectsMeanwhile();
   } catch (const std::exception& error) {
     if (!serves_objects_) throw;
@@ -103,54 +92,6 @@ void ModelLoader::firstLoad() {
 void ModelLoader::serveObjectsMeanwhile() {
   if (parameters_.fixed_frame.empty()) return;
   serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
-}
-
-void ModelLoader::sayWaiting(const std::string& reason) {
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  if (!last_said_.isZero() && now - last_said_ < kWaitMessagePeriod) return;
-  last_said_ = now;
-  ROS_WARN("waiting for parameter robot_description: %s", logText(reason).c_str());
-}
-
-void ModelLoader::requestMesh(const std::string& uri) {
-  {
-    const std::lock_guard<std::mutex> lock(requests_mutex_);
-    requests_.push_back(uri);
-  }
-  enqueue(queue_, [this] { loadRequestedMeshes(); });
-}
-
-void ModelLoader::giveBackMemory() {
-  enqueue(queue_, [] { trimHeap(); });
-}
-
-/// All that have gathered, so that files load side by side.
-void ModelLoader::loadRequestedMeshes() {
-  std::vector<std::string> uris;
-  {
-    const std::lock_guard<std::mutex> lock(requests_mutex_);
-    uris.swap(requests_);
-  }
-  if (uris.empty()) return;
-  const std::vector<LoadedMesh> meshes = robot_loader_.loadMeshes(uris, meshSource(parameters_));
-  for (std::size_t i = 0; i < uris.size(); ++i) {
-    enqueue(*ros::getGlobalCallbackQueue(),
-            [this, uri = uris[i], mesh = meshes[i]] { on_mesh_(uri, mesh); });
-  }
-  trimHeap();
-}
-
-/// Throws NoDescription.
-XmlRpc::XmlRpcValue ModelLoader::readDescription() const {
-  try {
-    const auto name = server_.search(ros::this_node::getNamespace(), "robot_description");
-    if (name) {
-      if (const auto description = server_.get(*name)) return *description;
-    }
-  } catch (const NoMaster& error) {
-    throw NoDescription(error.what());
-  }
-  throw NoDescription("parameter robot_description is not set");
 }
 
 /// Throws RobotError, ParameterError, and what `adopt` throws.
@@ -165,7 +106,6 @@ void ModelLoader::load(XmlRpc::XmlRpcValue description) {
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
   refused_.clear();
-  trimHeap();
 }
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -189,7 +129,7 @@ void ModelLoader::reload() {
   robot_loader_.forgetFailures();
   parameters_ = readParametersAndWarn(server_);
   try {
-    load(readDescription());
+    load(description_.read());
   } catch (const NoDescription&) {
     if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
     serveObjectsMeanwhile();

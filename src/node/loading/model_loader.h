@@ -9,14 +9,13 @@
 
 #include <atomic>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
+#include "node/loading/mesh_requests.h"
 #include "node/loading/model.h"
 #include "node/loading/model_hand_over.h"
+#include "node/loading/robot_description.h"
 #include "node/parameters/parameter_server.h"
 
 namespace link_bounds {
@@ -28,23 +27,17 @@ class ModelLoader {
  public:
   using ModelPtr = ModelHandOver::ModelPtr;
 
-  /// What becomes of a mesh that was requested; on the update thread, too.
-  using MeshHandler = std::function<void(const std::string& uri, const LoadedMesh& mesh)>;
-
-  /// `adopt` runs on the update thread and takes the new model; what it throws is what ~reload
-  /// answers, and it is called again with the old model. Throws std::runtime_error if there can be
-  /// no thread.
+  /// `adopt` and `on_mesh` run on the update thread. What `adopt` throws becomes the answer of
+  /// ~reload, and `adopt` is called again with the old model. Throws std::runtime_error if the
+  /// thread cannot be started.
   ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
-              MeshHandler on_mesh);
+              MeshRequests::Handler on_mesh);
   ~ModelLoader();
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// Loads the mesh of an object when there is time; returns at once.
-  void requestMesh(const std::string& uri);
-
-  /// Gives back to the system what the C library keeps of freed memory, on this thread.
-  void giveBackMemory();
+  /// Returns at once; the mesh of an object is loaded when the thread is free.
+  void requestMesh(const std::string& uri) { mesh_requests_.add(uri); }
 
   bool waitsForDescription() const { return waits_for_description_; }
 
@@ -57,28 +50,23 @@ class ModelLoader {
   void load(XmlRpc::XmlRpcValue description);
   void reload();
   void serveObjectsMeanwhile();
-  void loadRequestedMeshes();
-  XmlRpc::XmlRpcValue readDescription() const;
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
-  void sayWaiting(const std::string& reason);
   bool handOver(ModelPtr model);
   bool isToEnd() const;
 
   ModelHandOver hand_over_;
-  MeshHandler on_mesh_;
   ParameterServer server_;
+  RobotDescription description_;
   RobotLoader robot_loader_;
   Parameters parameters_;
   bool has_loaded_ = false;      ///< a robot
   bool serves_objects_ = false;  ///< though there is no robot
   XmlRpc::XmlRpcValue refused_;  ///< the description that cannot be used while objects are served
-  ros::SteadyTime last_said_;
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> stops_{false};
-  std::mutex requests_mutex_;
-  std::vector<std::string> requests_;  ///< URIs of meshes
   ros::CallbackQueue queue_;
+  MeshRequests mesh_requests_;
   ros::ServiceServer reload_service_;
   std::thread thread_;
 };

@@ -14,6 +14,9 @@ from node_testing import ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
 from object_testing import ObjectSender, marker
 
 MESSAGES = 20
+MEAN = "time per tf message, mean of the last second [ms]"
+MAXIMUM = "time per tf message, maximum of the last second [ms]"
+LONGEST = "time per tf message, longest [ms]"  # since the start
 CROWD = 400  # objects that all overlap
 LONG = 10.0  # ms; to find 80,000 pairs and send them takes longer
 PERIODS = 5
@@ -62,10 +65,23 @@ class DiagnosticsTest(unittest.TestCase):
         status = self.diagnostics.wait_for_new(
             lambda _, status: int(value_of(status, "tf messages")) >= count, "%d messages" % count)
         self.assertEqual(int(value_of(status, "tf messages")), count)
-        longest = float(value_of(status, "time per tf message, longest [ms]"))
-        self.assertGreater(longest, 0)
-        p99 = float(value_of(status, "time per tf message, p99 [ms]"))
-        self.assertTrue(0 < p99 <= longest, "%g, %g" % (p99, longest))
+        self.assertGreater(float(value_of(status, LONGEST)), 0)
+
+    def test_tells_mean_and_maximum_of_the_last_second(self):
+        before = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        sender = Repeater(50, lambda: self.tf.send(rospy.Time.now()))
+        self.addCleanup(sender.stop)
+        status = self.diagnostics.wait_for_new(
+            lambda _, status: int(value_of(status, "tf messages")) >
+            int(value_of(before, "tf messages")) + 2 * MESSAGES, "%d messages" % (2 * MESSAGES))
+        mean, maximum = [float(value_of(status, key)) for key in (MEAN, MAXIMUM)]
+        longest = float(value_of(status, LONGEST))
+        self.assertTrue(0 < mean <= maximum <= longest, "%g, %g, %g" % (mean, maximum, longest))
+        sender.stop()
+        status = self.diagnostics.wait_for_new(
+            lambda _, status: value_of(status, MEAN) == "none", "a second without messages")
+        self.assertEqual(value_of(status, MAXIMUM), "none")
+        self.assertGreaterEqual(float(value_of(status, LONGEST)), longest)
 
     def test_tells_what_became_of_transforms(self):
         load(NODE, ARMS)

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameter robot_description.
+#pragma once
+
+#include <ros/time.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "node/parameters/parameter_server.h"
+
+namespace link_bounds {
+
+/// The parameter is not set, or the ROS master does not answer.
+class NoDescription : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads the parameter from the namespace of the node, or else from the nearest one above it.
+/// `server` must outlive this.
+class RobotDescription {
+ public:
+  explicit RobotDescription(const ParameterServer& server) : server_(server) {}
+
+  /// Of any type. Throws NoDescription.
+  XmlRpc::XmlRpcValue read() const;
+
+  /// Warns that the node waits for the parameter, at most once in ten seconds.
+  void warnOfWaiting(const std::string& reason);
+
+ private:
+  const ParameterServer& server_;
+  ros::SteadyTime last_warning_;
+};
+
+}  // namespace link_bounds
