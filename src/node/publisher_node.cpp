@@ -154,7 +154,7 @@ void PublisherNode::publishDiagnostics() {
   health.clock_jumped = clock_.hasJustJumped();
   health.updates = updates_;
   health.publications = output_.publications();
-  health.lag_ms = output_.takeLongestLag();
+  health.lag_ms = output_.takeMaxLag();
   health.intake = tf_.intake();
   diagnostics_.publish(scene_, health, times_);
 }

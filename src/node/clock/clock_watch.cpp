@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Durations of wall time are measured on the steady clock.
+// Wall time is measured by the steady clock.
 #include "node/clock/clock_watch.h"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kSmallestJump = 0.1;  // s
-constexpr double kFarAhead = 0.5;      // s
-const ros::WallDuration kDoubtAfterJump(0.5);
-const ros::WallDuration kNewsOfJump(5.0);
-const ros::WallDuration kPatience(5.0);
+constexpr double kMinJump = 0.1;   // s
+constexpr double kFarAhead = 0.5;  // s
+const ros::WallDuration kLateArrivals(0.5);
+const ros::WallDuration kReportJump(5.0);
+const ros::WallDuration kClockTimeout(5.0);
 
 /// Seconds; the difference of two ros::Time throws when it is too large for a ros::Duration.
 double since(ros::Time earlier, ros::Time later) {
@@ -27,8 +27,8 @@ ClockWatch::ClockWatch() : start_(ros::SteadyTime::now()) {}
 
 ClockWatch::Event ClockWatch::observe(ros::Time now) {
   const ros::Time last = last_;
-  // Small steps back are no jump, and do not add up to one that goes unnoticed.
-  if (since(now, last) <= kSmallestJump) {
+  // `last_` keeps its value in a small step back, so that many such steps add up to a jump.
+  if (since(now, last) <= kMinJump) {
     last_ = std::max(last, now);
     return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
   }
@@ -39,15 +39,16 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
   if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
-  return ros::SteadyTime::now() - jump_ <= kDoubtAfterJump;
+  return ros::SteadyTime::now() - jump_ <= kLateArrivals;
 }
 
 bool ClockWatch::hasJustJumped() const {
-  return !jump_.isZero() && ros::SteadyTime::now() - jump_ < kNewsOfJump;
+  return !jump_.isZero() && ros::SteadyTime::now() - jump_ < kReportJump;
 }
 
 bool ClockWatch::isMissing() const {
-  return ros::Time::isSimTime() && last_.isZero() && ros::SteadyTime::now() - start_ > kPatience;
+  return ros::Time::isSimTime() && last_.isZero() &&
+         ros::SteadyTime::now() - start_ > kClockTimeout;
 }
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names parameters and the service as README does.
+// Remedies that name parameters and the service.
 #include "node/loading/mesh_remedy.h"
 
 namespace link_bounds {

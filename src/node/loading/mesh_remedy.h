@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user of a running node can do about a mesh that cannot be used.
+// What a user of the node can do about a mesh that cannot be used.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace link_bounds {
 
-/// The plain remedy, but where a parameter or ~reload helps.
+/// plainRemedy(), except where a parameter or ~reload helps.
 std::string nodeRemedy(MeshFault fault);
 
 }  // namespace link_bounds

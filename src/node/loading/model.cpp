@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins a description and parameters into a model.
+// Makes a model of a description and parameters.
 #include "node/loading/model.h"
 
 #include <algorithm>
@@ -39,26 +39,26 @@ SceneGroup allLinks(std::size_t count) {
   return group;
 }
 
-/// The links that a member of a group can be: one that is bounded, or one that needs no box.
+/// The links that can be members of groups.
 struct KnownLinks {
   std::map<std::string, std::size_t> bounded;
   std::set<std::string> without_geometry;
 };
 
-/// The namespace that a member like "ns/*" stands for.
-std::optional<std::string> wholeNamespace(const std::string& member) {
+/// The namespace "ns" of a member "ns/*"; nothing for other members.
+std::optional<std::string> namespaceOf(const std::string& member) {
   if (member.size() < 2 || member.compare(member.size() - 2, 2, "/*") != 0) return std::nullopt;
   return member.substr(0, member.size() - 2);
 }
 
-/// A name that both a link and an object can have is that of the link.
+/// A name that fits a link and an object means the link.
 void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
   const auto found = known.bounded.find(member);
   if (found != known.bounded.end()) {
     group.members.push_back(found->second);
   } else if (known.without_geometry.count(member)) {
     return;
-  } else if (const auto ns = wholeNamespace(member)) {
+  } else if (const auto ns = namespaceOf(member)) {
     group.namespaces.push_back(*ns);
   } else if (const auto key = parseObjectName(member)) {
     group.objects.push_back(*key);
@@ -105,7 +105,7 @@ RigidBodies bodiesOf(const Robot& robot, const std::vector<std::size_t>& indices
   return bodies;
 }
 
-/// What an entry of ignore_pairs means for a robot with these links.
+/// The pairs that an entry of ignore_pairs stands for; none if it cannot be split into names.
 std::vector<NamePair> pairsOf(const std::string& entry, const std::set<std::string>& links) {
   return namePairs(entry, [&links](const std::string& name) {
     return links.count(name) || parseObjectName(name);
@@ -137,7 +137,7 @@ std::set<std::string> linkNames(const Robot& robot) {
   return names;
 }
 
-/// One warning per unknown name, however often it is used. Names with a slash may be objects.
+/// One warning per unknown name. Names with a slash may be those of objects.
 std::vector<std::string> unknownNames(const Robot& robot, const Parameters& parameters) {
   const std::set<std::string> known = linkNames(robot);
   std::map<std::string, std::string> unknown;

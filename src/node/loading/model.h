@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything the update thread needs to know about the robot: made once per load, never changed.
+// What the update thread knows about the robot: made by each load, then never changed.
 #pragma once
 
 #include <map>
@@ -27,20 +27,20 @@ struct Model {
   std::string fixed_frame;                      ///< tf name
   std::vector<BoundedLink> links;               ///< in the order of the URDF
   std::vector<std::string> frames;              ///< tf name of each link
-  std::vector<std::vector<BoundedLink>> parts;  ///< of each link; see BoundedRobot
-  std::vector<SceneGroup> groups;  ///< "robot", then the user's by name; members index links
-  RigidBodies bodies;              ///< of links, by the numbers they have here
-  NamePairs ignored_pairs;         ///< of links and objects, the overlaps of which nobody wants
-  std::map<std::string, std::size_t> mesh_bytes;  ///< memory kept per mesh file in use
-  std::vector<std::string> problems;              ///< geometry that is not bounded, one per element
-  std::vector<std::string> warnings;              ///< names in parameters that fit no link
+  std::vector<std::vector<BoundedLink>> parts;  ///< by link; see BoundedRobot
+  std::vector<SceneGroup> groups;  ///< "robot", then those of the user by name; members index links
+  RigidBodies bodies;              ///< by index of link
+  NamePairs ignored_pairs;         ///< whose overlaps are not reported
+  std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
+  std::vector<std::string> problems;              ///< one per element that is not bounded
+  std::vector<std::string> warnings;              ///< e.g. names in parameters that fit no link
 };
 
 /// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
 /// name are stripped; a link name that begins with a slash takes no prefix.
 std::string tfName(const std::string& tf_prefix, const std::string& link);
 
-/// For objects alone, while there is no description; parameters must name the fixed frame.
+/// For objects alone, while there is no description. The parameters must name the fixed frame.
 Model modelWithoutRobot(const Parameters& parameters);
 
 /// Meshes of packages and of file URIs, within the limits that the parameters set.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Both threads see the members, but never at once: one waits while the other works.
+// No lock is needed: the loader thread waits while the update thread uses the members.
 #include "node/loading/model_hand_over.h"
 
 #include <chrono>
@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::milliseconds kPoll(20);
+constexpr std::chrono::milliseconds kPollPeriod(20);
 
 }  // namespace
 
@@ -20,14 +20,14 @@ ModelHandOver::ModelHandOver(ros::CallbackQueueInterface& queue,
                              std::function<void(ModelPtr)> adopt)
     : queue_(queue), adopt_(std::move(adopt)) {}
 
-bool ModelHandOver::give(ModelPtr model, const std::function<bool()>& gives_up) {
+bool ModelHandOver::give(ModelPtr model, const std::function<bool()>& is_cancelled) {
   if (next_) return false;
   next_ = std::move(model);
   const auto task = std::make_shared<std::packaged_task<void()>>([this] { adoptNext(); });
   std::future<void> is_adopted = task->get_future();
   enqueue(queue_, [task] { (*task)(); });
-  while (is_adopted.wait_for(kPoll) != std::future_status::ready) {
-    if (gives_up()) return false;
+  while (is_adopted.wait_for(kPollPeriod) != std::future_status::ready) {
+    if (is_cancelled()) return false;
   }
   const ModelPtr given = std::exchange(next_, nullptr);
   is_adopted.get();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a model gets from the loader thread to the update thread, and is freed by the former.
+// Hands a model from the loader thread to the update thread.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
@@ -12,22 +12,22 @@
 
 namespace link_bounds {
 
-/// To free a model takes long, so the update thread must never hold its last reference: this class
-/// keeps one on the loader thread until the update thread uses another model.
+/// Freeing a model takes long, so the update thread must never hold the last reference. This class
+/// holds one for the loader thread until the update thread uses another model.
 class ModelHandOver {
  public:
   using ModelPtr = std::shared_ptr<const Model>;
 
-  /// `adopt` runs on the thread that serves the queue. When it throws, it is called again with the
-  /// model that was in use.
+  /// `adopt` runs on the thread that serves the queue. If it throws, it is called again with the
+  /// model in use.
   ModelHandOver(ros::CallbackQueueInterface& queue, std::function<void(ModelPtr)> adopt);
   ModelHandOver(const ModelHandOver&) = delete;
   ModelHandOver& operator=(const ModelHandOver&) = delete;
 
-  /// Returns once the update thread uses the model; false if `gives_up`, which is asked often, says
-  /// so before: then nothing more can be given. Throws what `adopt` throws; the old model is then
-  /// in use as before.
-  bool give(ModelPtr model, const std::function<bool()>& gives_up);
+  /// Returns true when the update thread uses the model. Returns false if `is_cancelled`, which is
+  /// called often, returns true before; then no further model can be given. Throws what `adopt`
+  /// throws; the old model then stays in use.
+  bool give(ModelPtr model, const std::function<bool()>& is_cancelled);
 
  private:
   void adoptNext();
@@ -35,7 +35,7 @@ class ModelHandOver {
   ros::CallbackQueueInterface& queue_;
   std::function<void(ModelPtr)> adopt_;
   ModelPtr in_use_;
-  ModelPtr next_;  ///< while the update thread may take it
+  ModelPtr next_;  ///< while the update thread may adopt it
 };
 
 }  // namespace link_bounds

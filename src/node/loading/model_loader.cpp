@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thread that spins its own callback queue and, until the first model is there, looks for it.
+// The thread serves its own callback queue. Until there is a robot, it polls for the description.
 #include "node/loading/model_loader.h"
 
 #include <ros/init.h>
@@ -36,9 +36,9 @@ void report(const Model& model) {
 ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
                          MeshRequests::Handler on_mesh)
     : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
-      server_([this] { return isToEnd(); }),
+      server_([this] { return isStopping(); }),
       description_(server_),
-      robot_loader_(nodeRemedy, [this] { return isToEnd(); }),
+      robot_loader_(nodeRemedy, [this] { return isStopping(); }),
       mesh_requests_(
           queue_, *ros::getGlobalCallbackQueue(),
           [this](const auto& uris) {
@@ -61,12 +61,12 @@ ModelLoader::~ModelLoader() {
 void ModelLoader::run() {
   try {
     parameters_ = readParametersAndWarn(server_);
-    while (!isToEnd()) {
+    while (!isStopping()) {
       if (!has_loaded_) firstLoad();
       queue_.callAvailable(kPollPeriod);
     }
   } catch (const std::exception& error) {
-    if (isToEnd()) return;
+    if (isStopping()) return;
     ROS_FATAL("%s", logText(error.what()).c_str());
     has_failed_ = true;
     ros::requestShutdown();
@@ -136,12 +136,12 @@ void ModelLoader::reload() {
   }
 }
 
-/// Returns once the update thread uses the model; false if the node stops before.
+/// Returns true when the update thread uses the model, false if the node stops before.
 bool ModelLoader::handOver(ModelPtr model) {
-  return hand_over_.give(std::move(model), [this] { return isToEnd(); });
+  return hand_over_.give(std::move(model), [this] { return isStopping(); });
 }
 
-bool ModelLoader::isToEnd() const {
+bool ModelLoader::isStopping() const {
   return stops_ || !ros::ok();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The second thread of the node: waits for the robot description, loads models, answers ~reload.
+// The loader thread: waits for the robot description, loads models, answers ~reload.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -20,9 +20,9 @@
 
 namespace link_bounds {
 
-/// Everything that may take long or fail happens here. A finished model is handed to the update
-/// thread through the global callback queue; the old one is freed here, too. While there is no
-/// description that can be used but a fixed frame is set, the model is one without a robot.
+/// All that may take long or fail runs on this thread. The update thread, which serves the global
+/// callback queue, adopts a finished model. While there is no usable description but a fixed frame
+/// is set, the model has no robot.
 class ModelLoader {
  public:
   using ModelPtr = ModelHandOver::ModelPtr;
@@ -52,7 +52,7 @@ class ModelLoader {
   void serveObjectsMeanwhile();
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool handOver(ModelPtr model);
-  bool isToEnd() const;
+  bool isStopping() const;
 
   ModelHandOver hand_over_;
   ParameterServer server_;
@@ -60,8 +60,8 @@ class ModelLoader {
   RobotLoader robot_loader_;
   Parameters parameters_;
   bool has_loaded_ = false;      ///< a robot
-  bool serves_objects_ = false;  ///< though there is no robot
-  XmlRpc::XmlRpcValue refused_;  ///< the description that cannot be used while objects are served
+  bool serves_objects_ = false;  ///< without a robot
+  XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while objects are served
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> stops_{false};

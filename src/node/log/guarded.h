@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rule that a running node never throws: roscpp does not catch what a callback throws.
+// Callbacks of a running node must not throw: roscpp does not catch exceptions.
 #pragma once
 
 #include <ros/console.h>
@@ -12,10 +12,10 @@
 
 namespace link_bounds {
 
-/// Runs the body of a callback where nothing can be thrown out of it.
+/// Runs the body of a callback and lets no exception out.
 using Guard = std::function<void(const std::function<void()>& body)>;
 
-/// Calls the body of a callback; an exception becomes one log line per second.
+/// Calls `body`. An exception is logged, at most once per second.
 template <class Body>
 void guarded(Body&& body) {
   try {

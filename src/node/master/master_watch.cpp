@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Says what happened to the master once, and once that it is over.
+// Logs once that the master is lost, and once that it is back.
 #include "node/master/master_watch.h"
 
 #include <ros/console.h>
@@ -26,26 +26,26 @@ MasterWatch::MasterWatch() : thread_(startThread("master watch", [this] { run();
 MasterWatch::~MasterWatch() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ends_ = true;
+    stops_ = true;
   }
-  end_.notify_all();
+  wake_up_.notify_all();
   thread_.join();
 }
 
-bool MasterWatch::ends() {
+bool MasterWatch::isStopping() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return ends_ || ros::isShuttingDown();
+  return stops_ || ros::isShuttingDown();
 }
 
 void MasterWatch::run() {
   std::unique_lock<std::mutex> lock(mutex_);
-  while (!end_.wait_for(lock, kPeriod, [this] { return ends_; })) {
+  while (!wake_up_.wait_for(lock, kPeriod, [this] { return stops_; })) {
     lock.unlock();
     guarded([this] {
       try {
         poll();
       } catch (const XmlRpc::XmlRpcException& error) {
-        // It is no std::exception.
+        // XmlRpcException does not derive from std::exception.
         throw std::runtime_error("answer of the ROS master: " + error.getMessage());
       }
     });
@@ -56,35 +56,35 @@ void MasterWatch::run() {
 void MasterWatch::poll() {
   const auto caller = [this](const XmlRpcServer& server) -> XmlRpcCall {
     return [this, server](const std::string& method, const XmlRpc::XmlRpcValue& arguments) {
-      return callXmlRpc(server, method, arguments, [this] { return ends(); });
+      return callXmlRpc(server, method, arguments, [this] { return isStopping(); });
     };
   };
-  const XmlRpcCall master =
-      caller({ros::master::getHost(), static_cast<int>(ros::master::getPort())});
-  const Standing standing = askStanding(master);
-  // At its end a node takes its entries away from the master itself.
-  if (ends()) return;
-  if (standing == Standing::kUnreachable) return sayLost("it does not answer");
-  if (standing == Standing::kNameTaken) return sayLost("another node has taken this one's name");
-  if (standing == Standing::kUnknown) {
-    sayLost("it was restarted");
-    is_to_register_ = true;
+  const XmlRpcCall master = caller(rosMaster());
+  const Registration registration = queryRegistration(master);
+  // A node that ends removes its own entries from the master.
+  if (isStopping()) return;
+  if (registration == Registration::kUnreachable) return reportLost("it does not answer");
+  if (registration == Registration::kNameTaken)
+    return reportLost("another node has taken this one's name");
+  if (registration == Registration::kUnknown) {
+    reportLost("it was restarted");
+    must_register_ = true;
   }
-  if (is_to_register_) {
+  if (must_register_) {
     const int port = static_cast<int>(ros::XMLRPCManager::instance()->getServerPort());
-    is_to_register_ = !registerAgain(master, caller({"localhost", port}));
+    must_register_ = !registerAgain(master, caller({"localhost", port}));
   }
-  if (!is_to_register_) sayBack();
+  if (!must_register_) reportBack();
 }
 
-void MasterWatch::sayLost(const char* how) {
+void MasterWatch::reportLost(const char* reason) {
   if (is_lost_) return;
   is_lost_ = true;
   ROS_WARN("lost the ROS master %s: %s; connections go on, new ones have to wait",
-           ros::master::getURI().c_str(), how);
+           ros::master::getURI().c_str(), reason);
 }
 
-void MasterWatch::sayBack() {
+void MasterWatch::reportBack() {
   if (!is_lost_) return;
   is_lost_ = false;
   ROS_INFO("the ROS master %s knows this node again", ros::master::getURI().c_str());

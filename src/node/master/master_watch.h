@@ -9,9 +9,9 @@
 
 namespace link_bounds {
 
-/// Asks the master once a second. While it is away everything that is connected goes on; to a
-/// master that does not know the node all is registered again. On a thread of its own, because a
-/// master that is gone may be slow to show it.
+/// Asks the master once a second whether it knows the node. Existing connections work without a
+/// master. A restarted master does not know the node: then everything is registered again.
+/// Has its own thread, because a call to a master that is gone may take seconds to fail.
 class MasterWatch {
  public:
   MasterWatch();
@@ -22,15 +22,15 @@ class MasterWatch {
  private:
   void run();
   void poll();
-  void sayLost(const char* how);
-  void sayBack();
-  bool ends();
+  void reportLost(const char* reason);
+  void reportBack();
+  bool isStopping();
 
   bool is_lost_ = false;
-  bool is_to_register_ = false;
+  bool must_register_ = false;
   std::mutex mutex_;
-  std::condition_variable end_;
-  bool ends_ = false;  ///< guarded by mutex_
+  std::condition_variable wake_up_;
+  bool stops_ = false;  ///< guarded by mutex_
   std::thread thread_;
 };
 

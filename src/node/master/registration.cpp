@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The calls that roscpp makes once, when something is advertised, in the same form once more.
+// Repeats the calls that roscpp makes when a topic or service is advertised.
 #include "node/master/registration.h"
 
 #include <ros/connection_manager.h>
@@ -17,8 +17,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr int kSuccess = 1;
-/// roscpp does not tell the names of services; these are all that a node of ours has.
+/// roscpp does not list the services of a node; these are all that this node has.
 constexpr std::array<const char*, 3> kServices{
     {kReloadService.name, "~get_loggers", "~set_logger_level"}};
 
@@ -31,7 +30,7 @@ std::string serviceUri() {
          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
 }
 
-/// Every call begins with the name of the caller.
+/// The first argument of each call is the name of the caller.
 template <class... Values>
 XmlRpcValue arguments(const Values&... values) {
   XmlRpcValue result;
@@ -41,11 +40,11 @@ XmlRpcValue arguments(const Values&... values) {
   return result;
 }
 
-/// The value of an answer of success.
+/// The value of the answer; nothing if there is none or the call failed.
 std::optional<XmlRpcValue> request(const XmlRpcCall& call, const std::string& method,
                                    const XmlRpcValue& arguments) {
   auto answer = call(method, arguments);
-  if (!answer || answer->status != kSuccess) return std::nullopt;
+  if (!answer || !answer->isSuccess()) return std::nullopt;
   return std::move(answer->value);
 }
 
@@ -60,8 +59,8 @@ bool registerPublishers(const XmlRpcCall& master, const XmlRpcCall& node) {
   return topics.has_value();
 }
 
-/// The master answers with the topic's publishers. None at all is not passed on: it would end
-/// connections to those that live but did not register again.
+/// The master answers with the publishers of the topic. An empty list is not passed on, because it
+/// would end connections to publishers that run but have not registered again.
 bool registerSubscribers(const XmlRpcCall& master, const XmlRpcCall& node) {
   auto topics = request(node, "getSubscriptions", arguments());
   for (int i = 0; topics && i < topics->size(); ++i) {
@@ -90,11 +89,11 @@ bool registerServices(const XmlRpcCall& master) {
 
 }  // namespace
 
-Standing askStanding(const XmlRpcCall& master) {
+Registration queryRegistration(const XmlRpcCall& master) {
   auto answer = master("lookupNode", arguments(ros::this_node::getName()));
-  if (!answer) return Standing::kUnreachable;
-  if (answer->status != kSuccess) return Standing::kUnknown;
-  return answer->value == XmlRpcValue(ownUri()) ? Standing::kKnown : Standing::kNameTaken;
+  if (!answer) return Registration::kUnreachable;
+  if (!answer->isSuccess()) return Registration::kUnknown;
+  return answer->value == XmlRpcValue(ownUri()) ? Registration::kKnown : Registration::kNameTaken;
 }
 
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How this node stands at the ROS master, and how it gets back there after the master was
-// restarted.
+// Whether the ROS master knows this node, and how the node registers with a restarted master.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -14,18 +13,17 @@
 
 namespace link_bounds {
 
-enum class Standing { kUnreachable, kUnknown, kKnown, kNameTaken };
+enum class Registration { kUnreachable, kUnknown, kKnown, kNameTaken };
 
-/// Calls a method of one server; nothing if it cannot be reached.
+/// Calls a method of one server. Nothing if there is no answer.
 using XmlRpcCall = std::function<std::optional<XmlRpcAnswer>(const std::string& method,
                                                              const XmlRpc::XmlRpcValue& arguments)>;
 
-/// kNameTaken: another node is registered under our name.
-Standing askStanding(const XmlRpcCall& master);
+/// kNameTaken: another node has registered under the name of this one.
+Registration queryRegistration(const XmlRpcCall& master);
 
-/// Registers everything that this node publishes, subscribes and serves, as it is: no connection
-/// is lost. `node` reaches the node itself, which knows best what that is. False if the master
-/// went away meanwhile.
+/// Registers all publishers, subscribers and services of this node; no connection is lost. `node`
+/// calls this node itself, which lists its topics. False if a call fails.
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls of ROS's XML-RPC interfaces that end: those of roscpp wait for an answer without limit.
+// XML-RPC calls with a timeout, which those of roscpp do not have.
 #pragma once
 
 #include <ros/duration.h>
@@ -17,17 +17,21 @@ struct XmlRpcServer {
   int port;
 };
 
-/// What the master and the nodes answer to every call.
+XmlRpcServer rosMaster();
+
+/// The form of all answers of the master and of nodes.
 struct XmlRpcAnswer {
-  int status;  ///< 1: success
+  int status;
   XmlRpc::XmlRpcValue value;
+
+  bool isSuccess() const { return status == 1; }
 };
 
-/// Nothing if there is no answer within `patience`, or one that is not of this form, or if
-/// `gives_up` says so, which is asked ten times a second.
+/// Nothing if there is no answer of this form within `timeout`, or if `is_cancelled`, which is
+/// called ten times a second, returns true.
 std::optional<XmlRpcAnswer> callXmlRpc(const XmlRpcServer& server, const std::string& method,
                                        const XmlRpc::XmlRpcValue& arguments,
-                                       const std::function<bool()>& gives_up,
-                                       ros::WallDuration patience = ros::WallDuration(2.0));
+                                       const std::function<bool()>& is_cancelled,
+                                       ros::WallDuration timeout = ros::WallDuration(2.0));
 
 }  // namespace link_bounds

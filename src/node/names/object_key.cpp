@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of objects, written and read.
+// An id has exactly one spelling.
 #include "node/names/object_key.h"
 
 #include <charconv>
@@ -18,7 +18,7 @@ std::optional<ObjectKey> parseObjectName(const std::string& name) {
   key.ns = name.substr(0, slash);
   const char* const end = name.data() + name.size();
   const auto [rest, error] = std::from_chars(name.data() + slash + 1, end, key.id);
-  // Names are written in one way only: "a/01" and "a/-0" name nothing.
+  // "a/01" and "a/-0" are not names.
   if (error != std::errc() || rest != end || objectName(key) != name) return std::nullopt;
   return key;
 }

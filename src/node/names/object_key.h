@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What tells one object from another: namespace and id of the marker that draws it.
+// The identity of an object: namespace and id of its marker.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace link_bounds {
 
-/// Sorted by namespace, then by number.
+/// Sorted by namespace, then by id.
 struct ObjectKey {
   std::string ns;
   std::int32_t id = 0;
@@ -24,7 +24,7 @@ struct ObjectKey {
 /// "<ns>/<id>", the name of the object's box.
 std::string objectName(const ObjectKey& key);
 
-/// The opposite; nothing for a text that is no such name. A namespace may contain slashes.
+/// The inverse; nothing if `name` is not of that form. A namespace may contain slashes.
 std::optional<ObjectKey> parseObjectName(const std::string& name);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The names under which the node is reached, each with its type and when something arrives there.
+// Topics and services: name, type, and when a message is sent.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct TopicName {
   const char* when;
 };
 
-/// Without the ~, as a private NodeHandle takes it.
+/// Without the ~, as a private NodeHandle expects it.
 inline std::string privateName(const TopicName& topic) {
   return topic.name + 1;
 }

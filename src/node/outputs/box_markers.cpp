@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// CUBE, LINE_LIST and TEXT per box, and the book-keeping of deletions.
+// CUBE, LINE_LIST and TEXT markers per box, and DELETE markers.
 #include "node/outputs/box_markers.h"
 
 #include "link_bounds/ros/messages.h"
@@ -11,19 +11,19 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// Nodes like this one do not take markers of such namespaces for objects.
+/// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
 constexpr char kObjectsNamespace[] = "link_bounds/objects/";
 
 enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
 
-constexpr double kThinnest = 1e-4;     ///< rviz cannot draw a box of zero size [m]
-constexpr double kFarthest = 1e18;     ///< squares of larger numbers overflow rviz's float32 [m]
-constexpr double kEdgeWidth = 0.002;   ///< [m]
-constexpr double kLabelHeight = 0.04;  ///< [m]
+constexpr double kMinSize = 1e-4;        ///< rviz cannot draw a box of zero size [m]
+constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
+constexpr double kEdgeWidth = 0.002;     ///< [m]
+constexpr double kLabelHeight = 0.04;    ///< [m]
 
 bool isDrawable(const Aabb& box) {
-  return box.min().cwiseAbs().maxCoeff() <= kFarthest &&
-         box.max().cwiseAbs().maxCoeff() <= kFarthest;
+  return box.min().cwiseAbs().maxCoeff() <= kMaxCoordinate &&
+         box.max().cwiseAbs().maxCoeff() <= kMaxCoordinate;
 }
 
 geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
@@ -91,7 +91,7 @@ void addBox(const BoxState& state, const std::string& name, const std::string& n
             const std_msgs::Header& header, const Parameters& parameters, MarkerArray& array) {
   if (!state.box || !isDrawable(*state.box)) return;
   const auto [center, exact_radius] = toCenterRadius(*state.box);
-  const Eigen::Vector3d radius = exact_radius.cwiseMax(kThinnest / 2);
+  const Eigen::Vector3d radius = exact_radius.cwiseMax(kMinSize / 2);
   const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
   const auto marker = [&, &box_center = center](MarkerId id, int type) {
     return commonMarker(header, ns, id, type, box_center);

@@ -13,19 +13,19 @@
 
 namespace link_bounds {
 
-/// All boxes that exist as ADD: faces (id 0), edges (id 1) and label (id 2) as the model's
-/// marker_style and marker_labels say; ns is the tf name of a link, "link_bounds/objects/<name>" of
-/// an object. Boxes farther out than rviz's float32 can draw are left out.
+/// An ADD per marker of each box: faces (id 0), edges (id 1) and label (id 2), as marker_style and
+/// marker_labels of the model say. The namespace is the tf name of a link, or
+/// "link_bounds/objects/<name>" for an object. Boxes that rviz cannot draw are left out.
 visualization_msgs::MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header);
 
-/// Remembers what rviz may be showing, so that every array can delete what is gone.
+/// Remembers the markers that rviz may show, so that each array can delete those that are gone.
 class ShownMarkers {
  public:
-  /// Appends a DELETE for each marker shown before that `markers` lacks, then remembers those of
-  /// `markers` only: to be used for an array that goes to all subscribers.
+  /// For an array that goes to all subscribers: appends a DELETE for each remembered marker that
+  /// `markers` lacks, then remembers only those of `markers`.
   void replaceBy(visualization_msgs::MarkerArray& markers, const std_msgs::Header& header);
 
-  /// Appends the same, but forgets nothing: for an array that goes to one subscriber.
+  /// For an array that goes to one subscriber: appends the same, but forgets nothing.
   void extendBy(visualization_msgs::MarkerArray& markers, const std_msgs::Header& header);
 
  private:

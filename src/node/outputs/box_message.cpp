@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From states to AxisAlignedBoxArray.
+// Entries that are already in the message are overwritten, so that strings keep their memory.
 #include "node/outputs/box_message.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ ros::Time toTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(nanoseconds));
 }
 
-/// Keeps memory for what may come back soon, not for ten thousand objects that are gone.
+/// Keeps memory for some entries more, but not for ten thousand objects that are gone.
 template <class T>
 void shorten(std::vector<T>& entries, std::size_t size) {
   constexpr std::size_t kSpare = 1000;
@@ -34,7 +34,7 @@ void BoxFiller::add(const std::string& name, const BoxState& state) {
   if (!state.box) return;
   if (boxes_ == message_.boxes.size()) message_.boxes.emplace_back();
   AxisAlignedBox& box = message_.boxes[boxes_++];
-  if (box.name != name) box.name = name;  // the box of before nearly always has it
+  if (box.name != name) box.name = name;  // nearly always equal
   box.stamp = timeOf(state.stamp);
   box.min = toPoint(state.box->min());
   box.max = toPoint(state.box->max());
@@ -47,7 +47,7 @@ void BoxFiller::finish() {
   message_.header.stamp = toTime(newest_);
 }
 
-/// Most boxes have the same stamp.
+/// Converts a stamp once for all boxes that have it.
 ros::Time BoxFiller::timeOf(std::int64_t stamp) {
   if (stamp != stamp_) time_ = toTime(stamp);
   stamp_ = stamp;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes as messages.
+// Fills messages with boxes.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace link_bounds {
 
-/// Adds entries to a message whose arrays keep their memory from one filling to the next.
+/// Overwrites a message entry by entry and reuses its memory.
 class BoxFiller {
  public:
   BoxFiller(AxisAlignedBoxArray& message, const std::string& frame);
 
   void add(const std::string& name, const BoxState& state);
 
-  /// To be called at the end.
+  /// To be called after the last add().
   void finish();
 
  private:
@@ -32,14 +32,13 @@ class BoxFiller {
   ros::Time time_;  ///< of stamp_
 };
 
-/// The header that the boxes of this moment have. There must be a model.
+/// The header of a message of all boxes. There must be a model.
 std_msgs::Header headerOf(const Scene& scene);
 
-/// Overwrites `message` with the boxes of links and objects; reuses its memory. There must be a
-/// model.
+/// Overwrites `message` with the boxes of links and objects. There must be a model.
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);
 
-/// The same for the groups.
+/// The same with the boxes of groups.
 void fillGroups(const Scene& scene, AxisAlignedBoxArray& message);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Four corners, each coordinate rounded away from the robot.
+// Rounds each coordinate outward.
 #include "node/outputs/footprint.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle that the robot covers on the ground, as costmap_2d takes it.
+// The rectangle that the robot covers on the ground, for costmap_2d.
 #pragma once
 
 #include <geometry_msgs/Polygon.h>

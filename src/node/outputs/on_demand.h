@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A topic that costs nothing while nobody listens.
+// A topic that costs nothing without subscribers.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,14 +13,14 @@
 
 namespace link_bounds {
 
-/// For whom a message is made: all who listen, or one who has just come.
-enum class Audience { kAll, kNewcomer };
+/// Who receives a message: all subscribers, or one that has just connected.
+enum class Audience { kAll, kNewSubscriber };
 
-/// Each new subscriber is sent a message of its own when it connects.
+/// Each new subscriber receives a message of its own when it connects.
 template <class Message>
 class OnDemand {
  public:
-  /// Overwrites a message, whose memory is kept; false if there is nothing to send.
+  /// Overwrites a message and reuses its memory; false if there is nothing to send.
   using Fill = std::function<bool(Message& message, Audience audience)>;
 
   OnDemand(ros::NodeHandle& private_node, const TopicName& topic, std::uint32_t queue, Guard guard,
@@ -28,21 +28,21 @@ class OnDemand {
       : guard_(std::move(guard)), fill_(std::move(fill)) {
     publisher_ = private_node.advertise<Message>(
         privateName(topic), queue, [this](const ros::SingleSubscriberPublisher& subscriber) {
-          guard_([&] { welcome(subscriber); });
+          guard_([&] { sendTo(subscriber); });
         });
   }
 
-  bool isHeard() const { return publisher_.getNumSubscribers() > 0; }
+  bool hasSubscribers() const { return publisher_.getNumSubscribers() > 0; }
 
-  void forgetMessage() { message_ = Message(); }
+  void freeSpareMemory() { message_ = Message(); }
 
   void publish() {
-    if (isHeard() && fill_(message_, Audience::kAll)) publisher_.publish(message_);
+    if (hasSubscribers() && fill_(message_, Audience::kAll)) publisher_.publish(message_);
   }
 
  private:
-  void welcome(const ros::SingleSubscriberPublisher& subscriber) {
-    if (fill_(message_, Audience::kNewcomer)) subscriber.publish(message_);
+  void sendTo(const ros::SingleSubscriberPublisher& subscriber) {
+    if (fill_(message_, Audience::kNewSubscriber)) subscriber.publish(message_);
   }
 
   Guard guard_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The boxes are those of ~boxes, in the same order.
+// Finds pairs of boxes and reports those that the model does not exclude.
 #include "node/outputs/overlap_message.h"
 
 #include "link_bounds/ros/messages.h"
@@ -23,7 +23,7 @@ bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& 
   return !model.ignored_pairs.contains(*a.name, *b.name);
 }
 
-/// Entry `count`, the last one or a new one.
+/// Entry `count` of the list; at its end, appends a spare entry or a new one.
 BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count) {
   if (count < overlaps.size()) return overlaps[count];
   if (spare_.empty()) return overlaps.emplace_back();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From states to BoxOverlapArray.
+// Pairs of near boxes as a message.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Searches the boxes of messages again and again; keeps memory for it.
+/// Searches the boxes of one message after another and reuses its memory.
 class SceneOverlaps {
  public:
   /// Overwrites `message`; reuses its memory. `boxes` begins with boxes of links, whose indices in
@@ -23,7 +23,7 @@ class SceneOverlaps {
             const std::vector<std::size_t>& links, BoxOverlapArray& message);
 
  private:
-  /// Whose box it is.
+  /// The owner of a box.
   struct Owner {
     const std::string* name;
     std::optional<std::size_t> link;  ///< nothing for objects
@@ -36,7 +36,7 @@ class SceneOverlaps {
   std::vector<Aabb> boxes_;
   std::vector<Owner> owners_;
   SweepAndPrune search_;
-  std::vector<BoxOverlap> spare_;  ///< entries with memory for names
+  std::vector<BoxOverlap> spare_;  ///< unused entries, whose strings have memory
 };
 
 }  // namespace link_bounds

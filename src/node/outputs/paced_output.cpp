@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A one-shot timer that runs only while something waits.
+// A one-shot timer runs while a request waits.
 #include "node/outputs/paced_output.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace link_bounds {
 namespace {
 
-/// roscpp wants a positive period, and one that its times of 32 bits can hold.
-constexpr double kShortestWait = 1e-4;  // s
-constexpr double kLongestWait = 1e8;    // s
+/// A period in roscpp must be positive and fit into 32 bits of seconds.
+constexpr double kMinWait = 1e-4;  // s
+constexpr double kMaxWait = 1e8;   // s
 
 }  // namespace
 
@@ -29,17 +29,17 @@ void PacedOutput::setRate(double rate) {
 void PacedOutput::request() {
   if (is_waiting_) return;
   const double elapsed = ros::WallTime::now().toSec() - last_;
-  // A wall clock set back must not silence the output.
+  // `elapsed` is negative if the wall clock was set back.
   if (elapsed >= period_ || elapsed < 0) return emitNow();
   is_waiting_ = true;
   startTimer();
 }
 
-/// Also if it runs already, with another period.
+/// Restarts a timer that runs already.
 void PacedOutput::startTimer() {
   const double rest = std::min(last_ + period_ - ros::WallTime::now().toSec(), period_);
   timer_.stop();
-  timer_.setPeriod(ros::WallDuration(std::clamp(rest, kShortestWait, kLongestWait)));
+  timer_.setPeriod(ros::WallDuration(std::clamp(rest, kMinWait, kMaxWait)));
   timer_.start();
 }
 

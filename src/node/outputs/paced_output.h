@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Emits the newest state, at most so often.
+// Limits the rate of an output.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -12,19 +12,19 @@
 
 namespace link_bounds {
 
-/// Calls `emit` at once when a request comes later than one period after the last emission, else
-/// when that period is over, once for all requests in between. Wall time.
+/// Calls `emit` at once for a request that comes at least one period of wall time after the last
+/// call. Earlier requests lead to one call when the period is over.
 class PacedOutput {
  public:
-  /// `guard` runs what the timer calls.
+  /// `guard` runs `emit` when the timer calls it.
   PacedOutput(ros::NodeHandle& node, Guard guard, std::function<void()> emit);
 
-  /// Hz; 0 = no limit. It holds at once, also for what waits already.
+  /// In Hz; 0 = no limit. Also applies to a request that waits.
   void setRate(double rate);
 
   void request();
 
-  /// Emits now, whatever the rate.
+  /// Calls `emit` now, at any rate.
   void emitNow();
 
  private:
@@ -33,7 +33,7 @@ class PacedOutput {
   Guard guard_;
   std::function<void()> emit_;
   double period_ = 0;  ///< s
-  double last_ = 0;    ///< s, wall time; 0 = never
+  double last_ = 0;    ///< of the last call [s], wall time; 0 = never
   ros::WallTimer timer_;
   bool is_waiting_ = false;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts are placed by the poses of the links' boxes, so that both always fit together.
+// Parts have the poses of the published boxes of their links, so both always agree.
 #include "node/outputs/part_boxes.h"
 
 #include "node/outputs/box_message.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The boxes of the links' parts, computed only when they are asked for.
+// The boxes of the parts of links, computed only when a message needs them.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,12 @@ class PartBoxes {
   /// True if the model wants more than one part per link.
   bool areWanted() const { return are_wanted_; }
 
-  /// Remembers where the links are, if parts are wanted. They must have the adopted model.
+  /// Copies the states and poses of the links, if parts are wanted. The links must have the adopted
+  /// model.
   void place(const LiveBoxes& links);
 
-  /// Overwrites `message` with the parts of all links that had a box at the last place(), each
-  /// named, stamped and incomplete as its link; reuses its memory. `model` is the adopted one.
+  /// Overwrites `message` with the parts of all links that had a box at the last place(), with
+  /// name, stamp and incompleteness of the link. `model` is the adopted one.
   void fill(const Model& model, AxisAlignedBoxArray& message);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes and groups always; everything else while somebody listens.
+// Boxes and groups are always published, everything else only to subscribers.
 #include "node/outputs/scene_output.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace link_bounds {
 namespace {
 
-/// Per subscriber that does not keep up; beside them the kernel buffers about as much again. It
-/// must bridge a moment of a busy machine and bounds the memory that a stopped subscriber costs us.
+/// In messages per subscriber; the kernel buffers about as many again. Long enough for a subscriber
+/// on a busy machine, and short enough to bound the memory that a stopped subscriber takes.
 constexpr std::uint32_t kBoxesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 constexpr std::uint32_t kFootprintQueue = 10;
@@ -48,19 +48,19 @@ void SceneOutput::adopt() {
 
 void SceneOutput::request() {
   boxes_output_.request();
-  if (markers_.isHeard()) markers_output_.request();
+  if (markers_.hasSubscribers()) markers_output_.request();
 }
 
 void SceneOutput::freeSpareMemory() {
   scene_overlaps_ = SceneOverlaps();
-  overlaps_.forgetMessage();
+  overlaps_.freeSpareMemory();
 }
 
 void SceneOutput::publishBoxes() {
   ++publications_;
   fillBoxes(scene_, boxes_message_);
   boxes_publisher_.publish(boxes_message_);
-  noteLag(boxes_message_.header.stamp);
+  recordLag(boxes_message_.header.stamp);
   fillGroups(scene_, groups_message_);
   groups_publisher_.publish(groups_message_);
   rememberLinks();
@@ -79,13 +79,13 @@ void SceneOutput::rememberLinks() {
   part_boxes_.place(scene_.links);
 }
 
-void SceneOutput::noteLag(ros::Time stamp) {
+void SceneOutput::recordLag(ros::Time stamp) {
   if (stamp.isZero()) return;
   const double lag = (ros::Time::now().toSec() - stamp.toSec()) * 1e3;
   lag_ms_ = std::max(lag, lag_ms_.value_or(lag));
 }
 
-/// A newcomer is shown everything; what others may still be showing is then not forgotten.
+/// A message to a new subscriber must not forget the markers that others may still show.
 bool SceneOutput::fillMarkers(visualization_msgs::MarkerArray& message, Audience audience) {
   if (!scene_.model()) return false;
   const std_msgs::Header header = headerOf(scene_);

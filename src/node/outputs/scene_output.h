@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is published of a scene, and when.
+// Publishes a scene.
 #pragma once
 
 #include <geometry_msgs/Polygon.h>
@@ -21,34 +21,34 @@
 
 namespace link_bounds {
 
-/// Overlaps, parts and footprint are made from what the last ~boxes showed: a new subscriber may
-/// come while the scene is newer than that and max_rate lets it wait.
+/// Overlaps, parts and footprint always agree with the last ~boxes. The scene may be newer than
+/// that when a new subscriber connects, because max_rate delays ~boxes.
 class SceneOutput {
  public:
-  /// `scene` must outlive this. `guard` runs what roscpp calls.
+  /// `scene` must outlive this. `guard` runs the callbacks of roscpp.
   SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
               const Guard& guard);
 
-  /// Everything at once, at the rates of the scene's new model.
+  /// Publishes everything and sets the rates of the new model of the scene.
   void adopt();
 
-  /// Something changed: it is published as soon as the rates allow. There must be a model.
+  /// Publishes a change of the scene as soon as the rates allow. There must be a model.
   void request();
 
   /// Frees the memory that the search for overlaps keeps between updates.
   void freeSpareMemory();
 
-  /// Messages on ~boxes.
+  /// Number of messages on ~boxes.
   std::uint64_t publications() const { return publications_; }
 
-  /// The longest since the last call that the stamp of a ~boxes lay behind ROS time when it was
-  /// published [ms]; nothing if there was none with a stamp.
-  std::optional<double> takeLongestLag() { return std::exchange(lag_ms_, std::nullopt); }
+  /// By how much the stamp of a ~boxes lay behind ROS time when it was published [ms], the maximum
+  /// since the last call. Nothing if no ~boxes had a stamp.
+  std::optional<double> takeMaxLag() { return std::exchange(lag_ms_, std::nullopt); }
 
  private:
   void publishBoxes();
   void rememberLinks();
-  void noteLag(ros::Time stamp);
+  void recordLag(ros::Time stamp);
   bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
   bool fillParts(AxisAlignedBoxArray& message);
   bool fillFootprint(geometry_msgs::Polygon& message) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The conversions of single values.
+// Conversions of single values.
 #include "node/parameters/parameter_reader.h"
 
 namespace link_bounds {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Typed values from the parameter server's untyped ones, by a table of parameters.
+// Converts the untyped values of the parameter server, as the table of parameters says.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -16,8 +16,8 @@
 
 namespace link_bounds {
 
-/// fromXml(value, out) fills `out` and returns "", or returns what the value should have been.
-/// XmlRpcValue gives access to its content only if it is not const, hence the references.
+/// fromXml(value, out) sets `out` and returns "", or returns the expected type in words.
+/// `value` is not const, because a const XmlRpcValue does not give access to its content.
 std::string fromXml(XmlRpc::XmlRpcValue& value, std::string& out);
 std::string fromXml(XmlRpc::XmlRpcValue& value, bool& out);
 std::string fromXml(XmlRpc::XmlRpcValue& value, int& out);
@@ -51,8 +51,8 @@ std::string fromXml(XmlRpc::XmlRpcValue& value, std::map<std::string, T>& out) {
   return "";
 }
 
-/// A visitor of a table of parameters: sets every field that the struct `values` has, and collects
-/// the names that the table knows.
+/// A visitor of the table of parameters. Sets the fields for which `values`, a struct, has a
+/// member, and collects all names of the table.
 class ParameterReader {
  public:
   explicit ParameterReader(XmlRpc::XmlRpcValue& values) : values_(values) {}
@@ -67,6 +67,7 @@ class ParameterReader {
     if (!fault.empty()) throw ParameterError(std::string("parameter ~") + name + " " + fault);
   }
 
+  /// Members of `values` that the table does not have.
   std::vector<std::string> unknownNames() const;
 
  private:

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The two calls of ROS's Parameter Server API that a reader needs.
+// Two calls of the Parameter Server API of ROS.
 #include "node/parameters/parameter_server.h"
 
-#include <ros/master.h>
 #include <ros/names.h>
 #include <ros/this_node.h>
 #include <ros/time.h>
@@ -15,8 +14,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr int kSuccess = 1;
-const ros::WallDuration kDeadline(10.0);
+const ros::WallDuration kTimeout(10.0);
 const ros::WallDuration kPause(0.1);
 
 }  // namespace
@@ -25,7 +23,7 @@ std::optional<XmlRpcValue> ParameterServer::get(const std::string& name) const {
   return call("getParam", ros::this_node::getName(), ros::names::resolve(name));
 }
 
-/// The API searches in the namespace of the caller.
+/// The API searches from the namespace of the caller.
 std::optional<std::string> ParameterServer::search(const std::string& ns,
                                                    const std::string& name) const {
   const auto& remappings = ros::names::getUnresolvedRemappings();
@@ -38,16 +36,15 @@ std::optional<std::string> ParameterServer::search(const std::string& ns,
 std::optional<XmlRpcValue> ParameterServer::call(const std::string& method,
                                                  const std::string& caller,
                                                  const std::string& name) const {
-  const XmlRpcServer master{ros::master::getHost(), static_cast<int>(ros::master::getPort())};
   XmlRpcValue arguments;
   arguments[0] = caller;
   arguments[1] = name;
-  const ros::SteadyTime end = ros::SteadyTime::now() + kDeadline;
-  for (ros::WallDuration left = kDeadline; left > ros::WallDuration(0);
+  const ros::SteadyTime end = ros::SteadyTime::now() + kTimeout;
+  for (ros::WallDuration left = kTimeout; left > ros::WallDuration(0);
        left = end - ros::SteadyTime::now()) {
-    const auto answer = callXmlRpc(master, method, arguments, gives_up_, left);
-    if (answer) return answer->status == kSuccess ? std::optional(answer->value) : std::nullopt;
-    if (gives_up_()) break;
+    const auto answer = callXmlRpc(rosMaster(), method, arguments, is_cancelled_, left);
+    if (answer) return answer->isSuccess() ? std::optional(answer->value) : std::nullopt;
+    if (is_cancelled_()) break;
     kPause.sleep();
   }
   throw NoMaster("the ROS master does not answer " + method + " of " + name);

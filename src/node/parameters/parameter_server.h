@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the parameter server. To roscpp a call that failed is a parameter that is not set.
+// Reads the parameter server. roscpp takes a failed call for a parameter that is not set.
 #pragma once
 
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -21,21 +21,23 @@ class NoMaster : public std::runtime_error {
 /// A call that fails is repeated for ten seconds; then it throws NoMaster.
 class ParameterServer {
  public:
-  /// `gives_up` is asked ten times a second while the master does not answer.
-  explicit ParameterServer(std::function<bool()> gives_up) : gives_up_(std::move(gives_up)) {}
+  /// `is_cancelled` is called ten times a second while the master does not answer; true ends a
+  /// call.
+  explicit ParameterServer(std::function<bool()> is_cancelled)
+      : is_cancelled_(std::move(is_cancelled)) {}
 
   /// Nothing if the parameter is not set.
   std::optional<XmlRpc::XmlRpcValue> get(const std::string& name) const;
 
-  /// The full name of a parameter in a namespace or the nearest one above; nothing if it is not
-  /// set there. A name that was remapped on the command line is taken so.
+  /// The full name of a parameter that is set in `ns` or in the nearest namespace above it; nothing
+  /// if there is none. Remappings of `name` on the command line apply.
   std::optional<std::string> search(const std::string& ns, const std::string& name) const;
 
  private:
   std::optional<XmlRpc::XmlRpcValue> call(const std::string& method, const std::string& caller,
                                           const std::string& name) const;
 
-  std::function<bool()> gives_up_;
+  std::function<bool()> is_cancelled_;
 };
 
 }  // namespace link_bounds

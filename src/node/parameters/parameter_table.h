@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of parameters: name, meaning and what is allowed, each once. The reader, --help and
-// the test of the README's table all walk through it.
+// The one table of parameters: name, meaning and rule. It serves the reader and --help, and so the
+// test of README's table.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace link_bounds {
 
 namespace rules {
 
-/// A rule says what a value must be, or "" if it is that.
+/// A rule returns what a value must be, or "" if the value obeys.
 template <class T>
 std::string any(const T&) {
   return "";
@@ -37,13 +37,13 @@ inline std::string partCount(int value) {
 }
 
 inline std::string geometry(const std::string& value) {
-  const bool known = value == "visual" || value == "collision" || value == "both";
-  return known ? "" : "must be visual, collision or both";
+  const bool is_known = value == "visual" || value == "collision" || value == "both";
+  return is_known ? "" : "must be visual, collision or both";
 }
 
 inline std::string markerStyle(const std::string& value) {
-  const bool known = value == "edges" || value == "faces" || value == "both";
-  return known ? "" : "must be edges, faces or both";
+  const bool is_known = value == "edges" || value == "faces" || value == "both";
+  return is_known ? "" : "must be edges, faces or both";
 }
 
 inline std::string color(const std::array<double, 4>& rgba) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values as YAML reads them.
+// Values in the notation of YAML.
 #include "node/parameters/parameter_text.h"
 
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What --help says of a parameter: its type and its default.
+// Type and default of a parameter, as --help prints them.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ std::string valueText(const std::array<double, count>& value) {
     text += (text.empty() ? "[" : ", ") + valueText(part);
   return text + "]";
 }
-/// The defaults of lists and maps are empty.
+/// For defaults, which are empty lists and maps.
 template <class T>
 std::string valueText(const std::vector<T>&) {
   return "[]";
@@ -69,7 +69,7 @@ std::string valueText(const std::optional<T>&) {
   return "(required)";
 }
 
-/// A visitor of a table of parameters: prints a row of each.
+/// A visitor of the table of parameters: prints one row per parameter.
 class ParameterRows {
  public:
   explicit ParameterRows(std::ostream& out) : out_(out) {}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which parameters of the server are those of this node.
+// Finds the parameters of this node on the server.
 #include "node/parameters/parameters.h"
 
 #include <ros/this_node.h>
@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// As robot_state_publisher finds it: in the private namespace, else in those above.
+/// In the private namespace or the nearest one above it, as robot_state_publisher does.
 std::string foundTfPrefix(const ParameterServer& server) {
   const auto name = server.search(ros::this_node::getName(), "tf_prefix");
   auto value = name ? server.get(*name) : std::nullopt;
@@ -32,7 +32,7 @@ ReadParameters readParameters(const ParameterServer& server) {
   visitParameters(result.parameters, reader);
   result.parameters.tf_prefix = foundTfPrefix(server);
   for (const std::string& name : reader.unknownNames()) {
-    if (name == "diagnostic_period") continue;  // diagnostic_updater's
+    if (name == "diagnostic_period") continue;  // of diagnostic_updater
     result.warnings.push_back("parameter ~" + name + " is unknown and ignored; see --help");
   }
   return result;

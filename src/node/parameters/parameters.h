@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All parameters of the node: one struct, one table, one reader.
+// The parameters of the node, and how they are read.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace link_bounds {
 
 constexpr char kRobotGroup[] = "robot";  ///< the group of all links
 
-/// Meanings and units: parameter_table.h.
+/// Meanings and units are in parameter_table.h.
 struct Parameters {
   std::string fixed_frame;
   std::string geometry = "visual";
@@ -38,13 +38,12 @@ struct Parameters {
   int max_mesh_bytes = 536870912;
 };
 
-/// A reading of the parameter server.
 struct ReadParameters {
   Parameters parameters;
-  std::vector<std::string> warnings;  ///< private names that mean nothing to this node
+  std::vector<std::string> warnings;  ///< one per unknown private name
 };
 
-/// Reads the private parameters of this node, and tf_prefix also from the namespaces above.
+/// Reads the private parameters of this node; tf_prefix also from the namespaces above.
 /// Throws ParameterError, NoMaster.
 ReadParameters readParameters(const ParameterServer& server);
 

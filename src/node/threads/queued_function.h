@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A function as an entry of a callback queue, whose thread sees nothing of what it throws.
+// Functions in a callback queue. What they throw is logged.
 #pragma once
 
 #include <ros/callback_queue_interface.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thread, or a reason why there is none.
+// Starts a thread, or says why it cannot be started.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// Throws std::runtime_error that names the thread.
+/// Throws std::runtime_error with the name of the thread and a remedy.
 template <class Body>
 std::thread startThread(const std::string& name, Body&& body) {
   try {

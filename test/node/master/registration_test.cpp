@@ -61,28 +61,28 @@ Server someMaster(const XmlRpcValue& publishers) {
   return master;
 }
 
-TEST(AskStanding, NothingIsHeardOfAMasterThatIsGone) {
+TEST(QueryRegistration, AMasterThatIsGoneIsUnreachable) {
   Server master;
-  EXPECT_EQ(askStanding(master.call()), Standing::kUnreachable);
+  EXPECT_EQ(queryRegistration(master.call()), Registration::kUnreachable);
 }
 
-TEST(AskStanding, AMasterMayNotKnowUs) {
+TEST(QueryRegistration, AMasterMayNotKnowUs) {
   Server master;
   master.answers["lookupNode"] = {kError, 0};
-  EXPECT_EQ(askStanding(master.call()), Standing::kUnknown);
+  EXPECT_EQ(queryRegistration(master.call()), Registration::kUnknown);
 }
 
 /// Without ros::init our own URI is empty.
-TEST(AskStanding, OurOwnUriShowsThatWeAreKnown) {
+TEST(QueryRegistration, OurOwnUriShowsThatWeAreKnown) {
   Server master;
   master.answers["lookupNode"] = {kSuccess, ""};
-  EXPECT_EQ(askStanding(master.call()), Standing::kKnown);
+  EXPECT_EQ(queryRegistration(master.call()), Registration::kKnown);
 }
 
-TEST(AskStanding, AnotherUriUnderOurNameIsAnotherNode) {
+TEST(QueryRegistration, AnotherUriUnderOurNameIsAnotherNode) {
   Server master;
   master.answers["lookupNode"] = {kSuccess, "http://elsewhere:1/"};
-  EXPECT_EQ(askStanding(master.call()), Standing::kNameTaken);
+  EXPECT_EQ(queryRegistration(master.call()), Registration::kNameTaken);
 }
 
 TEST(RegisterAgain, AllPublicationsAndSubscriptionsAreNamed) {
