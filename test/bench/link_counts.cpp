@@ -3,7 +3,8 @@
 // Updates of few and many links: what memory costs when the tables do not fit the caches.
 #include <algorithm>
 
-#include "link_bounds/geometry/shape/shape.h"
+#include "geometry/support/direction_table.h"
+#include "link_bounds/geometry/shape/link_boxes.h"
 #include "methods.h"
 
 namespace link_bounds::bench {
@@ -19,26 +20,29 @@ const Poses& linkPoses() {
   return poses;
 }
 
-/// A robot whose every link has a mesh.
+/// A robot whose every link has a mesh, and moves in every update.
 struct Links {
-  std::vector<Shape> shapes;
-  std::vector<ShapeReach> reaches;
-  Boxes boxes;
+  LinkBoxes boxes;
+  std::vector<MovedLink> moved;
 
-  Links(const MeasuredMeshes& meshes, std::size_t count) : shapes(count), boxes(count) {
+  Links(const MeasuredMeshes& meshes, std::size_t count) {
+    std::vector<BoundedLink> links(count);
     for (std::size_t i = 0; i < count; ++i) {
-      shapes[i].points = meshes[i % meshes.size()].points;
-      reaches.emplace_back(shapes[i]);
+      links[i].shapes.push_back({meshes[i % meshes.size()].points});
+      moved.push_back({i, nullptr});
     }
+    boxes = LinkBoxes(links);
   }
 
   void update(const Eigen::Affine3d* poses) {
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-      boxes[i] = *placedBox(shapes[i], poses[i], reaches[i]);
+    for (MovedLink& link : moved)
+      link.world_from_link = poses + link.link;
+    boxes.update(moved);
   }
 };
 
-/// Meshes of robots with a table of their own each, in turn; a copy is as good as a further mesh.
+/// Meshes of robots with a table of their own each, in turn; a copy of the points that count is as
+/// good as a further mesh.
 MeasuredMeshes distinctMeshes(const MeasuredMeshes& meshes, std::size_t count) {
   MeasuredMeshes originals;
   std::copy_if(meshes.begin(), meshes.end(), std::back_inserter(originals),
@@ -49,7 +53,7 @@ MeasuredMeshes distinctMeshes(const MeasuredMeshes& meshes, std::size_t count) {
   for (std::size_t i = 0; i < count && !originals.empty(); ++i) {
     const MeasuredMesh& original = originals[i % originals.size()];
     result.push_back({original.name, original.kind, {}, nullptr});
-    result.back().points = std::make_shared<const PointSet>(*original.points);
+    result.back().points = std::make_shared<const PointSet>(original.points->points());
   }
   return result;
 }
@@ -67,11 +71,12 @@ Result totals(const std::string& name, const MeasuredMeshes& meshes, std::size_t
 void addCount(const std::string& name, const MeasuredMeshes& meshes, std::size_t count,
               Suite& suite) {
   const QueryPath path = queryPath();
-  const auto body = [path, count, links = Links(meshes, count)](benchmark::State& state) mutable {
+  const auto links = std::make_shared<Links>(meshes, count);
+  const auto body = [path, count, links](benchmark::State& state) {
     useQueryPath(path);
     std::size_t first = 0;
     for (auto _ : state) {
-      links.update(&linkPoses()[first]);
+      links->update(&linkPoses()[first]);
       benchmark::ClobberMemory();
       first = first + 2 * count <= linkPoses().size() ? first + count : 0;
     }

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include "geometry/support/query/query_path.h"
 #include "method.h"
 
 namespace link_bounds::bench {

@@ -1,28 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // This library, by each path of instructions that the processor has.
-#include "link_bounds/geometry/shape/shape.h"
+#include "geometry/shape/shape_extents.h"
 #include "methods.h"
 
 namespace link_bounds::bench {
 namespace {
 
-/// Rounded outward, like every box the library gives.
+/// The box of one shape, rounded outward, as LinkBoxes computes each.
 struct Ours : Method {
   using Pose = Eigen::Affine3d;
 
   Ours(const MeasuredMesh& mesh, QueryPath query_path)
-      : path(query_path), shape{mesh.points}, reach(shape) {}
+      : path(query_path), shape{mesh.points}, known(shape) {}
 
   static Pose toPose(const Eigen::Affine3d& pose) { return pose; }
   void begin() { useQueryPath(path); }
-  std::optional<Aabb> box(const Pose& pose) { return placedBox(shape, pose, reach); }
+  std::optional<Aabb> box(const Pose& pose) {
+    std::optional<Aabb> result(std::in_place);
+    if (!placeShape(shape, pose, nullptr, known, *result)) result.reset();
+    return result;
+  }
   static Aabb toAabb(const std::optional<Aabb>& box) { return box.value(); }
   std::size_t bytes() const { return shape.points->bytes(); }
 
   QueryPath path;
   Shape shape;
-  ShapeReach reach;
+  ShapeExtents known;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "link_bounds/geometry/shape/link_boxes.h"
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 #include "link_bounds/geometry/volumes/oriented_box.h"
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -138,9 +139,10 @@ void addVolume(const MeasuredRobot& robot, const char* once, const char* update,
 
 void addAabb(const MeasuredRobot& robot, Suite& suite) {
   const std::size_t links = robot.links.size();
-  std::vector<LinkReach> reaches(robot.links.begin(), robot.links.end());
-  const auto update = [&robot, reaches](std::size_t i, const Eigen::Affine3d& pose) mutable {
-    return linkBox(robot.links[i], pose, reaches[i]);
+  const auto update = [boxes = std::make_shared<LinkBoxes>(robot.links)](
+                          std::size_t i, const Eigen::Affine3d& pose) {
+    boxes->update(i, pose);
+    return boxes->box(i);
   };
   addCase(robot, kAabb, links, updates<Eigen::Affine3d>(links, update), suite);
 }

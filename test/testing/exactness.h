@@ -3,6 +3,7 @@
 // Extents of the table beside those of the scan over all points, bit by bit.
 #pragma once
 
+#include "geometry/support/query/query_path.h"
 #include "link_bounds/geometry/box/rounding.h"
 #include "link_bounds/geometry/support/point_set.h"
 #include "testing/brute_force.h"
@@ -38,11 +39,11 @@ inline Exactness compare(const std::vector<Eigen::Vector3f>& points, const Point
   Exactness result;
   const Extents expected = brute_force::extents(points, map);
   useQueryPath(QueryPath::kPlain);
-  const Extents plain = extents(set.table(), map);
+  const Extents plain = set.extents(map);
   for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
     if (!isSupported(path)) continue;
     useQueryPath(path);
-    const Extents actual = extents(set.table(), map);
+    const Extents actual = set.extents(map);
     for (int k = 0; k < 3; ++k) {
       const double tie = 4 * kUnitRoundoff * map.row(k).cwiseAbs().dot(set.magnitude());
       compareFace(actual.low[k], expected.low[k], tie, result);

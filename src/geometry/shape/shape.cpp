@@ -4,10 +4,8 @@
 #include "link_bounds/geometry/shape/shape.h"
 
 #include <cmath>
-#include <limits>
-#include <utility>
 
-#include "geometry/shape/shape_steps.h"
+#include "geometry/shape/shape_extents.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
 
@@ -15,6 +13,7 @@ namespace link_bounds {
 namespace {
 
 constexpr double kLargestLinearEntry = 1e30;
+constexpr unsigned kAllRows = 7;  ///< one bit each
 
 /// Tolerance with which vertices may be left out of an accelerated point set, relative to the
 /// largest |coordinate|, and as much again for evaluating it.
@@ -43,15 +42,15 @@ double halfExtent(Solid solid, const Eigen::Vector3d& row) {
   return 0;
 }
 
-void addSolid(const Shape& shape, const Directions& linear, ShapeReach& reach) {
+void addSolid(const Shape& shape, const Directions& linear, Extents& extents) {
   for (int k = 0; k < 3; ++k) {
     const double half = halfExtent(shape.solid, linear.row(k).transpose().cwiseProduct(shape.size));
-    reach.range.low[k] -= half;
-    reach.range.high[k] += half;
+    extents.low[k] -= half;
+    extents.high[k] += half;
   }
 }
 
-/// Bit k is set where row k differs; what is not a number differs from everything.
+/// Bit k is set where row k differs; NaN differs from everything.
 unsigned changedRows(const Directions& a, const Eigen::Matrix3d& b) {
   unsigned rows = 0;
   for (int k = 0; k < 3; ++k) {
@@ -65,63 +64,64 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
-/// By the given cells, or those found now.
-void scanPoints(const PointSet& points, const Directions& linear, const CellsOfRows* cells,
-                Extents& range) {
+/// By the given cells, or by those found now.
+void scanPoints(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+                ShapeExtents& known) {
   if (cells) {
-    scanCells(points.table(), linear, *cells, range);
+    scanCells(*known.table, linear, *cells, known.extents);
+  } else if (known.table) {
+    known.extents = extents(*known.table, linear);
+  } else if (shape.points) {
+    known.extents = shape.points->extents(linear);
   } else {
-    range = points.extents(linear);
+    known.extents = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   }
 }
 
-/// False if an entry is too large or not a number. The sum tells that of all but the largest.
-bool updateReach(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
-                 ShapeReach& reach) {
-  if (shape.points) {
-    scanPoints(*shape.points, linear, cells, reach.range);
-  } else {
-    reach.range = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  }
-  if (shape.solid != Solid::kNone) addSolid(shape, linear, reach);
-  reach.linear = linear;
+/// All three rows. False if an entry is too large or not a number; the sum of all entries rules
+/// that out for most poses.
+bool updateAll(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+               ShapeExtents& known) {
+  scanPoints(shape, linear, cells, known);
+  if (shape.solid != Solid::kNone) addSolid(shape, linear, known.extents);
+  known.linear = linear;
   double magnitude = 0;
   for (int k = 0; k < 3; ++k) {
     const double entries =
-        std::abs(reach.linear(k, 0)) + std::abs(reach.linear(k, 1)) + std::abs(reach.linear(k, 2));
-    const double pad = entries * reach.pad_per_entry + kUnderflowPad;
-    reach.range.low[k] -= pad;
-    reach.range.high[k] += pad;
+        std::abs(known.linear(k, 0)) + std::abs(known.linear(k, 1)) + std::abs(known.linear(k, 2));
+    const double pad = entries * known.pad_per_entry + kUnderflowPad;
+    known.extents.low[k] -= pad;
+    known.extents.high[k] += pad;
     magnitude += entries;
   }
   if (magnitude <= kLargestLinearEntry || isUsable(linear)) return true;
-  reach.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
+  known.linear.setConstant(std::numeric_limits<double>::quiet_NaN());
   return false;
 }
 
-/// Only the rows whose bits are set; the query for another one is a repetition.
-bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeReach& reach) {
+/// Only the rows whose bits are set; the query takes one of them again in place of each other row.
+bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, ShapeExtents& known) {
   Eigen::Matrix3d directions;
   for (int k = 0; k < 3; ++k)
     directions.row(k) = linear.row(rows & 1u << k ? k : __builtin_ctz(rows));
-  ShapeReach fresh = reach;
-  if (!updateReach(shape, directions, nullptr, fresh)) return false;
+  ShapeExtents fresh = known;
+  if (!updateAll(shape, directions, nullptr, fresh)) return false;
   for (int k = 0; k < 3; ++k) {
     if (!(rows & 1u << k)) continue;
-    reach.linear.row(k) = fresh.linear.row(k);
-    reach.range.low[k] = fresh.range.low[k];
-    reach.range.high[k] = fresh.range.high[k];
+    known.linear.row(k) = fresh.linear.row(k);
+    known.extents.low[k] = fresh.extents.low[k];
+    known.extents.high[k] = fresh.extents.high[k];
   }
   return true;
 }
 
 bool update(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
-            ShapeReach& reach) {
-  if (cells) return updateReach(shape, linear, cells, reach);
-  const unsigned rows = changedRows(linear, reach.linear);
+            ShapeExtents& known) {
+  if (cells) return updateAll(shape, linear, cells, known);
+  const unsigned rows = changedRows(linear, known.linear);
   if (rows == 0) return true;
-  return rows == 7 ? updateReach(shape, linear, nullptr, reach)
-                   : updateRows(shape, linear, rows, reach);
+  return rows == kAllRows ? updateAll(shape, linear, nullptr, known)
+                          : updateRows(shape, linear, rows, known);
 }
 
 bool isFinite(const Aabb& box) {
@@ -129,11 +129,25 @@ bool isFinite(const Aabb& box) {
          (box.min().allFinite() && box.max().allFinite());
 }
 
+/// The pad of the translation is added here; the extents have theirs.
+bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const CellsOfRows* cells,
+             ShapeExtents& known, Aabb& box) {
+  if (!update(shape, world_from_shape.linear(), cells, known)) return false;
+  for (int k = 0; k < 3; ++k) {
+    const double translation = world_from_shape(k, 3);
+    const double pad = kRoundingPad * std::abs(translation);
+    box.min()[k] = (translation - pad) + known.extents.low[k];
+    box.max()[k] = (translation + pad) + known.extents.high[k];
+  }
+  return isFinite(box);
+}
+
 }  // namespace
 
-/// The largest cost of any column, which is nearly that of each.
-ShapeReach::ShapeReach(const Shape& shape)
+/// The pad is the largest of any column, which is nearly that of each.
+ShapeExtents::ShapeExtents(const Shape& shape)
     : pad_per_entry(kRoundingPad * shape.size.maxCoeff() / 2),
+      table(shape.points ? shape.points->table() : nullptr),
       is_in_link_frame(shape.link_from_shape.matrix() == Eigen::Matrix4d::Identity()) {
   if (!shape.points) return;
   const double magnitude = shape.points->magnitude().maxCoeff();
@@ -144,38 +158,26 @@ bool isUsablePose(const Eigen::Affine3d& pose) {
   return pose.translation().allFinite() && isUsable(pose.linear());
 }
 
-bool prefetchCells(const Shape& shape, const Eigen::Affine3d& world_from_shape,
-                   const ShapeReach& reach, CellsOfRows& cells) {
-  if (!shape.points || shape.points->isScanned()) return false;
+bool prefetchCells(const Eigen::Affine3d& world_from_shape, const ShapeExtents& known,
+                   CellsOfRows& cells) {
+  if (!known.table) return false;
   const auto linear = world_from_shape.linear();
-  if (changedRows(linear, reach.linear) != 7) return false;
-  findCells(shape.points->table(), linear, cells);
+  if (changedRows(linear, known.linear) != kAllRows) return false;
+  findCells(*known.table, linear, cells);
   return true;
 }
 
-/// The pad of the translation goes with it, the other one is in the reach.
-bool placeBox(const Shape& shape, const Eigen::Affine3d& world_from_shape, const CellsOfRows* cells,
-              ShapeReach& reach, Aabb& box) {
-  if (!update(shape, world_from_shape.linear(), cells, reach)) return false;
-  for (int k = 0; k < 3; ++k) {
-    const double translation = world_from_shape(k, 3);
-    const double pad = kRoundingPad * std::abs(translation);
-    box.min()[k] = (translation - pad) + reach.range.low[k];
-    box.max()[k] = (translation + pad) + reach.range.high[k];
-  }
-  return isFinite(box);
-}
-
-std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
-                              ShapeReach& reach) {
-  std::optional<Aabb> box(std::in_place);
-  if (!placeBox(shape, world_from_shape, nullptr, reach, *box)) box.reset();
-  return box;
+bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link,
+                const CellsOfRows* cells, ShapeExtents& known, Aabb& box) {
+  if (known.is_in_link_frame) return placeAt(shape, world_from_link, cells, known, box);
+  return placeAt(shape, world_from_link * shape.link_from_shape, nullptr, known, box);
 }
 
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link) {
-  ShapeReach reach(shape);
-  return placedBox(shape, world_from_link * shape.link_from_shape, reach);
+  ShapeExtents nothing_known(shape);
+  std::optional<Aabb> box(std::in_place);
+  if (!placeShape(shape, world_from_link, nullptr, nothing_known, *box)) box.reset();
+  return box;
 }
 
 }  // namespace link_bounds

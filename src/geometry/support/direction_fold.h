@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include "geometry/support/direction_table.h"
 
 namespace link_bounds {
 

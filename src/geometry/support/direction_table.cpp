@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Chooses the grid and packs its lists into blocks.
-#include "link_bounds/geometry/support/direction_table.h"
+#include "geometry/support/direction_table.h"
 
 #include <algorithm>
 #include <numeric>

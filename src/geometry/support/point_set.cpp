@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "geometry/support/query/direction_query.h"
 #include "geometry/support/query/point_scan.h"
 
 namespace link_bounds {
@@ -22,44 +23,45 @@ Eigen::Vector3d magnitudeOf(const std::vector<Eigen::Vector3f>& points) {
 }  // namespace
 
 PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
-    : table_(directionTable(points)),
+    : table_(std::make_shared<const DirectionTable>(directionTable(points))),
       magnitude_(magnitudeOf(points)),
       size_(this->points().size()) {}
 
-PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes)
-    : table_(directionTable(points, most_bytes)),
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes)
+    : table_(std::make_shared<const DirectionTable>(directionTable(points, max_bytes))),
       magnitude_(magnitudeOf(points)),
       size_(this->points().size()) {}
 
 PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
     : xyz_(std::move(xyz)), magnitude_(scannedMagnitude(xyz_.get(), count)), size_(count) {}
 
-Extents PointSet::scan(const Directions& directions) const {
-  return scannedExtents(xyz_.get(), size_, directions);
+Extents PointSet::extents(const Directions& directions) const {
+  return table_ ? link_bounds::extents(*table_, directions)
+                : scannedExtents(xyz_.get(), size_, directions);
 }
 
 std::size_t PointSet::bytes() const {
-  const std::size_t scanned = isScanned() ? 3 * sizeof(double) * size_ : 0;
-  return sizeof(*this) - sizeof(table_) + table_.bytes() + scanned;
+  return sizeof(*this) + (table_ ? table_->bytes() : 3 * sizeof(double) * size_);
 }
 
 bool PointSet::isSame(const PointSet& other) const {
   if (this == &other) return true;
-  return isScanned() && other.isScanned() && size_ == other.size_ &&
+  return xyz_ && other.xyz_ && size_ == other.size_ &&
          std::equal(xyz_.get(), xyz_.get() + 3 * size_, other.xyz_.get());
 }
 
 std::vector<Eigen::Vector3f> PointSet::points() const {
+  if (!table_) return {};
   std::set<std::array<float, 3>> distinct;
   const auto insert = [&distinct](const PointBlock& block) {
     for (int lane = 0; lane < 4; ++lane)
       distinct.insert({block.x[lane], block.y[lane], block.z[lane]});
   };
-  for (const DirectionTable::Cell& cell : table_.cells) {
+  for (const DirectionTable::Cell& cell : table_->cells) {
     insert(cell.near[0]);
     insert(cell.near[1]);
   }
-  for (const PointBlock& block : table_.more)
+  for (const PointBlock& block : table_->more)
     insert(block);
   std::vector<Eigen::Vector3f> result;
   for (const std::array<float, 3>& point : distinct)
@@ -71,8 +73,7 @@ std::vector<Eigen::Vector3d> PointSet::keptPoints() const {
   std::vector<Eigen::Vector3d> result;
   for (const Eigen::Vector3f& point : points())
     result.push_back(point.cast<double>());
-  if (!isScanned()) return result;
-  for (std::size_t i = 0; i < size_; ++i)
+  for (std::size_t i = 0; xyz_ && i < size_; ++i)
     result.emplace_back(xyz_.get() + 3 * i);
   return result;
 }

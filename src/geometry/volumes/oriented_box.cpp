@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/shape/shape_extents.h"
 #include "geometry/support/direction_fold.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
@@ -41,11 +42,11 @@ class Search {
  public:
   Search(const BoundedLink& link, const Aabb& box_at_rest)
       : link_(link),
-        reach_(link),
+        extents_(link.shapes.begin(), link.shapes.end()),
         diagonal_(std::max(length(box_at_rest.sizes()), 1e-300)),
         flat_(std::max(kFlatPerDiagonal, kFlatPerMagnitude * (magnitude(link) / diagonal_))) {
-    for (ShapeReach& shape : reach_.shapes)
-      shape.pad_per_entry = 0;
+    for (ShapeExtents& extents : extents_)
+      extents.pad_per_entry = 0;
   }
 
   /// In units that neither overflow nor vanish. Of flat boxes the one of least area is the
@@ -55,9 +56,16 @@ class Search {
   }
 
   Candidate candidate(const Eigen::Quaterniond& orientation) {
-    const std::optional<Aabb> found = linkBox(link_, boxFromLink(orientation), reach_);
-    if (!found) return {orientation, std::numeric_limits<double>::infinity()};
-    return {orientation, volume(found->sizes().array())};
+    const Eigen::Affine3d box_from_link = boxFromLink(orientation);
+    Aabb box;
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+      Aabb shape;
+      if (!placeShape(link_.shapes[i], box_from_link, nullptr, extents_[i], shape)) {
+        return {orientation, std::numeric_limits<double>::infinity()};
+      }
+      box.extend(shape);
+    }
+    return {orientation, volume(padded(box, link_.padding).sizes().array())};
   }
 
  private:
@@ -66,9 +74,9 @@ class Search {
   }
 
   const BoundedLink& link_;
-  LinkReach reach_;
-  double diagonal_;  ///< of the box at rest [m], the unit of length
-  double flat_;      ///< the smallest width that counts, in that unit
+  std::vector<ShapeExtents> extents_;  ///< by shape, without what is added against rounding
+  double diagonal_;                    ///< of the box at rest [m], the unit of length
+  double flat_;                        ///< the smallest width that counts, in that unit
 };
 
 void keepBetter(const Candidate& candidate, Candidate& best) {

@@ -51,7 +51,7 @@ struct LiveObject {
   };
 
   ObjectContent content;
-  LinkReach reach{content.bounded};
+  LinkBoxes boxes;                 ///< of the one link that content.bounded is
   FollowedFrame::Frame frame = 0;  ///< content.frame
   std::optional<Placement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back

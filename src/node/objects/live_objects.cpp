@@ -120,7 +120,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, TransformSour
   }
   if (!is_new) release(object);
   object.content = std::move(content);
-  object.reach = LinkReach(object.content.bounded);
+  object.boxes = LinkBoxes({object.content.bounded});
   object.trouble = Trouble::kNone;
   object.stamp = stampOf(object.content, object.received);
   object.placement.reset();
@@ -174,7 +174,7 @@ bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh,
     if (bounded.shapes.front().points == mesh.points && bounded.missing == mesh.error) continue;
     bounded.shapes.front().points = mesh.points;
     bounded.missing = mesh.error;
-    object.reach = LinkReach(bounded);
+    object.boxes = LinkBoxes({bounded});
     is_changed |= refresh(object, tf, now);
   }
   return is_changed;
@@ -296,7 +296,8 @@ Trouble LiveObjects::place(LiveObject& object, const TransformSource& tf, ros::T
 Trouble LiveObjects::placeFollowing(LiveObject& object, BoxState& state) {
   const FollowedFrame& frame = frames_.at(object.frame).followed;
   if (frame.trouble() != FollowedFrame::Trouble::kNone) return toTrouble(frame.trouble());
-  state.box = linkBox(object.content.bounded, frame.pose().world_from_link, object.reach);
+  object.boxes.update(0, frame.pose().world_from_link);
+  state.box = object.boxes.box(0);
   state.stamp = frame.pose().stamp;
   return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
 }
@@ -311,7 +312,8 @@ Trouble LiveObjects::placeOnce(LiveObject& object, const TransformSource& tf, ro
   }
   const std::optional<Eigen::Isometry3d> pose = carried(*object.placement);
   if (!pose) return Trouble::kNotCarried;
-  state.box = linkBox(object.content.bounded, *pose, object.reach);
+  object.boxes.update(0, Eigen::Affine3d(*pose));
+  state.box = object.boxes.box(0);
   state.stamp = object.stamp;
   return state.box ? Trouble::kNone : Trouble::kPoseNotFinite;
 }

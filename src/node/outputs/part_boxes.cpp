@@ -9,10 +9,10 @@ namespace link_bounds {
 
 void PartBoxes::adopt(const Model& model) {
   are_wanted_ = model.parameters.parts_per_link > 1;
-  reaches_.clear();
+  parts_.clear();
   states_.clear();
   for (const std::vector<BoundedLink>& parts : model.parts)
-    reaches_.emplace_back(parts.begin(), parts.end());
+    parts_.emplace_back(parts);
 }
 
 void PartBoxes::place(const LiveBoxes& links) {
@@ -32,8 +32,9 @@ void PartBoxes::fill(const Model& model, AxisAlignedBoxArray& message) {
       filler.add(model.links[i].name, state);
       continue;
     }
-    for (std::size_t part = 0; part < reaches_[i].size(); ++part) {
-      state.box = linkBox(model.parts[i][part], poses_[i], reaches_[i][part]);
+    for (std::size_t part = 0; part < model.parts[i].size(); ++part) {
+      parts_[i].update(part, poses_[i]);
+      state.box = parts_[i].box(part);
       filler.add(model.links[i].name, state);
       state.incomplete = false;  // names the link once
     }

@@ -27,9 +27,9 @@ class PartBoxes {
 
  private:
   bool are_wanted_ = false;
-  std::vector<std::vector<LinkReach>> reaches_;  ///< by link and part
-  std::vector<BoxState> states_;                 ///< by link, as its pose
-  std::vector<Eigen::Affine3d> poses_;           ///< of links that have a box
+  std::vector<LinkBoxes> parts_;        ///< by link
+  std::vector<BoxState> states_;        ///< by link, as its pose
+  std::vector<Eigen::Affine3d> poses_;  ///< of links that have a box
 };
 
 }  // namespace link_bounds

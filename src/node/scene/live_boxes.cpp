@@ -11,9 +11,7 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model, TransformSource& tf, r
   model_ = std::move(model);
   troubles_.assign(model_->links.size(), Trouble::kNoTransform);
   states_.assign(model_->links.size(), BoxState());
-  reaches_.clear();
-  for (const BoundedLink& link : model_->links)
-    reaches_.emplace_back(link);
+  boxes_ = LinkBoxes(model_->links);
   std::vector<FrameTree::Frame> frames;
   for (const std::string& name : model_->frames)
     frames.push_back(tf.tree().frame(name));
@@ -66,19 +64,15 @@ bool LiveBoxes::refresh(std::size_t i, std::int64_t stale_before) {
   if (!node->has_pose) return drop(i, Trouble::kNoTransform);
   BoxState& state = states_[i];
   if (!node->has_moved && state.box) return std::exchange(state.stamp, node->stamp) != node->stamp;
-  LinkUpdate& update = waiting_.emplace_back();
-  update.link = &model_->links[i];
-  update.world_from_link = &node->fixed_from_frame.affine;
-  update.reach = &reaches_[i];
-  update.box = &state.box;
+  waiting_.push_back({i, &node->fixed_from_frame.affine});
   return false;
 }
 
 bool LiveBoxes::boundWaiting() {
-  updateLinkBoxes(waiting_);
+  boxes_.update(waiting_);
   bool is_changed = false;
-  for (const LinkUpdate& update : waiting_) {
-    const auto i = static_cast<std::size_t>(update.link - model_->links.data());
+  for (const auto& [i, world_from_link] : waiting_) {
+    states_[i].box = boxes_.box(i);
     const Trouble trouble = states_[i].box ? Trouble::kNone : Trouble::kPoseNotFinite;
     is_changed |= states_[i].box || trouble != troubles_[i];
     describe(i, trouble);

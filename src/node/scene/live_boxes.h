@@ -53,9 +53,9 @@ class LiveBoxes {
   std::shared_ptr<const Model> model_;
   PoseTree poses_;  ///< of the links
   std::vector<Trouble> troubles_;
-  std::vector<LinkReach> reaches_;
+  LinkBoxes boxes_;
   std::vector<BoxState> states_;
-  std::vector<LinkUpdate> waiting_;  ///< for a box, at the end of one update
+  std::vector<MovedLink> waiting_;  ///< for a box, at the end of one update
 };
 
 }  // namespace link_bounds

@@ -4,10 +4,12 @@
 // computation without memory.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <limits>
 
+#include "geometry/support/direction_table.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/brute_force.h"
 #include "testing/sanitized.h"
@@ -95,43 +97,54 @@ std::vector<BoundedLink> linksOf(const ShapeMaker& make_shape, Random& random) {
   return links;
 }
 
-/// Of one sequence: links that move, and what is kept of each.
+/// Of one sequence: links that move, and their boxes.
 class Batch {
  public:
   /// Mostly few links, so that there is time for many sequences.
   Batch(const std::vector<BoundedLink>& links, Random& random) {
     const int size = below(20, random) == 0 ? 1 + below(kMaxLinks, random) : 1 + below(4, random);
     for (int i = 0; i < size; ++i) {
-      links_.push_back(&links[static_cast<std::size_t>(below(kMaxLinks, random))]);
-      reaches_.emplace_back(*links_.back());
+      links_.push_back(links[static_cast<std::size_t>(below(kMaxLinks, random))]);
       first_.push_back(random.rigid(1));
     }
     poses_ = first_;
-    boxes_.resize(links_.size());
+    boxes_ = LinkBoxes(links_);
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      moved_.push_back({i, &poses_[i]});
+    boxes_.update(moved_);
   }
 
+  /// The poses that moved_ points to.
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
+
+  /// Most links move, some of them twice, all at once or one by one.
   void move(Random& random) {
-    for (std::size_t i = 0; i < poses_.size(); ++i)
+    moved_.clear();
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (below(10, random) == 0) continue;
       poses_[i] = nextPose(poses_[i], first_[i], random);
+      if (below(20, random) == 0) moved_.push_back({i, &first_[i]});
+      moved_.push_back({i, &poses_[i]});
+    }
+    if (below(8, random) != 0) return boxes_.update(moved_);
+    for (const auto& [link, pose] : moved_)
+      boxes_.update(link, *pose);
   }
 
   /// The number of boxes that differ from those without memory.
-  int wrongBoxes() {
-    std::vector<LinkUpdate> updates;
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      updates.push_back({links_[i], &poses_[i], &reaches_[i], &boxes_[i]});
-    updateLinkBoxes(updates);
+  int wrongBoxes() const {
     int wrong = 0;
     for (std::size_t i = 0; i < links_.size(); ++i)
-      wrong += isSame(boxes_[i], linkBox(*links_[i], poses_[i])) ? 0 : 1;
+      wrong += isSame(boxes_.box(i), linkBox(links_[i], poses_[i])) ? 0 : 1;
     return wrong;
   }
 
  private:
-  std::vector<const BoundedLink*> links_;
+  std::vector<BoundedLink> links_;
   std::vector<Eigen::Affine3d> first_, poses_;
-  std::vector<LinkReach> reaches_;
-  std::vector<std::optional<Aabb>> boxes_;
+  std::vector<MovedLink> moved_;
+  LinkBoxes boxes_;
 };
 
 void checkSequences(const ShapeMaker& make_shape) {
@@ -176,6 +189,12 @@ ShapeMaker sharedMeshes(std::size_t points, Solid solid = Solid::kNone) {
   };
 }
 
+ShapeMaker scans() {
+  return [](Random& random) {
+    return Shape{pointsInDouble(5, random), Solid::kNone, {0, 0, 0}, Eigen::Affine3d::Identity()};
+  };
+}
+
 ShapeMaker solids(Solid solid) {
   return [=](Random& random) {
     return Shape{nullptr, solid, random.vector(1).cwiseAbs(), Eigen::Affine3d::Identity()};
@@ -197,9 +216,7 @@ TEST(LinkBoxesSequences, OfMeshesWithATable) {
 }
 
 TEST(LinkBoxesSequences, OfPointsInDouble) {
-  checkSequences([](Random& random) {
-    return Shape{pointsInDouble(5, random), Solid::kNone, {0, 0, 0}, Eigen::Affine3d::Identity()};
-  });
+  checkSequences(scans());
 }
 
 TEST(LinkBoxesSequences, OfSolids) {
@@ -212,7 +229,7 @@ TEST(LinkBoxesSequences, OfMeshesSweptBySolids) {
 
 TEST(LinkBoxesSequences, OfShapesOfEveryKind) {
   checkSequences(oneOf({sharedMeshes(10), sharedMeshes(100), sharedMeshes(30, Solid::kEllipsoid),
-                        solids(Solid::kBox), solids(Solid::kCylinder)}));
+                        scans(), solids(Solid::kBox), solids(Solid::kCylinder)}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // precision what they bound.
 #include <gtest/gtest.h>
 
+#include "geometry/support/query/query_path.h"
 #include "link_bounds/geometry/shape/shape.h"
 #include "testing/brute_force.h"
 #include "testing/linear_maps.h"
@@ -124,7 +125,7 @@ TEST(PointScan, KnowsItsPointsMagnitudeAndSize) {
   const PointSet set = setOf({{1, -5, 2}, {-3, 4, 2}, {0, 0, 0}, {0, 0, 0}, {0, 0, -7}});
   EXPECT_EQ(set.magnitude(), Eigen::Vector3d(3, 5, 7));
   EXPECT_EQ(set.size(), 5u);
-  EXPECT_TRUE(set.isScanned());
+  EXPECT_FALSE(set.table());
   EXPECT_GE(set.bytes(), 5 * sizeof(Eigen::Vector3d));
 }
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Degenerate and other hard sets of points: extents equal those of the scan, to the bit.
-#include "link_bounds/geometry/support/direction_table.h"
+#include "geometry/support/direction_table.h"
 
 #include <gtest/gtest.h>
 
+#include "geometry/support/query/direction_query.h"
 #include "testing/exactness.h"
 #include "testing/linear_maps.h"
 

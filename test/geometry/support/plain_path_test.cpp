@@ -4,7 +4,7 @@
 // this test as on such a processor.
 #include <gtest/gtest.h>
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include "geometry/support/query/query_path.h"
 
 namespace link_bounds {
 namespace {

@@ -29,7 +29,7 @@ void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
   for (int i = 0; i < kDirections; ++i)
     maps.push_back(random.affine(0).linear());
   for (const Eigen::Matrix3d& map : maps) {
-    const Extents actual = extents(set.table(), map);
+    const Extents actual = set.extents(map);
     const Extents expected = brute_force::extents(points, map);
     ASSERT_EQ(actual.low, expected.low) << map;
     ASSERT_EQ(actual.high, expected.high) << map;

@@ -1,56 +1,59 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// One link with everything on it that has a shape, and the box around all of it.
-///
-/// Metres; the box is in the frame whose axes it follows, the world. Nothing here throws.
+/// The boxes of links that move, updated many times a second.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "link_bounds/geometry/shape/shape.h"
+#include "link_bounds/geometry/shape/bounded_link.h"
 
 namespace link_bounds {
 
-struct BoundedLink {
-  std::string name;           ///< as in the URDF
-  std::vector<Shape> shapes;  ///< what could be loaded; may be empty
-  double padding = 0;         ///< added on every side of the box [m], >= 0
-  std::string missing;        ///< why the shapes are not all of the link's geometry; "" = they are
-
-  bool isWhole() const { return missing.empty(); }
+/// A link in its new pose, which must be there during the update.
+struct MovedLink {
+  std::size_t link;  ///< index
+  const Eigen::Affine3d* world_from_link;
 };
 
-/// The largest |coordinate| that computing with the link's shapes in its frame meets, which is at
-/// least that of any of their points [m]; rounding errors are in proportion to it. Without padding.
-double magnitude(const BoundedLink& link);
+/// The boxes of some links in their last poses, and the one owner of what makes updates fast. It
+/// keeps how far each shape extends along the axes of the world, with the linear part of the pose
+/// that this holds for. A row of that part which comes again needs no work but the translation:
+/// the paper's rule for objects that only move. Nothing else survives an update, so each box has
+/// the bits that linkBox() gives. Updates neither throw nor allocate.
+class LinkBoxes {
+ public:
+  /// Copies the shapes; the links need not live longer.
+  explicit LinkBoxes(const std::vector<BoundedLink>& links = {});
+  LinkBoxes(LinkBoxes&&) noexcept;
+  LinkBoxes& operator=(LinkBoxes&&) noexcept;
+  ~LinkBoxes();
 
-/// What linkBox keeps of one link from one update to the next; see ShapeReach.
-struct LinkReach {
-  explicit LinkReach(const BoundedLink& link) : shapes(link.shapes.begin(), link.shapes.end()) {}
+  /// Faster than a call per link: prefetches what the links need from memory.
+  void update(const std::vector<MovedLink>& moved);
 
-  std::vector<ShapeReach> shapes;
+  void update(std::size_t link, const Eigen::Affine3d& world_from_link);
+
+  /// What linkBox() gives in the link's last pose; nothing before its first one.
+  const std::optional<Aabb>& box(std::size_t link) const { return boxes_[link]; }
+
+ private:
+  /// The link's shapes lie one after the other in `shapes_`.
+  struct Link {
+    std::size_t first_shape;
+    std::size_t shapes;
+    double padding;
+  };
+  struct PlacedShape;
+  class PrefetchedCells;
+
+  void updateBatch(const MovedLink* begin, const MovedLink* end);
+  void bound(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first);
+  bool place(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first, Aabb& box);
+
+  std::vector<Link> links_;
+  std::vector<PlacedShape> shapes_;
+  std::vector<std::optional<Aabb>> boxes_;
 };
-
-/// The box around all shapes of the link, tight, rounded outward and padded. Nothing if the link
-/// has no shape or the pose gives no finite box (see placedBox). `reach` must have been made for
-/// this link.
-std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link,
-                            LinkReach& reach);
-
-/// The same without memory.
-std::optional<Aabb> linkBox(const BoundedLink& link, const Eigen::Affine3d& world_from_link);
-
-/// One link of many.
-struct LinkUpdate {
-  const BoundedLink* link = nullptr;
-  const Eigen::Affine3d* world_from_link = nullptr;
-  LinkReach* reach = nullptr;          ///< made for this link
-  std::optional<Aabb>* box = nullptr;  ///< where the result of linkBox goes
-};
-
-/// Faster than a call per link: prefetches what the boxes read.
-void updateLinkBoxes(const std::vector<LinkUpdate>& updates);
 
 }  // namespace link_bounds

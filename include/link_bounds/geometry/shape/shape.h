@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -34,28 +33,11 @@ struct Shape {
 /// with a float32 vertex overflows.
 bool isUsablePose(const Eigen::Affine3d& pose);
 
-/// How far a shape reaches from its own origin along the axes of the world, and for which linear
-/// part of its pose. Kept from one update to the next, it spares all work but the translation for
-/// axes whose row has not changed: the paper's rule for objects that only move. It belongs to one
-/// shape; a fresh one knows nothing.
-struct ShapeReach {
-  explicit ShapeReach(const Shape& shape);
-
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Extents range;          ///< metres, before translation; rounded outward
-  double pad_per_entry;   ///< what rounding may cost, for an entry of 1 in the linear part [m]
-  bool is_in_link_frame;  ///< link_from_shape is the identity
-};
-
-/// The box of the shape in the world, tight and rounded outward: each face lies outside the exact
-/// one by at most 4e-14 A |r|_1 + 2e-15 |t| (and 1e-307 m against underflow), where r is the row of
-/// the linear part, t the translation along that axis and A the largest |coordinate| of the points
-/// plus half the size. Nothing if the pose is not usable or a face would not be finite. `reach`
-/// changes speed and nothing else.
-std::optional<Aabb> placedBox(const Shape& shape, const Eigen::Affine3d& world_from_shape,
-                              ShapeReach& reach);
-
-/// The same for a shape on a link.
+/// The box of a shape on a link, tight and rounded outward: each face lies outside the exact one
+/// by at most 4e-14 A |r|_1 + 2e-15 |t| (and 1e-307 m against underflow), where r is the row of the
+/// linear part of world_from_shape, t its translation along that axis and A the largest
+/// |coordinate| of the points plus half the size. Nothing if world_from_shape is not usable (see
+/// isUsablePose) or a face would not be finite.
 std::optional<Aabb> worldBox(const Shape& shape, const Eigen::Affine3d& world_from_link);
 
 }  // namespace link_bounds

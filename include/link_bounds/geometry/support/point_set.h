@@ -1,44 +1,47 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// An immutable set of points and how far it reaches along given directions.
+/// An immutable set of points and how far it extends along given directions.
 #pragma once
 
 #include <Eigen/Core>
 #include <memory>
 #include <vector>
 
-#include "link_bounds/geometry/support/direction_table.h"
-
 namespace link_bounds {
 
-/// Safe to read from several threads. Metres, in the frame of what the points come from.
+/// The smallest and largest r . p over the points p of a set, for three directions r; metres.
+struct Extents {
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+};
+
+/// Three directions, as the rows of a matrix or of the linear part of a pose; copies nothing.
+using Directions = Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
+
+struct DirectionTable;  // private to the library
+
+/// Any number of threads may read it. Metres, in the frame that the points are given in.
 ///
-/// Vertices of meshes are float and stay for long: of them only those are kept that can be extreme
-/// in some direction, in a table. Points in double come and go, so preparing a table would cost
-/// more than it saves: they stay where they are, and all are scanned at each query.
+/// Vertices of meshes are float and stay for long: only those that can be extreme in some
+/// direction are kept, in a table that finds them in constant time. Points in double come and go,
+/// so preparing a table would cost more than it saves: they stay where they are, and each query
+/// scans all of them.
 class PointSet {
  public:
   /// `points` must be finite and not empty.
   explicit PointSet(const std::vector<Eigen::Vector3f>& points);
 
-  /// The same of `count` points in double: `xyz` is the first of 3 `count` numbers, the coordinates
-  /// of one point after the other, which must not change while this lives.
+  /// As above, with a table of at most `max_bytes` where that is possible: for a set that is one
+  /// of many.
+  PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes);
+
+  /// Points in double: `xyz` is the first of 3 `count` numbers, the coordinates of one point after
+  /// the other, which must be finite and must not change while this lives.
   PointSet(std::shared_ptr<const double> xyz, std::size_t count);
 
-  /// With a table of at most `most_bytes` where that is possible (see directionTable).
-  PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes);
-
-  /// Extents along the rows of `directions`, evaluated as those of a table (see there): the same to
-  /// the bit by every path of instructions. Of points in double the products must not overflow.
-  Extents extents(const Directions& directions) const {
-    return isScanned() ? scan(directions) : link_bounds::extents(table_, directions);
-  }
-
-  /// True for points in double, which have no table.
-  bool isScanned() const { return xyz_ != nullptr; }
-
-  /// Of points in float.
-  const DirectionTable& table() const { return table_; }
+  /// Extents along the rows of `directions`, the same to the bit on every machine. Entries of
+  /// `directions` must not exceed 1e30, and no product with points in double may overflow.
+  Extents extents(const Directions& directions) const;
 
   /// True for the very same set, and for points in double that are equal one by one.
   bool isSame(const PointSet& other) const;
@@ -58,11 +61,12 @@ class PointSet {
   /// Bytes kept in memory.
   std::size_t bytes() const;
 
- private:
-  Extents scan(const Directions& directions) const;
+  /// Null for points in double. For the library alone.
+  const DirectionTable* table() const { return table_.get(); }
 
-  DirectionTable table_;               ///< of points in float
-  std::shared_ptr<const double> xyz_;  ///< of points in double
+ private:
+  std::shared_ptr<const DirectionTable> table_;  ///< of points in float
+  std::shared_ptr<const double> xyz_;            ///< of points in double
   Eigen::Vector3d magnitude_;
   std::size_t size_;
 };

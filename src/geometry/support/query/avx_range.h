@@ -5,7 +5,7 @@
 
 #include <immintrin.h>
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include "link_bounds/geometry/support/point_set.h"
 
 /// Only functions that have this are compiled for AVX2; the rest of the program must not be, its
 /// data layout would no longer fit that of other libraries.

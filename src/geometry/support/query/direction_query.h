@@ -1,13 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One query in the instructions of one processor; which file has them is all that differs.
+// Extents of the points of a table.
 #pragma once
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include <array>
+
+#include "geometry/support/direction_table.h"
+#include "geometry/support/query/query_path.h"
+#include "link_bounds/geometry/support/point_set.h"
 
 namespace link_bounds {
 
-/// What extents() does by one path, and its two halves.
+/// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
+/// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
+/// path of instructions; a zero is +0.
+Extents extents(const DirectionTable& table, const Directions& directions);
+
+/// The lists for three directions.
+using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
+
+/// The first half of extents(): finds the cells and prefetches them. With other work in between,
+/// the second half does not wait for memory.
+void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
+
+/// The second half, with the cells of the same table and directions.
+void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
+               Extents& result);
+
+/// The same functions by one path of instructions.
 struct Query {
   QueryPath path;
   Extents (*both)(const DirectionTable& table, const Directions& directions);

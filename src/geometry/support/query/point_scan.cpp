@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "geometry/support/query/query_path.h"
+
 namespace link_bounds {
 namespace {
 

@@ -5,7 +5,7 @@
 // pass begins where the one before it ended.
 #pragma once
 
-#include "link_bounds/geometry/support/direction_table.h"
+#include "link_bounds/geometry/support/point_set.h"
 
 namespace link_bounds {
 

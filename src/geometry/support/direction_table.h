@@ -23,17 +23,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace link_bounds {
-
-/// The smallest and largest r . p over the points p of a set, for three directions r; metres.
-struct Extents {
-  Eigen::Vector3d low;
-  Eigen::Vector3d high;
-};
 
 /// Four points, laid out for vector instructions. Unused places repeat a point.
 struct PointBlock {
@@ -84,33 +77,5 @@ DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points);
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes);
 
 constexpr std::size_t kScannedPoints = 16;
-
-/// Three directions, as the rows of a matrix or of the linear part of a pose; copies nothing.
-using Directions = Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
-
-/// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
-/// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
-/// path of instructions; a zero is +0.
-Extents extents(const DirectionTable& table, const Directions& directions);
-
-/// The lists for three directions.
-using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
-
-/// The first half of extents(), which begins to fetch what the second half reads. With other work
-/// in between, nothing has to be waited for.
-void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
-
-/// The second half, with the cells of the same table and directions.
-void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
-               Extents& result);
-
-/// The instructions a query uses. The best one of this processor is chosen at the first query.
-enum class QueryPath { kPlain, kSse2, kAvx2 };
-
-bool isSupported(QueryPath path);
-QueryPath queryPath();
-
-/// For tests and benchmarks; `path` must be supported.
-void useQueryPath(QueryPath path);
 
 }  // namespace link_bounds
