@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "link_bounds/geometry/parts/part_tree.h"
+#include "link_bounds/geometry/parts/link_parts.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

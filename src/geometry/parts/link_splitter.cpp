@@ -1,37 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A memory of shapes that were split before.
+// Remembers the links that were split before.
 #include "geometry/parts/link_splitter.h"
 
+#include <algorithm>
 #include <new>
 
 namespace link_bounds {
 namespace {
 
-void append(const void* bytes, std::size_t count, std::string& key) {
-  key.append(static_cast<const char*>(bytes), count);
-}
-
-/// Bytes, because numbers that are none equal nothing.
-std::string keyOf(const std::vector<DivisibleShape>& shapes) {
-  std::string key;
-  for (const DivisibleShape& divisible : shapes) {
-    const Shape& shape = divisible.shape;
-    const PointSet* points = shape.points.get();
-    append(&points, sizeof(points), key);
-    append(&shape.solid, sizeof(shape.solid), key);
-    append(shape.size.data(), sizeof(shape.size), key);
-    append(shape.link_from_shape.data(), sizeof(shape.link_from_shape.matrix()), key);
-  }
-  return key;
+bool isEqual(const DivisibleShape& a, const DivisibleShape& b) {
+  return a.shape.points == b.shape.points && a.shape.solid == b.shape.solid &&
+         a.shape.size == b.shape.size &&
+         a.shape.link_from_shape.matrix() == b.shape.link_from_shape.matrix();
 }
 
 }  // namespace
 
 const std::vector<LinkPart>& LinkSplitter::partsOf(const std::vector<DivisibleShape>& shapes) {
-  std::vector<LinkPart>& parts = known_[keyOf(shapes)];
-  if (parts.empty()) parts = splitIntoParts(shapes, most_);
-  return parts;
+  for (const SplitLink& link : known_) {
+    if (std::equal(link.shapes.begin(), link.shapes.end(), shapes.begin(), shapes.end(), isEqual))
+      return link.parts;
+  }
+  known_.push_back({shapes, splitIntoParts(shapes, max_parts_)});
+  return known_.back().parts;
 }
 
 std::vector<BoundedLink> LinkSplitter::split(const BoundedLink& link,

@@ -1,31 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Links into parts; links of equal shapes, as wheels are, share the points of their parts.
+// Splits the links of a robot. Links of equal shapes, as wheels are, share the points of parts.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
-#include "link_bounds/geometry/parts/part_tree.h"
+#include "link_bounds/geometry/parts/link_parts.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 
 namespace link_bounds {
 
 class LinkSplitter {
  public:
-  explicit LinkSplitter(std::size_t most) : most_(most) {}
+  explicit LinkSplitter(std::size_t max_parts) : max_parts_(max_parts) {}
 
-  /// The link's parts, which take everything but the shapes from it; the link as its own only part
-  /// where memory does not suffice. `shapes` are those of the link.
+  /// The parts of a link with its name and padding. `shapes` are those of the link. If memory does
+  /// not suffice, the link itself is its only part.
   std::vector<BoundedLink> split(const BoundedLink& link,
                                  const std::vector<DivisibleShape>& shapes);
 
  private:
+  struct SplitLink {
+    std::vector<DivisibleShape> shapes;
+    std::vector<LinkPart> parts;
+  };
+
   const std::vector<LinkPart>& partsOf(const std::vector<DivisibleShape>& shapes);
 
-  std::size_t most_;
-  std::map<std::string, std::vector<LinkPart>> known_;  ///< by the bytes of the shapes
+  std::size_t max_parts_;
+  std::vector<SplitLink> known_;
 };
 
 }  // namespace link_bounds

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which nodes of the tree become parts.
+// Chooses the nodes of the tree that become parts.
 #pragma once
 
 #include <vector>
 
-#include "geometry/parts/part_reach.h"
+#include "geometry/parts/part_tree.h"
 
 namespace link_bounds {
 
-/// At most `most` nodes that have all items between them, each item once, such that the sum of
-/// their mean volumes is small and the sum of their volumes in the axes of the link is not larger
-/// than for any smaller `most`.
-std::vector<std::size_t> cutTree(const std::vector<PartNode>& nodes,
-                                 const std::vector<PartReach>& reaches, std::size_t most);
+/// At most `max_parts` nodes that together hold each item once, such that their boxes are small in
+/// the axes of the link and in turned axes. In the axes of the link the sum of their volumes is not
+/// larger than for any smaller `max_parts`. Returns indices of nodes.
+std::vector<std::size_t> cutTree(const PartTree& tree, const std::vector<DivisibleShape>& shapes,
+                                 const Eigen::Affine3d& unit_from_link, std::size_t max_parts);
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts against the oracle: they cover every triangle, agree with the link's box, and are tight.
-#include "link_bounds/geometry/parts/part_tree.h"
+#include "link_bounds/geometry/parts/link_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ std::size_t uncovered(const DivisibleShape& shape, const std::vector<Aabb>& boxe
   return count;
 }
 
-TEST(PartTree, EveryTriangleIsInsideOnePartInAnyPose) {
+TEST(LinkParts, EveryTriangleIsInsideOnePartInAnyPose) {
   const auto shapes = mixedLink();
   for (const std::size_t most : {2, 7, 64}) {
     const auto parts = splitIntoParts(shapes, most);
@@ -96,7 +96,7 @@ TEST(PartTree, EveryTriangleIsInsideOnePartInAnyPose) {
   }
 }
 
-TEST(PartTree, TheUnionContainsTheBruteForceBox) {
+TEST(LinkParts, TheUnionContainsTheBruteForceBox) {
   const auto shapes = mixedLink();
   for (const std::size_t most : {3, 64}) {
     const auto parts = splitIntoParts(shapes, most);
@@ -113,7 +113,7 @@ TEST(PartTree, TheUnionContainsTheBruteForceBox) {
   }
 }
 
-TEST(PartTree, EachFaceOfTheUnionAgreesWithThatOfTheLink) {
+TEST(LinkParts, EachFaceOfTheUnionAgreesWithThatOfTheLink) {
   const auto shapes = mixedLink();
   const auto whole = splitIntoParts(shapes, 1);
   ASSERT_EQ(whole.size(), 1u);
@@ -132,7 +132,7 @@ TEST(PartTree, EachFaceOfTheUnionAgreesWithThatOfTheLink) {
   }
 }
 
-TEST(PartTree, EachPartIsTightAroundItsTriangles) {
+TEST(LinkParts, EachPartIsTightAroundItsTriangles) {
   // The triangles of a soup share no vertex, so that a part's points tell whose they are.
   const auto shape = divisible(soup(300, 4));
   const auto parts = splitIntoParts({shape}, 32);
@@ -171,14 +171,14 @@ void expectFalling(const std::vector<DivisibleShape>& shapes, double at_64, cons
   }
 }
 
-TEST(PartTree, TheSumOfVolumesFallsLevelByLevel) {
+TEST(LinkParts, TheSumOfVolumesFallsLevelByLevel) {
   expectFalling(mixedLink(), 0.1, "mixed");
   expectFalling({divisible(hook(60, 12))}, 0.15, "hook");
   expectFalling({divisible(ball(40, 80))}, 0.5, "ball");
   expectFalling({divisible(soup(500, 5))}, 0.8, "soup");
 }
 
-TEST(PartTree, OnTheAverageOfPosesItFallsTooOrRisesLittle) {
+TEST(LinkParts, OnTheAverageOfPosesItFallsTooOrRisesLittle) {
   constexpr double kRise = 1.2;  // eighths of a ball become worse once it is turned
   for (const TriangleMesh& mesh : {hook(60, 12), ball(40, 80), soup(500, 7)}) {
     const std::vector<DivisibleShape> shapes{divisible(mesh)};
@@ -198,7 +198,7 @@ TEST(PartTree, OnTheAverageOfPosesItFallsTooOrRisesLittle) {
   }
 }
 
-TEST(PartTree, AFewLargeTrianglesWeighAsMuchAsManySmallOnes) {
+TEST(LinkParts, AFewLargeTrianglesWeighAsMuchAsManySmallOnes) {
   // Two plates at an angle, one cut into 2 triangles and one into 20000.
   const auto plate = [](std::uint32_t squares, bool stands) {
     return divisible(surface(squares, squares, [stands](double s, double t) -> Eigen::Vector3d {
