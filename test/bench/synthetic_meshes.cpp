@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "link_bounds/robot/mesh/weld.h"
+#include "robot/mesh/weld.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each takes the text by value and gives it back damaged.
+// Each function returns a damaged copy.
 #include "block_mutation.h"
 
 #include <utility>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostBytesHit = 4;
 
-/// Where a block begins, and its length.
+/// The offset of a block and its length.
 std::pair<std::size_t, std::size_t> block(const std::string& text, Random& random) {
   const std::size_t begin = below(text.size(), random);
   return {begin, below((text.size() - begin) / 2 + 1, random)};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracles of test/core, on one link.
+// Containment by quadruple precision, and a loop over all vertices.
 #include "box_check.h"
 
 #include "testing/exactness.h"

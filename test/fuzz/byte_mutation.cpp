@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Binary files: words of four bytes, wherever they lie.
+// Binary files: words of four bytes at any offset.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +27,7 @@ void writeWord(Value value, char* out) {
   std::memcpy(out, &value, sizeof(value));
 }
 
-/// Where a float of usual size lies: geometry, seldom counts and indices.
+/// The offsets of floats of typical size, which are mostly coordinates.
 std::vector<std::size_t> floatsOf(const std::string& bytes) {
   std::vector<std::size_t> offsets;
   for (std::size_t i = 0; i + kWord <= bytes.size(); ++i) {
@@ -46,7 +46,6 @@ std::string changeFloat(std::string bytes, Random& random) {
   return bytes;
 }
 
-/// Words of binary files lie at any offset.
 std::string changeWord(std::string bytes, Random& random) {
   static constexpr std::array<std::uint32_t, 9> kOddIntegers{
       0, 1, 6, 24, 255, 65536, 0x7fffffff, 0x80000000, 0xffffffff};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the targets of libFuzzer share.
+// Functions for all targets of libFuzzer.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace link_bounds {
 
-/// Ends the program unless the promise is kept, which libFuzzer reports together with the input.
+/// Aborts unless the promise is kept; libFuzzer then reports the input.
 inline void require(bool is_kept, const char* promise) {
   if (is_kept) return;
   std::fprintf(stderr, "BROKEN: %s\n", promise);
@@ -29,8 +29,8 @@ inline std::size_t replaceInput(const std::string& content, std::uint8_t* data,
   return size;
 }
 
-/// One of the seeds in the place of the nearly empty inputs that libFuzzer starts with, and now and
-/// then of another; nothing otherwise. So no corpus has to be kept.
+/// Replaces the nearly empty inputs that libFuzzer starts with, and sometimes others, by a seed, so
+/// that no corpus has to be stored. Returns 0 if it replaces nothing.
 inline std::size_t seeded(const std::vector<std::string>& seeds, unsigned random,
                           std::uint8_t* data, std::size_t size, std::size_t max_size) {
   constexpr unsigned kOneIn = 500;

@@ -13,12 +13,12 @@
 namespace link_bounds {
 
 struct MeshRobot {
-  std::vector<BoundedLink> links;              ///< one per file, in order; called like it
-  std::map<std::string, TriangleMesh> meshes;  ///< what the workers gave, by file
+  std::vector<BoundedLink> links;              ///< one per file, in order, with its name
+  std::map<std::string, TriangleMesh> meshes;  ///< what mesh_worker read, by file
 };
 
-/// Everything that the node does to get boxes but reading XML. The files lie in `folder`; the first
-/// may take as long as it likes, the others `timeout` wall seconds each.
+/// Loads the files as the node does, without XML. They lie in `folder`. The timeout of the first is
+/// the default, that of the others `timeout` wall seconds each.
 MeshRobot meshRobot(const std::string& folder, const std::vector<std::string>& files,
                     double timeout);
 

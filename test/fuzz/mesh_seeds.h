@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Small valid mesh files to be mutated: few bytes, so that most mutations hit something.
+// Valid mesh files to mutate. They are small, so that most mutations have an effect.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace link_bounds {
 
 struct MeshSeed {
-  std::string format;  ///< as in the table of outcomes
+  std::string format;  ///< its name in the table of outcomes
   std::string extension;
   std::string content;
   bool is_text;
@@ -19,7 +19,7 @@ struct MeshSeed {
 /// two of them, in inches, below nested nodes.
 std::vector<MeshSeed> meshSeeds();
 
-/// A GLB file of these two chunks, whose sizes it states rightly.
+/// A GLB file of these two chunks, with correct sizes.
 std::string glb(std::string json, std::string binary);
 
 /// The first chunk of a GLB file.

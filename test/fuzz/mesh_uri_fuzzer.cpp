@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as the file name of a mesh: a real regular file at a permitted place, or MeshError.
+// Any text as the URI of a mesh must give a regular file at a permitted place, or MeshError.
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A package with everything that a path can lead to, and a file that none may lead to.
+/// A package with every kind of file and link, and a file outside that no URI may lead to.
 class Packages {
  public:
   Packages() {

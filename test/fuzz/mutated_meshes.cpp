@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged mesh files through the real mesh_worker, as links of a robot beside a link with a good
-// mesh: whatever the file, this process lives, keeps nothing, and every box is right or missing.
+// Loads robots of damaged mesh files and one good file by the real mesh_worker. This process must
+// survive all of them and leak nothing; every box must be right or missing.
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -67,7 +67,7 @@ class MutationRun {
   }
 
  private:
-  /// What the boxes are before any damage.
+  /// Computes the boxes before any damage.
   void loadSeeds() {
     std::vector<std::string> files{kGoodFile};
     folder_.write(kGoodFile, seeds_[0].content);
@@ -156,7 +156,7 @@ class MutationRun {
   int failures_ = 0;
 };
 
-/// Nothing if they cannot be understood.
+/// nullopt if the arguments are wrong.
 std::optional<Options> readOptions(int argc, char** argv) {
   Options options;
   int i = 1;
@@ -187,7 +187,7 @@ int main(int argc, char** argv) {
     std::fputs(link_bounds::kUsage, stderr);
     return 1;
   }
-  // Reports on assimp are not about us: what kills a worker is what workers are for.
+  // Workers may die of faults in assimp, which are not reported here.
   if (link_bounds::kIsSanitized) setenv("ASAN_OPTIONS", "hard_rss_limit_mb=1024", 1);
   return link_bounds::MutationRun(*options).run() ? 0 : 1;
 }

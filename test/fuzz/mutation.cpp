@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which kind of damage a file gets.
+// Chooses the damage.
 #include "mutation.h"
 
 namespace link_bounds {
@@ -11,7 +11,7 @@ using brute_force::Random;
 constexpr double kShareOfSingleMutations = 0.7;
 constexpr double kShareOfWholeGlb = 0.8;
 
-/// The JSON of a GLB file is seldom reached by blind damage, as wrong sizes are noticed first.
+/// Damage at random seldom affects the JSON of a GLB file, because wrong sizes are refused first.
 std::string mutatedGlb(const std::string& content, Random& random) {
   return random.sign() > 0 ? glb(mutatedText(jsonOf(content), random), binaryOf(content))
                            : glb(jsonOf(content), mutatedBytes(binaryOf(content), random));

@@ -9,10 +9,10 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kLeastShare = 0.2;
+constexpr double kMinShare = 0.2;
 
-/// A share of fewer says little.
-constexpr long kFewMeshes = 100;
+/// Shares of fewer meshes vary too much to be checked.
+constexpr long kMinMeshes = 100;
 
 template <class Row>
 long sum(const Row& row) {
@@ -52,12 +52,12 @@ void Outcomes::print() const {
 std::string Outcomes::imbalanceOf(const std::string& format) const {
   const auto& row = rows_.at(format);
   const long count = sum(row);
-  if (count < kFewMeshes) return "";
+  if (count < kMinMeshes) return "";
   const auto others = static_cast<double>(row[static_cast<std::size_t>(Outcome::kOtherBox)]);
   const auto same = static_cast<double>(row[static_cast<std::size_t>(Outcome::kSameBox)]);
   const double refused = static_cast<double>(count) - others - same;
-  if (refused < kLeastShare * static_cast<double>(count)) return format + ": few are refused";
-  if (others < kLeastShare * static_cast<double>(count)) return format + ": few get another box";
+  if (refused < kMinShare * static_cast<double>(count)) return format + ": few are refused";
+  if (others < kMinShare * static_cast<double>(count)) return format + ": few get another box";
   return "";
 }
 

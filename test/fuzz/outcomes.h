@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What became of mutated meshes, counted by format.
+// Counts by format what became of mutated meshes.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace link_bounds {
 
-/// In the order of the table's columns. A mesh whose reader died or took too long is refused, too.
+/// The columns of the table. kDied and kTimedOut are refusals, too.
 enum class Outcome { kRefused, kSameBox, kOtherBox, kDied, kTimedOut };
 
-/// Which way a mesh was refused, by the words for the user.
+/// The kind of refusal, by the reason for the user.
 Outcome refusalOf(const std::string& reason);
 
 class Outcomes {
@@ -20,8 +20,9 @@ class Outcomes {
   void add(const std::string& format, Outcome outcome);
   void print() const;
 
-  /// Empty unless fewer than a fifth of the format's meshes are refused, or fewer than a fifth get
-  /// another box: then the mutations are too rude or too gentle to test anything.
+  /// A complaint if less than a fifth of the meshes of this format are refused, or less than a
+  /// fifth get another box: then the mutations are too weak or too strong to test much. ""
+  /// otherwise.
   std::string imbalanceOf(const std::string& format) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Any text as a robot description: a sound robot whose links have finite boxes or none, or
-// RobotError. The text is read in the node's own process, so that a crash here ends the node.
+// Any text as a robot description must give a valid robot whose links have finite boxes or none, or
+// RobotError. The node parses it in its own process, so a crash here would end the node.
 #include <set>
 
 #include "fuzzing.h"
@@ -41,7 +41,7 @@ void checkJoints(const Robot& robot) {
   }
 }
 
-/// Without meshes: all files are refused.
+/// Refuses all mesh files.
 void checkBoxes(const Robot& robot) {
   RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not here"); });
   const auto no_package = [](const std::string&) { return std::string(); };

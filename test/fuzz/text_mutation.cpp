@@ -15,7 +15,7 @@ namespace {
 
 using brute_force::Random;
 
-/// Where a token begins, and its length.
+/// The offset of a token and its length.
 using Token = std::pair<std::size_t, std::size_t>;
 
 constexpr char kSeparators[] = " \t\r\n<>='\"/,:;()[]{}";
@@ -46,7 +46,7 @@ std::vector<Token> numbersOf(const std::string& text) {
   return tokens;
 }
 
-/// Or only those with a point: geometry, seldom counts and indices.
+/// All numbers, or only those with a point, which are mostly coordinates.
 std::vector<Token> someNumbersOf(const std::string& text, Random& random) {
   std::vector<Token> numbers = numbersOf(text);
   if (random.uniform(0, 1) < kShareOfAllNumbers) return numbers;
@@ -96,7 +96,7 @@ std::string changeNumber(std::string text, Random& random) {
   return text.replace(begin, size, numberFor(text.substr(begin, size), random));
 }
 
-/// Another token of the same text in its place.
+/// Replaces a token by another one of the text.
 std::string replaceToken(std::string text, Random& random) {
   const std::vector<Token> tokens = tokensOf(text);
   if (tokens.empty()) return text;

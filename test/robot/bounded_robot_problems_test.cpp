@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said about geometry that is not bounded, and that everything else still is.
+// Geometry that cannot be bounded is reported, and everything else is still bounded.
 #include <gtest/gtest.h>
 
 #include "link_bounds/robot/robot_loader.h"

@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// What is kept of the mesh of each shape that a part has.
+/// The points of each shape of a part.
 std::vector<std::size_t> pointsOf(const BoundedLink& part) {
   std::vector<std::size_t> result;
   for (const Shape& shape : part.shapes)
@@ -28,7 +28,7 @@ class PartMemory : public testing::Test {
 
   ~PartMemory() override { replaced_new::limit = replaced_new::kNoLimit; }
 
-  /// One link of the given meshes; once they are loaded, memory ends.
+  /// One link with the given meshes. Memory runs out when they are loaded.
   BoundedRobot bound(const std::vector<std::string>& files) {
     std::string visuals;
     for (const std::string& file : files) {

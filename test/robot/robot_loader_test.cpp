@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One call from a description to boxes; single meshes; limits; and what stays from load to load.
+// One call from a description to boxes; single meshes; limits; what a loader keeps between loads.
 #include "link_bounds/robot/robot_loader.h"
 
 #include <gtest/gtest.h>

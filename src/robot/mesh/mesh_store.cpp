@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A cache of weak pointers and a handful of threads that fill it.
+// A map of weak pointers, and threads that import the files that are not in it.
 #include "link_bounds/robot/mesh/mesh_store.h"
 
 #include <sys/stat.h>
@@ -17,14 +17,15 @@ namespace {
 
 constexpr char kChangedReason[] = "it changed while it was read";
 
-/// Times of files come from a clock that moves in ticks of at most so much.
-constexpr std::chrono::milliseconds kTickOfFiles(20);
+/// Twice the longest tick of the kernel clock that sets the times of files (10 ms at 100 Hz). Two
+/// writes within one tick give the same time.
+constexpr std::chrono::milliseconds kFileTick(20);
 
 bool areEqual(const timespec& a, const timespec& b) {
   return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
 }
 
-/// In seconds; any times, however far apart.
+/// In seconds; as double, because a file may claim any time.
 double secondsSince(const timespec& time) {
   timespec now{};
   clock_gettime(CLOCK_REALTIME, &now);
@@ -32,7 +33,7 @@ double secondsSince(const timespec& time) {
          1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
 }
 
-/// Up to that many threads; fewer if the system refuses to start more.
+/// Starts fewer threads than `count` if the system refuses more.
 std::vector<std::thread> startThreads(std::size_t count, const std::function<void()>& work) {
   std::vector<std::thread> threads;
   threads.reserve(count);
@@ -40,7 +41,7 @@ std::vector<std::thread> startThreads(std::size_t count, const std::function<voi
     for (std::size_t i = 0; i < count; ++i)
       threads.emplace_back(work);
   } catch (const std::exception&) {
-    // Those that run, and the caller's own, do the work.
+    // The threads that started and the calling one do the work.
   }
   return threads;
 }
@@ -74,16 +75,17 @@ MeshStore::Version MeshStore::versionOf(const std::string& path) {
           status.st_ctim};
 }
 
-/// The version of a file that was not written just now, so that every further write shows.
+/// Waits until a tick has passed since the last write, so that every later write gives a new
+/// version.
 MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
   const Version version = versionOf(path);
   const double age = secondsSince(version.changed);
-  if (age < 0 || age > std::chrono::duration<double>(kTickOfFiles).count()) return version;
-  std::this_thread::sleep_for(kTickOfFiles);
+  if (age < 0 || age > std::chrono::duration<double>(kFileTick).count()) return version;
+  std::this_thread::sleep_for(kFileTick);
   return versionOf(path);
 }
 
-LoadedMesh MeshStore::known(const MeshFile& file) const {
+LoadedMesh MeshStore::cached(const MeshFile& file) const {
   const auto found = entries_.find(file.path);
   if (found == entries_.end()) return {};
   const Entry& entry = found->second;
@@ -92,13 +94,13 @@ LoadedMesh MeshStore::known(const MeshFile& file) const {
   return {entry.points.lock(), ""};
 }
 
-/// Points that are in use stay those that all links share.
+/// If only triangles are new, the points that are in use are returned.
 LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
                              MeshContent content) const {
   try {
     auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
     if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
-    std::shared_ptr<const PointSet> points = known(file).points;
+    std::shared_ptr<const PointSet> points = cached(file).points;
     if (!points) points = std::make_shared<const PointSet>(mesh->vertices);
     if (content == MeshContent::kPoints) mesh = nullptr;
     return {std::move(points), "", std::move(mesh)};
@@ -114,7 +116,7 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
   }
 }
 
-/// Where not even the words fit into memory, some that need none.
+/// If even the words do not fit into memory, shorter ones that need no allocation.
 LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcept {
   try {
     return {nullptr, std::string(reason) + "; " + remedy_(fault)};
@@ -146,18 +148,18 @@ std::map<std::string, MeshStore::Imported> MeshStore::importAll(
 std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
                                         const LoadProgress& progress, MeshContent content) {
   std::map<std::string, LoadedMesh> meshes;
-  std::map<std::string, MeshFile> unknown;
+  std::map<std::string, MeshFile> missing;
   for (const MeshFile& file : files) {
-    if (meshes.count(file.path) || unknown.count(file.path)) continue;
-    LoadedMesh mesh = known(file);
+    if (meshes.count(file.path) || missing.count(file.path)) continue;
+    LoadedMesh mesh = cached(file);
     const bool has_content = mesh.points && content == MeshContent::kPoints;
     if (has_content || !mesh.error.empty()) {
       meshes.emplace(file.path, std::move(mesh));
     } else {
-      unknown.emplace(file.path, file);
+      missing.emplace(file.path, file);
     }
   }
-  for (auto& [path, imported] : importAll(unknown, progress, content)) {
+  for (auto& [path, imported] : importAll(missing, progress, content)) {
     entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
     meshes.emplace(path, std::move(imported.mesh));
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Schemes, percent-escapes and the check that a package's mesh lies inside the package.
+// Schemes, percent-escapes, and the check that the mesh of a package lies in its folder.
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ int hexDigit(char c) {
   return -1;
 }
 
-/// A percent sign that is not followed by two hexadecimal digits stands for itself.
+/// Keeps a percent sign that is not followed by two hexadecimal digits.
 std::string percentDecoded(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

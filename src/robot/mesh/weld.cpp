@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Welding by hashing the bits of each vertex: linear in the number of corners.
-#include "link_bounds/robot/mesh/weld.h"
+// By a hash table over the bits of vertices, in linear time.
+#include "robot/mesh/weld.h"
 
 #include <cstring>
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 
 using Bits = std::array<std::uint32_t, 3>;
 
-/// Multiply and fold; the constant is 2^64 / golden ratio (Fibonacci hashing).
+/// Fibonacci hashing: the constant is 2^64 / golden ratio.
 std::size_t hashOf(const Bits& bits) {
   std::uint64_t hash = 0;
   for (const std::uint32_t word : bits) {
@@ -28,23 +28,23 @@ Bits bitsOf(const Eigen::Vector3f& vertex) {
   return bits;
 }
 
-constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// From the bits of vertices to their indices, by open addressing: one look at memory for most.
+/// From the bits of vertices to their indices. Open addressing, because it mostly reads one slot.
 class IndexOfBits {
  public:
-  explicit IndexOfBits(std::size_t most) {
+  explicit IndexOfBits(std::size_t max_vertices) {
     std::size_t slots = 16;
-    while (slots < 2 * most)
+    while (slots < 2 * max_vertices)
       slots *= 2;
-    slots_.assign(slots, kUnseen);
+    slots_.assign(slots, kNone);
   }
 
-  /// The index of an equal vertex of the list, or that of the one which is about to be its last.
+  /// The index of the vertex with these bits; vertices.size() if the caller is to append it.
   std::uint32_t indexOf(const Bits& bits, const std::vector<Eigen::Vector3f>& vertices) {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = hashOf(bits) & mask;; slot = (slot + 1) & mask) {
-      if (slots_[slot] == kUnseen) slots_[slot] = static_cast<std::uint32_t>(vertices.size());
+      if (slots_[slot] == kNone) slots_[slot] = static_cast<std::uint32_t>(vertices.size());
       if (slots_[slot] == vertices.size() || bitsOf(vertices[slots_[slot]]) == bits) {
         return slots_[slot];
       }
@@ -55,11 +55,11 @@ class IndexOfBits {
   std::vector<std::uint32_t> slots_;
 };
 
-/// Copies used vertices into a mesh, giving equal ones the same new index.
+/// Gives equal vertices the same new index.
 class Welder {
  public:
   explicit Welder(const std::vector<Eigen::Vector3f>& source)
-      : source_(source), new_index_(source.size(), kUnseen), index_of_bits_(source.size()) {}
+      : source_(source), new_index_(source.size(), kNone), index_of_bits_(source.size()) {}
 
   std::uint32_t indexOf(std::uint32_t old_index) {
     if (old_index >= source_.size()) {
@@ -67,7 +67,7 @@ class Welder {
                       std::to_string(source_.size()));
     }
     std::uint32_t& index = new_index_[old_index];
-    if (index == kUnseen) index = insert(source_[old_index]);
+    if (index == kNone) index = insert(source_[old_index]);
     return index;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Forward kinematics over the joints in their order from the root.
+// Forward kinematics, from the root outward.
 #include "link_bounds/robot/urdf/kinematics.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ std::size_t leaderOf(const Joint& joint, const JointIndex& index) {
                    "\", which is no joint of the robot");
 }
 
-/// Follows mimics of mimics to the joint that leads them, composing value = factor * q + offset.
+/// Follows a chain of mimic joints to the joint q that leads it: value = factor * q + offset.
 double mimickedValue(const Robot& robot, const JointIndex& index, std::size_t joint,
                      const std::vector<double>& values) {
   double factor = 1;

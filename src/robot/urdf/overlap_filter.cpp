@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies are found from the root outward.
+// Joints stand from the root outward: the body of a parent is known before that of its child.
 #include "link_bounds/robot/urdf/overlap_filter.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kSpaces[] = " \t\r\n";
 
-std::string withoutSpacesAround(const std::string& text) {
+std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(kSpaces);
   if (begin == std::string::npos) return {};
   return text.substr(begin, text.find_last_not_of(kSpaces) + 1 - begin);
@@ -39,7 +39,7 @@ bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other) {
 
 std::vector<NamePair> namePairs(const std::string& text,
                                 const std::function<bool(const std::string&)>& is_name) {
-  const std::string words = withoutSpacesAround(text);
+  const std::string words = trimmed(text);
   std::vector<NamePair> splits;
   std::size_t space = words.find_first_of(kSpaces);
   while (space != std::string::npos) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From urdfdom's model, a web of shared pointers, to plain values; every walk is a loop, because
-// descriptions may be deeper than the stack.
+// From urdfdom's model, whose links own each other, to plain values. Loops instead of recursion,
+// because a chain of links may be longer than the stack is deep.
 #include "link_bounds/robot/urdf/robot.h"
 
 #include <urdf_parser/urdf_parser.h>
@@ -20,7 +20,7 @@ namespace {
 
 using LinkIndex = std::unordered_map<std::string, std::size_t>;
 
-/// A chain of 20,000 links that own each other would overflow the stack when it is freed.
+/// Otherwise freeing a chain of 20,000 links, each of which owns the next, overflows the stack.
 void dismantle(urdf::ModelInterface& model) {
   for (auto& [name, link] : model.links_) {
     link->child_links.clear();
@@ -58,7 +58,7 @@ void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfL
   }
 }
 
-/// Links that only urdfdom knows by their name, or all if the XML cannot be read: by name.
+/// Links that urdfdom found but the outline did not, by name; all if the XML cannot be read.
 void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
   LinkIndex known;
   for (const Link& link : robot.links)
@@ -72,7 +72,7 @@ void addUnmatchedLinks(const urdf::ModelInterface& model, Robot& robot) {
   }
 }
 
-/// In the order of the text.
+/// Links in the order of the text.
 void addLinks(const std::vector<LinkOutline>& outlines, const urdf::ModelInterface& model,
               const UrdfLog& log, Robot& robot) {
   for (const LinkOutline& outline : outlines) {
@@ -127,11 +127,11 @@ std::vector<const urdf::Joint*> jointsAbove(const urdf::ModelInterface& model,
   return above;
 }
 
-/// urdfdom 3 skips as many bytes as the first one of a UTF-8 character promises, even if the text
-/// ends before; these are what it then skips instead of what lies behind the text.
+/// urdfdom 3 trusts the first byte of a UTF-8 character and skips up to three bytes beyond a text
+/// that is cut inside a character. These bytes keep it inside the text.
 const std::string kAfterText = "\n\n\n\n";
 
-/// Breadth first from the root, so that parents stand before their children.
+/// Breadth first, so that parents stand before their children.
 void addJoints(const urdf::ModelInterface& model, Robot& robot) {
   LinkIndex index;
   for (const Link& link : robot.links)
@@ -164,8 +164,8 @@ bool isBlank(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
 }
 
-/// urdfdom 4 refuses an XML declaration behind a comment, which earlier ones tolerate; without the
-/// declaration those may read other letters.
+/// urdfdom 4 refuses an XML declaration after a comment, so it gets the text without. Earlier
+/// versions accept it, and may need it to decode the text.
 urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
   if (auto model = urdf::parseURDF(urdf + kAfterText)) return model;
   const std::string elements = fromFirstElement(urdf);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sizes, scales and origins, each checked.
+// Checks sizes, scales and origins.
 #include "robot/urdf/urdf_elements.h"
 
 namespace link_bounds {
 namespace {
 
-/// Fills in the geometry; leaves solid and uri empty for a kind that is not known here.
+/// Leaves solid and uri empty if the kind of geometry is unknown.
 void setGeometry(const urdf::Geometry& geometry, Element& element) {
   if (geometry.type == urdf::Geometry::BOX) {
     element.solid = Solid::kBox;
@@ -25,7 +25,7 @@ void setGeometry(const urdf::Geometry& geometry, Element& element) {
   }
 }
 
-/// Why an element that urdfdom accepted is not usable all the same; "" if it is.
+/// Why an element that urdfdom accepted cannot be used; "" if it can.
 std::string faultOf(const Element& element) {
   if (element.solid == Solid::kNone && element.mesh_uri.empty()) {
     return "it names no mesh file and no known shape; add one";

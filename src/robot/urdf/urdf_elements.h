@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a link, from urdfdom's classes to plain values.
+// From urdfdom's geometry of a link to plain values.
 #pragma once
 
 #include <urdf_model/link.h>
@@ -14,7 +14,7 @@ Eigen::Isometry3d toIsometry(const urdf::Pose& pose);
 
 Eigen::Vector3d toVector(const urdf::Vector3& vector);
 
-/// Every visual and collision element; those with unusable numbers are among the lost.
+/// With every visual and collision element. Those with unusable numbers are in Link::lost.
 Link toLink(const urdf::Link& source);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What urdfdom has to say about a description, caught instead of printed.
+// Collects the messages of urdfdom instead of printing them.
 #pragma once
 
 #include <console_bridge/console.h>
@@ -12,11 +12,11 @@
 
 namespace link_bounds {
 
-/// While it lives, keeps the messages that this thread sends to console_bridge (urdfdom's only
-/// channel for reasons) and passes on those of other threads. If `urdf` contains a per cent sign,
-/// nobody hears anything: urdfdom hands pieces of the text to printf as its format, and "%n" there
-/// ends the process. console_bridge has one handler, so one thread at a time may have such logs,
-/// one inside another; other threads wait for their turn.
+/// urdfdom gives its reasons to console_bridge only. While a UrdfLog lives, it collects the
+/// messages of its thread and passes on those of other threads. If `urdf` contains a per cent sign,
+/// messages are switched off: urdfdom passes pieces of the text to printf as the format, where "%n"
+/// ends the process. console_bridge has one handler, so the constructor waits until no other thread
+/// has a UrdfLog. One thread may nest them.
 class UrdfLog : public console_bridge::OutputHandler {
  public:
   explicit UrdfLog(const std::string& urdf);
@@ -27,14 +27,15 @@ class UrdfLog : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char* file,
            int line) override;
 
-  /// The messages so far that contain `part`, joined by "; "; why there are none if nobody listens.
+  /// The messages so far that contain `part`, joined by "; ". If messages are switched off, says
+  /// so.
   std::string messages(const std::string& part = "") const;
 
  private:
-  std::unique_lock<std::recursive_mutex> turn_;  ///< taken first, given back last
+  std::unique_lock<std::recursive_mutex> lock_;  ///< the first member, so that it is held longest
   std::thread::id owner_;
-  console_bridge::OutputHandler* others_;
-  bool is_deaf_;
+  console_bridge::OutputHandler* previous_handler_;
+  bool is_off_;
   std::vector<std::string> messages_;
 };
 

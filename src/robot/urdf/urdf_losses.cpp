@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks urdfdom about each element alone, in a robot of a single link.
+// Lets urdfdom parse each element alone, in a robot with one link.
 #include "robot/urdf/urdf_losses.h"
 
 #include <urdf_parser/urdf_parser.h>
@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// What urdfdom says against an element when it is alone; "" if it can be parsed.
+/// Why urdfdom cannot parse the element alone; "" if it can.
 std::string faultOf(const std::string& element, Purpose purpose) {
   const UrdfLog log(element);
   const auto model =

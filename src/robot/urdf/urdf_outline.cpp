@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks the XML with tinyxml2.
+// Reads the XML with tinyxml2.
 #include "robot/urdf/urdf_outline.h"
 
 #include <tinyxml2.h>
@@ -11,10 +11,10 @@
 namespace link_bounds {
 namespace {
 
-/// An eighth of what fills a stack of 8 MB.
-constexpr std::size_t kDeepestBrokenXml = 4000;
+/// An eighth of the depth that fills a stack of 8 MB.
+constexpr std::size_t kMaxMalformedDepth = 4000;
 
-/// Whether a material is defined elsewhere must not matter when an element is looked at alone.
+/// A material may be defined elsewhere, so urdfdom could not parse the element alone with it.
 std::string printedWithoutMaterial(const tinyxml2::XMLElement& element) {
   tinyxml2::XMLDocument document;
   tinyxml2::XMLNode* copy = element.DeepClone(&document);
@@ -36,15 +36,14 @@ std::vector<std::string> childrenOf(const tinyxml2::XMLElement& link, const char
   return result;
 }
 
-/// urdfdom refuses such links, so if it accepts the text it has read something else in it.
-bool hasTwins(const std::vector<LinkOutline>& links) {
+/// urdfdom refuses two links of one name. If it accepts the text, it has read it in another way.
+bool hasEqualNames(const std::vector<LinkOutline>& links) {
   std::set<std::string> names;
-  const auto is_twin = [&](const LinkOutline& link) { return !names.insert(link.name).second; };
-  return std::any_of(links.begin(), links.end(), is_twin);
+  const auto is_repeated = [&](const LinkOutline& link) { return !names.insert(link.name).second; };
+  return std::any_of(links.begin(), links.end(), is_repeated);
 }
 
-/// urdfdom reads XML that tinyxml2 refuses, and by recursion, which ends in the process's death
-/// when the stack is full. How deep it sees such a text nest is hard to tell; not deeper than this.
+/// An upper bound of the depth to which urdfdom may recurse in XML that tinyxml2 refuses.
 std::size_t countStarts(const std::string& xml) {
   std::size_t starts = 0;
   for (std::size_t i = 0; i + 1 < xml.size(); ++i) {
@@ -73,7 +72,7 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
     throw RobotError("the robot description nests XML elements too deeply; flatten it");
   }
-  if (document.Error() && countStarts(urdf) > kDeepestBrokenXml) {
+  if (document.Error() && countStarts(urdf) > kMaxMalformedDepth) {
     throw RobotError(
         "the robot description is not well-formed XML, and too long to be read all the "
         "same; correct it");
@@ -86,7 +85,7 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
     const char* name = link->Attribute("name");
     if (name) links.push_back({name, childrenOf(*link, "visual"), childrenOf(*link, "collision")});
   }
-  if (hasTwins(links)) return {};
+  if (hasEqualNames(links)) return {};
   return links;
 }
 

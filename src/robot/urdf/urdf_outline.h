@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The links and geometry elements that a URDF text has, seen without urdfdom.
+// The links and geometry elements in the XML of a URDF, found without urdfdom.
 #pragma once
 
 #include <string>
@@ -20,12 +20,12 @@ struct LinkOutline {
   }
 };
 
-/// In the order of the text. Empty if the XML is broken in a way that only urdfdom's more lenient
-/// parser overlooks. Throws RobotError if elements are nested so deeply that urdfdom's recursive
-/// parser would not survive it.
+/// In the order of the text. Empty if the XML is malformed; urdfdom's parser is more lenient.
+/// Throws RobotError if elements are nested so deeply that urdfdom's recursive parser could
+/// overflow the stack.
 std::vector<LinkOutline> outlineOf(const std::string& urdf);
 
-/// The text from the first element on, without comments and the XML declaration before it.
+/// The text from the first element on, without the comments and the XML declaration before it.
 std::string fromFirstElement(const std::string& urdf);
 
 }  // namespace link_bounds

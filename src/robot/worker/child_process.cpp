@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// posix_spawn, poll, and waitpid with a deadline.
+// posix_spawn, poll, and waitpid with a timeout.
 #include "robot/worker/child_process.h"
 
 #include <fcntl.h>
@@ -23,19 +23,19 @@ namespace {
 
 constexpr int kPollMilliseconds = 20;
 constexpr std::chrono::milliseconds kExitPoll(1);
-constexpr std::chrono::seconds kKillPatience(2);
-constexpr int kPipeBytes = 1 << 20;
+constexpr std::chrono::seconds kKillTimeout(2);
+constexpr int kPipeBytes = 1 << 20;  // what Linux allows any user, see /proc/sys/fs/pipe-max-size
 
 [[noreturn]] void throwSystemError(int error) {
   throw std::system_error(error, std::system_category());
 }
 
-/// For functions that return their error.
+/// For functions that return the error number.
 void check(int error) {
   if (error != 0) throwSystemError(error);
 }
 
-/// A process group of its own keeps the terminal's Ctrl-C away from the child; ours ends it.
+/// The child gets a process group of its own, so that Ctrl-C in the terminal does not reach it.
 class SpawnOptions {
  public:
   explicit SpawnOptions(int standard_output) {
@@ -77,15 +77,15 @@ class SpawnOptions {
   }
 };
 
-/// Children that did not end when they were killed.
-class GivenUp {
+/// Children that did not end when they were killed, and must be waited for later.
+class UnkillableChildren {
  public:
   void add(pid_t child) {
     const std::lock_guard<std::mutex> lock(mutex_);
     children_.push_back(child);
   }
 
-  /// Waits for those that have ended by now.
+  /// Waits for those that have ended meanwhile.
   void reap() {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto has_ended = [](pid_t child) { return waitpid(child, nullptr, WNOHANG) != 0; };
@@ -97,9 +97,9 @@ class GivenUp {
   std::vector<pid_t> children_;
 };
 
-GivenUp& givenUp() {
-  static GivenUp given_up;
-  return given_up;
+UnkillableChildren& unkillableChildren() {
+  static UnkillableChildren children;
+  return children;
 }
 
 }  // namespace
@@ -119,10 +119,10 @@ void Pipe::closeWritingEnd() {
   end_[1] = -1;
 }
 
-std::size_t Pipe::read(void* out, std::size_t wanted, const CheckPatience& check_patience) {
+std::size_t Pipe::read(void* out, std::size_t wanted, const CheckInterrupt& check_interrupt) {
   std::size_t count = 0;
   while (count < wanted && !has_ended_) {
-    check_patience();
+    check_interrupt();
     pollfd waiting{end_[0], POLLIN, 0};
     if (poll(&waiting, 1, kPollMilliseconds) <= 0) continue;
     const ssize_t got = ::read(end_[0], static_cast<char*>(out) + count, wanted - count);
@@ -134,7 +134,7 @@ std::size_t Pipe::read(void* out, std::size_t wanted, const CheckPatience& check
 }
 
 ChildProcess::ChildProcess(std::vector<std::string> arguments, int standard_output) {
-  givenUp().reap();
+  unkillableChildren().reap();
   const SpawnOptions options(standard_output);
   std::vector<char*> argv;
   for (std::string& argument : arguments)
@@ -145,13 +145,13 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, int standard_outp
 
 bool ChildProcess::end() {
   if (pid_ == 0) return true;
-  // Until it has been waited for, its number, which is that of its group, goes to nobody else.
+  // No other process gets its pid, which is also that of its group, before waitpid.
   kill(-pid_, SIGKILL);
-  const auto deadline = std::chrono::steady_clock::now() + kKillPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kKillTimeout;
   const pid_t child = std::exchange(pid_, 0);
   while (waitpid(child, nullptr, WNOHANG) == 0) {
     if (std::chrono::steady_clock::now() > deadline) {
-      givenUp().add(child);
+      unkillableChildren().add(child);
       return false;
     }
     std::this_thread::sleep_for(kExitPoll);
@@ -159,11 +159,11 @@ bool ChildProcess::end() {
   return true;
 }
 
-int ChildProcess::waitForSignal(const CheckPatience& check_patience) {
+int ChildProcess::waitForSignal(const CheckInterrupt& check_interrupt) {
   siginfo_t info{};
   while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == 0) {
-    check_patience();
+    check_interrupt();
     std::this_thread::sleep_for(kExitPoll);
   }
   end();

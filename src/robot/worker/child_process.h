@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that runs for us: started without a shell, read through a pipe, never left behind.
+// A child process, started without a shell and read through a pipe.
 #pragma once
 
 #include <sys/types.h>
@@ -12,10 +12,10 @@
 
 namespace link_bounds {
 
-/// Throws when it is time to give up.
-using CheckPatience = std::function<void()>;
+/// Called again and again while something is waited for; throws to end the waiting.
+using CheckInterrupt = std::function<void()>;
 
-/// From the standard output of a child process to us.
+/// From the standard output of a child process to this process.
 class Pipe {
  public:
   /// Throws std::system_error.
@@ -27,11 +27,11 @@ class Pipe {
   int writingEnd() const { return end_[1]; }
   void closeWritingEnd();
 
-  /// Fills `out` and returns how many bytes came, fewer than `wanted` only at the end. Asks
-  /// `check_patience` every 20 ms.
-  std::size_t read(void* out, std::size_t wanted, const CheckPatience& check_patience);
+  /// Fills `out` and returns the number of bytes, fewer than `wanted` only at the end. Calls
+  /// `check_interrupt` at least every 20 ms.
+  std::size_t read(void* out, std::size_t wanted, const CheckInterrupt& check_interrupt);
 
-  /// True once everybody has closed the writing end and all has been read.
+  /// True once the writing end is closed in all processes and everything has been read.
   bool hasEnded() const { return has_ended_; }
 
  private:
@@ -42,24 +42,24 @@ class Pipe {
 class ChildProcess {
  public:
   /// The first argument is the absolute path of the program. Its standard output goes to the given
-  /// descriptor, its standard input and error nowhere; it takes no signal of our terminal. Throws
-  /// std::system_error.
+  /// descriptor; its standard input and error are /dev/null. Signals of the terminal do not reach
+  /// it. Throws std::system_error.
   ChildProcess(std::vector<std::string> arguments, int standard_output);
 
   ~ChildProcess() { end(); }
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for its end, and ends what it has started; the signal that ended it, or 0.
-  int waitForSignal(const CheckPatience& check_patience);
+  /// Waits until it ends, and kills what it has started. Returns the signal that ended it, or 0.
+  int waitForSignal(const CheckInterrupt& check_interrupt);
 
-  /// Kills it, if it still runs, and what it has started. False if it does not end for seconds, as
-  /// while it waits for a file system that does not answer: it is then waited for when the next one
+  /// Kills it and what it has started. Returns false if it does not end within 2 s, as when it
+  /// waits for a file system that does not answer. A later ChildProcess waits for it when it
   /// starts.
   bool end();
 
  private:
-  pid_t pid_ = 0;  ///< 0 once it has ended or is given up
+  pid_t pid_ = 0;  ///< 0 once it has ended or could not be killed
 };
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens first and then asks the kernel what has been opened: between a look at a path and its
-// opening the path may come to mean another file.
+// Opens a file before it checks it: if it checked the path first, another file could take its place
+// before it is opened.
 #include "robot/worker/confined_files.h"
 
 #include <fcntl.h>
@@ -18,7 +18,6 @@
 namespace link_bounds {
 namespace {
 
-/// A file that is open for reading.
 class ReadStream : public Assimp::IOStream {
  public:
   ReadStream(std::FILE* file, std::size_t size) : file_(file), size_(size) {}
@@ -46,7 +45,7 @@ class ReadStream : public Assimp::IOStream {
   std::size_t size_;
 };
 
-/// What the kernel says of a regular file below root that is open.
+/// The status of an open file; none unless it is a regular file below root.
 std::optional<struct stat> allowedStatus(const std::string& root, int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
@@ -57,7 +56,7 @@ std::optional<struct stat> allowedStatus(const std::string& root, int descriptor
   return status;
 }
 
-/// Does not wait for the writer of a pipe, nor take a terminal.
+/// O_NONBLOCK: does not wait for the writer of a pipe. O_NOCTTY: takes no controlling terminal.
 int openForReading(const char* path) {
   return open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
 }
@@ -85,7 +84,7 @@ Assimp::IOStream* ConfinedFiles::Open(const char* path, const char* mode) {
   return new ReadStream(file, static_cast<std::size_t>(status->st_size));
 }
 
-/// Keeps the books on sizes; readers may open a file twice.
+/// Adds up sizes by device and inode, because readers may open a file twice.
 bool ConfinedFiles::mayBeRead(const char* path, const struct stat& status) {
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes_) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// File access for assimp that cannot leave the mesh's folder or package.
+// File access for assimp, confined to the folder or package of the mesh.
 #pragma once
 
 #include <assimp/DefaultIOSystem.h>
@@ -15,17 +15,17 @@
 
 namespace link_bounds {
 
-/// Opens for reading only, and only regular files whose real path lies below `root`: a mesh may
-/// name any file of the machine as its material or buffer. Each may have `max_bytes` when it is
-/// opened.
+/// Opens for reading only, and only regular files whose real path lies below `root`, because a mesh
+/// may name any file of the machine as its material or buffer. Refuses files that have more than
+/// `max_bytes` when they are opened.
 class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `on_bytes`, which may be null, is called before a file is opened with the bytes of all files,
-  /// this one included.
+  /// `on_bytes` may be null. It is called before each file is read, with the sum of the sizes of
+  /// all files opened so far and this one.
   ConfinedFiles(std::string root, std::uint64_t max_bytes, BytesHandler on_bytes)
       : root_(std::move(root)), max_bytes_(max_bytes), on_bytes_(std::move(on_bytes)) {}
 
-  /// Which file is not opened for its size; "" if there is none.
+  /// Which file was refused because of its size, in words; "" if none was.
   const std::string& tooLarge() const { return too_large_; }
 
   bool Exists(const char* path) const override;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks assimp's node tree and collects triangles.
+// Collects the triangles of assimp's node tree.
 #include "robot/worker/mesh_import.h"
 
 #include <assimp/postprocess.h>
@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/box/length.h"
-#include "link_bounds/robot/mesh/weld.h"
+#include "robot/mesh/weld.h"
 #include "robot/worker/confined_files.h"
 
 namespace link_bounds {
@@ -45,7 +45,7 @@ Eigen::Affine3d withoutRotation(const Eigen::Affine3d& root) {
   return result;
 }
 
-/// Readers pass on indices as the file has them.
+/// Some readers of assimp do not check the indices of the file.
 void checkIndices(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -71,7 +71,7 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
   }
   for (unsigned i = 0; i < source.mNumFaces; ++i) {
     const aiFace& face = source.mFaces[i];
-    // A polygon becomes a fan, which for bounds is as good as any; points and lines become nothing.
+    // A polygon becomes a fan, points and lines nothing. The box is that of any triangulation.
     for (unsigned corner = 2; corner < face.mNumIndices; ++corner) {
       mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[corner - 1],
                                 first + face.mIndices[corner]});
@@ -79,13 +79,13 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
   }
 }
 
-/// assimp's reader of PLY makes one triangle of a whole mesh of strips.
+/// The PLY reader of assimp makes one triangle of all strips of a mesh.
 void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
-  constexpr std::size_t kLongestHeader = 1 << 16;
+  constexpr std::size_t kMaxHeaderBytes = 1 << 16;
   Assimp::IOStream* file = files.Open(path.c_str(), "rb");
   if (!file) throw MeshError("it cannot be opened", MeshFault::kUnreadable);
-  std::string header(kLongestHeader, ' ');
-  header.resize(file->Read(header.data(), 1, kLongestHeader));
+  std::string header(kMaxHeaderBytes, ' ');
+  header.resize(file->Read(header.data(), 1, kMaxHeaderBytes));
   files.Close(file);
   if (header.compare(0, 3, "ply") != 0) return;
   std::replace(header.begin(), header.end(), '\r', '\n');
@@ -155,7 +155,7 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
   auto* files = new ConfinedFiles(file.root, max_bytes, on_bytes);
   importer.SetIOHandler(files);
   refuseTriangleStrips(*files, file.path);
-  // Otherwise a file without geometry gets one that shows its nodes.
+  // Otherwise assimp adds a mesh that shows the nodes of a file without geometry.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(file.path, 0);
   if (!scene || !scene->mRootNode) {

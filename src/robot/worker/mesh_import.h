@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a mesh file to triangles; the only place that knows assimp.
+// From a mesh file to triangles, by assimp.
 #pragma once
 
 #include <cstdint>

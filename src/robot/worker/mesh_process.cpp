@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One child process per file, a deadline, and a word for each way to fail.
+// One child process per file, a deadline, and the words for each way to fail.
 #include "link_bounds/robot/worker/mesh_process.h"
 
 #include <dlfcn.h>
@@ -17,17 +17,18 @@
 #include <system_error>
 
 #include "robot/worker/child_process.h"
-#include "robot/worker/mesh_frame.h"
+#include "robot/worker/mesh_reply.h"
 
 namespace link_bounds {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Small files of text unfold: a line "f 1 2 3 4" becomes two triangles.
-constexpr std::uint64_t kUnfolding = 16 << 20;
+/// Bytes that a mesh may take beyond the limit of its file, because a small file of text may give a
+/// larger mesh: the 10 bytes of "f 1 2 3 4" become two triangles of 12 bytes each.
+constexpr std::uint64_t kExpansionBytes = 16 << 20;
 
-constexpr double kLongestTimeout = 1e8;
+constexpr double kMaxTimeout = 1e8;  // s; three years, whose nanoseconds fit the clock
 
 [[noreturn]] void throwTooSlow(const MeshLimits& limits) {
   std::ostringstream reason;
@@ -35,8 +36,8 @@ constexpr double kLongestTimeout = 1e8;
   throw MeshError(reason.str(), MeshFault::kTooSlow);
 }
 
-CheckPatience patienceOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
-  const std::chrono::duration<double> wait(std::min(limits.timeout, kLongestTimeout));
+CheckInterrupt interruptOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
+  const std::chrono::duration<double> wait(std::min(limits.timeout, kMaxTimeout));
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
   return [end, limits, &is_cancelled] {
     if (is_cancelled && is_cancelled()) {
@@ -61,7 +62,7 @@ void checkSize(const MeshFile& file, const MeshLimits& limits) {
 /// See src/tools/mesh_worker/mesh_worker.cpp.
 std::vector<std::string> commandLine(const std::string& worker, const MeshFile& file,
                                      const MeshLimits& limits) {
-  const double seconds = std::ceil(std::min(limits.timeout, kLongestTimeout));
+  const double seconds = std::ceil(std::min(limits.timeout, kMaxTimeout));
   return {worker,
           file.path,
           file.root,
@@ -70,7 +71,7 @@ std::vector<std::string> commandLine(const std::string& worker, const MeshFile& 
           std::to_string(getpid())};
 }
 
-/// SIGKILL is not ours here; the kernel sends it where memory runs out.
+/// SIGKILL comes from the kernel here, which sends it when memory runs out.
 [[noreturn]] void throwDeath(int signal, const MeshLimits& limits) {
   if (signal == SIGXCPU) throwTooSlow(limits);
   if (signal == SIGKILL) {
@@ -80,18 +81,18 @@ std::vector<std::string> commandLine(const std::string& worker, const MeshFile& 
   throw MeshError(std::string("the program that reads it died of it (") + strsignal(signal) + ")");
 }
 
-TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
-                      const CheckPatience& check_patience) {
+TriangleMesh replyOf(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+                     const CheckInterrupt& check_interrupt) {
   Pipe pipe;
   ChildProcess process(commandLine(worker, file, limits), pipe.writingEnd());
   pipe.closeWritingEnd();
   const auto source = [&](void* out, std::size_t wanted) {
-    return pipe.read(out, wanted, check_patience);
+    return pipe.read(out, wanted, check_interrupt);
   };
   try {
-    return readMeshFrame(source, limits.max_bytes + kUnfolding);
-  } catch (const FrameError&) {
-    const int signal = pipe.hasEnded() ? process.waitForSignal(check_patience) : 0;
+    return readMeshReply(source, limits.max_bytes + kExpansionBytes);
+  } catch (const ReplyError&) {
+    const int signal = pipe.hasEnded() ? process.waitForSignal(check_interrupt) : 0;
     if (signal == 0) throw;
     throwDeath(signal, limits);
   } catch (const MeshError& error) {
@@ -101,7 +102,7 @@ TriangleMesh answerOf(const std::string& worker, const MeshFile& file, const Mes
   }
 }
 
-/// Why no program could be started.
+/// The fault when no program could be started.
 MeshFault faultOf(const std::error_code& error) {
   for (const std::errc shortage :
        {std::errc::resource_unavailable_try_again, std::errc::not_enough_memory,
@@ -111,7 +112,7 @@ MeshFault faultOf(const std::error_code& error) {
   return MeshFault::kReader;
 }
 
-/// Or of the running program, if the library is linked into it; "" if it cannot be found.
+/// That of the running program if the library is linked into it; "" if unknown.
 std::filesystem::path folderOfLibrary() {
   static const char own_symbol = 0;
   Dl_info info{};
@@ -120,14 +121,14 @@ std::filesystem::path folderOfLibrary() {
   return std::filesystem::canonical(info.dli_fname, ignored).parent_path();
 }
 
-/// Where mesh_worker may be, by preference.
+/// In the order of search.
 std::vector<std::filesystem::path> foldersOfWorker() {
   std::vector<std::filesystem::path> folders{
       std::filesystem::read_symlink("/proc/self/exe").parent_path()};
   const std::filesystem::path library = folderOfLibrary();
   if (library.empty()) return folders;
   folders.push_back(library / "link_bounds");
-  // Of a library in lib/TRIPLET.
+  // For a library in lib/TRIPLET.
   folders.push_back(library.parent_path() / "link_bounds");
   return folders;
 }
@@ -144,11 +145,11 @@ std::string meshWorker() {
 
 TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
-  const CheckPatience check_patience = patienceOf(limits, is_cancelled);
-  check_patience();
+  const CheckInterrupt check_interrupt = interruptOf(limits, is_cancelled);
+  check_interrupt();
   try {
     checkSize(file, limits);
-    return answerOf(worker, file, limits, check_patience);
+    return replyOf(worker, file, limits, check_interrupt);
   } catch (const std::system_error& error) {
     throw MeshError("cannot run " + worker + " (" + error.code().message() + ")",
                     faultOf(error.code()));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// setrlimit, prctl, and a walk through the open descriptors.
+// setrlimit, prctl, and a loop over the open descriptors.
 #include "robot/worker/worker_limits.h"
 
 #include <fcntl.h>
@@ -26,11 +26,11 @@ constexpr bool kIsSanitized = true;
 constexpr bool kIsSanitized = false;
 #endif
 
-constexpr std::uint64_t kLeastMemory = std::uint64_t(512) << 20;
+constexpr std::uint64_t kMinMemory = std::uint64_t(512) << 20;
 constexpr std::uint64_t kMemoryPerByte = 32;
 constexpr rlim_t kOpenFiles = 32;
 
-/// For functions that return -1 and leave their error in errno.
+/// For functions that return -1 and set errno.
 void check(int result) {
   if (result != 0) throw std::system_error(errno, std::system_category());
 }
@@ -42,7 +42,7 @@ void limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
   check(setrlimit(resource, &wanted));
 }
 
-/// Sockets of the node must not live on in its children.
+/// Otherwise sockets of the node would stay open in its children.
 void closeInheritedFiles() {
   std::vector<int> inherited;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
@@ -56,9 +56,9 @@ void closeInheritedFiles() {
 }  // namespace
 
 std::uint64_t memoryLimit(std::uint64_t file_bytes) {
-  constexpr std::uint64_t kLargest =
-      (std::numeric_limits<std::uint64_t>::max() - kLeastMemory) / kMemoryPerByte;
-  return kLeastMemory + kMemoryPerByte * std::min(file_bytes, kLargest);
+  constexpr std::uint64_t kMaxBytes =
+      (std::numeric_limits<std::uint64_t>::max() - kMinMemory) / kMemoryPerByte;
+  return kMinMemory + kMemoryPerByte * std::min(file_bytes, kMaxBytes);
 }
 
 void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent) {

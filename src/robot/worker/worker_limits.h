@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a process that reads untrusted meshes forbids itself before it opens the first one.
+// The limits that mesh_worker sets itself before it opens an untrusted file.
 #pragma once
 
 #include <sys/types.h>
@@ -9,23 +9,28 @@
 
 namespace link_bounds {
 
-/// Bytes of memory that a reader may take for a file of that size: readers keep text and numbers
-/// side by side, up to some twenty times the file.
+/// Bytes of memory that a reader may use for a file of that size: 512 MiB, and 32 times the file.
+/// Readers were seen to use twenty times the file, because they hold its text and its numbers at
+/// the same time.
 std::uint64_t memoryLimit(std::uint64_t file_bytes);
 
 struct MemoryLimits {
-  std::uint64_t now;  ///< bytes, until raiseMemoryLimit()
-  std::uint64_t max;  ///< bytes, for ever
+  std::uint64_t now;  ///< bytes
+  std::uint64_t max;  ///< bytes; raiseMemoryLimit() cannot exceed it
 };
 
-/// For the rest of this process's life: no memory above the limits (but under sanitizers, which
-/// take terabytes of addresses), no more time of the processor than that, few files at once, none
-/// written, no further process or thread (root may start some), no core file, no new privileges, no
-/// descriptor but the standard streams. It is killed when `parent` ends, and at once if that has
-/// happened. Throws std::system_error if the kernel refuses one of the limits.
+/// For the rest of the life of this process:
+/// - no memory above the limits (not under sanitizers, which reserve terabytes of addresses);
+/// - at most `cpu_seconds` of processor time;
+/// - at most 32 open files, and no writing to files;
+/// - no further process or thread (root is exempt), no core file, no new privileges;
+/// - no inherited descriptor but the standard streams.
+/// The kernel kills it when `parent` ends; if `parent` has ended, it exits at once. Throws
+/// std::system_error if the kernel refuses one of the limits.
 void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent);
 
-/// So much memory, if it is more than now, but never more than the max. Throws std::system_error.
+/// Raises the limit of memory to `bytes`, at most to the max; never lowers it. Throws
+/// std::system_error.
 void raiseMemoryLimit(std::uint64_t bytes);
 
 }  // namespace link_bounds

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads one mesh file and writes its triangles, or the reason why not, to standard output, in the
-// frame of link_bounds/mesh_frame.h. Started by link_bounds/mesh_process.h, never by hand.
+// Reads one mesh file and writes its triangles, or the reason why there are none, to standard
+// output, as robot/worker/mesh_reply.h describes. Only importInProcess starts it.
 #include <errno.h>
 #include <unistd.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "robot/worker/mesh_frame.h"
 #include "robot/worker/mesh_import.h"
+#include "robot/worker/mesh_reply.h"
 #include "robot/worker/worker_limits.h"
 
 namespace link_bounds {
@@ -32,26 +32,27 @@ void writeToOutput(const void* bytes, std::size_t count) {
   }
 }
 
-/// A mesh may keep its vertices in another file: it may take memory for both.
-void answer(const MeshFile& file, std::uint64_t max_bytes) {
+/// The limit of memory grows with each file that is opened: a mesh may keep its vertices in
+/// another.
+void reply(const MeshFile& file, std::uint64_t max_bytes) {
   std::uint64_t file_bytes = 0;
   const auto on_bytes = [&file_bytes](std::uint64_t bytes) {
     file_bytes = bytes;
     raiseMemoryLimit(memoryLimit(bytes));
   };
   try {
-    writeMeshFrame(importMesh(file, max_bytes, on_bytes), writeToOutput);
+    writeMeshReply(importMesh(file, max_bytes, on_bytes), writeToOutput);
   } catch (const std::bad_alloc&) {
-    writeErrorFrame(
+    writeErrorReply(
         MeshError("to read it takes more than " + std::to_string(memoryLimit(file_bytes) >> 20) +
                       " MiB of memory, which are allowed for its " + std::to_string(file_bytes) +
                       " bytes",
                   MeshFault::kMemory),
         writeToOutput);
   } catch (const MeshError& error) {
-    writeErrorFrame(error, writeToOutput);
+    writeErrorReply(error, writeToOutput);
   } catch (const std::exception& error) {
-    writeErrorFrame(MeshError(error.what()), writeToOutput);
+    writeErrorReply(MeshError(error.what()), writeToOutput);
   }
 }
 
@@ -62,14 +63,14 @@ int run(char** argv) {
   try {
     limitThisProcess(memory, std::atol(argv[kCpuSeconds]), std::atoi(argv[kParent]));
   } catch (const std::system_error& refusal) {
-    writeErrorFrame(MeshError(std::string("the program that reads it cannot limit itself (") +
+    writeErrorReply(MeshError(std::string("the program that reads it cannot limit itself (") +
                                   refusal.what() + ")",
                               MeshFault::kForbidden),
                     writeToOutput);
     _exit(0);
   }
-  answer(file, max_bytes);
-  // A reader that has damaged its memory must not damage the answer by tidying up.
+  reply(file, max_bytes);
+  // Without destructors: a reader that has damaged its memory could crash in them.
   _exit(0);
 }
 
@@ -77,7 +78,7 @@ int run(char** argv) {
 }  // namespace link_bounds
 
 #if defined(__SANITIZE_ADDRESS__)
-/// What kills the worker is for its parent to tell; a report would pass for a fault of ours.
+/// The parent reports the signal that ends this process; sanitizers must not catch it.
 extern "C" const char* __asan_default_options() {
   return "handle_segv=0:handle_abort=0:handle_sigbus=0:handle_sigfpe=0:allocator_may_return_null=1";
 }
@@ -89,6 +90,6 @@ int main(int argc, char** argv) {
                stderr);
     return 1;
   }
-  std::signal(SIGABRT, SIG_DFL);  // which the options of a sanitizer may have taken
+  std::signal(SIGABRT, SIG_DFL);  // a sanitizer may have set a handler
   return link_bounds::run(argv);
 }

@@ -25,7 +25,7 @@ TriangleMesh readTriangle(const MeshFile& file) {
   return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
 }
 
-/// What the contract of MeshStore says of one file.
+/// What MeshStore promises for one file.
 struct Expectation {
   bool has_failed = false;  ///< since failures were forgotten
   bool has_changed = true;  ///< since it was last imported

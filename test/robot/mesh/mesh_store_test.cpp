@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each file is imported once, remembered while it is used, and read anew when it was replaced.
+// Each file is read once, shared while it is in use, and read again when it was replaced.
 #include "link_bounds/robot/mesh/mesh_store.h"
 
 #include <fcntl.h>
@@ -35,7 +35,7 @@ class MeshStoreTest : public testing::Test {
     return {folder_.write(name, text), folder_.path().string()};
   }
 
-  /// Rewrites a file and makes sure that its time differs, however coarse the clock is.
+  /// Rewrites a file and makes sure that its time differs, even if the clock is coarse.
   void replace(const MeshFile& file, const std::string& text) const {
     const auto before = std::filesystem::last_write_time(file.path);
     std::ofstream(file.path) << text;
@@ -155,7 +155,7 @@ TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) 
 
 TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {
   const MeshFile file = write("a", "1");
-  // In the year 2400, which nanoseconds in 64 bits do not reach.
+  // In the year 2400; 64 bits of nanoseconds end in 2262.
   const std::array<timespec, 2> times{{{13569465600, 0}, {13569465600, 0}}};
   ASSERT_EQ(utimensat(AT_FDCWD, file.path.c_str(), times.data(), 0), 0);
   const LoadedMesh old = loadOne(file);
@@ -308,7 +308,7 @@ TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
   EXPECT_TRUE(met) << "the second import began only after the first was over";
 }
 
-/// 0 if all files are loaded though no further thread starts.
+/// 0 if all files are loaded although no thread can start.
 int loadWithoutThreads(const std::vector<MeshFile>& files) {
   if (!forbidThreads()) return 2;
   MeshStore store([](const MeshFile&) {

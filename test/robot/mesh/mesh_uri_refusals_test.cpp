@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mesh names that are refused: what leaves its package, is no regular file or cannot be found.
+// Mesh URIs that are refused: outside their package, not a regular file, or not found.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

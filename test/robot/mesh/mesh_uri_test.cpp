@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mesh names that are understood: schemes, spaces, percent-escapes, relative names.
+// Mesh URIs that are accepted: schemes, spaces, percent-escapes, relative names.
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 #include <gtest/gtest.h>

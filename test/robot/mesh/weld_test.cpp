@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Welding: what is merged, what is dropped, what is refused.
-#include "link_bounds/robot/mesh/weld.h"
+// Which vertices welding merges and drops, and which meshes it refuses.
+#include "robot/mesh/weld.h"
 
 #include <gtest/gtest.h>
 

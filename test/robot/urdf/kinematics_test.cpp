@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses of links for joint values, on robots small enough to do by hand.
+// Poses of links for joint values, on robots whose poses are computed by hand.
 #include "link_bounds/robot/urdf/kinematics.h"
 
 #include <gtest/gtest.h>
@@ -145,7 +145,7 @@ TEST(JointValues, MimicFollowsWithMultiplierAndOffset) {
 }
 
 TEST(JointValues, MimicOfAMimicComposes) {
-  // The chain is read in whatever order the joints come, so try both.
+  // In both orders of the joints.
   for (const bool leader_last : {false, true}) {
     const std::string leader =
         leader_last ? joint("j", "revolute", "c", "d") : joint("j", "revolute", "a", "b");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Descriptions that cannot be used, and odd ones that can.
+// Descriptions that are refused, and unusual ones that are accepted.
 #include <console_bridge/console.h>
 #include <gtest/gtest.h>
 
@@ -166,7 +166,7 @@ TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
   EXPECT_EQ(robot.links.at(robot.root).name, "b");
 }
 
-/// The byte begins a character of two, so urdfdom 3 takes the "<" behind it for the second half.
+/// The byte begins a character of two bytes, so urdfdom 3 reads the "<" after it as the second one.
 TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
   const std::string urdf = "<?xml version='1.0'?><robot name='r'>\xd2<link name='a'/>" +
                            links({"a", "b"}) + joint("j", "a", "b") + "</robot>";
@@ -177,7 +177,7 @@ TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
   EXPECT_FALSE(robot.warnings.empty());
 }
 
-/// A reader that takes the terminating zero for the second half of a character finds a whole robot.
+/// A parser that reads the terminating zero as the second byte of a character finds another robot.
 TEST(RobotRefusals, ATextThatEndsInHalfACharacter) {
   const std::string text = "<?xml version='1.0'?><robot name='r'><link name='a\xd6";
   std::string urdf = text + "0" + "'/></robot>";
@@ -214,7 +214,7 @@ TEST(OddRobots, AByteOrderMark) {
             1u);
 }
 
-/// Every second one contains a per cent sign, so that nobody may hear why it is refused.
+/// Every second text contains a per cent sign, so that messages of urdfdom are switched off.
 TEST(ManyRobots, AtOnceGetTheirOwnReasonsAndLeaveTheLogAsItWas) {
   console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
   std::atomic<int> wrong{0};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry that urdfdom drops is noticed, numbered and explained; what came before it is kept.
+// Geometry that urdfdom drops is found, numbered and explained; elements before it are kept.
 #include "robot/urdf/urdf_losses.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Link linkOf(const std::string& content) {
   return parseRobot("<robot name='r'><link name='l'>" + content + "</link></robot>").links.at(0);
 }
 
-/// The one loss of a link whose second visual is bad.
+/// The lost element of a link whose second visual is bad.
 LostElement lossOf(const std::string& geometry) {
   const Link link = linkOf(visual("<sphere radius='1'/>") + visual(geometry));
   EXPECT_EQ(link.elements.size(), 1u) << geometry;

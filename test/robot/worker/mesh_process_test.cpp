@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "robot/worker/child_process.h"
-#include "robot/worker/mesh_frame.h"
 #include "robot/worker/mesh_import.h"
+#include "robot/worker/mesh_reply.h"
 #include "testing/mesh_texts.h"
 #include "testing/process_census.h"
 #include "testing/temporary_folder.h"
@@ -95,9 +95,9 @@ class MeshProcess : public testing::Test {
   long open_descriptors_ = 0;
 };
 
-std::string goodFrame() {
+std::string goodReply() {
   std::string bytes;
-  writeMeshFrame({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
+  writeMeshReply({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
                  [&](const void* data, std::size_t count) {
                    bytes.append(static_cast<const char*>(data), count);
                  });
@@ -146,23 +146,23 @@ TEST_F(MeshProcess, AFileAboveTheLimitStartsNoWorker) {
 TEST_F(MeshProcess, ACrash) {
   expectReason(script("kill -SEGV $$"), "Segmentation fault");
   expectReason(script("kill -ABRT $$"), "Aborted");
-  expectReason(speaker(goodFrame().substr(0, 50), "kill -SEGV $$"), "Segmentation fault");
+  expectReason(speaker(goodReply().substr(0, 50), "kill -SEGV $$"), "Segmentation fault");
 }
 
 TEST_F(MeshProcess, ACrashAfterTheWholeAnswerChangesNothing) {
-  EXPECT_EQ(importInProcess(speaker(goodFrame(), "kill -SEGV $$"), stl_, {}).triangles.size(), 1u);
+  EXPECT_EQ(importInProcess(speaker(goodReply(), "kill -SEGV $$"), stl_, {}).triangles.size(), 1u);
 }
 
 TEST_F(MeshProcess, AnEndWithoutAnAnswer) {
   expectReason(script("exit 0"), "ends early", MeshFault::kReader);
   expectReason(script("exit 3"), "ends early", MeshFault::kReader);
-  expectReason(speaker(goodFrame().substr(0, 50)), "ends early", MeshFault::kReader);
+  expectReason(speaker(goodReply().substr(0, 50)), "ends early", MeshFault::kReader);
 }
 
 TEST_F(MeshProcess, AHang) {
   expectTooSlow(script("exec sleep 1000"));
-  expectTooSlow(speaker(goodFrame().substr(0, 50), "exec sleep 1000"));
-  expectTooSlow(speaker(goodFrame(), "exec sleep 1000"));
+  expectTooSlow(speaker(goodReply().substr(0, 50), "exec sleep 1000"));
+  expectTooSlow(speaker(goodReply(), "exec sleep 1000"));
   expectTooSlow(script("exec >/dev/null; exec sleep 1000"));
 }
 
@@ -175,19 +175,19 @@ TEST_F(MeshProcess, AKillByTheSystem) {
 }
 
 TEST_F(MeshProcess, AnAnswerWithoutEnd) {
-  expectReason(speaker(goodFrame(), "exec cat /dev/zero"), "does not end");
+  expectReason(speaker(goodReply(), "exec cat /dev/zero"), "does not end");
   expectReason(script("exec cat /dev/zero"), "is not one", MeshFault::kReader);
 }
 
 TEST_F(MeshProcess, ALieAboutSizes) {
-  std::string lie = goodFrame();
+  std::string lie = goodReply();
   lie[31] = 0x40;  // the highest byte of the number of triangles
   expectReason(speaker(lie, "exec cat /dev/zero"), "take more than", MeshFault::kTooLarge);
 }
 
 TEST_F(MeshProcess, WhatItSaysOnStandardErrorIsNotPassedOn) {
   testing::internal::CaptureStderr();
-  EXPECT_EQ(importInProcess(speaker(goodFrame(), "echo noise >&2"), stl_, {}).triangles.size(), 1u);
+  EXPECT_EQ(importInProcess(speaker(goodReply(), "echo noise >&2"), stl_, {}).triangles.size(), 1u);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -216,7 +216,7 @@ TEST_F(MeshProcess, WhatAWorkerStartsEndsWithIt) {
     ADD_FAILURE() << what << ": its child lives on";
     kill(child, SIGKILL);
   };
-  EXPECT_EQ(importInProcess(speaker(goodFrame(), start), stl_, {}).triangles.size(), 1u);
+  EXPECT_EQ(importInProcess(speaker(goodReply(), start), stl_, {}).triangles.size(), 1u);
   expect_no_child("a good answer");
   expectReason(script(start + "exit 3"), "ends early", MeshFault::kReader);
   expect_no_child("no answer");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Why a mesh cannot be used. The cause decides what helps; who knows the user words the remedy.
+/// Why a mesh cannot be used. Each program words the remedy for its own users.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,23 @@
 
 namespace link_bounds {
 
-/// Sent by mesh_worker as a number: append only, and keep kLastMeshFault.
+/// mesh_worker sends it as a number: append only, and update kLastMeshFault.
 enum class MeshFault {
-  kFile,        ///< its content
-  kUnreadable,  ///< it cannot be opened
-  kTooLarge,    ///< file or triangles: more bytes than MeshLimits::max_bytes allows
-  kTooSlow,     ///< it takes longer than MeshLimits::timeout
-  kMemory,      ///< it takes more memory than a file of its size may
-  kComputer,    ///< memory, processes or open files run out
-  kChanged,     ///< it changed while it was read
-  kCancelled,   ///< the caller gave up
-  kReader,      ///< mesh_worker is missing, or not the one of this library
-  kForbidden,   ///< the kernel does not let mesh_worker limit itself
-  kFileSystem,  ///< mesh_worker cannot be killed while it waits for the file
+  kFile,        ///< the content of the file is wrong
+  kUnreadable,  ///< the file cannot be opened
+  kTooLarge,    ///< file or triangles have more bytes than MeshLimits::max_bytes allows
+  kTooSlow,     ///< reading takes longer than MeshLimits::timeout
+  kMemory,      ///< reading takes more memory than a file of its size may take
+  kComputer,    ///< the computer lacks memory, processes or open files
+  kChanged,     ///< the file changed while it was read
+  kCancelled,   ///< the caller cancelled
+  kReader,      ///< mesh_worker is missing, or belongs to another version of this library
+  kForbidden,   ///< the kernel refuses the limits that mesh_worker sets itself
+  kFileSystem,  ///< mesh_worker cannot be killed while it waits for the file system
 };
 constexpr MeshFault kLastMeshFault = MeshFault::kFileSystem;
 
-/// what() is the reason, in words for the user; the thrower does not repeat the file's name.
+/// what() is the reason, in words for the user, without the name of the file.
 class MeshError : public std::runtime_error {
  public:
   explicit MeshError(const std::string& reason, MeshFault fault = MeshFault::kFile)
@@ -36,10 +36,10 @@ class MeshError : public std::runtime_error {
   MeshFault fault_;
 };
 
-/// What a user can do.
+/// Says what a user can do about a fault.
 using MeshRemedy = std::function<std::string(MeshFault)>;
 
-/// That of a program that runs once and has no options for the limits, such as urdf_bounds.
+/// For programs that run once and have no options for the limits, such as urdf_bounds.
 std::string plainRemedy(MeshFault fault);
 
 }  // namespace link_bounds

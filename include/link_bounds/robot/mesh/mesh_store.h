@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Mesh files become points here, each file once.
+/// The points of mesh files; each file is read once and shared.
 #pragma once
 
 #include <time.h>
@@ -21,45 +21,44 @@ namespace link_bounds {
 /// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
 using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
 
-/// Told after each file: how many of how many are done. Calls do not overlap.
+/// Called after each file that was read, by one thread at a time.
 using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// What became of a file: points, or the reason why there are none, and the remedy.
 struct LoadedMesh {
-  std::shared_ptr<const PointSet> points;
-  std::string error;
-  std::shared_ptr<const TriangleMesh> triangles = nullptr;  ///< only if they were asked for
+  std::shared_ptr<const PointSet> points;  ///< null if the file cannot be used
+  std::string error;                       ///< the reason and the remedy; "" if there are points
+  std::shared_ptr<const TriangleMesh> triangles = nullptr;  ///< only if they were requested
 };
 
-/// What is wanted of a mesh file.
 enum class MeshContent { kPoints, kPointsAndTriangles };
 
-/// Keeps what has been imported for as long as somebody uses it, keyed by real path, so that any
-/// number of links and scales share one geometry. Failures are remembered until forgetFailures().
-/// A file that loaded and was then replaced on disk is read anew by the next load(); one that
-/// changes while it is read is refused. Triangles are not kept: who wants them causes an import.
-/// Not thread-safe itself; what it hands out is immutable.
+/// A cache by real path, so that all links with the same mesh share its points, at any scale. It
+/// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
+/// are remembered until forgetFailures(), which is also where dead entries are erased. load() reads
+/// a file again if it was replaced since, and refuses one that changes while it is read. Triangles
+/// are not cached. Not thread-safe; what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
       : importer_(std::move(importer)), remedy_(std::move(remedy)) {}
 
-  /// One result per file, in order. New files are imported side by side on the cores there are.
+  /// One result per file, in order. Files are read in parallel, one thread per core.
   std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
                                const LoadProgress& progress = nullptr,
                                MeshContent content = MeshContent::kPoints);
 
+  /// The next load() reads these files again.
   void forgetFailures();
 
  private:
-  /// Changes whenever the file is written or replaced. `changed` is the kernel's own time, which
-  /// no program sets; `written` is the one that cp -p and tar restore.
+  /// Differs whenever the file was written or replaced. cp -p and tar can restore an old `written`,
+  /// but only the kernel sets `changed`.
   struct Version {
     std::uintmax_t device = 0;
     std::uintmax_t inode = 0;
     std::uintmax_t size = 0;
-    timespec written{};
-    timespec changed{};
+    timespec written{};  ///< st_mtim
+    timespec changed{};  ///< st_ctim
     bool operator==(const Version& other) const;
   };
   struct Entry {
@@ -74,7 +73,7 @@ class MeshStore {
 
   static Version versionOf(const std::string& path);
   static Version settledVersionOf(const std::string& path);
-  LoadedMesh known(const MeshFile& file) const;
+  LoadedMesh cached(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version, MeshContent content) const;
   LoadedMesh failure(const char* reason, MeshFault fault) const noexcept;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,

@@ -12,23 +12,23 @@
 
 namespace link_bounds {
 
-/// The folder of a ROS package, or "" if there is no such package. May throw MeshError with a
-/// better reason and remedy.
+/// Returns the folder of a ROS package, or "" if there is none. May throw MeshError with a more
+/// exact reason and its remedy.
 using PackagePath = std::function<std::string(const std::string& package)>;
 
 /// An existing regular file.
 struct MeshFile {
   std::string path;  ///< absolute, without symbolic links
-  std::string root;  ///< folder below which the mesh may name further files; absolute, real
+  std::string root;  ///< the mesh may name further files below this folder; absolute, real
 };
 
-/// Whether a path is that of the folder or leads into it; both absolute, without symbolic links.
+/// Whether the path is the folder or lies in it; both absolute, without symbolic links.
 bool isBelow(const std::filesystem::path& folder, const std::filesystem::path& path);
 
-/// Accepts package://PACKAGE/PATH, whose real path must lie below the package, and
-/// file:///PATH. With a base folder also plain paths, relative to it. Percent-escapes in URIs
-/// stand for the byte they name ("%20" is a space); spaces may also be written as they are.
-/// Throws MeshError with reason and remedy for everything else, and for what is no regular file.
+/// Accepts package://PACKAGE/PATH, whose real path must lie below the package, and file:///PATH;
+/// with a base folder also plain paths, relative to it. Percent-escapes are decoded ("%20" is a
+/// space), and a space may also stand for itself. Throws MeshError with reason and remedy for
+/// everything else, and if the path is not a regular file.
 MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
                         const std::string& base_folder = "");
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Which boxes may overlap without anybody being told: those of links that are joined, and pairs
-/// that the user names. Nothing here throws.
+/// Which overlaps are not reported: those of links that are joined, and of pairs that the user
+/// names. Nothing here throws.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@
 
 namespace link_bounds {
 
-/// Links that cannot move against each other, because fixed joints connect them, are one body.
+/// Links that fixed joints connect are one body.
 struct RigidBodies {
-  std::vector<std::size_t> of_links;  ///< the body of each link, with or without geometry
-  std::vector<std::size_t> parents;   ///< of each body; the first body is its own parent
+  std::vector<std::size_t> of_links;  ///< of each link, with or without geometry, its body
+  std::vector<std::size_t> parents;   ///< of each body its parent; the first body is its own
 };
 
 RigidBodies rigidBodies(const Robot& robot);
@@ -26,13 +26,13 @@ bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other);
 
 using NamePair = std::pair<std::string, std::string>;
 
-/// The two names in `text`, with spaces between them. A text of more than two words can be split
-/// in several ways, because names may have spaces in them, too: all splits count that give two
-/// strings for which `is_name` holds. None if there is no such split or less than two words.
+/// Splits `text` into two names with spaces between them. Names may contain spaces, so a text of
+/// more than two words can be split in several ways: returns all splits into two strings for which
+/// `is_name` holds. Returns the only split of two words without calling it.
 std::vector<NamePair> namePairs(const std::string& text,
                                 const std::function<bool(const std::string&)>& is_name);
 
-/// Pairs of names, whichever stands first.
+/// A set of pairs of names, in either order.
 class NamePairs {
  public:
   NamePairs() = default;
@@ -41,7 +41,7 @@ class NamePairs {
   bool contains(const std::string& name, const std::string& other) const;
 
  private:
-  std::vector<NamePair> pairs_;  // sorted, in themselves too
+  std::vector<NamePair> pairs_;  // sorted, and so is each pair
 };
 
 }  // namespace link_bounds

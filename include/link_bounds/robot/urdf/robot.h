@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A robot description as the rest of the library wants it: links in the order of the text, each
-/// with its placed shapes, and joints from the root outward.
+/// A robot description as plain values: links in the order of the text, each with its placed
+/// shapes, and joints from the root outward.
 ///
-/// Units are those of URDF: metres and radians. The text is read by urdfdom, as
-/// robot_state_publisher and rviz do, and then compared with the XML, because urdfdom drops what
-/// it cannot parse without saying so in its model.
+/// Units are those of URDF: metres and radians. urdfdom reads the text, as in robot_state_publisher
+/// and rviz. Its model does not say what it could not parse, so it is compared with the XML.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,7 +17,7 @@
 
 namespace link_bounds {
 
-/// The description cannot be used at all; says why, for the user.
+/// The description cannot be used at all; what() is the reason, in words for the user.
 class RobotError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -39,7 +38,7 @@ struct Element {
   Eigen::Affine3d link_from_shape = Eigen::Affine3d::Identity();  ///< origin times mesh scale
 };
 
-/// An element that the URDF has and this robot lacks.
+/// An element of the URDF that cannot be used.
 struct LostElement {
   Purpose purpose;
   std::size_t number;  ///< from 1
@@ -64,9 +63,9 @@ struct Joint {
   std::string name;
   std::size_t parent;  ///< index of a link
   std::size_t child;   ///< index of a link
-  Motion motion;       ///< fixed, floating and planar joints have none
+  Motion motion;       ///< kNone for fixed, floating and planar joints
   Eigen::Isometry3d parent_from_joint;
-  Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero if the URDF says zero
+  Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero as in the URDF
   std::optional<Mimic> mimic;
   bool is_fixed = false;
 };
@@ -80,7 +79,7 @@ struct Robot {
 };
 
 /// Throws RobotError if the text is not a URDF, or its links are not one tree. Several threads may
-/// call it; they take turns.
+/// call it; one at a time runs.
 Robot parseRobot(const std::string& urdf);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Mesh files are untrusted input: each is read by a process of its own, which is then gone.
+/// Mesh files are untrusted input, so each is read by a process of its own.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 namespace link_bounds {
 
 struct MeshLimits {
-  double timeout = 30.0;                ///< wall seconds for one file, > 0
-  std::uint64_t max_bytes = 536870912;  ///< of one file
+  double timeout = 30.0;                ///< wall seconds per file, > 0
+  std::uint64_t max_bytes = 536870912;  ///< of a file; its mesh may take 16 MiB more
 };
 
-/// Absolute path of the program mesh_worker: in the folder of the running program, else where it is
-/// built or installed with this library. Throws std::system_error.
+/// Absolute path of the program mesh_worker. It is looked for in the folder of the running program,
+/// then where it is built or installed with this library. Throws std::system_error.
 std::string meshWorker();
 
-/// Starts `worker` (the program mesh_worker, by absolute path, without a shell) for this one file
-/// and takes its answer. Whatever goes wrong in it, a crash, a hang, lack of memory, a wrong
-/// answer, becomes a MeshError, and the process is gone in any case. While it runs, `is_cancelled`,
-/// which may be null, is asked every 20 ms whether to give up. May be called from several threads.
+/// Starts `worker`, the absolute path of mesh_worker, for one file and returns what it reads. A
+/// crash, a timeout, lack of memory or a malformed reply becomes a MeshError. The process has ended
+/// when this returns, unless the kernel cannot kill it. While it runs, `is_cancelled`, which may be
+/// null, is called at least every 20 ms. Several threads may call this.
 TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits,
                              const std::function<bool()>& is_cancelled = nullptr);

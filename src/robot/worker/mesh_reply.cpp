@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A header of fixed size, then the arrays as they lie in memory.
-#include "robot/worker/mesh_frame.h"
+#include "robot/worker/mesh_reply.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMesh = 0;
 constexpr std::uint32_t kFirstError = 1;
 constexpr std::uint32_t kLastError = kFirstError + static_cast<std::uint32_t>(kLastMeshFault);
-constexpr std::uint64_t kLongestText = 4096;
+constexpr std::uint64_t kMaxTextBytes = 4096;
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -33,19 +33,19 @@ static_assert(kVertexBytes == 12 && kTriangleBytes == 12, "no padding");
 
 void readAll(const ByteSource& source, void* out, std::size_t count) {
   if (source(out, count) == count) return;
-  throw FrameError("the answer of the mesh reader ends early", MeshFault::kReader);
+  throw ReplyError("the answer of the mesh reader ends early", MeshFault::kReader);
 }
 
 void checkEnd(const ByteSource& source) {
   char next = 0;
-  if (source(&next, 1) != 0) throw FrameError("the answer of the mesh reader does not end");
+  if (source(&next, 1) != 0) throw ReplyError("the answer of the mesh reader does not end");
 }
 
 Header readHeader(const ByteSource& source) {
   Header header;
   readAll(source, &header, sizeof(header));
   if (header.magic != kMagic || header.version != kVersion || header.status > kLastError) {
-    throw FrameError("the answer of the mesh reader is not one of this version",
+    throw ReplyError("the answer of the mesh reader is not one of this version",
                      MeshFault::kReader);
   }
   return header;
@@ -54,12 +54,12 @@ Header readHeader(const ByteSource& source) {
 void checkCounts(const Header& header, std::uint64_t max_bytes) {
   if (header.text != 0 || header.vertices == 0 || header.triangles == 0 ||
       header.vertices > std::numeric_limits<std::uint32_t>::max()) {
-    throw FrameError("the answer of the mesh reader contradicts itself");
+    throw ReplyError("the answer of the mesh reader contradicts itself");
   }
-  // Each alone first, so that the sum cannot overflow.
+  // Compares each count first, so that the sum cannot overflow.
   if (header.vertices > max_bytes / kVertexBytes || header.triangles > max_bytes / kTriangleBytes ||
       header.vertices * kVertexBytes + header.triangles * kTriangleBytes > max_bytes) {
-    throw FrameError("its " + std::to_string(header.vertices) + " vertices and " +
+    throw ReplyError("its " + std::to_string(header.vertices) + " vertices and " +
                          std::to_string(header.triangles) + " triangles take more than " +
                          std::to_string(max_bytes) + " bytes",
                      MeshFault::kTooLarge);
@@ -68,18 +68,18 @@ void checkCounts(const Header& header, std::uint64_t max_bytes) {
 
 void checkContent(const TriangleMesh& mesh) {
   for (const Eigen::Vector3f& vertex : mesh.vertices) {
-    if (!vertex.allFinite()) throw FrameError("the mesh reader gave a vertex that is not finite");
+    if (!vertex.allFinite()) throw ReplyError("the mesh reader gave a vertex that is not finite");
   }
   for (const auto& triangle : mesh.triangles) {
     if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size()) {
-      throw FrameError("the mesh reader gave a triangle without its vertex");
+      throw ReplyError("the mesh reader gave a triangle without its vertex");
     }
   }
 }
 
 [[noreturn]] void throwReason(const Header& header, const ByteSource& source) {
-  if (header.vertices != 0 || header.triangles != 0 || header.text > kLongestText) {
-    throw FrameError("the answer of the mesh reader contradicts itself");
+  if (header.vertices != 0 || header.triangles != 0 || header.text > kMaxTextBytes) {
+    throw ReplyError("the answer of the mesh reader contradicts itself");
   }
   std::string reason(static_cast<std::size_t>(header.text), ' ');
   readAll(source, reason.data(), reason.size());
@@ -91,7 +91,7 @@ void checkContent(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void writeMeshFrame(const TriangleMesh& mesh, const ByteSink& sink) {
+void writeMeshReply(const TriangleMesh& mesh, const ByteSink& sink) {
   Header header;
   header.vertices = mesh.vertices.size();
   header.triangles = mesh.triangles.size();
@@ -100,16 +100,16 @@ void writeMeshFrame(const TriangleMesh& mesh, const ByteSink& sink) {
   sink(mesh.triangles.data(), mesh.triangles.size() * kTriangleBytes);
 }
 
-void writeErrorFrame(const MeshError& error, const ByteSink& sink) {
+void writeErrorReply(const MeshError& error, const ByteSink& sink) {
   const std::string reason = error.what();
   Header header;
   header.status = kFirstError + static_cast<std::uint32_t>(error.fault());
-  header.text = std::min<std::uint64_t>(reason.size(), kLongestText);
+  header.text = std::min<std::uint64_t>(reason.size(), kMaxTextBytes);
   sink(&header, sizeof(header));
   sink(reason.data(), header.text);
 }
 
-TriangleMesh readMeshFrame(const ByteSource& source, std::uint64_t max_bytes) {
+TriangleMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes) {
   const Header header = readHeader(source);
   if (header.status != kMesh) throwReason(header, source);
   checkCounts(header, max_bytes);

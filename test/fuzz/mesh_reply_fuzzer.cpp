@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes in the pipe from a worker: a mesh that is sound and fits, or MeshError.
+// Any bytes as the reply of a worker must give a valid mesh within the limit, or MeshError.
 #include <cstring>
 
 #include "fuzzing.h"
-#include "robot/worker/mesh_frame.h"
+#include "robot/worker/mesh_reply.h"
 
 namespace link_bounds {
 namespace {
 
-/// scripts/fuzz gives the fuzzer little more memory than that.
+/// scripts/fuzz limits the memory of the fuzzer to little more.
 constexpr std::uint64_t kMaxBytes = 1 << 24;
 
 class Reader {
@@ -29,17 +29,17 @@ class Reader {
   std::size_t left_;
 };
 
-std::string frameOf(const TriangleMesh& mesh) {
+std::string replyOf(const TriangleMesh& mesh) {
   std::string bytes;
-  writeMeshFrame(mesh, [&](const void* next, std::size_t count) {
+  writeMeshReply(mesh, [&](const void* next, std::size_t count) {
     bytes.append(static_cast<const char*>(next), count);
   });
   return bytes;
 }
 
-std::string frameOf(const MeshError& error) {
+std::string replyOf(const MeshError& error) {
   std::string bytes;
-  writeErrorFrame(error, [&](const void* next, std::size_t count) {
+  writeErrorReply(error, [&](const void* next, std::size_t count) {
     bytes.append(static_cast<const char*>(next), count);
   });
   return bytes;
@@ -53,9 +53,9 @@ void checkMesh(const TriangleMesh& mesh, const std::uint8_t* data, std::size_t s
   }
   for (const Eigen::Vector3f& vertex : mesh.vertices)
     require(vertex.allFinite(), "a vertex is finite");
-  const std::string bytes = frameOf(mesh);
+  const std::string bytes = replyOf(mesh);
   require(bytes.size() == size && std::memcmp(bytes.data(), data, size) == 0,
-          "a mesh says all that the frame says");
+          "a mesh says all that the reply says");
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ void checkMesh(const TriangleMesh& mesh, const std::uint8_t* data, std::size_t s
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace link_bounds;
   try {
-    checkMesh(readMeshFrame(Reader(data, size), kMaxBytes), data, size);
-  } catch (const FrameError&) {
+    checkMesh(readMeshReply(Reader(data, size), kMaxBytes), data, size);
+  } catch (const ReplyError&) {
   } catch (const MeshError& error) {
     const std::string reason = error.what();
     const auto is_odd = [](char c) { return c < ' ' || c > '~'; };
@@ -78,9 +78,9 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t max_size, unsigned random) {
   using namespace link_bounds;
   static const std::vector<std::string> kSeeds{
-      frameOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}}),
-      frameOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, {{0, 1, 2}, {1, 2, 3}}}),
-      frameOf(MeshError("it has no triangle"))};
+      replyOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}}),
+      replyOf(TriangleMesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, {{0, 1, 2}, {1, 2, 3}}}),
+      replyOf(MeshError("it has no triangle"))};
   const std::size_t seed_size = seeded(kSeeds, random, data, size, max_size);
   return seed_size > 0 ? seed_size : LLVMFuzzerMutate(data, size, max_size);
 }

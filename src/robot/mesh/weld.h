@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The checks that make a mesh from a file trustworthy.
+// Checks the triangles of a file and merges equal vertices.
 #pragma once
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
@@ -8,9 +8,9 @@
 
 namespace link_bounds {
 
-/// The same triangles over the vertices they use, bit-equal ones merged (-0 counts as +0), in the
-/// order of first use. Throws MeshError if there is no triangle, an index names no vertex, or a
-/// used vertex is not finite.
+/// The same triangles. Keeps only vertices that triangles use, in the order of first use, and
+/// merges those with equal bits; -0 counts as +0. Throws MeshError if there is no triangle, an
+/// index is out of range, or a vertex in use is not finite.
 TriangleMesh welded(const TriangleMesh& mesh);
 
 }  // namespace link_bounds

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What mesh_worker writes to its standard output: the triangles of a file, or why there are none.
+///
+///     magic      8 bytes     "LBMESH\r\n"
+///     version    uint32      2
+///     status     uint32      0: a mesh, 1 + MeshFault: an error
+///     vertices   uint64      their number; 0 if an error
+///     triangles  uint64      their number; 0 if an error
+///     text       uint64      bytes of the reason; 0 if a mesh
+///     then 3 float32 per vertex (metres, frame of the file), 3 uint32 per triangle, the text
+///
+/// Numbers are in the byte order of the machine, which both ends share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/robot/mesh/mesh_fault.h"
+
+namespace link_bounds {
+
+/// Fills `out` with the next bytes and returns how many; fewer than `wanted` only at the end.
+using ByteSource = std::function<std::size_t(void* out, std::size_t wanted)>;
+
+/// Accepts all of the bytes.
+using ByteSink = std::function<void(const void* bytes, std::size_t count)>;
+
+/// The reply breaks the rules above, so nothing in it can be trusted.
+class ReplyError : public MeshError {
+ public:
+  using MeshError::MeshError;
+};
+
+void writeMeshReply(const TriangleMesh& mesh, const ByteSink& sink);
+
+/// Cuts a reason of more than 4096 bytes.
+void writeErrorReply(const MeshError& error, const ByteSink& sink);
+
+/// Checks everything: counts before memory is allocated for them, indices, coordinates, and that
+/// nothing follows. Throws MeshError with the reason and fault of an error reply, in printable
+/// ASCII. Throws ReplyError if the reply is malformed or the mesh takes more than `max_bytes`.
+TriangleMesh readMeshReply(const ByteSource& source, std::uint64_t max_bytes);
+
+}  // namespace link_bounds
