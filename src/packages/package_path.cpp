@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks the search path by the rules of rospack, but not by rospack::crawl: that throws at the
-// first manifest that is not XML, crashes at one with an empty name, and keeps a file of its own.
+// Searches by the rules of rospack, but without rospack::crawl, which throws at the first manifest
+// that is not XML, crashes at one with an empty name, and writes a cache file.
 #include "packages/package_path.h"
 
 #include <rospack/rospack.h>
@@ -21,17 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A manifest has some kilobytes; what is larger is none.
+/// Far above any real manifest, which has some kilobytes.
 constexpr std::uintmax_t kMaxManifestBytes = 1 << 24;
 
-/// Where Debian keeps its packages, beside much else, so that its rospack does not go deeper.
+/// The folder of Debian's ROS packages. It holds much else, so Debian's rospack searches one level.
 bool isFlat(const fs::path& root) {
   return (root / "").lexically_normal() == "/usr/share/";
 }
 
-/// What the search looks for in a folder.
 struct Content {
-  std::set<std::string> files;  ///< those that have a meaning here
+  std::set<std::string> files;  ///< those that matter to the search
   std::vector<fs::path> subfolders;
 };
 
@@ -59,7 +58,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
-/// The name that a package.xml states, "" if it states none; nothing if it cannot be read.
+/// The name in a package.xml, "" if it has none; nullopt if the file cannot be read.
 std::optional<std::string> statedName(const fs::path& manifest) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(manifest, error);
@@ -76,7 +75,8 @@ std::optional<std::string> statedName(const fs::path& manifest) {
 /// The packages along a search path.
 class Packages {
  public:
-  /// Visits each folder once, wherever links lead. The first package of a name counts.
+  /// Visits each folder once, also if symbolic links lead to it again. Of packages of one name the
+  /// first counts.
   void addBelow(const fs::path& root) {
     std::vector<fs::path> open{root};
     while (!open.empty()) {
@@ -95,7 +95,7 @@ class Packages {
     }
   }
 
-  /// "" if there is none of that name. Throws MeshError if it may be one that cannot be read.
+  /// "" if there is none. Throws MeshError if a manifest cannot be read that may be of this name.
   std::string folderOf(const std::string& name) const {
     const auto found = folders_.find(name);
     if (found != folders_.end()) return found->second;
@@ -113,7 +113,7 @@ class Packages {
            visited_.emplace(status.st_dev, status.st_ino).second;
   }
 
-  /// Without a stated name the folder's counts.
+  /// A manifest without a name means that of the folder.
   void addPackage(const fs::path& folder) {
     const std::optional<std::string> name = statedName(folder / "package.xml");
     if (name) {
@@ -123,7 +123,7 @@ class Packages {
     }
   }
 
-  /// In the folder of that name, or else the first.
+  /// The one in a folder of that name, or else the first.
   std::string brokenManifestFor(const std::string& name) const {
     for (const fs::path& manifest : broken_) {
       if (manifest.parent_path().filename() == name) return manifest.string();

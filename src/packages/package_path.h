@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where ROS keeps its packages.
+// The folders of ROS packages.
 #pragma once
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 namespace link_bounds {
 
-/// Looks packages up along ROS_PACKAGE_PATH, as rospack does; a manifest that cannot be read harms
-/// no other package. The path is searched once, at the first question, so take a new one for each
-/// load. Not thread-safe.
+/// Finds packages along ROS_PACKAGE_PATH, as rospack does. A manifest that cannot be read affects
+/// no other package. The first call of the returned function searches the path and keeps the
+/// result, so each load needs a new one. Not thread-safe.
 PackagePath rosPackages();
 
 }  // namespace link_bounds

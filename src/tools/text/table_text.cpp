@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Columns as wide as their widest cell; numbers with as many digits as their reader wants.
+// Columns are as wide as their widest cell.
 #include "tools/text/table_text.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Row shortRow(const std::string& name, const Numbers& numbers) {
   return row;
 }
 
-/// Only characters count, as setw would count bytes.
+/// Counts characters; std::setw would count bytes.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tables of boxes and of other volumes have in common.
+// Rows and values in the three formats, for the tables of all volumes.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,29 +15,29 @@ namespace link_bounds {
 
 enum class Format { kTable, kCsv, kJson };
 
-/// Names whose volume is missing or known not to cover everything, each with the reason.
+/// Names whose volume is missing or does not cover everything, each with the reason.
 using Reasons = std::vector<std::pair<std::string, std::string>>;
 
 using Numbers = std::vector<double>;
 
-/// The cells of a line for people: a name, then what the numbers are.
+/// The cells of a line of the table for people: a name, then numbers or their heads.
 using Row = std::vector<std::string>;
 
-/// Numbers rounded for people: to micrometres, and without a minus sign before a zero.
+/// Rounds for people: to micrometres, and without a minus sign before a zero.
 Row shortRow(const std::string& name, const Numbers& numbers);
 
-/// Names to the left, numbers to the right; all rows must be as long as the first.
+/// Aligns names left and numbers right. All rows must be as long as the first.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out);
 
-/// For people; nothing if there are none.
+/// For people; writes nothing if there are none.
 void writeIncomplete(const Reasons& incomplete, std::ostream& out);
 
 void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& out);
 
-/// An array.
+/// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);
 
-/// One member per line.
+/// A JSON object with one member per line.
 template <class Value, class ToJson>
 std::string jsonObject(const std::vector<std::pair<std::string, Value>>& members,
                        const ToJson& to_json) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kGroupPrefix[] = "group:";
 
-/// a, then b.
+/// The first vector, then the second.
 Numbers numbersOf(const Aabb& box, Representation representation) {
   Eigen::Vector3d a = box.min();
   Eigen::Vector3d b = box.max();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines with the name of the tool before them, and a bar of plain characters.
+// Lines with the name of the program, and a bar of plain characters.
 #include "tools/urdf_bounds/terminal.h"
 
 #include <unistd.h>

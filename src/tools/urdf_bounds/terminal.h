@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What urdf_bounds says on standard error.
+// The messages of urdf_bounds on standard error.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace link_bounds {
 
-/// One line, whatever the text holds.
+/// One line, even if the text contains line breaks.
 void say(const std::string& text);
 
 void warn(const std::string& text);
 
-/// A bar that wipes itself out when all is done; null if standard error is no terminal.
+/// A bar that erases itself at the end; null if standard error is no terminal.
 LoadProgress progressBar();
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// getopt_long finds the options; what follows := must be a number to its last character.
+// By getopt_long. The text after := must be a number to its last character.
 #include "tools/urdf_bounds/urdf_bounds_options.h"
 
 #include <getopt.h>
@@ -33,7 +33,7 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       obb: centre, full widths and orientation (a quaternion) of a small box that
                       turns with the link
   --verbose           the memory that each mesh takes, on standard error
-  --strict            exit with 2 if any geometry was lost
+  --strict            exit with 2 if any geometry could not be used
   -h, --help          this text
 
 Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict.
@@ -52,7 +52,7 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"help", no_argument, nullptr, kHelp},
                                    {nullptr, 0, nullptr, 0}};
 
-/// The value that is called `name`; throws with the list of names otherwise.
+/// The value called `name`. Throws UsageError with all names if there is none.
 template <class Value>
 Value chosen(const std::string& option_name, const std::string& name,
              const std::map<std::string, Value>& choices) {
@@ -76,7 +76,7 @@ double toNumber(const std::string& joint, const std::string& text) {
   return value;
 }
 
-/// A joint if it contains :=, else the file.
+/// An argument with := is a joint, another one the file.
 void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
   const std::size_t sign = argument.rfind(":=");
   if (sign != std::string::npos) {
@@ -155,7 +155,7 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
   UrdfBoundsOptions options;
   opterr = 0;
   int code = 0;
-  // The leading minus hands over the other arguments in order, whatever POSIXLY_CORRECT says.
+  // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
   while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
     addOption(code, argv, options);
     if (options.help) return options;

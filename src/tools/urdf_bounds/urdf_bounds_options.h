@@ -12,7 +12,7 @@
 
 namespace link_bounds {
 
-/// The command line asks for what cannot be done; says why.
+/// The command line cannot be used; what() is the reason, in words for the user.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -27,14 +27,14 @@ struct UrdfBoundsOptions {
   bool visual = true;
   bool collision = false;
   VolumeKind volume = VolumeKind::kBox;
-  std::optional<Representation> representation;  ///< of kBox; absent: min-max
+  std::optional<Representation> representation;  ///< of kBox; none: min-max
   Format format = Format::kTable;
   bool verbose = false;
   bool strict = false;
-  bool help = false;  ///< asked for; the rest then does not count
+  bool help = false;  ///< the other members are then undefined
 };
 
-/// Throws UsageError. Not to be called twice, getopt keeps state.
+/// Throws UsageError. Call it once: getopt keeps state.
 UrdfBoundsOptions parseOptions(int argc, char** argv);
 
 /// What --help prints.

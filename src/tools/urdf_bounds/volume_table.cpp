@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the volumes are called and which numbers they have; the formats are the same for all.
+// The names and numbers of each kind of volume; the formats are shared.
 #include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
@@ -28,7 +28,7 @@ std::string jsonValue(const OrientedBox& box) {
          ", \"orientation\": " + jsonNumbers(box.orientation.coeffs()) + "}";
 }
 
-/// What a kind of volume is called; its columns are those of numbersOf.
+/// The names of a kind of volume; its columns are those of numbersOf.
 struct Names {
   const char* volume;
   const char* json;
