@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Any pose will do here, so limits and mimic joints are left aside.
+// Ignores limits and mimic joints: the soak test needs motion, not valid poses.
 #include "joint_motion.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot whose joints all swing, as messages of tf.
+// The motion of a robot whose joints all swing, as tf messages.
 #pragma once
 
 #include <tf2_msgs/TFMessage.h>
@@ -12,7 +12,7 @@ namespace link_bounds {
 /// The joints that do not move.
 tf2_msgs::TFMessage fixedTransforms(const Robot& robot);
 
-/// The others, each swinging with a phase of its own; `time` and the stamp are the same.
+/// The other joints at `time`, which is also the stamp. Each swings with its own phase.
 tf2_msgs::TFMessage movingTransforms(const Robot& robot, ros::Time time);
 
 }  // namespace link_bounds

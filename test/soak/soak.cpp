@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A long life of a node: tf at 1 kHz, jumps in time, reloads. Does its memory grow, is a message
-// lost, how long does an update take?
+// Runs a node for long under tf at 1 kHz, time jumps, reloads and objects, and checks that its
+// memory does not grow and no message is lost.
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -24,11 +24,11 @@ using Seconds = ros::WallDuration;
 
 const std::string kPublisher = "/link_bounds_publisher";
 const Seconds kPoll(0.01);
-const Seconds kPatience(60);
-const Seconds kQuiet(3);  // three diagnostics without news
+const Seconds kTimeout(60);
+const Seconds kQuiet(3);  // three diagnostics without a change
 const Seconds kMinute(60);
 const Seconds kReloadPeriod(15);
-const Seconds kFirstReload(7);  // so that none is under way when memory is measured
+const Seconds kFirstReload(7);  // so that no reload runs when memory is measured
 
 /// Memory of a process in use [bytes].
 double residentBytes(int pid) {
@@ -40,7 +40,7 @@ double residentBytes(int pid) {
 }
 
 void waitFor(const std::function<bool()>& condition, const char* what) {
-  const ros::SteadyTime end = ros::SteadyTime::now() + kPatience;
+  const ros::SteadyTime end = ros::SteadyTime::now() + kTimeout;
   while (!condition()) {
     if (!ros::ok() || ros::SteadyTime::now() > end) {
       throw std::runtime_error(std::string("waited in vain until ") + what);
@@ -49,7 +49,7 @@ void waitFor(const std::function<bool()>& condition, const char* what) {
   }
 }
 
-/// What was counted on both sides at one moment.
+/// The counters of both sides at one moment.
 struct Counts {
   double tf_received;
   double boxes_published;
@@ -62,11 +62,11 @@ bool operator==(const Counts& a, const Counts& b) {
 }
 
 Counts countsNow(const SoakListener& listener) {
-  return {listener.told("tf messages"), listener.told("publications"),
+  return {listener.diagnostic("tf messages"), listener.diagnostic("publications"),
           static_cast<double>(listener.boxes())};
 }
 
-/// The counts when nothing is under way any more.
+/// Waits until no message is under way, then returns the counters.
 Counts settledCounts(const SoakListener& listener) {
   Counts last = countsNow(listener);
   ros::SteadyTime since = ros::SteadyTime::now();
@@ -83,8 +83,8 @@ Counts settledCounts(const SoakListener& listener) {
   return last;
 }
 
-/// Reloads at its times until the end; returns how often. Throws if the node refuses.
-int liveUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
+/// Reloads periodically until the end; returns how often. Throws if the node refuses.
+int reloadUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
   int reloads = 0;
   while (ros::ok() && ros::SteadyTime::now() < end) {
     kPoll.sleep();
@@ -100,15 +100,15 @@ int liveUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
 }
 
 /// Returns the growth of memory after the first minute [bytes].
-double liveFor(int minutes, int pid, const SoakSender& sender, const SoakObjects& objects,
-               const SoakListener& listener) {
+double runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects& objects,
+              const SoakListener& listener) {
   const ros::SteadyTime start = ros::SteadyTime::now();
   ros::SteadyTime next_reload = start + kFirstReload;
   double first = 0;
   double resident = 0;
   int reloads = 0;
   for (int minute = 1; minute <= minutes; ++minute) {
-    reloads += liveUntil(start + kMinute * minute, next_reload);
+    reloads += reloadUntil(start + kMinute * minute, next_reload);
     resident = residentBytes(pid);
     if (minute == 1) first = resident;
     std::printf(
@@ -145,23 +145,23 @@ bool soak(int minutes, int pid, double max_growth) {
   SoakListener listener(node, kPublisher);
   SoakSender sender(node, robot);
   SoakObjects objects(node, kPublisher, {robot.links[robot.root].name, robot.links.back().name});
-  waitFor([&] { return sender.isHeard() && objects.isHeard(); }, "the node listens");
-  waitFor([&] { return listener.told("bounded links") > 0; }, "the robot is loaded");
-  const double links = listener.told("bounded links");
+  waitFor([&] { return sender.hasSubscriber() && objects.hasSubscriber(); }, "the node listens");
+  waitFor([&] { return listener.diagnostic("bounded links") > 0; }, "the robot is loaded");
+  const double links = listener.diagnostic("bounded links");
   std::printf("%s: %.0f links bounded\n", robot.name.c_str(), links);
   const Counts before = settledCounts(listener);
   sender.start();
   objects.start();
-  const double growth = liveFor(minutes, pid, sender, objects, listener);
+  const double growth = runFor(minutes, pid, sender, objects, listener);
   objects.stop();
   sender.stop();
-  waitFor([&] { return listener.told("objects") == 0; }, "all objects are gone");
+  waitFor([&] { return listener.diagnostic("objects") == 0; }, "all objects are gone");
   const Counts after = settledCounts(listener);
   const bool is_complete = reportLosses(static_cast<double>(sender.sent()), before, after);
   std::printf("update: mean of the worst second %.3f ms, worst %.3f ms\n",
               listener.largest("time per tf message, mean of the last second [ms]"),
-              listener.told("time per tf message, longest [ms]"));
-  const double missing = links - listener.told("boxes");
+              listener.diagnostic("time per tf message, longest [ms]"));
+  const double missing = links - listener.diagnostic("boxes");
   if (missing > 0) std::printf("%.0f links have no box\n", missing);
   const bool is_good = is_complete && growth < max_growth && missing == 0;
   std::printf("%s\n", is_good ? "passed" : "FAILED");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What arrives from the node, and what it tells of itself.
+// Counts what arrives from the node, and keeps its newest diagnostics.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -14,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Listens to all topics of a node, as consumers do; counts the boxes.
+/// Subscribes to all topics of a node, as consumers do.
 class SoakListener {
  public:
   SoakListener(ros::NodeHandle& node, const std::string& publisher);
@@ -22,8 +22,8 @@ class SoakListener {
   std::uint64_t boxes() const { return boxes_; }      ///< messages
   std::uint64_t markers() const { return markers_; }  ///< messages
 
-  /// A value of the newest diagnostics, 0 if there is none.
-  double told(const std::string& key) const;
+  /// A value of the newest diagnostics; 0 if it is absent.
+  double diagnostic(const std::string& key) const;
 
   /// The largest value of all diagnostics so far, 0 if there is none.
   double largest(const std::string& key) const;
@@ -35,8 +35,8 @@ class SoakListener {
   std::atomic<std::uint64_t> boxes_{0};
   std::atomic<std::uint64_t> markers_{0};
   mutable std::mutex mutex_;
-  std::map<std::string, std::string> told_;  ///< guarded by mutex_
-  std::map<std::string, double> largest_;    ///< guarded by mutex_
+  std::map<std::string, std::string> diagnostics_;  ///< guarded by mutex_
+  std::map<std::string, double> largest_;           ///< guarded by mutex_
   std::vector<ros::Subscriber> subscribers_;
 };
 

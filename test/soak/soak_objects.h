@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects that come, deform and go, beside the robot.
+// Objects that appear, deform and disappear.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -12,16 +12,16 @@
 
 namespace link_bounds {
 
-/// Sends them from start() to stop(), on a thread of its own; stop() deletes what is left.
+/// Publishes from start() to stop(), on a thread of its own; stop() deletes all objects.
 class SoakObjects {
  public:
-  /// `frames` are those of the robot that objects may follow.
+  /// Objects follow `frames` in turn.
   SoakObjects(ros::NodeHandle& node, const std::string& publisher, std::vector<std::string> frames);
   ~SoakObjects() { stop(); }
   SoakObjects(const SoakObjects&) = delete;
   SoakObjects& operator=(const SoakObjects&) = delete;
 
-  bool isHeard() const { return publisher_.getNumSubscribers() > 0; }
+  bool hasSubscriber() const { return publisher_.getNumSubscribers() > 0; }
   void start();
   void stop();
   std::uint64_t sent() const { return sent_; }  ///< objects

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What comes too late on a busy machine is made up for, so the mean rate holds.
+// After a delay it sends without pause until it has caught up, so the mean rate holds.
 #include "soak_sender.h"
 
 #include <rosgraph_msgs/Clock.h>
@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kPeriod(1);
 constexpr std::uint64_t kStepsPerClock = 10;
 constexpr std::uint64_t kStepsPerJump = 20000;
 const ros::Duration kJump(10.0);
-constexpr std::uint32_t kQueue = 100000;  // nothing may be lost on this side
+constexpr std::uint32_t kQueue = 100000;  // large, so that this side loses nothing
 
 }  // namespace
 
@@ -29,7 +29,7 @@ SoakSender::SoakSender(ros::NodeHandle& node, const Robot& robot)
   tf_static_publisher_.publish(fixedTransforms(robot_));
 }
 
-bool SoakSender::isHeard() const {
+bool SoakSender::hasSubscriber() const {
   return clock_publisher_.getNumSubscribers() > 0 && tf_publisher_.getNumSubscribers() > 0 &&
          tf_static_publisher_.getNumSubscribers() > 0;
 }

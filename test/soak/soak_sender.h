@@ -13,8 +13,8 @@
 
 namespace link_bounds {
 
-/// Publishes the clock and the fixed joints when made; the moving ones from start() to stop(), on
-/// a thread of its own.
+/// The constructor publishes the clock and the fixed joints. Publishes the moving ones from start()
+/// to stop(), on a thread of its own.
 class SoakSender {
  public:
   SoakSender(ros::NodeHandle& node, const Robot& robot);
@@ -22,7 +22,7 @@ class SoakSender {
   SoakSender(const SoakSender&) = delete;
   SoakSender& operator=(const SoakSender&) = delete;
 
-  bool isHeard() const;
+  bool hasSubscriber() const;
   void start();
   void stop();
   std::uint64_t sent() const { return sent_; }    ///< messages to /tf
