@@ -15,7 +15,7 @@ import threading
 import rospy
 from link_bounds.msg import AxisAlignedBoxArray
 
-TERMINAL_PERIOD = 0.5  # s of wall time, so that the table lives while /clock stands still
+TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
 HOME, CLEAR_LINE, CLEAR_BELOW, CLEAR_ALL = '\033[H', '\033[K', '\033[J', '\033[2J'
 
@@ -57,7 +57,7 @@ def xyz(point):
 
 
 def draw_in_place(lines):
-    """Overwrites the last drawing; what does not fit the terminal is cut."""
+    """Overwrites the last drawing; cuts what does not fit the terminal."""
     columns, rows = shutil.get_terminal_size()
     if len(lines) > rows - 1:
         lines = lines[:rows - 2] + [f'and {len(lines) - rows + 2} more lines']

@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import rospy
 from sensor_msgs.msg import JointState
 
-GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never come round together
+GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
 
 
@@ -36,7 +36,7 @@ class Swing(NamedTuple):
 
 
 def movable_joints(description):
-    """The joint elements that take one number of their own."""
+    """The movable joints of one coordinate that do not mimic another joint."""
     joints = ElementTree.fromstring(description).findall('joint')
     return [joint for joint in joints
             if joint.get('type') in ('revolute', 'continuous', 'prismatic')
@@ -87,7 +87,7 @@ def main():
         publish_until_shutdown(swings, float(rospy.get_param('~rate', 50)),
                                float(rospy.get_param('~ahead', 0)))
     except rospy.ROSInterruptException:
-        pass  # the usual end: a signal while asleep
+        pass  # a signal during sleep is the usual end
     return 0
 
 

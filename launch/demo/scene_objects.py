@@ -108,7 +108,7 @@ def main():
             publisher.publish(scene((rospy.Time.now() - start).to_sec(), frame, uri, scale))
             ticks.sleep()
     except rospy.ROSInterruptException:
-        pass  # the usual end: a signal while asleep
+        pass  # a signal during sleep is the usual end
 
 
 if __name__ == '__main__':

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Says which link enters or leaves a zone: an object whose markers have the namespace of ~zones.
+"""Reports which link enters or leaves a zone: an object in the marker namespace ~zones.
 
 Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
 ~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete is
-said not to be watched, and it leaves nothing meanwhile. Parameter: ~zones (default zones).
+reported as not watched and leaves no zone meanwhile. Parameter: ~zones (default zones).
 """
 
 import argparse
@@ -16,8 +16,8 @@ import rospy
 from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
-PERIOD = 0.1  # s of wall time; who leaves is missing for so long, as boxes may come after overlaps
-OBJECT = re.compile(r'.*/-?\d+')  # links of such names are taken for objects, too
+PERIOD = 0.1  # s of wall time for which a link must be gone: boxes may come after overlaps
+OBJECT = re.compile(r'.*/-?\d+')  # a link of such a name counts as an object
 
 
 def kind(name):
@@ -35,7 +35,7 @@ class Watch:
         self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
 
     def take_overlaps(self, message):
-        """Who enters is told at once."""
+        """Reports who enters, at once."""
         with self._lock:
             self._overlapping = set(filter(None, map(self._visit, message.overlaps)))
             for name, zone in sorted(self._overlapping - self._inside):
@@ -53,7 +53,7 @@ class Watch:
             self._zones, self._incomplete = zones, incomplete
 
     def settle(self):
-        """Who leaves; to be called every PERIOD."""
+        """Reports who leaves; to be called every PERIOD."""
         with self._lock:
             missing = {pair for pair in self._inside - self._overlapping
                        if not self._incomplete.intersection(pair)}
