@@ -37,8 +37,8 @@ refuse_other_ros() {
     done
   fi
   [ -z "$other" ] || fail "ROS $other is here, and this script is for the ROS of Debian's own" \
-    "packages. With ROS Noetic from packages.ros.org follow the Noetic path of README.md (rosdep," \
-    "then catkin build); on Debian start from a shell that has not sourced another ROS."
+    "packages. With ROS Noetic from packages.ros.org follow doc/deployment.md, section Noetic" \
+    "(rosdep, then catkin build); on Debian start from a shell that has not sourced another ROS."
 }
 
 # Nodes of a machine whose own name does not resolve find each other, unless the user says how.

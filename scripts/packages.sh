@@ -60,7 +60,7 @@ install_named() {
   local log=$BUILD/install.log
   command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
     fail "this script installs Debian's packages, and there is no apt-get here;" \
-      "README.md says what to install by hand"
+      "doc/deployment.md says what to install by hand"
   say "Installing $* (takes a minute or two, the log is $log)"
   mkdir -p "$BUILD"
   as_root true || fail "installing needs root, and sudo asks for a password or is not there;" \

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The consumers that the README shows work as they stand there."""
+"""The consumers in README.md and doc/deployment.md work as they are."""
 import os
 import re
 import shutil
@@ -15,13 +15,14 @@ import rostest
 from bounds_testing import wait_for
 
 PACKAGE = rospkg.RosPack().get_path("link_bounds")
-BUILDING = 240  # wall seconds for compiling thirty lines on a busy machine
+BUILD_LIMIT = 240  # wall seconds for compiling thirty lines on a busy machine
+CPP = ("doc/deployment.md", "## A consumer in C++")
 PRINTED = "post up to 1"  # the post is 1 m high, and boxes are rounded outward
 
 
-def code_block(title, language):
-    """The first block of a language below a line of the README."""
-    with open(os.path.join(PACKAGE, "README.md"), encoding="utf-8") as file:
+def code_block(page, title, language):
+    """The first block of a language below a line of a page."""
+    with open(os.path.join(PACKAGE, page), encoding="utf-8") as file:
         text = file.read()
     below = text[text.index("\n" + title + "\n"):]
     return re.search(r"^```%s\n(.*?)^```$" % language, below, re.DOTALL | re.MULTILINE).group(1)
@@ -40,11 +41,11 @@ class ReadmeConsumers(unittest.TestCase):
 
     def run_tool(self, *command):
         found = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               timeout=BUILDING)
+                               timeout=BUILD_LIMIT)
         self.assertEqual(found.returncode, 0, found.stdout.decode())
 
     def check_consumer(self, *command):
-        """The program never ends by itself; it prints the box of the post."""
+        """The program prints the box of the post and goes on."""
         path = os.path.join(self.folder, "output")
         with open(path, "wb") as output:
             consumer = subprocess.Popen(command, stdout=output,
@@ -59,12 +60,12 @@ class ReadmeConsumers(unittest.TestCase):
         self.assertIsNone(consumer.poll())
 
     def test_consumer_in_python(self):
-        script = self.write("consumer.py", code_block("A consumer in Python:", "python"))
+        script = self.write("consumer.py", code_block("README.md", "A consumer in Python:", "python"))
         self.check_consumer(sys.executable, script)
 
     def test_consumer_in_cpp(self):
-        self.write("consumer.cpp", code_block("A consumer in C++:", "cpp"))
-        self.write("CMakeLists.txt", code_block("A consumer in C++:", "cmake"))
+        self.write("consumer.cpp", code_block(*CPP, "cpp"))
+        self.write("CMakeLists.txt", code_block(*CPP, "cmake"))
         build = os.path.join(self.folder, "build")
         # A library that was built for a sanitizer needs the same of its users.
         flags = "-fsanitize=address" if "ASAN_OPTIONS" in os.environ else ""

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of the README say what the node and the message files say; its pictures are there;
-doc/paper.md names what exists.
+"""README.md and doc/*.md against the code: the README is short, tables say what the programs and
+message files say, links lead somewhere, and named files, functions and tests exist.
 
 Run as: readme_tables_test.py PATH_OF_link_bounds_publisher PATH_OF_assert_box FOLDER_OF_THE_PACKAGE
 """
@@ -15,8 +15,21 @@ import unittest
 
 from help_testing import help_rows
 
-PUBLISHER, ASSERT_BOX, PACKAGE = '', '', ''
-MOST_PICTURE_BYTES = 3000000
+PUBLISHER, ASSERT_BOX, PACKAGE = '', '', pathlib.Path()
+MAX_README_LINES = 250
+MAX_PICTURE_BYTES = 3000000
+MAX_STOPS = 10
+FOLDERS = ('doc/', 'include/', 'launch/', 'msg/', 'scripts/', 'src/', 'test/')
+
+
+def text_of(*path):
+    return PACKAGE.joinpath(*path).read_text('utf-8')
+
+
+def pages():
+    """{path: text} of the README and the pages in doc."""
+    paths = [PACKAGE / 'README.md'] + sorted((PACKAGE / 'doc').glob('*.md'))
+    return {path: path.read_text('utf-8') for path in paths}
 
 
 def tables(text):
@@ -25,7 +38,7 @@ def tables(text):
     for line in text.splitlines() + ['']:
         if line.startswith('|'):
             cells = [cell.strip().replace('`', '') for cell in line.strip().strip('|').split('|')]
-            if not all(re.fullmatch('-+', cell) for cell in cells):
+            if not all(re.fullmatch(':?-+:?', cell) for cell in cells):
                 rows.append(cells)
         elif rows:
             result.append(rows)
@@ -38,79 +51,180 @@ def rows_below(text, header):
     return [row for table in tables(text) if table[0] == header for row in table[1:]]
 
 
-def fields_of(path):
-    """[name, type] of each field of a message file."""
-    with open(path, encoding='utf-8') as file:
-        lines = [line.split('#')[0].split() for line in file]
-    return [[name, kind] for kind, name in (words for words in lines if words)]
-
-
-def text_of(*path):
-    """Of a file in the package."""
-    with open(os.path.join(PACKAGE, *path), encoding='utf-8') as file:
-        return file.read()
+def without_blocks(text):
+    """Without fenced code blocks, whose comments look like headings."""
+    return re.sub(r'^```.*?^```$', '', text, flags=re.DOTALL | re.MULTILINE)
 
 
 def code_in(text):
-    return re.findall('`([^`]+)`', text)
+    return re.findall('`([^`\n]+)`', without_blocks(text))
+
+
+def anchors(text):
+    """What GitHub makes of the headings."""
+    headings = re.findall(r'^#+ (.*)$', without_blocks(text), re.MULTILINE)
+    return {re.sub(r'[^\w\- ]', '', heading.lower()).replace(' ', '-') for heading in headings}
+
+
+def links(text):
+    return re.findall(r'\]\(([^)\s]+)\)', without_blocks(text))
+
+
+def section(text, title):
+    """What stands below a heading of the second level, up to the next one."""
+    return re.search(r'^## %s\n(.*?)(?=^## |\Z)' % re.escape(title), text,
+                     re.DOTALL | re.MULTILINE).group(1)
+
+
+def fields_of(path):
+    """[name, type] of each field of a message file."""
+    lines = [line.split('#')[0].split() for line in path.read_text('utf-8').splitlines()]
+    return [[name, kind] for kind, name in (words for words in lines if words)]
 
 
 def known_tests():
     """The names by which ctest -R finds them."""
     lists = ' '.join(path.read_text('utf-8')
-                     for path in pathlib.Path(PACKAGE, 'test').rglob('CMakeLists.txt'))
+                     for path in (PACKAGE / 'test').rglob('CMakeLists.txt'))
     return set(re.findall(r'(?:bounds_\w+\(|NAME )(\w+)', lists))
 
 
 class ReadmeTablesTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.readme = text_of('README.md')
+    """The tables that the programs and the message files hold."""
 
-    def check(self, section, header, program=None):
+    def check(self, page, help_section, header, program=None):
         text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
                               stdout=subprocess.PIPE).stdout.decode('utf-8')
-        expected = help_rows(section, text)
+        expected = help_rows(help_section, text)
         self.assertGreater(len(expected), 0)
-        self.assertEqual(rows_below(self.readme, header), expected)
+        self.assertEqual(rows_below(text_of(page), header), expected)
 
     def test_topics(self):
-        self.check('Topics', ['topic', 'type', 'when'])
+        self.check('README.md', 'Topics', ['topic', 'type', 'when'])
 
     def test_services(self):
-        self.check('Services', ['service', 'type', 'what'])
+        self.check('README.md', 'Services', ['service', 'type', 'what'])
 
     def test_parameters(self):
-        self.check('Parameters', ['name', 'type', 'default', 'meaning'])
+        self.check('README.md', 'Parameters', ['name', 'type', 'default', 'meaning'])
 
     def test_parameters_of_assert_box(self):
-        self.check('Parameters', ['parameter', 'type', 'default', 'meaning'], ASSERT_BOX)
+        self.check('doc/tools.md', 'Parameters', ['parameter', 'type', 'default', 'meaning'],
+                   ASSERT_BOX)
 
     def test_example_of_assert_box_is_one_that_runs(self):
-        example = re.search(r'^  <test .*?^  </test>$', self.readme, re.DOTALL | re.MULTILINE)
+        example = re.search(r'^  <test .*?^  </test>$', text_of('doc/tools.md'),
+                            re.DOTALL | re.MULTILINE)
         self.assertIn(example.group(0), text_of('test', 'tools', 'assert_box', 'assert_box.test'))
 
     def test_messages(self):
-        messages = sorted(os.listdir(os.path.join(PACKAGE, 'msg')))
+        messages = sorted((PACKAGE / 'msg').iterdir())
         self.assertGreater(len(messages), 0)
         for message in messages:
-            title = '`link_bounds/%s`\n' % message[:-len('.msg')]
-            self.assertIn(title, self.readme)
-            table = tables(self.readme[self.readme.index(title):])[0]
+            title = '`link_bounds/%s`\n' % message.stem
+            described = [text for text in pages().values() if title in text]
+            self.assertEqual(len(described), 1, message.stem)
+            table = tables(described[0][described[0].index(title):])[0]
             self.assertEqual(table[0], ['field', 'type', 'meaning'])
-            self.assertEqual([row[:2] for row in table[1:]],
-                             fields_of(os.path.join(PACKAGE, 'msg', message)))
+            self.assertEqual([row[:2] for row in table[1:]], fields_of(message))
 
     def test_faults_name_their_tests(self):
         known = known_tests()
-        rows = [row for row in rows_below(self.readme, ['fault', 'what happens', 'test']) if row[1]]
+        rows = [row for row in rows_below(text_of('doc/reliability.md'),
+                                          ['fault', 'what happens', 'test']) if row[1]]
         self.assertGreater(len(rows), 20)
         for fault, _, names in rows:
             for name in names.split(', '):
-                is_script = os.access(os.path.join(PACKAGE, name), os.X_OK)
+                is_script = os.access(PACKAGE / name, os.X_OK)
                 self.assertTrue(name in known or is_script, '%s: no test %s' % (fault, name))
 
-    def test_paper_names_files_and_tests_that_exist(self):
+
+class PagesTest(unittest.TestCase):
+    """What holds for every page."""
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(len(text_of('README.md').splitlines()), MAX_README_LINES)
+
+    def test_links_lead_to_files_and_headings(self):
+        checked = 0
+        for page, text in pages().items():
+            for link in links(text):
+                if '://' in link:
+                    continue
+                name, _, anchor = link.partition('#')
+                target = page.parent / name if name else page
+                self.assertTrue(target.is_file(), '%s: %s' % (page.name, link))
+                if anchor:
+                    self.assertIn(anchor, anchors(target.read_text('utf-8')),
+                                  '%s: %s' % (page.name, link))
+                checked += 1
+        self.assertGreater(checked, 30)
+
+    def test_every_page_is_linked_from_the_readme(self):
+        for page in pages():
+            if page.name != 'README.md':
+                self.assertIn('doc/' + page.name, links(text_of('README.md')))
+
+    def test_named_files_exist(self):
+        names = {path.name for folder in FOLDERS for path in (PACKAGE / folder).rglob('*')}
+        for page, text in pages().items():
+            for code in code_in(text):
+                if code.startswith(FOLDERS) and ' ' not in code:
+                    self.assertTrue((PACKAGE / code).exists(), '%s: %s' % (page.name, code))
+                elif re.fullmatch(r'\w+\.(cpp|h|py|launch|rviz)', code):
+                    self.assertIn(code, names, page.name)
+
+    def test_rows_have_the_cells_of_their_header(self):
+        for page, text in pages().items():
+            for table in tables(text):
+                self.assertEqual({len(row) for row in table}, {len(table[0])},
+                                 '%s: %s' % (page.name, table[0]))
+
+    def test_pictures_are_there_and_small(self):
+        pictures = [page.parent / name for page, text in pages().items()
+                    for name in re.findall(r'!\[[^]]*\]\((.*?)\)', text)]
+        self.assertGreater(len(pictures), 0)
+        for picture in pictures:
+            self.assertLess(picture.stat().st_size, MAX_PICTURE_BYTES, picture)
+
+
+class ArchitectureTest(unittest.TestCase):
+    """doc/architecture.md and its drawing."""
+
+    def test_rooms_are_the_folders_with_their_sentences(self):
+        rooms = {str(path.parent.relative_to(PACKAGE)): path.read_text('utf-8').splitlines()[0]
+                 for path in (PACKAGE / 'src').rglob('CMakeLists.txt')}
+        self.assertGreater(len(rooms), 20)
+        rows = rows_below(text_of('doc/architecture.md'), ['room', 'what it is'])
+        self.assertEqual({room: '# ' + sentence for room, sentence in rows}, rooms)
+
+    def test_stops_name_functions_in_their_files(self):
+        text = text_of('doc/architecture.md')
+        for title in ('A tf message', 'A marker', 'The parameter `padding`'):
+            stops = re.findall(r'^\d+\. (.*?)(?=^\d+\. |^\n|\Z)', section(text, title),
+                               re.DOTALL | re.MULTILINE)
+            self.assertGreater(len(stops), 4, title)
+            self.assertLessEqual(len(stops), MAX_STOPS, title)
+            for stop in stops:
+                function, *names = code_in(stop)
+                files = [name for name in names if name.startswith(FOLDERS)]
+                self.assertTrue(files, stop)
+                code = ' '.join(text_of(file) for file in files)
+                self.assertTrue(function + '(' in code, 'no function: ' + stop)
+                for name in set(names) - set(files):
+                    self.assertTrue(name[0] in '-~' or name in code, '%s: %s' % (name, stop))
+
+    def test_drawing_names_files_that_exist(self):
+        drawn = set(re.findall(r'\w+\.cpp', text_of('doc/architecture.dot')))
+        sources = {path.name for path in (PACKAGE / 'src').rglob('*.cpp')}
+        self.assertGreater(len(drawn), 0)
+        self.assertEqual(drawn - sources, set())
+
+
+class PaperTest(unittest.TestCase):
+    """doc/paper.md."""
+
+    def test_files_and_tests_exist(self):
         known, text = known_tests(), text_of('doc', 'paper.md')
         rows = [line.strip('|').split('|') for line in text.splitlines()
                 if line.startswith('| ') and not line.endswith('| tests |')]
@@ -123,27 +237,13 @@ class ReadmeTablesTest(unittest.TestCase):
             for word in set(names) - set(files):
                 self.assertTrue(any(word in text_of(file) for file in files), word)
         for name in code_in(text):
-            self.assertTrue('/' not in name or os.path.exists(os.path.join(PACKAGE, name)), name)
+            self.assertTrue('/' not in name or (PACKAGE / name).exists(), name)
 
-    def test_paper_page_has_every_figure(self):
+    def test_every_figure_is_there(self):
         figures = re.findall(r'Figures? (\d+)(?: and (\d+))?', text_of('doc', 'paper.md'))
         self.assertEqual({int(n) for pair in figures for n in pair if n}, set(range(1, 11)))
 
-    def test_pictures_are_there_and_small(self):
-        pictures = re.findall(r'!\[[^]]*\]\((.*?)\)', self.readme)
-        self.assertGreater(len(pictures), 0)
-        for picture in pictures:
-            size = os.path.getsize(os.path.join(PACKAGE, picture))
-            self.assertLess(size, MOST_PICTURE_BYTES, picture)
-
-    def test_drawing_names_files_that_exist(self):
-        with open(os.path.join(PACKAGE, 'doc', 'architecture.dot'), encoding='utf-8') as file:
-            drawn = set(re.findall(r'\w+\.cpp', file.read()))
-        sources = {name for _, _, names in os.walk(os.path.join(PACKAGE, 'src')) for name in names}
-        self.assertGreater(len(drawn), 0)
-        self.assertEqual(drawn - sources, set())
-
 
 if __name__ == '__main__':
-    PACKAGE, ASSERT_BOX, PUBLISHER = sys.argv.pop(), sys.argv.pop(), sys.argv.pop()
+    PACKAGE, ASSERT_BOX, PUBLISHER = pathlib.Path(sys.argv.pop()), sys.argv.pop(), sys.argv.pop()
     unittest.main()

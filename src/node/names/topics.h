@@ -19,10 +19,10 @@ inline std::string privateName(const TopicName& topic) {
   return topic.name + 1;
 }
 
-constexpr TopicName kBoxesTopic{
-    "~boxes", "link_bounds/AxisAlignedBoxArray",
-    "with each tf message that brings news of a bounded link, and whenever boxes or incomplete "
-    "change for another reason, such as an object; limited by max_rate; latched"};
+constexpr TopicName kBoxesTopic{"~boxes", "link_bounds/AxisAlignedBoxArray",
+                                "with each tf message that brings a new pose or stamp of a bounded "
+                                "link, and whenever an object "
+                                "or incomplete changes; limited by max_rate; latched"};
 constexpr TopicName kGroupsTopic{
     "~groups", "link_bounds/AxisAlignedBoxArray",
     "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
@@ -44,7 +44,7 @@ constexpr TopicName kOverlapsTopic{
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
-                                  "subscribed; each marker becomes a box, see \"Objects\""};
+                                  "subscribed; each marker becomes a box"};
 constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
                                  "subscribed; one marker, as those of ~objects"};
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};

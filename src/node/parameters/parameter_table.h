@@ -95,15 +95,13 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
         "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
-  visit("timeout", p.timeout, rules::notNegative,
-        "ROS seconds, counted by receipt, since tf last accepted a transform on the oldest "
-        "non-static edge of a link's path; then the link is stale: no box, in incomplete, until "
-        "tf accepts one again. 0 = never");
+  visit(
+      "timeout", p.timeout, rules::notNegative,
+      "ROS seconds without an accepted transform on the path of a link; then it is stale: no box, "
+      "in incomplete. 0 = never");
   visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
-        "private, else found upwards as robot_state_publisher does; joined with one \"/\" to link "
-        "names and the default fixed frame for tf; slashes at its ends stripped; a link name that "
-        "begins with \"/\" is only stripped; an explicit fixed_frame is taken as it is; message "
-        "names stay the URDF's");
+        "goes before link names in tf; if not set here, it is found upwards as "
+        "robot_state_publisher finds it");
   visit("marker_rate", p.marker_rate, rules::positive, "Hz, > 0");
   visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
   visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");

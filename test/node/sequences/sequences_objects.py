@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README's section "Objects" says becomes of markers. Times in ns."""
+"""What becomes of markers as doc/scene.md says. Times in ns."""
 import math
 
 from sequences_shapes import marker_shapes

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README says that the node publishes after each event. Times in ns."""
+"""What README.md and doc/scene.md say that the node publishes after each event. Times in ns."""
 from sequences_objects import Objects
 from sequences_state import Entry, State, bounds_of
 from sequences_tf import SECOND, TfOracle

@@ -10,8 +10,8 @@
 
 namespace link_bounds {
 
-/// Metres, in the frame of the mesh file. A vertex is float32 by definition (see README,
-/// "Accuracy and cost").
+/// Metres, in the frame of the mesh file. A vertex is float32 by definition (see
+/// doc/performance.md).
 struct TriangleMesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
