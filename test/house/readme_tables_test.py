@@ -153,7 +153,7 @@ class PagesTest(unittest.TestCase):
                     continue
                 name, _, anchor = link.partition('#')
                 target = page.parent / name if name else page
-                self.assertTrue(target.is_file(), '%s: %s' % (page.name, link))
+                self.assertTrue(target.exists(), '%s: %s' % (page.name, link))
                 if anchor:
                     self.assertIn(anchor, anchors(target.read_text('utf-8')),
                                   '%s: %s' % (page.name, link))
