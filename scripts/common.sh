@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-# What all scripts share: a clean environment, messages, and the build; to be sourced.
+# What all scripts share: a clean environment, messages, the build, a port; to be sourced.
 
 REPO=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 BUILD=$REPO/build
@@ -15,8 +15,8 @@ fail() {
   exit 1
 }
 
-# Only the system's own tools: catkin and the Python nodes die with a python3 of pyenv or conda, and
-# a workspace that happens to be sourced must not end up in the build.
+# Uses the system's own tools only: catkin and the Python nodes fail with a python3 of pyenv or
+# conda, and a workspace that happens to be sourced must not get into the build.
 clean_environment() {
   refuse_other_ros
   export PATH=/usr/sbin:/usr/bin:/sbin:/bin
@@ -41,12 +41,13 @@ refuse_other_ros() {
     "(rosdep, then catkin build); on Debian start from a shell that has not sourced another ROS."
 }
 
-# Nodes of a machine whose own name does not resolve find each other, unless the user says how.
+# Lets nodes find each other on a machine whose own name does not resolve, unless the user has set
+# an address.
 use_localhost() {
   [ -n "${ROS_IP:-}${ROS_HOSTNAME:-}" ] || export ROS_HOSTNAME=localhost
 }
 
-# As many compilers as processors, but one per GB of memory.
+# The number of compilers to run: one per processor, but not more than one per GB of memory.
 jobs_of_machine() {
   local gigabytes
   gigabytes=$(awk '/^MemTotal/ { print int($2 / 1e6) + 1 }' /proc/meminfo)
@@ -65,11 +66,11 @@ configure() {
   shift
   mkdir -p "$folder"
   say "Configuring $folder"
-  # What is left of a checkout that was moved, or of a configuration that failed.
+  # Removes what a checkout that was moved, or a configuration that failed, has left.
   is_configured "$folder" || rm -rf "$folder"/{CMakeCache.txt,CMakeFiles,catkin_generated,devel}
   cmake -S "$REPO" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
-    fail "configuring failed; all of it is in $log"
+    fail "configuring failed; the complete log is $log"
   }
 }
 
@@ -79,4 +80,9 @@ build() {
   shift
   say "Building $folder"
   cmake --build "$folder" --parallel "$(jobs_of_machine)" --target "$@"
+}
+
+# Prints a port on which nobody listens.
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
 }

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Which of Debian's packages are needed for what, and how they are installed; to be sourced.
+# Debian's packages by purpose, and how they are installed; to be sourced.
 
 # The names are the same on Debian 11, 12 and 13.
 packages_of() {
@@ -14,7 +14,7 @@ packages_of() {
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;
-    run)  # what the launch files start, and the command line for looking at it
+    run)  # what the launch files start, and the command line tools to look at it
       echo python3 python3-rospy python3-roslaunch python3-rosgraph rosout ros-robot-state-publisher \
         python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
         python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
@@ -69,11 +69,12 @@ install_named() {
     as_root apt-get install -y -q --no-install-recommends "$@"
   } >"$log" 2>&1 </dev/null || {
     tail -n 20 "$log" >&2
-    fail "installing failed; all of it is in $log"
+    fail "installing failed; the complete log is $log"
   }
 }
 
-# install_what_exists GROUP: as install_packages, but names what this system does not have and goes on.
+# install_what_exists GROUP: as install_packages, but only names the packages that this system does
+# not have.
 install_what_exists() {
   local name
   for name in $(missing_packages "$1"); do
@@ -95,7 +96,7 @@ missing_packages() {
   done | tr '\n' ' '
 }
 
-# Never asks: apt-get answers by itself, sudo either works without a password or not at all.
+# Never asks the user: apt-get takes its defaults, and sudo fails where it would want a password.
 as_root() {
   local command=(env DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a "$@")
   [ "$(id -u)" = 0 ] || command=(sudo -n "${command[@]}")

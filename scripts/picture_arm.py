@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Takes the frames of the animated picture: picture_arm.py FOLDER
 
-Each frame is the arm in rviz with the node's markers and, beside it, the node's boxes as numbers,
-all of one stamp. The last frame leads on to the first one.
+Each frame shows the arm in rviz with the node's markers and, beside it, the node's boxes as
+numbers, all of one stamp. The first frame follows the last one without a jump.
 """
 import math
 import sys
@@ -13,7 +13,7 @@ from PIL import Image, ImageDraw
 from rviz_stage import FAINT, INK, NOISE, PAPER, Stage, changed_pixels, font, rgb
 
 FRAMES = 84
-# Joint: middle and reach in rad or m, turns in the whole picture, phase in turns.
+# Joint: middle and amplitude in rad or m, cycles in the complete picture, phase in cycles.
 MOTION = {'shoulder_pan': (-0.5, 0.8, 1, 0.0),
           'shoulder_lift': (0.15, 0.4, 1, 0.25),
           'elbow_bend': (1.5, 0.35, 1, 0.3),
@@ -21,14 +21,14 @@ MOTION = {'shoulder_pan': (-0.5, 0.8, 1, 0.0),
           'wrist_bend': (0.2, 0.7, 1, 0.7),
           'wrist_roll': (0.0, 1.4, 1, 0.1),
           'finger_left_slide': (0.03, 0.025, 2, 0.0)}
-MARKED, MARK = 'forearm', (0.55, 0.15, 0.75)  # the link that is found in picture and table at once
+MARKED, MARK = 'forearm', (0.55, 0.15, 0.75)  # the link whose colour joins picture and table
 TABLE_WIDTH = 372
 COLUMNS = ('<12', '>6', '>6', '>7', '>6', '>7', '>6')
 
 
 def positions(frame):
-    return {joint: middle + reach * math.sin(2 * math.pi * (turns * frame / FRAMES + phase))
-            for joint, (middle, reach, turns, phase) in MOTION.items()}
+    return {joint: middle + amplitude * math.sin(2 * math.pi * (cycles * frame / FRAMES + phase))
+            for joint, (middle, amplitude, cycles, phase) in MOTION.items()}
 
 
 def line(cells):
@@ -58,7 +58,7 @@ def table(boxes, height):
 
 
 def mark(marker):
-    """The same, in the colour of its own if it is that of the link to be marked."""
+    """Changes the colour of a marker of the marked link."""
     if marker.ns == MARKED:
         marker.color.r, marker.color.g, marker.color.b = MARK
     return marker
@@ -69,16 +69,16 @@ def main():
     stage = Stage('picture_arm')
     stage.warm_up(positions(-1))
     scene = first = None
-    for frame in range(FRAMES + 1):  # one more, which must be the first again
+    for frame in range(FRAMES + 1):  # one more, which must equal the first
         boxes, markers = stage.pose(positions(frame))
         stage.draw([mark(marker) for marker in markers.markers])
         scene = stage.picture()
         first = first or scene
         if frame < FRAMES:
-            whole = Image.new('RGB', (scene.width + TABLE_WIDTH, scene.height), PAPER)
-            whole.paste(scene)
-            whole.paste(table(boxes, scene.height), (scene.width, 0))
-            whole.save(f'{folder}/{frame:03}.png')
+            page = Image.new('RGB', (scene.width + TABLE_WIDTH, scene.height), PAPER)
+            page.paste(scene)
+            page.paste(table(boxes, scene.height), (scene.width, 0))
+            page.save(f'{folder}/{frame:03}.png')
     if changed_pixels(first, scene) > NOISE:
         raise SystemExit('the frame after the last one is not the first one: rviz was too slow')
 

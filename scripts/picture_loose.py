@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws one pose with exact and with loose boxes, and their volumes: picture_loose.py PICTURE.png
 
-A loose box is what others would give the link: the box of the eight corners of the box of the
-resting link, turned with the link.
+A loose box is what other tools compute: the box around the eight corners of the link's box at rest,
+which are turned with the link.
 """
 import copy
 import itertools
@@ -27,7 +27,7 @@ CUT = (10, 60, 430, 420)  # left, top, right, bottom of what is shown
 
 
 def resting_boxes(description):
-    """Minimum and maximum of each link in its own frame, from the link alone as a robot."""
+    """Minimum and maximum of each link in its own frame, from a robot of that link alone."""
     boxes = {}
     for link in ElementTree.fromstring(description).findall('link'):
         robot = ElementTree.Element('robot', name='one_link')
@@ -39,7 +39,7 @@ def resting_boxes(description):
 
 
 def turned(q, v):
-    """A vector under a quaternion: v + 2 w (u x v) + 2 u x (u x v)."""
+    """The vector v turned by a quaternion (u, w): v + 2 w (u x v) + 2 u x (u x v)."""
     u = (q.x, q.y, q.z)
     def cross(a, b):
         return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
@@ -76,7 +76,7 @@ def volume(boxes):
 
 
 def moved(marker, box, color):
-    """The same marker in another colour around another box."""
+    """A copy of the marker in another colour, around another box."""
     result = copy.deepcopy(marker)
     result.color.r, result.color.g, result.color.b = color
     for axis, low, high in zip('xyz', *box):
@@ -90,7 +90,7 @@ def moved(marker, box, color):
 
 
 def edges_beside(markers):
-    """The edges alone, to be drawn together with other markers of the same links."""
+    """Copies of the edges under other names, to be drawn beside markers of the same links."""
     edges = [copy.deepcopy(marker) for marker in markers if marker.points]
     for marker in edges:
         marker.ns = 'beside/' + marker.ns
@@ -98,7 +98,7 @@ def edges_beside(markers):
 
 
 def titled(scene, name, text, color, share):
-    """The cut scene below its title and a bar that fills a share of the width."""
+    """The cut scene below its title and a bar that fills a share of its width."""
     scene = scene.crop(CUT)
     picture = Image.new('RGB', (scene.width, scene.height + TITLE_HEIGHT), PAPER)
     picture.paste(scene, (0, TITLE_HEIGHT))
@@ -125,10 +125,10 @@ def main():
     stage.draw(red + edges_beside(blue))
     right = titled(stage.picture(), 'loose', f'{volume(loose):.3f} m³, {ratio:.2f} times as much',
                    RED, 1)
-    whole = Image.new('RGB', (left.width + right.width, left.height), PAPER)
-    whole.paste(left)
-    whole.paste(right, (left.width, 0))
-    whole.save(sys.argv[1])
+    picture = Image.new('RGB', (left.width + right.width, left.height), PAPER)
+    picture.paste(left)
+    picture.paste(right, (left.width, 0))
+    picture.save(sys.argv[1])
 
 
 if __name__ == '__main__':

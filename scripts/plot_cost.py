@@ -26,7 +26,7 @@ LOOSE = [('geometric_shapes', 'geometric_shapes', '#2f8f4e'),
 
 
 def points_of(rows, method):
-    """[vertices, ns] in ascending order."""
+    """Pairs of vertices and ns per box, in ascending order."""
     return sorted((row['vertices'], row['ns']) for row in rows
                   if row['method'] == method and row['kind'] != 'synthetic')
 

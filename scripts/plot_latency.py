@@ -19,7 +19,7 @@ METHODS = [('usual_tf2', 'usual node of tf2, loose boxes', '#c0392b'),
 
 
 def draw(rows, figure, axes, title):
-    """One figure of all methods."""
+    """One quantity of all methods over the number of links."""
     for method, label, colour in METHODS:
         own = sorted((row for row in rows if row['method'] == method and row['hz'] == HZ),
                      key=lambda row: row['links'])

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Poses the robot of scripts/pictures.launch and takes pictures of what rviz draws of it.
 
-A picture is taken when the boxes of the pose are there and rviz has drawn them, however slow the
-machine: how long the screen must be still grows with the time that rviz takes for a new picture.
+A picture is taken when the boxes of the pose have arrived and rviz has drawn them. The time for
+which the screen must not change grows with the time that rviz takes for a new picture, so this also
+works on a slow machine.
 """
 import copy
 import threading
@@ -19,12 +20,12 @@ from visualization_msgs.msg import Marker, MarkerArray
 DEADLINE = 120  # s, for rviz to load the robot; later steps take a fraction of a second
 STILL = 0.4     # s without a change, at least: rviz draws some ten times meanwhile
 NOISE = 60      # pixels that may differ between two pictures of one scene
-SHARPNESS = 2   # the screen is so many times as large as the picture, in width and height
-INK, FAINT, PAPER = '#1d2733', '#8a94a0', '#fafafc'  # the last one is rviz's background
+SHARPNESS = 2   # width and height of the screen, divided by those of the picture
+INK, FAINT, PAPER = '#1d2733', '#8a94a0', '#fafafc'  # PAPER is rviz's background
 
 
 class Stage:
-    """The robot, and the screen it is seen on."""
+    """The robot, and the screen that shows it."""
 
     def __init__(self, node_name):
         wait_for(rosgraph.is_master_online, 'the ROS master')
@@ -35,17 +36,17 @@ class Stage:
         self._drawing = rospy.Publisher('drawing', MarkerArray, queue_size=10, latch=True)
         self._seen = None
         for topic, kind in (('boxes', AxisAlignedBoxArray), ('markers', MarkerArray)):
-            rospy.Subscriber('link_bounds_publisher/' + topic, kind, self._take, topic)
+            rospy.Subscriber('link_bounds_publisher/' + topic, kind, self._record, topic)
         wait_for(lambda: self._drawing.get_num_connections() and self._joints.get_num_connections(),
                  'rviz and robot_state_publisher')
 
-    def _take(self, message, topic):
+    def _record(self, message, topic):
         with self._news:
             self._newest[topic] = message
             self._news.notify_all()
 
     def pose(self, positions):
-        """Moves the joints, in rad and m by name; the boxes and markers of just that pose."""
+        """Moves the joints, named, in rad or m; returns the boxes and markers of that pose."""
         def are_of(stamp):
             boxes, markers = self._newest.get('boxes'), self._newest.get('markers')
             return (boxes and boxes.header.stamp == stamp and not boxes.incomplete
@@ -69,7 +70,7 @@ class Stage:
             self.picture()
 
     def draw(self, markers):
-        """Nothing but these markers, and no longer those of before."""
+        """Draws these markers and removes all others."""
         sharp = copy.deepcopy(markers)
         for marker in sharp:
             if marker.type == Marker.LINE_LIST:
@@ -77,7 +78,7 @@ class Stage:
         self._drawing.publish(MarkerArray([Marker(action=Marker.DELETEALL)] + sharp))
 
     def picture(self):
-        """What is on the screen after the last call of draw, which has to show something new."""
+        """The screen after the last call of draw, which must have changed it."""
         start = time.monotonic()
         wait_for(lambda: self._seen is None or changed_pixels(self._seen, ImageGrab.grab()),
                  'a new picture in rviz')
@@ -86,7 +87,7 @@ class Stage:
 
 
 def still_screen(still=STILL):
-    """What is on the screen as soon as it has not changed for so many seconds."""
+    """The screen, as soon as it has not changed for so many seconds."""
     last, since = ImageGrab.grab(), time.monotonic()
     end = since + DEADLINE
     while time.monotonic() < since + still:
@@ -109,7 +110,7 @@ def font(size, style=''):
 
 
 def rgb(color):
-    """Of three numbers from 0 to 1, as markers have them."""
+    """A colour of PIL from a marker's three numbers from 0 to 1."""
     return tuple(round(255 * value) for value in color)
 
 
@@ -122,5 +123,5 @@ def wait_for(condition, what):
     end = time.monotonic() + DEADLINE
     while not condition():
         if time.monotonic() > end or rospy.is_shutdown():
-            raise SystemExit(f'waited in vain for {what}')
+            raise SystemExit(f'timeout: {what}')
         time.sleep(0.02)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people want to know of a run of the tests, from what the tests printed.
+"""Summarises a run of the tests from what they printed.
 
 Run as: test_summary.py BUILD_FOLDER [BUILD_FOLDER_OF_A_SANITIZER ...]
 
-A test says what it has to tell in lines of its output:
+A test reports its results in lines of its output:
   truth: N boxes compared; worst error X m...
   faults: N WHAT
   latency: ...
@@ -33,7 +33,7 @@ def text_of(path):
 
 @functools.lru_cache(maxsize=None)
 def results(build):
-    """The roots of the JUnit files, but those in which rostest only says that a test has run."""
+    """The roots of the JUnit files, without those that only say that rostest ran a test."""
     roots = []
     for path in sorted(glob.glob(os.path.join(build, 'test_results', '*', '*.xml'))):
         if os.path.basename(path).startswith('rostest-'):
@@ -46,7 +46,7 @@ def results(build):
 
 
 def details(build):
-    """What ctest's tests printed; rostest keeps the output of its own tests for the JUnit files."""
+    """What the tests of ctest printed; the output of a rostest's tests is in the JUnit files."""
     return text_of(os.path.join(build, 'Testing', 'Temporary', 'LastTest.log'))
 
 
@@ -64,7 +64,7 @@ def facts(build):
 
 
 def cases(build):
-    """How many single tests ran in those of ctest."""
+    """How many test cases ran in all tests of ctest."""
     scripts = map(int, re.findall(r'^Ran (\d+) tests? in ', details(build), re.MULTILINE))
     return sum(len(root.findall('.//testcase')) for root in results(build)) + sum(scripts)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ends as soon as link_bounds_publisher has published a box."""
+"""Waits until link_bounds_publisher has published a box; exit status 1 if it is interrupted."""
 
 import sys
 import threading

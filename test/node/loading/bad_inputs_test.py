@@ -4,8 +4,6 @@
 """Broken, hostile and odd robots, each through one node that lives through all of them."""
 import itertools
 import math
-import pathlib
-import sys
 import unittest
 from xml.etree import ElementTree
 
