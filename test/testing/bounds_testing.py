@@ -37,6 +37,7 @@ class Recorder:
     def __init__(self, topic, message_type=AxisAlignedBoxArray):
         self._lock = threading.Lock()
         self._messages = []
+        self._newest = None
         self.topic = topic
         self.subscriber = rospy.Subscriber(
             topic, message_type, self._add, queue_size=10000, tcp_nodelay=True)
@@ -44,6 +45,7 @@ class Recorder:
     def _add(self, message):
         with self._lock:
             self._messages.append(message)
+            self._newest = message
 
     @property
     def messages(self):
@@ -51,14 +53,23 @@ class Recorder:
             return list(self._messages)
 
     def clear(self):
+        """To be called before what causes the next message; else that message may be lost."""
         with self._lock:
             self._messages = []
 
     def wait(self, condition, what, deadline=DEADLINE):
-        """The first recorded message that satisfies the condition."""
+        """The first message since clear() that satisfies the condition; it may be there already."""
         return wait_for(
             lambda: next((m for m in self.messages if condition(m)), None),
             "%s on %s" % (what, self.topic), deadline)
+
+    def wait_newest(self, condition, what):
+        """Waits until the newest message, also one from before clear(), satisfies the condition."""
+        def newest():
+            with self._lock:
+                message = self._newest
+            return message if message is not None and condition(message) else None
+        return wait_for(newest, "%s on %s" % (what, self.topic))
 
 
 def latched(topic, message_type=AxisAlignedBoxArray):

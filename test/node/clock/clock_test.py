@@ -65,7 +65,8 @@ class ClockTest(unittest.TestCase):
             count += 1
             self.clock.publish(self.now)
             self.send(self.now + 0.001 * count, 45, ["right"])
-            self.boxes.wait(lambda m: box_of(m, "right").stamp == at(self.now + 0.001 * count),
+            stamp = at(self.now + 0.001 * count)
+            self.boxes.wait(lambda m, s=stamp: box_of(m, "right") and box_of(m, "right").stamp == s,
                             "the right arm")
         later = self.boxes.messages[self.boxes.messages.index(first) + 1:]
         self.assertTrue(all(shows(m, at_angles(30, 45)) for m in later))
@@ -107,9 +108,11 @@ class ClockTest(unittest.TestCase):
     def test_a_jump_back_heals_a_stamp_of_2100(self):
         self.send(self.now)
         self.wait_for(self.now)
+        self.boxes.clear()
         self.tf.send(YEAR_2100, 30, ["left"])
         self.boxes.wait(lambda m: "left_tip" in m.incomplete, "the block")
         self.send(self.now + 0.1, links=["left_tip", "right"])
+        self.boxes.clear()
         self.clock.publish(self.now - 5)
         self.boxes.wait(lambda m: names_of(m) == STATIC, "loss of dynamic boxes")
         self.send(self.now - 5, 45)
@@ -118,6 +121,7 @@ class ClockTest(unittest.TestCase):
     def test_stamps_of_2100_right_after_a_jump_are_dropped(self):
         self.send(self.now)
         self.wait_for(self.now)
+        self.boxes.clear()
         self.clock.publish(self.now - 5)
         self.boxes.wait(lambda m: names_of(m) == STATIC, "loss of dynamic boxes")
         self.tf.send(YEAR_2100, 30, ["left"])

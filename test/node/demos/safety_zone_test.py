@@ -22,8 +22,9 @@ ZONE, OTHER_ZONE, PARCEL = "zones/1", "zones/2", "parcels/1"
 ZONE_MIN_X = 1.5  # m
 ROBOT = robot([box_link("base", (0.2, 0.2, 0.2)), box_link("hand", (0.4, 0.2, 0.1))],
               [("base", "hand")])
-HAND_REACH = 0.2 * 3 ** 0.5 / 2 + 0.1 / 2  # m along x, turned by 30 degrees
-OUTSIDE, INSIDE = (ZONE_MIN_X - HAND_REACH - 0.01, 0, 0), (ZONE_MIN_X - HAND_REACH + 0.01, 0, 0)
+HAND_HALF_LENGTH = 0.2 * 3 ** 0.5 / 2 + 0.1 / 2  # m along x, turned by 30 degrees
+TOUCHING = ZONE_MIN_X - HAND_HALF_LENGTH
+OUTSIDE, INSIDE = (TOUCHING - 0.01, 0, 0), (TOUCHING + 0.01, 0, 0)
 
 
 def zone(name=ZONE, x=2.0):
@@ -130,8 +131,9 @@ class SafetyZone(unittest.TestCase):
                           "link hand entered zone zones/1"])
 
     def test_who_has_no_box_has_not_left(self):
-        load(NODE, fixed_frame="base", timeout=STALE_AFTER)
         self.place(INSIDE)
+        self.expect("link hand entered zone zones/1")
+        load(NODE, fixed_frame="base", timeout=STALE_AFTER)
         self.expect("hand is not watched: it is incomplete")
         self.wait_for_events_until_now()
         load(NODE, fixed_frame="base")

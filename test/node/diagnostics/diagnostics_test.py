@@ -30,32 +30,31 @@ class DiagnosticsTest(unittest.TestCase):
         cls.diagnostics = Diagnostics()
         cls.tf = ArmsTf()
 
-    def wait_for_level(self, level):
+    def wait_for(self, level, key, value):
+        """A status of that level with that value; one from before the reload may still arrive."""
         return self.diagnostics.wait_for_new(
-            lambda _, status: status.level == level, "level %d" % level)
+            lambda _, status: status.level == level and value_of(status, key) == value,
+            "level %d with %s = %s" % (level, key, value))
 
     def test_ok_with_all_boxes(self):
         load(NODE, ARMS)
         self.tf.send(rospy.Time(1000))
-        status = self.wait_for_level(DiagnosticStatus.OK)
+        status = self.wait_for(DiagnosticStatus.OK, "boxes", "5")
         self.assertEqual(status.name, "link_bounds_publisher: boxes")
-        self.assertEqual(value_of(status, "boxes"), "5")
 
     def test_warns_of_an_incomplete_link_and_names_it(self):
         load(NODE, robot([box_link("base", (1, 2, 3)), box_link("lost", (1, 1, 1))],
                          [("base", "lost")]))
-        status = self.wait_for_level(DiagnosticStatus.WARN)
+        status = self.wait_for(DiagnosticStatus.WARN, "boxes", "1")
         self.assertIn("no transform", value_of(status, "incomplete: lost"))
 
     def test_error_without_one_box(self):
         load(NODE, ARMS, fixed_frame="nowhere")
-        status = self.wait_for_level(DiagnosticStatus.ERROR)
-        self.assertEqual(value_of(status, "boxes"), "0")
+        self.wait_for(DiagnosticStatus.ERROR, "boxes", "0")
 
     def test_ok_where_nothing_is_to_be_bounded(self):
         load(NODE, "<robot name='r'><link name='bare'/></robot>")
-        status = self.wait_for_level(DiagnosticStatus.OK)
-        self.assertEqual(value_of(status, "bounded links"), "0")
+        self.wait_for(DiagnosticStatus.OK, "bounded links", "0")
 
     def test_counts_tf_messages_and_takes_their_time(self):
         before = self.diagnostics.wait_for_new(lambda *_: True, "a status")

@@ -30,6 +30,11 @@ def write_stl(path, size, triangles=1):
             file.write(struct.pack("<12fH", *[0] * 3, 0, 0, 0, part, 0, 0, part, part, 0, 0))
 
 
+def stamp_of(number):
+    """At 100 Hz."""
+    return rospy.Time(1000 + number // 100, number % 100 * 10000000)
+
+
 def mesh_robot(path):
     mesh = visual('<mesh filename="file://%s"/>' % path)
     return robot([box_link("base", (1, 2, 3)), '<link name="mast">%s</link>' % mesh],
@@ -46,15 +51,23 @@ class Reload(unittest.TestCase):
 
     def setUp(self):
         load(NODE, ARMS)
-        self.send_next()
-        self.boxes.wait(lambda m: names_of(m) == ALL, "all boxes")
+        self.check_served()
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.mesh = os.path.join(self.folder.name, "mesh.stl")
 
     def send_next(self):
+        """Returns its stamp."""
         Reload.count += 1
-        self.tf.send(rospy.Time(1000 + self.count // 100, self.count % 100 * 10000000))
+        stamp = stamp_of(self.count)
+        self.tf.send(stamp)
+        return stamp
+
+    def check_served(self):
+        """The arms have all their boxes."""
+        stamp = self.send_next()
+        self.boxes.wait(lambda m: m.header.stamp == stamp and names_of(m) == ALL and
+                        not m.incomplete, "all boxes")
 
     def reload(self):
         return rospy.ServiceProxy(NODE + "/reload", Trigger)()
@@ -85,14 +98,14 @@ class Reload(unittest.TestCase):
             answer = self.reload()
             self.assertFalse(answer.success)
             self.assertNotEqual(answer.message, "")
-        self.check_still_served()
+        self.check_served()
 
     def test_a_broken_parameter_changes_nothing(self):
         rospy.set_param(NODE + "/padding", -1.0)
         answer = self.reload()
         self.assertFalse(answer.success)
         self.assertIn("padding", answer.message)
-        self.check_still_served()
+        self.check_served()
 
     def test_very_small_rates_are_taken(self):
         for i, rate in enumerate((1e-10, 1e-300, 5e-324)):
@@ -105,12 +118,7 @@ class Reload(unittest.TestCase):
     def test_a_missing_description_changes_nothing(self):
         rospy.delete_param("/robot_description")
         self.assertIn("robot_description", self.reload().message)
-        self.check_still_served()
-
-    def check_still_served(self):
-        self.boxes.clear()
-        self.send_next()
-        self.boxes.wait(lambda m: names_of(m) == ALL and not m.incomplete, "the old boxes")
+        self.check_served()
 
     def test_a_replaced_mesh_is_read_anew(self):
         write_stl(self.mesh, 1.0)
@@ -142,8 +150,7 @@ class Reload(unittest.TestCase):
                 self.assertFalse(self.reload().success)
         finally:
             sender.stop()
-        sent = [rospy.Time(1000 + i // 100, i % 100 * 10000000)
-                for i in range(first, self.count + 1)]
+        sent = [stamp_of(i) for i in range(first, self.count + 1)]
         self.boxes.wait(lambda m: m.header.stamp == sent[-1], "the last update")
         answered = [m.header.stamp for m in self.boxes.messages]
         self.assertEqual([stamp for stamp in sent if stamp not in answered], [])

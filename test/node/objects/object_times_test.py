@@ -26,13 +26,15 @@ class ObjectTimes(unittest.TestCase):
     def setUp(self):
         self.clock.set(1000)
         load(NODE, ARMS, timeout=2.0)
+        self.boxes.clear()
         self.tf.send(at(1000))
-        self.boxes.wait(lambda m: box_of(m, "left"), "the arms")
+        self.boxes.wait(lambda m: box_of(m, "left") and box_of(m, "left").stamp == at(1000),
+                        "the arms")
         self.boxes.clear()
 
     def tearDown(self):
         self.objects.clear()
-        self.boxes.wait(lambda m: not any("/" in box.name for box in m.boxes), "no object")
+        self.boxes.wait_newest(lambda m: not any("/" in box.name for box in m.boxes), "no object")
 
     def send_and_wait(self, *markers):
         self.objects.send(*markers)
@@ -44,6 +46,7 @@ class ObjectTimes(unittest.TestCase):
         drawings = Recorder(NODE + "/markers", MarkerArray)
         self.send_and_wait(marker("scene/1", stamp=at(999)), marker("scene/2", stamp=at(998)))
         overlaps.wait(lambda m: m.header.stamp == at(1000), "a pair of the old era")
+        self.boxes.clear()
         self.clock.publish(500)
         message = self.boxes.wait(lambda m: not box_of(m, "left"), "the jump")
         self.assertEqual([box_of(message, "scene/%d" % i).stamp for i in (1, 2)], [at(500)] * 2)

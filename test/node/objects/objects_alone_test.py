@@ -120,8 +120,9 @@ class ObjectsAlone(unittest.TestCase):
         corners = write_tetrahedron(missing, 0.25)
         write_tetrahedron(path, 0.5)
         self.assertTrue(self.reload().success)
-        message = self.expect("body/2", Pose().bounds(corners))
-        self.boxes.wait(lambda m: not m.incomplete and shows_box(m, "body/1", bounds), "mended")
+        self.expect("body/2", Pose().bounds(corners))
+        self.boxes.wait_newest(lambda m: not m.incomplete and shows_box(m, "body/1", bounds),
+                               "no fault")
 
     def test_very_many_and_the_memory_after(self):
         before = resident_bytes(self.node.pid)

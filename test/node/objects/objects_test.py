@@ -43,8 +43,8 @@ class Objects(unittest.TestCase):
 
     def tearDown(self):
         self.objects.clear()
-        self.boxes.wait(lambda m: not [n for n in names_of(m) + m.incomplete if "/" in n],
-                        "no object")
+        self.boxes.wait_newest(lambda m: not [n for n in names_of(m) + m.incomplete if "/" in n],
+                               "no object")
 
     def move(self, degrees):
         stamp = rospy.Time(next(self.stamps))
@@ -104,7 +104,8 @@ class Objects(unittest.TestCase):
         markers.wait(lambda m: {n.ns for n in m.markers if n.action == Marker.ADD} >= {
             "link_bounds/objects/scene/1", "link_bounds/objects/scene/2"}, "objects drawn")
         self.objects.send_alone(deletion("scene/1"))
-        groups.wait(lambda m: m.incomplete == ["held"] and shows_box(m, "scene", second), "one left")
+        groups.wait(lambda m: m.incomplete == ["held"] and shows_box(m, "scene", second),
+                    "one left")
         markers.wait(lambda m: [n for n in m.markers if n.action == Marker.DELETE and
                                 n.ns == "link_bounds/objects/scene/1"], "the drawing deleted")
         groups.subscriber.unregister()
@@ -121,11 +122,11 @@ class Objects(unittest.TestCase):
         message = self.boxes.wait(lambda m: not box_of(m, "a/1") and box_of(m, "b/1"), "a/1 gone")
         self.assertEqual(names_of(message), ALL + ["b/1"])
         other.send_alone(marker("b/1", Marker.TEXT_VIEW_FACING, text="now a text"))
-        self.boxes.wait(lambda m: names_of(m) == ALL, "no box for a text")
+        self.boxes.wait_newest(lambda m: names_of(m) == ALL, "no box for a text")
         self.objects.send(marker("a/1"), marker("c/1"))
         self.boxes.wait(lambda m: names_of(m) == ALL + ["a/1", "c/1"], "back")
         other.clear()
-        self.boxes.wait(lambda m: names_of(m) == ALL and not m.incomplete, "all deleted")
+        self.boxes.wait_newest(lambda m: names_of(m) == ALL and not m.incomplete, "all deleted")
 
     def test_a_sheet_deforms(self):
         for step in range(20):
@@ -148,7 +149,8 @@ class Objects(unittest.TestCase):
         before = len(log.messages)
         self.objects.send(
             marker("bad/1", scale=(math.nan, 1, 1)), marker("bad/3", frame=""),
-            marker("bad/4", scale=(1, -1, 1)), marker("bad/5", Marker.TRIANGLE_LIST, points=POINTS[:2]),
+            marker("bad/4", scale=(1, -1, 1)),
+            marker("bad/5", Marker.TRIANGLE_LIST, points=POINTS[:2]),
             marker("bad/6", Marker.POINTS), marker("bad/7", Marker.MESH_RESOURCE),
             marker("bad/8", kind=77), marker("bad/9", pose=Pose((math.inf, 0, 0))))
         bad = ["bad/%d" % i for i in (1, 3, 4, 5, 6, 7, 8, 9)]

@@ -50,14 +50,16 @@ class FootprintTest(unittest.TestCase):
         for degrees in (0, 30, 45):
             stamp = self.next_stamp()
             self.turn_robot(stamp)
+            footprints.clear()
             self.tf.send(stamp, degrees)
             footprints.wait(lambda p, d=degrees: is_rectangle(p, d), "arms at %g" % degrees)
         footprints.subscriber.unregister()
 
     def test_a_new_subscriber_gets_one_at_once(self):
         boxes = Recorder(NODE + "/boxes")
-        self.tf.send(self.next_stamp(), 30)
-        boxes.wait(lambda m: len(m.boxes) == len(ALL) and not m.incomplete, "all boxes")
+        stamp = self.next_stamp()
+        self.tf.send(stamp, 30)
+        boxes.wait(lambda m: m.header.stamp == stamp and not m.incomplete, "all boxes")
         polygon = rospy.wait_for_message(TOPIC, Polygon, 20)
         self.assertTrue(is_rectangle(polygon, 30), polygon)
         boxes.subscriber.unregister()
