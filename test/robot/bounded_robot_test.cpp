@@ -173,9 +173,9 @@ TEST_F(BoundRobot, ReportsProgressOfTheFiles) {
   EXPECT_EQ(last, 11u);
 }
 
-Selection inParts(int most) {
+Selection inParts(int max_parts) {
   Selection selection;
-  selection.parts_per_link = most;
+  selection.parts_per_link = max_parts;
   selection.padding = 0.25;
   return selection;
 }

@@ -25,7 +25,7 @@ class SoakListener {
   /// A value of the newest diagnostics; 0 if it is absent.
   double diagnostic(const std::string& key) const;
 
-  /// The largest value of all diagnostics so far, 0 if there is none.
+  /// The max of this value in all diagnostics so far; 0 if it is absent.
   double largest(const std::string& key) const;
 
  private:

@@ -107,7 +107,8 @@ MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
     throw MeshError("the scheme of this URI is not supported; use package:// or file://");
   }
   if (base_folder.empty()) {
-    throw MeshError("relative to what is not known; use package:// or file://");
+    throw MeshError(
+        "it is a relative name without a folder to start from; use package:// or file://");
   }
   return checkedFile(fs::path(base_folder) / percentDecoded(uri), {});
 }

@@ -43,7 +43,8 @@ void UrdfLog::log(const std::string& text, console_bridge::LogLevel level, const
 }
 
 std::string UrdfLog::messages(const std::string& part) const {
-  if (is_off_) return "urdfdom's reason is not to be had for a text with % or &#; write it without";
+  if (is_off_)
+    return "urdfdom's reason is not available for a text with % or &#; write it without them";
   std::string result;
   for (const std::string& message : messages_) {
     if (message.find(part) == std::string::npos) continue;

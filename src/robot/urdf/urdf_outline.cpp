@@ -74,8 +74,8 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
   }
   if (document.Error() && countStarts(urdf) > kMaxMalformedDepth) {
     throw RobotError(
-        "the robot description is not well-formed XML, and too long to be read all the "
-        "same; correct it");
+        "the robot description is not well-formed XML, and too long to be read nevertheless; "
+        "correct it");
   }
   const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
   if (document.Error() || !robot) return {};

@@ -44,10 +44,10 @@ void reply(const MeshFile& file, std::uint64_t max_bytes) {
     writeMeshReply(importMesh(file, max_bytes, on_bytes), writeToOutput);
   } catch (const std::bad_alloc&) {
     writeErrorReply(
-        MeshError("to read it takes more than " + std::to_string(memoryLimit(file_bytes) >> 20) +
-                      " MiB of memory, which are allowed for its " + std::to_string(file_bytes) +
-                      " bytes",
-                  MeshFault::kMemory),
+        MeshError(
+            "reading it takes more than the " + std::to_string(memoryLimit(file_bytes) >> 20) +
+                " MiB of memory that are allowed for its " + std::to_string(file_bytes) + " bytes",
+            MeshFault::kMemory),
         writeToOutput);
   } catch (const MeshError& error) {
     writeErrorReply(error, writeToOutput);

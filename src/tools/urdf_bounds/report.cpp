@@ -5,76 +5,61 @@
 
 #include <iostream>
 #include <optional>
-#include <utility>
 
 #include "tools/urdf_bounds/terminal.h"
-#include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
 namespace {
 
-/// Fills in the volume of each link that has one by `volume_of`, which returns an optional.
-template <class Volume, class VolumeOf>
-void fillTable(const std::vector<PlacedLink>& links, const VolumeOf& volume_of,
-               std::vector<std::pair<std::string, Volume>>& volumes, Reasons& incomplete) {
-  for (const PlacedLink& placed_link : links) {
-    const BoundedLink& link = *placed_link.link;
-    const std::optional<Volume> volume = volume_of(placed_link);
-    if (volume) volumes.emplace_back(link.name, *volume);
-    if (!link.isWhole()) {
-      incomplete.emplace_back(link.name, link.missing);
-    } else if (!volume) {
-      incomplete.emplace_back(link.name, "its size and pose give no finite box");
-      warn("link \"" + link.name + "\": " + incomplete.back().second);
-    }
+template <class LinkVolume>
+std::optional<Volume> placedVolume(const std::optional<LinkVolume>& volume,
+                                   const Eigen::Isometry3d& frame_from_link) {
+  if (!volume) return std::nullopt;
+  const auto in_frame = placed(*volume, frame_from_link);
+  if (!in_frame) return std::nullopt;
+  return toVolume(*in_frame);
+}
+
+/// Of a box, `robot_box` is extended by it.
+std::optional<Volume> volumeOf(const PlacedLink& link, const VolumeTable& table, Aabb& robot_box) {
+  switch (table.kind) {
+    case VolumeKind::kBox:
+      break;
+    case VolumeKind::kSphere:
+      return placedVolume(boundingSphere(*link.link), link.frame_from_link);
+    case VolumeKind::kOrientedBox:
+      return placedVolume(orientedBox(*link.link), link.frame_from_link);
   }
-}
-
-Reasons writeBoxes(const UrdfBoundsOptions& options, const std::string& frame,
-                   const std::vector<PlacedLink>& links) {
-  BoxTable table;
-  table.frame = frame;
-  const auto box_of = [](const PlacedLink& link) {
-    return linkBox(*link.link, Eigen::Affine3d(link.frame_from_link));
-  };
-  fillTable(links, box_of, table.boxes, table.incomplete);
-  Aabb robot_box;
-  for (const auto& named : table.boxes)
-    robot_box.extend(named.second);
-  if (!table.boxes.empty()) table.groups.emplace_back("robot", robot_box);
-  writeBoxes(table, options.format, options.representation.value_or(Representation::kMinMax),
-             std::cout);
-  return table.incomplete;
-}
-
-template <class Volume>
-Reasons writeVolumes(const UrdfBoundsOptions& options, const std::string& frame,
-                     const std::vector<PlacedLink>& links,
-                     std::optional<Volume> (*volume_of)(const BoundedLink&)) {
-  VolumeTable<Volume> table;
-  table.frame = frame;
-  const auto placed_volume = [volume_of](const PlacedLink& link) {
-    const std::optional<Volume> volume = volume_of(*link.link);
-    return volume ? placed(*volume, link.frame_from_link) : std::nullopt;
-  };
-  fillTable(links, placed_volume, table.volumes, table.incomplete);
-  writeVolumes(table, options.format, std::cout);
-  return table.incomplete;
+  const std::optional<Aabb> box = linkBox(*link.link, Eigen::Affine3d(link.frame_from_link));
+  if (!box) return std::nullopt;
+  robot_box.extend(*box);
+  return toVolume(*box, table.representation);
 }
 
 }  // namespace
 
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
                     const std::vector<PlacedLink>& links) {
-  switch (options.volume) {
-    case VolumeKind::kBox:
-      break;
-    case VolumeKind::kSphere:
-      return writeVolumes(options, frame, links, boundingSphere);
-    case VolumeKind::kOrientedBox:
-      return writeVolumes(options, frame, links, orientedBox);
+  VolumeTable table;
+  table.kind = options.volume;
+  table.representation = options.representation.value_or(Representation::kMinMax);
+  table.frame = frame;
+  Aabb robot_box;
+  for (const PlacedLink& placed_link : links) {
+    const BoundedLink& link = *placed_link.link;
+    const std::optional<Volume> volume = volumeOf(placed_link, table, robot_box);
+    if (volume) table.volumes.emplace_back(link.name, *volume);
+    if (!link.isWhole()) {
+      table.incomplete.emplace_back(link.name, link.missing);
+    } else if (!volume) {
+      table.incomplete.emplace_back(link.name, "its size and pose give no finite box");
+      warn("link \"" + link.name + "\": " + table.incomplete.back().second);
+    }
   }
-  return writeBoxes(options, frame, links);
+  if (!robot_box.isEmpty())
+    table.groups.emplace_back("robot", toVolume(robot_box, table.representation));
+  write(table, options.format, std::cout);
+  return table.incomplete;
 }
 
 }  // namespace link_bounds

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tools/urdf_bounds/box_table.h"
+#include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
 
@@ -17,9 +17,6 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// Of the paper's Figure 2; kBox is axis-aligned.
-enum class VolumeKind { kBox, kSphere, kOrientedBox };
 
 struct UrdfBoundsOptions {
   std::string file;                      ///< "-" is standard input

@@ -1,23 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bounding spheres or oriented boxes of a robot as text: a table to read, CSV or JSON.
+// The volumes of a robot as text: a table to read, CSV or JSON.
 #pragma once
 
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/geometry/box/aabb.h"
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 #include "link_bounds/geometry/volumes/oriented_box.h"
 #include "tools/text/table_text.h"
 
 namespace link_bounds {
 
-/// All lengths in metres; centres and orientations in `frame`.
-template <class Volume>
+/// Of the paper's Figure 2; kBox is axis-aligned.
+enum class VolumeKind { kBox, kSphere, kOrientedBox };
+
+/// The three pairs of vectors (a, b) of the paper's Figure 3.
+enum class Representation { kMinMax, kMinWidth, kCenterRadius };
+
+/// A volume of any kind in its text forms.
+struct Volume {
+  Numbers numbers;   ///< in the order of the columns
+  std::string json;  ///< a value
+};
+
+/// JSON of a box is always min-max.
+Volume toVolume(const Aabb& box, Representation representation);
+Volume toVolume(const BoundingSphere& sphere);
+Volume toVolume(const OrientedBox& box);
+
+/// All lengths in metres, in `frame`.
 struct VolumeTable {
+  using NamedVolume = std::pair<std::string, Volume>;
+
+  VolumeKind kind = VolumeKind::kBox;
+  Representation representation = Representation::kMinMax;  ///< of kBox
   std::string frame;
-  std::vector<std::pair<std::string, Volume>> volumes;  ///< by link
+  std::vector<NamedVolume> volumes;  ///< by link
+  std::vector<NamedVolume> groups;   ///< of kBox
   Reasons incomplete;
 };
 
-void writeVolumes(const VolumeTable<BoundingSphere>& table, Format format, std::ostream& out);
-void writeVolumes(const VolumeTable<OrientedBox>& table, Format format, std::ostream& out);
+void write(const VolumeTable& table, Format format, std::ostream& out);
 
 }  // namespace link_bounds

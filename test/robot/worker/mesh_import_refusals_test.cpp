@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that give no trustworthy mesh, and files that reach for other files.
+// Files that give no valid mesh, and files that name other files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
