@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A sphere that grows through the farthest points of the link, until no point is left outside.
+// Grows a sphere through the farthest points of the link until no point is outside.
 //
-// The smallest sphere around a set is determined by at most four of its points, and that around any
-// points of the set is no larger. So: keep at most four points and the smallest sphere around them,
-// find the link's point that is farthest from its centre, put it among the four, repeat. The sphere
-// around that centre through the farthest point bounds the link; the two radii enclose that of the
-// smallest sphere. Every shape is points swept by ellipsoids (see sweptPoints), whose farthest
-// point is exact, so curved solids need no facets.
+// At most four points of a set determine the smallest sphere around it, and the smallest sphere
+// around some points of the set is no larger. So the search keeps at most four points and the
+// smallest sphere around these. It finds the point of the link that is farthest from the centre,
+// puts it among the four, and repeats. The sphere about that centre through the farthest point
+// bounds the link. The radius of the smallest sphere lies between the two radii.
+//
+// A shape is a set of points, each the centre of an ellipsoid (see SweptPoints). The farthest point
+// of an ellipsoid is computed, so curved solids need no facets.
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 
 #include <Eigen/Eigenvalues>
@@ -20,33 +22,34 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kTolerance = 5e-7;  ///< of the radius, when to stop
-constexpr int kMostSteps = 1000;     ///< some tens are usual
+constexpr double kTolerance = 5e-7;  ///< of the radius; half of what the header promises
+constexpr int kMaxSteps = 1000;      ///< typical are some tens
 
-/// What rounding may cost, relative to the link's magnitude. Every step below is good to some tens
-/// of roundoffs; what a point set leaves out, to 2e-14.
+/// Against rounding, relative to the link's magnitude. Each step of the computation is exact to
+/// some tens of roundoffs (1e-16). Points that a point set leaves out are outside by at most 2e-14.
 constexpr double kPad = 2e-13;
 
-/// Every point is the centre of an ellipsoid. Lengths are in units of the link, see unitOf.
+/// An ellipsoid around each point. Lengths are in the unit of the link, see unitOf().
 struct SweptPoints {
   std::vector<Eigen::Vector3d> points;
-  Eigen::Matrix3d semi_axes;  ///< its columns, at right angles to each other; zero: points only
+  Eigen::Matrix3d semi_axes;  ///< in columns, perpendicular to each other; zero: only the points
 };
 
-/// A power of 2 that is about the link's magnitude, so that squares neither overflow nor vanish.
+/// A power of 2 near the link's magnitude. In this unit, squares neither overflow nor underflow.
 double unitOf(const BoundedLink& link) {
   const double size = magnitude(link);
   return size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1.0;
 }
 
-/// The image of the unit ball under a linear map, by its semi-axes.
+/// The semi-axes of the ellipsoid that a linear map makes of the unit ball.
 Eigen::Matrix3d semiAxes(const Eigen::Matrix3d& map) {
   if (map.isZero(0)) return Eigen::Matrix3d::Zero();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(map * map.transpose());
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-/// The solid as a few centres and the ellipsoid around each; `half` are its half axes.
+/// A solid as ellipsoids around a few points: a box has only its corners, a cylinder has a disc at
+/// each end. The columns of `half` are the half axes of the solid.
 SweptPoints sweptSolid(Solid solid, const Eigen::Matrix3d& half) {
   SweptPoints result{{Eigen::Vector3d::Zero()}, Eigen::Matrix3d::Zero()};
   if (solid == Solid::kBox) {
@@ -82,14 +85,15 @@ SweptPoints sweptPoints(const Shape& shape, double unit) {
 
 struct Farthest {
   Eigen::Vector3d point;
-  double distance = -1;  ///< not below the real one, but for rounding
+  double distance = -1;  ///< no smaller than the true one, except for rounding
 };
 
-/// The point of an ellipsoid, centred at `offset`, that is farthest from the origin. With the
-/// semi-axes w_i, point = offset + sum u_i w_i and g_i = w_i . offset, this maximises the convex
-/// |offset|^2 + 2 g . u + sum |w_i|^2 u_i^2 over |u| <= 1. For any l > |w_i|^2 the maximum is at
-/// most |offset|^2 + l + sum g_i^2 / (l - |w_i|^2), by duality, and equal where
-/// u_i = g_i / (l - |w_i|^2) has length 1.
+/// The point of an ellipsoid that is farthest from the origin. The centre is `offset`, and w_i are
+/// the semi-axes. The point is offset + sum u_i w_i, where u maximises
+///   |offset|^2 + 2 g . u + sum |w_i|^2 u_i^2    for |u| <= 1, with g_i = w_i . offset.
+/// This is a trust region problem (Conn, Gould, Toint, Trust Region Methods, 2000, chapter 7). For
+/// each l > max |w_i|^2 its dual bounds the maximum by |offset|^2 + l + sum g_i^2 / (l - |w_i|^2).
+/// The bound is attained where u_i = g_i / (l - |w_i|^2) has length 1; bisection finds that l.
 Farthest farthestOfEllipsoid(const Eigen::Vector3d& offset, const Eigen::Matrix3d& semi_axes) {
   const Eigen::Array3d square = semi_axes.colwise().squaredNorm();
   const Eigen::Array3d g = semi_axes.transpose() * offset;
@@ -102,7 +106,8 @@ Farthest farthestOfEllipsoid(const Eigen::Vector3d& offset, const Eigen::Matrix3
     (coordinates(l).square().sum() > 1 ? low : high) = l;
   Eigen::Array3d u = coordinates(high);
   const double bound = offset.squaredNorm() + high + (g * u).sum();
-  // Where g vanishes along the longest axis, u falls short and both ends of it are as far.
+  // If g is 0 along the longest axis, u may be shorter than 1. Both ends of the axis are then
+  // equally far.
   int longest = 0;
   square.maxCoeff(&longest);
   const double rest = u.square().sum() - u[longest] * u[longest];
@@ -110,7 +115,7 @@ Farthest farthestOfEllipsoid(const Eigen::Vector3d& offset, const Eigen::Matrix3
   return {offset + semi_axes * u.matrix(), std::sqrt(bound)};
 }
 
-/// Of all points of the link.
+/// The point of the link that is farthest from `center`.
 Farthest farthestFrom(const Eigen::Vector3d& center, const std::vector<SweptPoints>& link) {
   Farthest result;
   for (const SweptPoints& swept : link) {
@@ -126,14 +131,14 @@ Farthest farthestFrom(const Eigen::Vector3d& center, const std::vector<SweptPoin
   return result;
 }
 
-/// The smallest sphere with all points on its surface, where there is one.
+/// The smallest sphere through up to four points, if there is one.
 BoundingSphere throughPoints(const std::vector<Eigen::Vector3d>& points) {
   if (points.size() == 1) return {points[0], 0};
   const Eigen::Index count = static_cast<Eigen::Index>(points.size()) - 1;
   Eigen::MatrixXd edges(count, 3);
   for (Eigen::Index i = 0; i < count; ++i)
     edges.row(i) = points[static_cast<std::size_t>(i) + 1] - points[0];
-  // The shortest solution, which lies in the plane of the points.
+  // The solution of least norm lies in the plane of the points.
   const Eigen::Vector3d center = edges.completeOrthogonalDecomposition().solve(
       Eigen::VectorXd(edges.rowwise().squaredNorm() / 2));
   return {points[0] + center, center.norm()};
@@ -147,14 +152,14 @@ bool contains(const BoundingSphere& sphere, const std::vector<Eigen::Vector3d>& 
   return true;
 }
 
-/// The smallest sphere around some points, and those on it.
+/// The smallest sphere around at most four points, all of which lie on it.
 struct Inner {
   BoundingSphere sphere;
-  std::vector<Eigen::Vector3d> points;  ///< at most four
+  std::vector<Eigen::Vector3d> points;
 };
 
-/// The smallest sphere around the points of `inner` and a point outside of it, which then lies on
-/// the new one. Tries every choice of the other points on it.
+/// The smallest sphere around the points of `inner` and a point outside of it. That point lies on
+/// the new sphere. Which of the others do is found by trying every choice.
 Inner grown(const Inner& inner, const Eigen::Vector3d& point) {
   std::vector<Eigen::Vector3d> all = inner.points;
   all.push_back(point);
@@ -174,12 +179,12 @@ Inner grown(const Inner& inner, const Eigen::Vector3d& point) {
 BoundingSphere smallestSphere(const std::vector<SweptPoints>& link, const Eigen::Vector3d& start) {
   Inner inner{{start, 0}, {}};
   BoundingSphere best{start, std::numeric_limits<double>::infinity()};
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Farthest farthest = farthestFrom(inner.sphere.center, link);
     if (farthest.distance < best.radius) best = {inner.sphere.center, farthest.distance};
     if (best.radius <= inner.sphere.radius * (1 + kTolerance)) break;
     const Inner next = grown(inner, farthest.point);
-    // Rounding can end the growth early; the best sphere so far bounds the link all the same.
+    // Rounding can end the growth early. The best sphere so far bounds the link nevertheless.
     if (!std::isfinite(next.sphere.radius)) break;
     if (step > 0 && next.sphere.radius <= inner.sphere.radius) break;
     inner = next;
@@ -211,13 +216,13 @@ std::optional<BoundingSphere> placed(const BoundingSphere& sphere,
   constexpr double kRoundingPad = 16 * kUnitRoundoff;
   const Eigen::Matrix3d linear = world_from_link.linear();
   const Eigen::Vector3d translation = world_from_link.translation();
-  // Lengths grow at most by the root of 1 + deviation, which is 0 for a rotation.
+  // Lengths grow at most by the factor sqrt(1 + deviation). A rotation has deviation 0.
   const double deviation =
       (linear.transpose() * linear - Eigen::Matrix3d::Identity()).cwiseAbs().sum();
   const double radius = (1 + deviation / 2) * sphere.radius;
-  const double reach =
+  const double magnitude =
       (linear.cwiseAbs() * sphere.center.cwiseAbs() + translation.cwiseAbs()).sum();
-  const double pad = kRoundingPad * (radius + reach) + std::numeric_limits<double>::min();
+  const double pad = kRoundingPad * (radius + magnitude) + std::numeric_limits<double>::min();
   return ifFinite({linear * sphere.center + translation, radius + pad});
 }
 

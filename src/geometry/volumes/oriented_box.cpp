@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A search over orientations; each one costs an axis-aligned box of the turned link.
+// Searches over orientations: the size of a box is that of the axis-aligned box of the turned link.
 #include "link_bounds/geometry/volumes/oriented_box.h"
 
 #include <cmath>
@@ -15,14 +15,16 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kDirections = 16;               ///< per side of the square of all directions
-constexpr int kSpins = 12;                    ///< about each of them, in a quarter turn
-constexpr double kFirstStep = 0.08;           ///< rad, about half the way between samples
-constexpr double kLastStep = 1e-8;            ///< rad
-constexpr double kLeastGain = 1e-6;           ///< of the volume, to turn at all
-constexpr double kFlatPerDiagonal = 1e-9;     ///< what counts as no width at all
-constexpr double kFlatPerMagnitude = 1e-12;   ///< more than rounding and its pads are worth
-constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude, for turning there and back
+constexpr int kDirections = 16;      ///< per side of the square that all directions fold to
+constexpr int kSpins = 12;           ///< about each direction, in a quarter turn
+constexpr double kFirstStep = 0.08;  ///< about half the angle between two samples [rad]
+constexpr double kLastStep = 1e-8;   ///< [rad]
+constexpr double kMinGain = 1e-6;    ///< of the volume; the header promises it
+
+constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
+constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
+
+constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
 struct Candidate {
@@ -83,7 +85,7 @@ void keepBetter(const Candidate& candidate, Candidate& best) {
   if (candidate.volume < best.volume) best = candidate;
 }
 
-/// The shapes' own axes.
+/// Tries the axes of each shape.
 void tryShapes(const BoundedLink& link, Search& search, Candidate& best) {
   for (const Shape& shape : link.shapes) {
     const Eigen::Quaterniond axes(shape.link_from_shape.rotation());
@@ -91,8 +93,8 @@ void tryShapes(const BoundedLink& link, Search& search, Candidate& best) {
   }
 }
 
-/// Directions over the half sphere for the third axis of the box, and turns about it. Since any of
-/// the three may be the third one, every orientation has three samples around it.
+/// Tries directions all over the half sphere for the third axis of the box, and turns about each.
+/// Every orientation has three samples near it, because any axis may be the third one.
 void tryGrid(Search& search, Candidate& best) {
   for (int i = 0; i < kDirections * kDirections; ++i) {
     const double s = (2 * (i % kDirections) + 1.0) / kDirections - 1;
@@ -106,7 +108,7 @@ void tryGrid(Search& search, Candidate& best) {
   }
 }
 
-/// Axes of the box, its diagonals and those of its faces, in both senses.
+/// The axes of the box, its diagonals and those of its faces, each in both directions.
 std::vector<Eigen::Vector3d> turnAxes() {
   std::vector<Eigen::Vector3d> result;
   for (int i = 0; i < 27; ++i) {
@@ -116,7 +118,7 @@ std::vector<Eigen::Vector3d> turnAxes() {
   return result;
 }
 
-/// Turns by steps that shrink once none of them helps.
+/// Turns the best box in small steps, and halves the step when none improves it.
 void refine(Search& search, Candidate& best) {
   const std::vector<Eigen::Vector3d> axes = turnAxes();
   for (double step = kFirstStep; step > kLastStep;) {
@@ -157,7 +159,7 @@ std::optional<OrientedBox> orientedBox(const BoundedLink& link) {
   if (!turned_box) return ifFinite(at_rest);
   const OrientedBox turned = toOrientedBox(*turned_box, best.orientation, kPad * magnitude(link));
   const bool is_better =
-      search.volume(turned.size.array()) < (1 - kLeastGain) * search.volume(at_rest.size.array());
+      search.volume(turned.size.array()) < (1 - kMinGain) * search.volume(at_rest.size.array());
   return ifFinite(is_better ? turned : at_rest);
 }
 
@@ -166,14 +168,15 @@ std::optional<OrientedBox> placed(const OrientedBox& box,
   const Eigen::Matrix3d linear = world_from_link.linear();
   const Eigen::Vector3d translation = world_from_link.translation();
   const Eigen::Quaterniond rotation = Eigen::Quaterniond(linear).normalized();
-  // The part of the pose that is no rotation moves a point of the box by this part of its distance
-  // from the centre.
+  // Where the pose is not a rotation, it moves a point of the box by at most this fraction of the
+  // point's distance from the centre.
   const double deviation =
       (rotation.toRotationMatrix().transpose() * linear - Eigen::Matrix3d::Identity())
           .cwiseAbs()
           .sum();
-  const double reach = (linear.cwiseAbs() * box.center.cwiseAbs() + translation.cwiseAbs()).sum();
-  const double pad = (deviation + kPlacedPad) * box.size.sum() + kPlacedPad * reach;
+  const double magnitude =
+      (linear.cwiseAbs() * box.center.cwiseAbs() + translation.cwiseAbs()).sum();
+  const double pad = (deviation + kPlacedPad) * box.size.sum() + kPlacedPad * magnitude;
   return ifFinite({linear * box.center + translation, (rotation * box.orientation).normalized(),
                    (box.size.array() + pad + std::numeric_limits<double>::min()).matrix()});
 }
