@@ -23,7 +23,7 @@ inline DivisibleShape solid(Solid kind, const Eigen::Vector3d& size,
   return {{nullptr, kind, size, Eigen::Affine3d(Eigen::Translation3d(center))}, nullptr};
 }
 
-/// The same triangles, with each vertex once.
+/// The same triangles with equal vertices merged.
 inline TriangleMesh merged(const TriangleMesh& mesh) {
   TriangleMesh result;
   std::map<std::array<float, 3>, std::uint32_t> index;
@@ -59,7 +59,7 @@ inline TriangleMesh surface(std::uint32_t rows, std::uint32_t columns,
   return merged(mesh);
 }
 
-/// Hollow, of radius 1.
+/// The surface of a ball of radius 1.
 inline TriangleMesh ball(std::uint32_t rows, std::uint32_t columns) {
   return surface(rows, columns, [](double s, double t) -> Eigen::Vector3d {
     const double polar = M_PI * s;
@@ -69,7 +69,7 @@ inline TriangleMesh ball(std::uint32_t rows, std::uint32_t columns) {
   });
 }
 
-/// A tube of radius 0.1 along three quarters of a circle of radius 1, tilted: most of its box is
+/// A tilted tube of radius 0.1 along three quarters of a circle of radius 1. Most of its box is
 /// empty.
 inline TriangleMesh hook(std::uint32_t rows, std::uint32_t columns) {
   const Eigen::Matrix3d tilted = brute_force::turned(30, {1, 2, 3});

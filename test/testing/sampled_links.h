@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Links of any kind of shape, the points they consist of, and where a pose takes these.
+// Random links of all kinds of shapes, samples of their points, and poses to move them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace link_bounds {
 
-/// More digits than those that are judged.
+/// More digits than the doubles that are tested.
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 using LongMatrix = Eigen::Matrix<long double, 3, 3>;
 
@@ -34,7 +34,7 @@ inline BoundedLink linkOf(const std::vector<Shape>& shapes) {
   return {"l", shapes, 0, ""};
 }
 
-/// Meshes, solids and swept points; turned and moved, in half of the links sheared and mirrored.
+/// Meshes, solids and swept points, turned and moved. Half of the links are sheared or mirrored.
 inline BoundedLink randomLink(brute_force::Random& random) {
   BoundedLink link = linkOf({});
   const bool is_rigid = random.sign() > 0;
@@ -52,7 +52,7 @@ inline BoundedLink randomLink(brute_force::Random& random) {
   return link;
 }
 
-/// In the frame of the link; those of vertices are exact, those of curved solids samples.
+/// In the frame of the link: the exact vertices of meshes and boxes, and samples of curved solids.
 inline std::vector<LongVector> pointsOf(const BoundedLink& link) {
   std::vector<LongVector> result;
   for (const Shape& shape : link.shapes) {
@@ -82,7 +82,7 @@ inline Eigen::Isometry3d posed(const Eigen::Matrix3d& rotation,
   return result;
 }
 
-/// At rest, turned by 30 and by 45 degrees, and at random.
+/// Identity, turned by 30 and 45 degrees, and random.
 inline std::vector<Eigen::Isometry3d> manyPoses(brute_force::Random& random) {
   std::vector<Eigen::Isometry3d> result{
       Eigen::Isometry3d::Identity(),

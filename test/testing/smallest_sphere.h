@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracle of bounding spheres: Welzl's recursion over the points, in long double.
+// The smallest sphere around points by Welzl's algorithm (1991), in long double.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace link_bounds::brute_force {
 
 struct Sphere {
   LongVector center = LongVector::Zero();
-  long double radius = -1;  ///< of no point
+  long double radius = -1;  ///< negative: contains no point
 
   bool contains(const LongVector& point) const {
     constexpr long double kSlack = 1e-14L;
@@ -22,8 +22,8 @@ struct Sphere {
   }
 };
 
-/// The smallest sphere with up to four points on its surface; of points that depend on each other
-/// one is left out.
+/// The smallest sphere with up to four points on its surface. If they are in one plane or on one
+/// line, a redundant point is left out.
 inline Sphere throughPoints(const std::vector<LongVector>& points) {
   if (points.empty()) return {};
   Eigen::Matrix<long double, 3, 3> gram = LongMatrix::Identity();
@@ -38,7 +38,8 @@ inline Sphere throughPoints(const std::vector<LongVector>& points) {
   return {points[0] + offset, offset.norm()};
 }
 
-/// Around the first `count` points, with `surface` on its surface.
+/// The smallest sphere around the first `count` points that has the points `surface` on its
+/// surface.
 inline Sphere welzl(std::vector<LongVector>& points, std::size_t count,
                     std::vector<LongVector> surface) {
   Sphere sphere = throughPoints(surface);
@@ -70,7 +71,8 @@ inline void expectSphere(const BoundedLink& link, const Eigen::Vector3d& center,
   ASSERT_TRUE(sphere);
   EXPECT_GE(sphere->radius, radius);
   EXPECT_LE(sphere->radius, radius * (1 + kTolerance) + kRounding * magnitude(link));
-  // The smallest sphere is unique; one that is larger by a hair can be elsewhere by its root.
+  // The smallest sphere is unique. The centre of one that is larger by a fraction e can be off by
+  // sqrt(e) of the radius.
   EXPECT_LE((sphere->center - center).norm(),
             2 * std::sqrt(kTolerance) * radius + kRounding * magnitude(link));
 }

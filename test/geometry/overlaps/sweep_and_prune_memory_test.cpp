@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes that go on moving cost no memory from the heap.
+// Searching boxes that keep moving allocates nothing.
 #include <gtest/gtest.h>
 
 #include "link_bounds/geometry/overlaps/sweep_and_prune.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPeriod = 50;
 
-/// Boxes that swing, each in its own direction, by less or more than slack allows.
+/// Boxes that swing in different directions. Steps are smaller or larger than the slack.
 std::vector<Aabb> swinging(int step, double amplitude) {
   brute_force::Random random(1);
   std::vector<Aabb> boxes;
@@ -25,7 +25,7 @@ std::vector<Aabb> swinging(int step, double amplitude) {
   return boxes;
 }
 
-TEST(SweepAndPruneMemory, SteadyMotionTakesNone) {
+TEST(SweepAndPruneMemory, SteadyMotionAllocatesNothing) {
   for (const double amplitude : {0.01, 0.1, 1.0}) {
     std::vector<std::vector<Aabb>> steps;
     for (int i = 0; i < kPeriod; ++i)

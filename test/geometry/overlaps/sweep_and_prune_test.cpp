@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pairs and distances are those of comparing all with all, to the bit.
+// Pairs and distances are those of comparing every two boxes, to the bit.
 #include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +30,7 @@ using Overlaps = std::vector<BoxPair>;
 
 constexpr std::array<double, 4> kMargins{0, 0.01, 0.1, 2.5};
 
+/// signedDistance() by its formula, axis by axis.
 double distance(const Aabb& a, const Aabb& b) {
   double inside = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d outside = Eigen::Vector3d::Zero();
@@ -52,7 +53,7 @@ std::size_t expectExact(SweepAndPrune& search, const Boxes& boxes, double margin
 std::size_t expectExact(const Boxes& boxes, double margin) {
   SweepAndPrune search;
   const std::size_t count = expectExact(search, boxes, margin);
-  expectExact(search, boxes, margin);  // with what the first search left
+  expectExact(search, boxes, margin);  // again, from the candidates of the first search
   return count;
 }
 
@@ -186,7 +187,7 @@ TEST(SweepAndPrune, AlongEachAxis) {
   }
 }
 
-/// A step in some direction.
+/// A step in a random direction.
 Eigen::Vector3d step(Random& random, double length) {
   return random.rotation() * Eigen::Vector3d(length, 0, 0);
 }
@@ -239,7 +240,7 @@ TEST(SweepAndPrune, GrowingAndShrinkingBoxes) {
   }
 }
 
-/// Of arms beside each other, whose every joint turns by some degrees.
+/// The boxes of arms beside each other, with each joint turned by some degrees.
 Boxes arms(double degrees) {
   Boxes boxes;
   for (int arm = 0; arm < 4; ++arm) {

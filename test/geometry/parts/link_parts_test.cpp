@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts against the oracle: they cover every triangle, agree with the link's box, and are tight.
+// Parts contain every triangle, agree with the box of the link, and are tight.
 #include "link_bounds/geometry/parts/link_parts.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLevels[] = {1, 2, 4, 8, 16, 64, 256};
 
-/// By 30 and 45 degrees about the axes, then at random.
+/// Turned by 30 and 45 degrees about the axes, then random.
 std::vector<Eigen::Affine3d> poses() {
   std::vector<Eigen::Affine3d> result{Eigen::Affine3d::Identity()};
   for (const double degrees : {30, 45}) {
@@ -45,14 +45,14 @@ std::vector<DivisibleShape> mixedLink() {
           divisible(hook(24, 8), mirrored), solid(Solid::kEllipsoid, {1, 1, 1}, {-2, 1, 0})};
 }
 
-/// What each face may lie outside the exact one, for all shapes of the link.
+/// How far a face of any shape may be outside the exact one [m].
 double allowed(const std::vector<DivisibleShape>& shapes, const Eigen::Affine3d& pose, int axis) {
   double largest = 0;
   for (const DivisibleShape& divisible : shapes) {
-    const double reach = (divisible.mesh ? largestCoordinate(divisible.mesh->vertices) : 0) +
-                         divisible.shape.size.maxCoeff() / 2;
+    const double magnitude = (divisible.mesh ? largestCoordinate(divisible.mesh->vertices) : 0) +
+                             divisible.shape.size.maxCoeff() / 2;
     const Eigen::Affine3d world_from_shape = pose * divisible.shape.link_from_shape;
-    largest = std::max(largest, allowedExcess(world_from_shape, axis, reach));
+    largest = std::max(largest, allowedExcess(world_from_shape, axis, magnitude));
   }
   return largest;
 }
@@ -84,13 +84,13 @@ std::size_t uncovered(const DivisibleShape& shape, const std::vector<Aabb>& boxe
 
 TEST(LinkParts, EveryTriangleIsInsideOnePartInAnyPose) {
   const auto shapes = mixedLink();
-  for (const std::size_t most : {2, 7, 64}) {
-    const auto parts = splitIntoParts(shapes, most);
+  for (const std::size_t max_parts : {2, 7, 64}) {
+    const auto parts = splitIntoParts(shapes, max_parts);
     for (const Eigen::Affine3d& pose : poses()) {
       const auto boxes = boxesOf(parts, pose);
       for (const DivisibleShape& shape : shapes) {
         if (!shape.mesh) continue;
-        ASSERT_EQ(uncovered(shape, boxes, pose), 0u) << most << "\n" << pose.matrix();
+        ASSERT_EQ(uncovered(shape, boxes, pose), 0u) << max_parts << "\n" << pose.matrix();
       }
     }
   }
@@ -98,8 +98,8 @@ TEST(LinkParts, EveryTriangleIsInsideOnePartInAnyPose) {
 
 TEST(LinkParts, TheUnionContainsTheBruteForceBox) {
   const auto shapes = mixedLink();
-  for (const std::size_t most : {3, 64}) {
-    const auto parts = splitIntoParts(shapes, most);
+  for (const std::size_t max_parts : {3, 64}) {
+    const auto parts = splitIntoParts(shapes, max_parts);
     for (const Eigen::Affine3d& pose : poses()) {
       Aabb all;
       for (const Aabb& box : boxesOf(parts, pose))
@@ -117,23 +117,23 @@ TEST(LinkParts, EachFaceOfTheUnionAgreesWithThatOfTheLink) {
   const auto shapes = mixedLink();
   const auto whole = splitIntoParts(shapes, 1);
   ASSERT_EQ(whole.size(), 1u);
-  for (const std::size_t most : kLevels) {
-    const auto parts = splitIntoParts(shapes, most);
+  for (const std::size_t max_parts : kLevels) {
+    const auto parts = splitIntoParts(shapes, max_parts);
     for (const Eigen::Affine3d& pose : poses()) {
       const Aabb link = boxOf(whole.front(), pose);
       Aabb all;
       for (const Aabb& box : boxesOf(parts, pose))
         all.extend(box);
       for (int k = 0; k < 3; ++k) {
-        ASSERT_NEAR(all.min()[k], link.min()[k], allowed(shapes, pose, k)) << most;
-        ASSERT_NEAR(all.max()[k], link.max()[k], allowed(shapes, pose, k)) << most;
+        ASSERT_NEAR(all.min()[k], link.min()[k], allowed(shapes, pose, k)) << max_parts;
+        ASSERT_NEAR(all.max()[k], link.max()[k], allowed(shapes, pose, k)) << max_parts;
       }
     }
   }
 }
 
 TEST(LinkParts, EachPartIsTightAroundItsTriangles) {
-  // The triangles of a soup share no vertex, so that a part's points tell whose they are.
+  // The triangles of a soup share no vertex, so each point belongs to one triangle.
   const auto shape = divisible(soup(300, 4));
   const auto parts = splitIntoParts({shape}, 32);
   EXPECT_GT(parts.size(), 16u);
@@ -161,10 +161,10 @@ void expectFalling(const std::vector<DivisibleShape>& shapes, double at_64, cons
   const Eigen::Affine3d rest = Eigen::Affine3d::Identity();
   const double whole = volumeOf(splitIntoParts(shapes, 1), rest);
   double last = whole;
-  for (const std::size_t most : kLevels) {
-    const double sum = volumeOf(splitIntoParts(shapes, most), rest);
-    EXPECT_LE(sum, last * (1 + 1e-12)) << name << ", " << most;
-    if (most == 64) {
+  for (const std::size_t max_parts : kLevels) {
+    const double sum = volumeOf(splitIntoParts(shapes, max_parts), rest);
+    EXPECT_LE(sum, last * (1 + 1e-12)) << name << ", " << max_parts;
+    if (max_parts == 64) {
       EXPECT_LE(sum, at_64 * whole) << name;
     }
     last = sum;
@@ -179,20 +179,20 @@ TEST(LinkParts, TheSumOfVolumesFallsLevelByLevel) {
 }
 
 TEST(LinkParts, OnTheAverageOfPosesItFallsTooOrRisesLittle) {
-  constexpr double kRise = 1.2;  // eighths of a ball become worse once it is turned
+  constexpr double kRise = 1.2;  // the boxes of eighths of a ball grow when the ball is turned
   for (const TriangleMesh& mesh : {hook(60, 12), ball(40, 80), soup(500, 7)}) {
     const std::vector<DivisibleShape> shapes{divisible(mesh)};
     double last = std::numeric_limits<double>::infinity();
     double whole = 0;
-    for (const std::size_t most : kLevels) {
-      const auto parts = splitIntoParts(shapes, most);
+    for (const std::size_t max_parts : kLevels) {
+      const auto parts = splitIntoParts(shapes, max_parts);
       brute_force::Random same(8);
       double sum = 0;
       for (int i = 0; i < 50; ++i)
         sum += volumeOf(parts, same.rigid(0));
-      EXPECT_LT(sum, last * kRise) << most;
+      EXPECT_LT(sum, last * kRise) << max_parts;
       last = sum;
-      if (most == 1) whole = sum;
+      if (max_parts == 1) whole = sum;
     }
     EXPECT_LT(last, 0.5 * whole);
   }

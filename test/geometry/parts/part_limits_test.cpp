@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many parts there are, what they take in memory, and shapes that cannot be split.
+// The number of parts, their memory, and shapes that cannot be split.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::size_t countOf(const std::vector<LinkPart>& parts, const DivisibleShape& sh
   return count;
 }
 
-/// Of points that are not those of the link.
+/// The memory of points that are not shared with the link.
 std::size_t bytesOf(const std::vector<LinkPart>& parts, const DivisibleShape& link) {
   std::set<const PointSet*> seen{link.shape.points.get()};
   std::size_t bytes = 0;
@@ -46,11 +46,11 @@ void expectUndivided(const std::vector<DivisibleShape>& shapes) {
   EXPECT_EQ(parts.front().size(), shapes.size());
 }
 
-TEST(PartLimits, ThereAreAtMostSoManyParts) {
+TEST(PartLimits, ThereAreAtMostMaxParts) {
   const std::vector<DivisibleShape> hooks{divisible(hook(60, 12)), divisible(soup(200, 1))};
-  for (std::size_t most = 2; most <= 256; most = most * 3 / 2 + 1) {
-    const auto parts = splitIntoParts(hooks, most);
-    EXPECT_LE(parts.size(), most);
+  for (std::size_t max_parts = 2; max_parts <= 256; max_parts = max_parts * 3 / 2 + 1) {
+    const auto parts = splitIntoParts(hooks, max_parts);
+    EXPECT_LE(parts.size(), max_parts);
     for (const LinkPart& part : parts)
       EXPECT_FALSE(part.empty());
   }
@@ -74,9 +74,9 @@ TEST(PartLimits, SolidsAreIndivisibleAndEachInOnePart) {
   std::vector<DivisibleShape> shapes;
   for (int i = 0; i < 5; ++i)
     shapes.push_back(solid(Solid::kCylinder, {0.2, 0.2, 1.0 + i}, {1.0 * i * i, 0.5 * i, 0}));
-  for (const std::size_t most : {2, 3, 5, 256}) {
-    const auto parts = splitIntoParts(shapes, most);
-    EXPECT_EQ(parts.size(), std::min<std::size_t>(most, 5));
+  for (const std::size_t max_parts : {2, 3, 5, 256}) {
+    const auto parts = splitIntoParts(shapes, max_parts);
+    EXPECT_EQ(parts.size(), std::min<std::size_t>(max_parts, 5));
     for (const DivisibleShape& shape : shapes)
       EXPECT_EQ(countOf(parts, shape), 1u);
   }
@@ -92,14 +92,14 @@ TEST(PartLimits, TheMemoryOfTheParts) {
   const TriangleMesh meshes[] = {hook(200, 40), ball(60, 120), soup(5000, 2)};
   for (const TriangleMesh& mesh : meshes) {
     const DivisibleShape shape = divisible(mesh);
-    for (const std::size_t most : {2, 3, 8, 64, 256}) {
-      const auto parts = splitIntoParts({shape}, most);
-      EXPECT_LE(bytesOf(parts, shape), kBytesPerPart * parts.size()) << most;
+    for (const std::size_t max_parts : {2, 3, 8, 64, 256}) {
+      const auto parts = splitIntoParts({shape}, max_parts);
+      EXPECT_LE(bytesOf(parts, shape), kBytesPerPart * parts.size()) << max_parts;
     }
   }
 }
 
-TEST(PartLimits, AMeshThatCannotBeSplitInThatMemoryStaysWhole) {
+TEST(PartLimits, AMeshWhosePartsDoNotFitInMemoryIsNotSplit) {
   // Two balls. Every vertex can be extreme: 3 * 16 kB are too little for 10000 of them.
   TriangleMesh mesh = ball(50, 100);
   const TriangleMesh one = mesh;
@@ -117,7 +117,7 @@ TEST(PartLimits, AMeshThatCannotBeSplitInThatMemoryStaysWhole) {
   EXPECT_GT(many.size(), 32u);
 }
 
-TEST(PartLimits, AMeshThatIsWholeInOnePartSharesThePointsOfTheLink) {
+TEST(PartLimits, AMeshThatIsCompleteInOnePartSharesThePointsOfTheLink) {
   const DivisibleShape left = divisible(ball(10, 20));
   const DivisibleShape right =
       divisible(ball(10, 20), Eigen::Affine3d(Eigen::Translation3d(5, 1, 0)));

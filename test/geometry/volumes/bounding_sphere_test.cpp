@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounding spheres against closed forms, against Welzl's smallest sphere, and never too small.
+// Bounding spheres contain their link, and are as small as formulas and Welzl's algorithm say.
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using brute_force::turned;
 
 constexpr int kLinks = kIsSanitized ? 20 : 100;
 
-/// Without slack: more digits show whether a point is outside by less than a double can tell.
+/// Exact comparison: in long double, rounding cannot hide a point that is outside.
 void expectContains(const BoundingSphere& sphere, const LongVector& point) {
   const LongVector offset = point - sphere.center.cast<long double>();
   EXPECT_LE(offset.norm(), static_cast<long double>(sphere.radius));
@@ -123,7 +123,7 @@ TEST(BoundingSphere, OfPointsSweptByABall) {
   expectSphere(linkOf({shape}), {3, 4, 0}, 5.5);
 }
 
-/// The smallest sphere around samples is no larger than the smallest one around the link.
+/// The smallest sphere around samples of the link is no larger than that around the link.
 TEST(BoundingSphere, OfAnyLinkIsTheSmallest) {
   Random random(7);
   const double loss = 2 * samplingLoss(kLinkSteps);  // two angles are sampled

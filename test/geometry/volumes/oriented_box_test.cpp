@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Oriented boxes: never too small, never larger than the box at rest, and as good as a long search.
+// Oriented boxes contain their link, are never larger than the box at rest, and are as good as the
+// best of a long search.
 #include "link_bounds/geometry/volumes/oriented_box.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ constexpr double kRounding = 1e-12;  // metres
 constexpr int kLinks = kIsSanitized ? 5 : 30;
 const Eigen::Isometry3d kIdentity = Eigen::Isometry3d::Identity();
 
-/// Without slack: more digits show whether a point is outside by less than a double can tell.
+/// Exact comparison: in long double, rounding cannot hide a point that is outside.
 void expectContains(const OrientedBox& box, const std::vector<LongVector>& points,
                     const Eigen::Isometry3d& pose) {
   const Eigen::Quaternion<long double> orientation =
@@ -133,7 +134,7 @@ TEST(OrientedBox, OfATurnedSolidHasItsAxes) {
   }
 }
 
-/// Of a regular tetrahedron the smallest box is the cube whose face diagonals are its edges.
+/// The edges of the tetrahedron are face diagonals of the cube.
 TEST(OrientedBox, OfATetrahedronIsTheCubeAroundIt) {
   std::vector<Eigen::Vector3f> points;
   for (const Eigen::Vector3d& p : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1),
@@ -144,7 +145,7 @@ TEST(OrientedBox, OfATetrahedronIsTheCubeAroundIt) {
   EXPECT_NEAR(box->size.prod(), 8, 8 * 1e-5);
 }
 
-/// Few points leave many orientations that are best nearby, but not of all.
+/// With few points there are many local minima.
 TEST(OrientedBox, IsAsGoodAsALongSearchAtRandom) {
   Random random(5);
   for (int i = 0; i < kLinks; ++i) {
@@ -181,7 +182,7 @@ TEST(OrientedBox, OfAPlateTurnedInItsPlane) {
   EXPECT_LE((sortedWidths(*box) - Eigen::Vector3d(0, 1, 3)).norm(), kTolerance);
 }
 
-/// Rounding pads differ between orientations; they must not decide.
+/// What is added against rounding depends on the orientation. It must not decide which is best.
 TEST(OrientedBox, OfAFlatLinkHasTheLeastArea) {
   Random random(10);
   for (const Eigen::Vector3d& size :
