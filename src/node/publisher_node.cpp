@@ -72,8 +72,7 @@ void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   const ros::Time now = ros::Time::now();
   tf_.distrustStampsAhead(now);
   tf_receiver_.forgetLog();
-  scene_.links.adopt(model_, tf_, now);
-  scene_.objects.adopt(model_->fixed_frame, model_->parameters.timeout, tf_, now);
+  scene_.adopt(model_, now);
   object_source_.reloadMeshes();
   output_.adopt();
 }
@@ -82,19 +81,16 @@ void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static)
   const ros::Time now = ros::Time::now();
   observeClock(now);
   tf_receiver_.add(event, is_static, clock_, now, tf_);
-  const bool links_changed = scene_.links.update(tf_, now);
-  const bool objects_changed = scene_.objects.update(tf_, now);
-  if (links_changed || objects_changed) onNews();
+  if (scene_.update(now)) onNews();
 }
 
 void PublisherNode::onTick() {
   const ros::Time now = ros::Time::now();
   observeClock(now);
-  const bool links_changed = scene_.links.expire(tf_, now);
-  const bool objects_changed = scene_.objects.expire(tf_, now);
+  const bool is_changed = scene_.expire(now);
   object_source_.warnOfGivenUp();
   freeMemory();
-  if (links_changed || objects_changed) onNews();
+  if (is_changed) onNews();
   if (clock_.isMissing()) {
     ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
   }
@@ -112,17 +108,14 @@ void PublisherNode::observeClock(ros::Time now) {
     case ClockWatch::Event::kNone:
       return;
     case ClockWatch::Event::kStarted:
-      tf_.tree().clockStarted(static_cast<std::int64_t>(now.toNSec()));
-      if (scene_.objects.restart(tf_, now)) onNews();
+      tf_.startClock(now);
+      if (scene_.restart(now)) onNews();
       return;
-    case ClockWatch::Event::kJumpedBack: {
+    case ClockWatch::Event::kJumpedBack:
       ROS_WARN("the clock jumped back; forgetting all transforms that are not static");
       tf_.clear();
-      const bool links_changed = scene_.links.updateAll(tf_, now);
-      const bool objects_changed = scene_.objects.restart(tf_, now);
-      if (links_changed || objects_changed) onNews();
+      if (scene_.restart(now)) onNews();
       return;
-    }
   }
 }
 
@@ -132,12 +125,12 @@ void PublisherNode::onMarkers(Marker* markers, std::size_t count, const std::str
   observeClock(now);
   bool is_changed = false;
   for (std::size_t i = 0; i < count; ++i)
-    is_changed |= object_source_.take(std::move(markers[i]), publisher, tf_, now);
+    is_changed |= object_source_.take(std::move(markers[i]), publisher, now);
   if (is_changed) onNews();
 }
 
 void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
-  if (object_source_.fillMesh(uri, mesh, tf_, ros::Time::now())) onNews();
+  if (object_source_.fillMesh(uri, mesh, ros::Time::now())) onNews();
 }
 
 /// Nothing is published before the first model.

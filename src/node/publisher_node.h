@@ -55,8 +55,8 @@ class PublisherNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
-  TransformSource tf_;
-  Scene scene_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
   ObjectSource object_source_;
   ObjectMemory object_memory_;
   ModelLoader::ModelPtr model_;

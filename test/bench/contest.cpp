@@ -6,7 +6,9 @@
 #include <time.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <stdexcept>
 
 #include "tf_traffic.h"
 
@@ -60,11 +62,41 @@ class Contender {
   int batches_ = 1;
 };
 
+/// The same numbers. Throws if they are not.
+void expectSame(const AxisAlignedBoxArray& boxes, const AxisAlignedBoxArray& others,
+                const std::string& method) {
+  bool is_same = boxes.boxes.size() == others.boxes.size();
+  for (std::size_t i = 0; is_same && i < boxes.boxes.size(); ++i) {
+    const AxisAlignedBox &a = boxes.boxes[i], &b = others.boxes[i];
+    is_same = a.name == b.name && a.stamp == b.stamp && a.min.x == b.min.x && a.min.y == b.min.y &&
+              a.min.z == b.min.z && a.max.x == b.max.x && a.max.y == b.max.y && a.max.z == b.max.z;
+  }
+  if (!is_same) throw std::runtime_error(method + " has other boxes than ours");
+}
+
+/// All that are exact must answer the same messages with the same boxes.
+void compareBoxes(const TfRobot& robot, const MeasuredMeshes& meshes) {
+  std::vector<NamedPipeline> pipelines = makePipelines(robot, meshes);
+  TfTraffic traffic(robot, true);
+  traffic.prepare();
+  for (std::size_t k = 0; k < TfTraffic::kMessages; ++k) {
+    std::optional<AxisAlignedBoxArray> expected;
+    for (NamedPipeline& named : pipelines) {
+      named.pipeline->answer(traffic.bytes(k), traffic.stamp(k));
+      const AxisAlignedBoxArray* boxes = named.pipeline->boxes();
+      if (!boxes) continue;
+      if (!expected) expected = *boxes;
+      expectSame(*expected, *boxes, named.method);
+    }
+  }
+}
+
 }  // namespace
 
 Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes,
                 int repetitions) {
   const TfRobot robot = tfRobot(links, depth);
+  compareBoxes(robot, meshes);
   std::vector<Contender> contenders;
   for (NamedPipeline& pipeline : makePipelines(robot, meshes))
     contenders.emplace_back(std::move(pipeline), robot);

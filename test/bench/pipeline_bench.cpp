@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::array<std::size_t, 4> kLinkCounts{7, 50, 200, 1000};
 constexpr std::array<std::size_t, 2> kDepths{10, 30};
-constexpr std::array<const char*, 5> kMethods{"deserialize", "relay", "ours_standing", "ours",
-                                              "usual_tf2"};
+constexpr std::array<const char*, 7> kMethods{"deserialize", "relay",       "ours_standing", "ours",
+                                              "time_cache",  "buffer_core", "usual_tf2"};
 constexpr std::size_t kMostLinksOfATarget = 200;
 constexpr std::size_t kSharedMeshes = 16;
 

@@ -7,16 +7,11 @@
 
 #include "node/outputs/box_message.h"
 #include "node/scene/scene.h"
+#include "tf2_pipelines.h"
 #include "usual_tf2.h"
 
 namespace link_bounds::bench {
 namespace {
-
-template <class Message>
-void deserialize(Bytes& bytes, Message& message) {
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::deserialize(stream, message);
-}
 
 class Deserialize : public Pipeline {
  public:
@@ -98,9 +93,7 @@ std::shared_ptr<const Model> modelOf(const TfRobot& robot, const MeasuredMeshes&
 
 class Ours : public Pipeline {
  public:
-  Ours(const TfRobot& robot, const MeasuredMeshes& meshes) {
-    scene_.links.adopt(modelOf(robot, meshes), tf_, ros::Time(1));
-  }
+  explicit Ours(const std::shared_ptr<const Model>& model) { scene_.adopt(model, ros::Time(1)); }
 
   void receive(Bytes& bytes, ros::Time now) override {
     deserialize(bytes, message_);
@@ -109,16 +102,18 @@ class Ours : public Pipeline {
 
   void answer(Bytes& bytes, ros::Time now) override {
     receive(bytes, now);
-    if (!scene_.links.update(tf_, now)) throw std::runtime_error("the update brought nothing new");
+    if (!scene_.update(now)) throw std::runtime_error("the update brought nothing new");
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
     if (!boxes_.incomplete.empty()) throw std::runtime_error("a link has no box");
   }
 
+  const AxisAlignedBoxArray* boxes() const override { return &boxes_; }
+
  private:
   TfMessage message_;
-  TransformSource tf_;
-  Scene scene_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
   AxisAlignedBoxArray boxes_;
   AxisAlignedBoxArray groups_;
 };
@@ -126,14 +121,17 @@ class Ours : public Pipeline {
 }  // namespace
 
 std::vector<NamedPipeline> makePipelines(const TfRobot& robot, const MeasuredMeshes& meshes) {
+  const std::shared_ptr<const Model> model = modelOf(robot, meshes);
   std::vector<NamedPipeline> result;
   const auto add = [&result](const char* method, bool moves, std::unique_ptr<Pipeline> pipeline) {
     result.push_back({method, moves, std::move(pipeline)});
   };
   add("deserialize", true, std::make_unique<Deserialize>());
   add("relay", true, std::make_unique<Relay>(robot));
-  add("ours", true, std::make_unique<Ours>(robot, meshes));
-  add("ours_standing", false, std::make_unique<Ours>(robot, meshes));
+  add("ours", true, std::make_unique<Ours>(model));
+  add("ours_standing", false, std::make_unique<Ours>(model));
+  add("time_cache", true, makeTimeCachePipeline(robot, *model));
+  add("buffer_core", true, makeBufferCorePipeline(robot, *model));
   add("usual_tf2", true, std::make_unique<UsualTf2>(robot, meshes));
   return result;
 }

@@ -3,6 +3,7 @@
 // Ways from the bytes of a TFMessage to an answer; what a node does between receiving and sending.
 #pragma once
 
+#include <link_bounds/AxisAlignedBoxArray.h>
 #include <ros/serialization.h>
 
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "measured_mesh.h"
+#include "node/loading/model.h"
 #include "tf_robot.h"
 
 namespace link_bounds::bench {
@@ -25,7 +27,16 @@ class Pipeline {
 
   /// Receives and answers.
   virtual void answer(Bytes& bytes, ros::Time now) = 0;
+
+  /// The last answer if it is exact, else null.
+  virtual const AxisAlignedBoxArray* boxes() const { return nullptr; }
 };
+
+template <class Message>
+void deserialize(Bytes& bytes, Message& message) {
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(stream, message);
+}
 
 struct NamedPipeline {
   std::string method;
@@ -36,7 +47,8 @@ struct NamedPipeline {
 /// `deserialize`: into a message that is used again. `relay`: a fresh message, as roscpp makes it,
 /// answered by stamps in an AxisAlignedBoxArray of as many boxes. `usual_tf2`: a fresh message,
 /// tf2, loose boxes in a fresh MarkerArray. `ours`: the node from its subscription to the filled
-/// ~boxes and ~groups; `ours_standing` the same for a robot that only sends new stamps.
+/// ~boxes and ~groups; `ours_standing` the same for a robot that only sends new stamps. The others
+/// are those of tf2_pipelines.h.
 std::vector<NamedPipeline> makePipelines(const TfRobot& robot, const MeasuredMeshes& meshes);
 
 }  // namespace link_bounds::bench

@@ -5,7 +5,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 
-#include "node/scene/live_boxes.h"
+#include "node/scene/scene.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

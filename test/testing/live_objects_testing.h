@@ -42,19 +42,39 @@ inline LoadedMesh loadedMesh() {
 
 class LiveObjectsTest : public testing::Test {
  protected:
-  LiveObjectsTest() { objects_.adopt("map", 2, tf_, now_); }
+  LiveObjectsTest() { adopt("map", 2); }
 
-  bool put(const ObjectContent& content) { return objects_.put(kKey, content, tf_, now_); }
+  void adopt(const std::string& fixed_frame, double timeout) {
+    frames_.setTarget(fixed_frame, timeout, now_);
+    objects_.adopt(now_);
+  }
+
+  bool put(const ObjectContent& content) { return objects_.put(kKey, content, now_); }
+
+  bool update() {
+    frames_.update(now_);
+    return objects_.update(now_);
+  }
+
+  bool expire() {
+    frames_.expire(now_);
+    return objects_.expire(now_);
+  }
+
+  bool restart() {
+    frames_.updateAll(now_);
+    return objects_.restart(now_);
+  }
 
   bool hear(const std::string& parent, const std::string& child, double stamp, double degrees,
             double x = 0) {
     tf_.add({edge(parent, child, stamp, turnedBy(degrees), {x, 0, 0})}, false, now_);
-    return objects_.update(tf_, now_);
+    return update();
   }
 
   bool pass(double seconds) {
     now_ += ros::Duration(seconds);
-    return objects_.expire(tf_, now_);
+    return expire();
   }
 
   const LiveObject& object() const { return objects_.objects().at(kKey); }
@@ -71,8 +91,9 @@ class LiveObjectsTest : public testing::Test {
   }
 
   ros::Time now_{100};
-  TransformSource tf_;
-  LiveObjects objects_;
+  TransformBuffer tf_;
+  FrameTracker frames_{tf_};
+  LiveObjects objects_{frames_};
 };
 
 }  // namespace link_bounds

@@ -8,7 +8,7 @@
 
 #include "link_bounds/geometry/box/box_groups.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
-#include "node/tf/followed_frame.h"
+#include "node/tf/frame_tracker.h"
 
 namespace link_bounds {
 
@@ -33,35 +33,26 @@ bool isSame(const ObjectContent& a, const ObjectContent& b);
 
 /// Where an object was placed once. Another fixed frame later does not change this.
 struct Placement {
-  FollowedFrame::Frame fixed_frame;  ///< of that time
-  std::string fixed_frame_name;
-  Eigen::Isometry3d fixed_from_header;
+  FrameTracker::Frame fixed_frame;  ///< of that time
+  Eigen::Affine3d fixed_from_header;
 };
 
 /// One object and its box. Times are nanoseconds of ROS time.
 struct LiveObject {
-  enum class Trouble {
-    kNone,
-    kNoTransform,
-    kStale,
-    kPoseNotFinite,
-    kWaiting,     ///< for the transform at its stamp
-    kGivenUp,     ///< it has waited too long
-    kNotCarried,  ///< no transform yet from the fixed frame of its placement to the present one
-  };
+  LiveObject() = default;
+  LiveObject(const LiveObject&) = delete;
+  LiveObject& operator=(const LiveObject&) = delete;
 
   ObjectContent content;
-  LinkBoxes boxes;                 ///< of the one link that content.bounded is
-  FollowedFrame::Frame frame = 0;  ///< content.frame
+  LinkBoxes boxes;                ///< of the one link that content.bounded is
+  FrameTracker::Frame frame = 0;  ///< content.frame
+  FrameTracker::Handle header;    ///< the same, of an object that follows it
   std::optional<Placement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
   std::int64_t waiting_since = 0;  ///< for the transform at its stamp
-  Trouble trouble = Trouble::kNone;
+  TransformProblem problem = TransformProblem::kNone;
   BoxState state;
-
-  /// Why the object is incomplete, in words; "" if it is not.
-  std::string reason() const;
 };
 
 }  // namespace link_bounds

@@ -35,14 +35,13 @@ ObjectSource::ObjectSource(LiveObjects& objects,
                            std::function<void(const std::string& uri)> request_mesh)
     : objects_(objects), request_mesh_(std::move(request_mesh)) {}
 
-bool ObjectSource::take(Marker&& marker, const std::string& publisher, TransformSource& tf,
-                        ros::Time now) {
+bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
   if (marker.action == Marker::DELETEALL) return objects_.removeAll();
   if (isOurs(marker)) return false;
   const ObjectKey key{marker.ns, marker.id};
   if (marker.action == Marker::DELETE) return objects_.remove(key);
   if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);
-  return objects_.put(key, contentOf(key, std::move(marker), publisher), tf, now);
+  return objects_.put(key, contentOf(key, std::move(marker), publisher), now);
 }
 
 ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
@@ -81,21 +80,20 @@ void ObjectSource::request(const std::string& uri) {
   request_mesh_(uri);
 }
 
-bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh,
-                            const TransformSource& tf, ros::Time now) {
+bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
   meshes_[uri] = {mesh.points, mesh.error, false};
   if (!mesh.error.empty()) {
     const auto line = mesh_log_.line(uri, mesh.error, "an object", ros::SteadyTime::now());
     if (line) ROS_ERROR_STREAM(*line);
   }
-  return objects_.fillMesh(uri, mesh, tf, now);
+  return objects_.fillMesh(uri, mesh, now);
 }
 
 void ObjectSource::warnOfGivenUp() {
   for (const LiveObject* object : objects_.takeGivenUp()) {
     const auto line =
         marker_log_.line(object->content.bounded.name,
-                         object->reason() + "; publish that frame, or stamp 0 to follow it",
+                         objects_.reason(*object) + "; publish that frame, or stamp 0 to follow it",
                          object->content.publisher, ros::SteadyTime::now());
     if (line) ROS_WARN_STREAM(*line);
   }

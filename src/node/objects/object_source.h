@@ -23,11 +23,9 @@ class ObjectSource {
   ObjectSource(LiveObjects& objects, std::function<void(const std::string& uri)> request_mesh);
 
   /// Takes the points of a list out of the marker.
-  bool take(visualization_msgs::Marker&& marker, const std::string& publisher, TransformSource& tf,
-            ros::Time now);
+  bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
 
-  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, const TransformSource& tf,
-                ros::Time now);
+  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// Says which objects waited in vain for a transform.
   void warnOfGivenUp();

@@ -4,30 +4,25 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "node/loading/model.h"
-#include "node/tf/pose_tree.h"
+#include "node/tf/frame_tracker.h"
 
 namespace link_bounds {
 
 class LiveBoxes {
  public:
-  /// What keeps a link from having a box, besides its own geometry.
-  enum class Trouble { kNone, kNoTransform, kStale, kPoseNotFinite };
+  explicit LiveBoxes(FrameTracker& frames) : frames_(frames) {}
 
-  /// Starts over with a model; boxes are there at once where tf knows the link.
-  void adopt(std::shared_ptr<const Model> model, TransformSource& tf, ros::Time now);
+  /// Starts over with a model, in whose fixed frame poses must be tracked. Boxes are there at once
+  /// where tf knows the link.
+  void adopt(std::shared_ptr<const Model> model);
 
-  /// To be called after each tf message. Recomputes what the message touched; true if any box,
-  /// stamp or trouble changed. Without a model nothing ever does.
-  bool update(const TransformSource& tf, ros::Time now);
-
-  /// Recomputes everything, as is needed after a clock jump; true if anything changed.
-  bool updateAll(const TransformSource& tf, ros::Time now);
-
-  /// Drops boxes of links that have become stale; true if there were any.
-  bool expire(const TransformSource& tf, ros::Time now);
+  /// To be called after each update of the poses. Computes the boxes whose poses changed; true if
+  /// any box, stamp or problem changed. Without a model nothing ever does.
+  bool update();
 
   /// Null until the first adopt().
   const Model* model() const { return model_.get(); }
@@ -37,22 +32,22 @@ class LiveBoxes {
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
   const Eigen::Affine3d& pose(std::size_t i) const {
-    return poses_.node(i)->fixed_from_frame.affine;
+    return poses_[i].pose().fixed_from_frame.affine;
   }
 
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;
 
  private:
-  bool refreshNews(ros::Time now);
-  bool refresh(std::size_t i, std::int64_t stale_before);
+  bool refresh(std::size_t i);
   bool boundWaiting();
-  bool drop(std::size_t i, Trouble trouble);
-  void describe(std::size_t i, Trouble trouble);
+  bool drop(std::size_t i, TransformProblem problem);
+  void describe(std::size_t i, TransformProblem problem);
 
+  FrameTracker& frames_;
   std::shared_ptr<const Model> model_;
-  PoseTree poses_;  ///< of the links
-  std::vector<Trouble> troubles_;
+  std::vector<FrameTracker::Handle> poses_;  ///< of the links; empty for links without shapes
+  std::vector<TransformProblem> problems_;
   LinkBoxes boxes_;
   std::vector<BoxState> states_;
   std::vector<MovedLink> waiting_;  ///< for a box, at the end of one update

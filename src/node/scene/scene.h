@@ -3,14 +3,28 @@
 // Everything that has a box: the links of the robot, then objects.
 #pragma once
 
+#include <memory>
+
 #include "node/objects/live_objects.h"
 #include "node/scene/live_boxes.h"
 
 namespace link_bounds {
 
+/// All functions that return bool tell whether a box, a stamp or an incomplete name changed.
 struct Scene {
-  LiveBoxes links;
-  LiveObjects objects;
+  explicit Scene(TransformBuffer& tf) : frames(tf), links(frames), objects(frames) {}
+
+  /// Starts over with a model. Objects stay.
+  void adopt(std::shared_ptr<const Model> model, ros::Time now);
+
+  /// To be called after each tf message.
+  bool update(ros::Time now);
+
+  /// After the clock jumped back, when tf was cleared, or began to run.
+  bool restart(ros::Time now);
+
+  /// To be called now and then: finds what has become too old.
+  bool expire(ros::Time now);
 
   /// Null until the first model is there; nothing is published before.
   const Model* model() const { return links.model(); }
@@ -23,6 +37,10 @@ struct Scene {
     for (const auto& [key, object] : objects.objects())
       visit(object.content.bounded.name, object.state);
   }
+
+  FrameTracker frames;
+  LiveBoxes links;
+  LiveObjects objects;
 };
 
 /// The state of a group of links and objects; see BoxGroup.

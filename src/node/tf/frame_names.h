@@ -38,6 +38,7 @@ class FrameNames {
     return {guess, parents_[guess]};
   }
 
+  const std::string& name(Frame frame) const { return names_[frame]; }
   std::size_t size() const { return names_.size(); }
 
  private:

@@ -32,7 +32,7 @@ ros::Subscriber TfReceiver::subscribe(ros::NodeHandle& node, const TopicName& to
 }
 
 void TfReceiver::add(const Event& event, bool is_static, const ClockWatch& clock, ros::Time now,
-                     TransformSource& tf) {
+                     TransformBuffer& tf) {
   const auto is_late = [&](const TransformView& transform) {
     return clock.isFromBeforeJump(transform.stamp, now);
   };
@@ -47,7 +47,7 @@ void TfReceiver::add(const Event& event, bool is_static, const ClockWatch& clock
 }
 
 void TfReceiver::addAll(const std::vector<TransformView>& transforms, bool is_static, ros::Time now,
-                        const Event& event, TransformSource& tf) {
+                        const Event& event, TransformBuffer& tf) {
   for (const Refusal& refusal : tf.add(transforms, is_static, now)) {
     const auto line = log_.line(std::string(transforms[refusal.index].child), refusal.reason,
                                 event.getPublisherName(), ros::SteadyTime::now());

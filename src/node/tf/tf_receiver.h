@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the topics /tf and /tf_static into a TransformSource.
+// From the topics /tf and /tf_static into a TransformBuffer.
 #pragma once
 
 #include <ros/message_event.h>
@@ -12,7 +12,7 @@
 #include "node/log/refusal_log.h"
 #include "node/names/topics.h"
 #include "node/tf/tf_message.h"
-#include "node/tf/transform_source.h"
+#include "node/tf/transform_buffer.h"
 
 namespace link_bounds {
 
@@ -29,7 +29,7 @@ class TfReceiver {
   /// Adds the transforms of a message that arrived at `now`, without those that were sent before
   /// the clock jumped back. Logs what tf refuses.
   void add(const Event& event, bool is_static, const ClockWatch& clock, ros::Time now,
-           TransformSource& tf);
+           TransformBuffer& tf);
 
   /// To be called regularly: frees the memory that only a huge message needs.
   void freeSpareMemory();
@@ -41,7 +41,7 @@ class TfReceiver {
   ros::Subscriber subscribe(ros::NodeHandle& node, const TopicName& topic, bool is_static,
                             const Callback& on_message);
   void addAll(const std::vector<TransformView>& transforms, bool is_static, ros::Time now,
-              const Event& event, TransformSource& tf);
+              const Event& event, TransformBuffer& tf);
 
   RefusalLog log_{"a transform of", "transforms of further frames"};
   TfMessageMemory memory_;

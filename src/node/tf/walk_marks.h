@@ -15,6 +15,11 @@ class WalkMarks {
   /// Begins a walk among so many frames; none of them is marked.
   void begin(std::size_t frame_count) {
     ++walk_;
+    grow(frame_count);
+  }
+
+  /// The walk goes on among more frames.
+  void grow(std::size_t frame_count) {
     if (marks_.size() < frame_count) marks_.resize(frame_count);
   }
 

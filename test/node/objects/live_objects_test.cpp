@@ -14,10 +14,12 @@ TEST_F(LiveObjectsTest, InTheFixedFrameNeedsNoTransform) {
 }
 
 TEST_F(LiveObjectsTest, WithoutAFixedFrameItIsKept) {
-  LiveObjects objects;
-  objects.put(kKey, boxIn("map"), tf_, now_);
+  FrameTracker frames(tf_);
+  LiveObjects objects(frames);
+  objects.put(kKey, boxIn("map"), now_);
   EXPECT_FALSE(objects.objects().at(kKey).state.box);
-  objects.adopt("map", 2, tf_, now_);
+  frames.setTarget("map", 2, now_);
+  objects.adopt(now_);
   EXPECT_TRUE(objects.objects().at(kKey).state.box);
 }
 
@@ -37,7 +39,7 @@ TEST_F(LiveObjectsTest, APoseThatLeavesTheBoxAsItWasIsNews) {
   const auto send = [this](double x_of_quaternion) {
     const Eigen::Quaterniond turn(1 - x_of_quaternion, x_of_quaternion, 0, 0);
     tf_.add({edge("map", "tray", 1, turn, {0, 0, 0})}, true, now_);
-    return objects_.update(tf_, now_);
+    return update();
   };
   put(boxIn("tray"));
   EXPECT_TRUE(send(0));
@@ -72,7 +74,7 @@ TEST_F(LiveObjectsTest, APathThatIsCutTakesTheBoxAway) {
   hear("map", "tray", 99, 30, 5);
   EXPECT_TRUE(hear("elsewhere", "tray", 99.5, 30, 5));
   EXPECT_FALSE(state().box);
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kNoTransform);
+  EXPECT_EQ(object().problem, TransformProblem::kNoTransform);
 }
 
 TEST_F(LiveObjectsTest, ASilentFrameIsStale) {
@@ -82,7 +84,7 @@ TEST_F(LiveObjectsTest, ASilentFrameIsStale) {
   EXPECT_TRUE(pass(0.2));
   EXPECT_FALSE(state().box);
   EXPECT_TRUE(state().incomplete);
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kStale);
+  EXPECT_EQ(object().problem, TransformProblem::kStale);
   EXPECT_TRUE(hear("map", "tray", 102, 45));
   expectBox(45);
 }
@@ -90,7 +92,7 @@ TEST_F(LiveObjectsTest, ASilentFrameIsStale) {
 TEST_F(LiveObjectsTest, PlacedOnceByTheTransformAtItsStampAndStays) {
   hear("map", "camera", 99, 30, 0);
   EXPECT_TRUE(put(boxIn("camera", 99.5)));
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kWaiting);
+  EXPECT_EQ(object().problem, TransformProblem::kWaiting);
   EXPECT_TRUE(state().incomplete);
   EXPECT_TRUE(hear("map", "camera", 100, 30, 1));
   expectBox(30, 0.5);
@@ -119,18 +121,18 @@ TEST_F(LiveObjectsTest, WaitingEndsAfterTheTimeout) {
   EXPECT_TRUE(pass(0.2));
   EXPECT_FALSE(state().box) << "the box of before is not the object's any more";
   EXPECT_TRUE(state().incomplete);
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kGivenUp);
+  EXPECT_EQ(object().problem, TransformProblem::kGivenUp);
   EXPECT_FALSE(hear("map", "camera", 102, 30, 1));
   EXPECT_TRUE(put(boxIn("camera", 101))) << "sent again, it is tried again";
   EXPECT_TRUE(state().box);
 }
 
 TEST_F(LiveObjectsTest, WaitingLastsTenSecondsWhereNothingBecomesStale) {
-  objects_.adopt("map", 0, tf_, now_);
+  adopt("map", 0);
   put(boxIn("camera", 99));
   EXPECT_FALSE(pass(9.9));
   EXPECT_TRUE(pass(0.2));
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kGivenUp);
+  EXPECT_EQ(object().problem, TransformProblem::kGivenUp);
 }
 
 TEST_F(LiveObjectsTest, LifetimeCountsFromTheLastReceipt) {
@@ -149,7 +151,7 @@ TEST_F(LiveObjectsTest, AgesBeginAnewAfterAJumpBack) {
   content.lifetime = ros::Duration(1);
   put(content);
   now_ = ros::Time(10);
-  objects_.restart(tf_, now_);
+  restart();
   EXPECT_FALSE(pass(0.9));
   EXPECT_TRUE(pass(0.2));
 }
@@ -181,8 +183,8 @@ TEST_F(LiveObjectsTest, AMeshIsWaitedForAndKeepsTheBoxOfBefore) {
   expectBox(0);
   EXPECT_TRUE(state().incomplete);
   const LoadedMesh mesh = loadedMesh();
-  EXPECT_FALSE(objects_.fillMesh("package://a/other.stl", mesh, tf_, now_));
-  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", mesh, tf_, now_));
+  EXPECT_FALSE(objects_.fillMesh("package://a/other.stl", mesh, now_));
+  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", mesh, now_));
   EXPECT_FALSE(state().incomplete);
   EXPECT_LT(state().box->sizes().maxCoeff(), 1.1);
 }
@@ -190,17 +192,17 @@ TEST_F(LiveObjectsTest, AMeshIsWaitedForAndKeepsTheBoxOfBefore) {
 TEST_F(LiveObjectsTest, AMeshThatCannotBeUsedTakesTheBoxAway) {
   put(boxIn("map"));
   put(meshOf("package://a/b.stl"));
-  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", {nullptr, "broken"}, tf_, now_));
+  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", {nullptr, "broken"}, now_));
   EXPECT_FALSE(state().box);
   EXPECT_TRUE(state().incomplete);
-  EXPECT_EQ(object().reason(), "broken");
+  EXPECT_EQ(objects_.reason(object()), "broken");
 }
 
 TEST_F(LiveObjectsTest, ANewFixedFrameMovesAllBoxes) {
   hear("map", "camera", 99, 30, 1);
   put(boxIn("map"));
-  objects_.put({"scene", 2}, boxIn("camera", 99), tf_, now_);
-  objects_.adopt("camera", 2, tf_, now_);
+  objects_.put({"scene", 2}, boxIn("camera", 99), now_);
+  adopt("camera", 2);
   const Eigen::Vector3d center = state().box->center();
   EXPECT_LT((center - turnedBy(-30) * Eigen::Vector3d(-1, 0, 0)).norm(), kTolerance);
   EXPECT_LT(objects_.objects().at({"scene", 2}).state.box->center().norm(), kTolerance);
@@ -213,17 +215,17 @@ TEST_F(LiveObjectsTest, APoseThatIsNotFiniteHasNoBox) {
   put(content);
   hear("map", "tray", 100, 0, 1.7e308);
   EXPECT_FALSE(state().box);
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kPoseNotFinite);
+  EXPECT_EQ(object().problem, TransformProblem::kPoseNotFinite);
 }
 
 TEST_F(LiveObjectsTest, AThousandThatWaitAndGoLeaveNothingBehind) {
   for (int i = 0; i < 1000; ++i)
-    objects_.put({"many", i}, boxIn(i % 2 ? "camera" : "tray", i % 3 ? 99 : 0), tf_, now_);
+    objects_.put({"many", i}, boxIn(i % 2 ? "camera" : "tray", i % 3 ? 99 : 0), now_);
   for (int i = 0; i < 1000; i += 2)
     EXPECT_TRUE(objects_.remove({"many", i}));
   EXPECT_FALSE(objects_.remove({"many", 0}));
   for (int i = 1; i < 1000; i += 2)
-    objects_.put({"many", i}, boxIn("map"), tf_, now_);
+    objects_.put({"many", i}, boxIn("map"), now_);
   EXPECT_FALSE(hear("map", "camera", 99, 30)) << "nobody waits for it any more";
   EXPECT_TRUE(objects_.removeAll());
   EXPECT_FALSE(objects_.removeAll());

@@ -15,7 +15,7 @@ class ObjectFramesTest : public LiveObjectsTest {
  protected:
   ObjectFramesTest() { adopt("base"); }
 
-  void adopt(const std::string& fixed_frame) { objects_.adopt(fixed_frame, 2, tf_, now_); }
+  void adopt(const std::string& fixed_frame) { LiveObjectsTest::adopt(fixed_frame, 2); }
 
   /// Placed in base at x = 2, too long ago for tf to know how base was in odom then.
   void putCube() {
@@ -35,10 +35,10 @@ class ObjectFramesTest : public LiveObjectsTest {
     EXPECT_FALSE(state().incomplete);
   }
 
-  void expectNoBox(LiveObject::Trouble trouble) const {
+  void expectNoBox(TransformProblem problem) const {
     EXPECT_FALSE(state().box);
     EXPECT_TRUE(state().incomplete);
-    EXPECT_EQ(object().trouble, trouble) << object().reason();
+    EXPECT_EQ(object().problem, problem) << objects_.reason(object());
   }
 };
 
@@ -74,10 +74,11 @@ TEST_F(ObjectFramesTest, BackInTheFirstFrameTheBoxIsTheSame) {
 TEST_F(ObjectFramesTest, WithoutATransformThereIsNoBoxAtOnceAndNothingIsGivenUp) {
   putCube();
   adopt("odom");
-  expectNoBox(LiveObject::Trouble::kNotCarried);
-  EXPECT_NE(object().reason().find("\"base\""), std::string::npos) << object().reason();
+  expectNoBox(TransformProblem::kNotCarried);
+  EXPECT_NE(objects_.reason(object()).find("\"base\""), std::string::npos)
+      << objects_.reason(object());
   pass(1000);
-  expectNoBox(LiveObject::Trouble::kNotCarried);
+  expectNoBox(TransformProblem::kNotCarried);
   EXPECT_TRUE(objects_.takeGivenUp().empty());
   hearOdom();
   expectX(101.5, 102.5);
@@ -107,9 +108,9 @@ TEST_F(ObjectFramesTest, ATransformThatIsStaleOrNotFiniteIsWaitedFor) {
   putCube();
   pass(2.5);
   adopt("odom");
-  expectNoBox(LiveObject::Trouble::kNotCarried);
+  expectNoBox(TransformProblem::kNotCarried);
   hearOdom(kInfinity);
-  expectNoBox(LiveObject::Trouble::kNotCarried);
+  expectNoBox(TransformProblem::kNotCarried);
   pass(1);
   hearOdom();
   expectX(101.5, 102.5);
@@ -120,13 +121,13 @@ TEST_F(ObjectFramesTest, AClockJumpTakesNothingAway) {
   adopt("odom");
   now_ = ros::Time(10);
   tf_.clear();
-  objects_.restart(tf_, now_);
-  expectNoBox(LiveObject::Trouble::kNotCarried);
+  restart();
+  expectNoBox(TransformProblem::kNotCarried);
   hearOdom();
   expectX(101.5, 102.5);
   now_ = ros::Time(5);
   tf_.clear();
-  objects_.restart(tf_, now_);
+  restart();
   expectX(101.5, 102.5);
 }
 
@@ -136,10 +137,10 @@ TEST_F(ObjectFramesTest, AStaticWayThatAClockJumpFreesOfALoopCarriesOverAtOnce) 
   hear("loop", "base", 100, 0);
   putCube();
   adopt("cam");
-  expectNoBox(LiveObject::Trouble::kNotCarried);
+  expectNoBox(TransformProblem::kNotCarried);
   tf_.clear();
   now_ = ros::Time(60);
-  EXPECT_TRUE(objects_.restart(tf_, now_));
+  EXPECT_TRUE(restart());
   expectX(101.5, 102.5);
 }
 
@@ -148,7 +149,7 @@ TEST_F(ObjectFramesTest, WhatWaitsForItsFirstTransformWaitsOn) {
   put(boxIn("camera", 100.5));
   pass(1.5);
   adopt("odom");
-  EXPECT_EQ(object().trouble, LiveObject::Trouble::kWaiting);
+  EXPECT_EQ(object().problem, TransformProblem::kWaiting);
   EXPECT_FALSE(pass(1.5)) << "its patience begins anew";
   hear("odom", "camera", 100, 0, 7);
   hear("odom", "camera", 101, 0, 7);
@@ -158,7 +159,7 @@ TEST_F(ObjectFramesTest, WhatWaitsForItsFirstTransformWaitsOn) {
 TEST_F(ObjectFramesTest, WhatWasGivenUpIsTriedInTheNewFrame) {
   put(boxIn("camera", 100));
   pass(2.5);
-  expectNoBox(LiveObject::Trouble::kGivenUp);
+  expectNoBox(TransformProblem::kGivenUp);
   hear("odom", "camera", 100, 0, 7);
   adopt("odom");
   expectX(6.5, 7.5);
@@ -171,7 +172,7 @@ TEST_F(ObjectFramesTest, APreviousBoxDoesNotOutliveItsFrame) {
   put(boxIn("camera", 101));
   EXPECT_TRUE(state().box);
   adopt("odom");
-  expectNoBox(LiveObject::Trouble::kWaiting);
+  expectNoBox(TransformProblem::kWaiting);
   adopt("base");
   putCube();
   ObjectContent mesh = meshOf("package://a/b.stl");

@@ -18,7 +18,10 @@ const ObjectKey kKey{"scene", 1};
 
 class ObjectSourceTest : public testing::Test {
  protected:
-  ObjectSourceTest() { objects_.adopt("map", 2, tf_, now_); }
+  ObjectSourceTest() {
+    frames_.setTarget("map", 2, now_);
+    objects_.adopt(now_);
+  }
 
   static Marker cube() {
     Marker marker = markerOf(Marker::CUBE, {1, 1, 1});
@@ -35,23 +38,24 @@ class ObjectSourceTest : public testing::Test {
     return marker;
   }
 
-  bool take(Marker marker) { return source_.take(std::move(marker), "/camera", tf_, now_); }
+  bool take(Marker marker) { return source_.take(std::move(marker), "/camera", now_); }
 
   bool pass(double seconds) {
     now_ += ros::Duration(seconds);
-    return objects_.expire(tf_, now_);
+    return objects_.expire(now_);
   }
 
   void expectRefused(const std::string& begin) const {
     const LiveObject& object = objects_.objects().at(kKey);
     EXPECT_TRUE(object.state.incomplete);
     EXPECT_FALSE(object.state.box);
-    EXPECT_EQ(object.reason().rfind(begin, 0), 0u) << object.reason();
+    EXPECT_EQ(objects_.reason(object).rfind(begin, 0), 0u) << objects_.reason(object);
   }
 
   ros::Time now_{100};
-  TransformSource tf_;
-  LiveObjects objects_;
+  TransformBuffer tf_;
+  FrameTracker frames_{tf_};
+  LiveObjects objects_{frames_};
   ObjectSource source_{objects_, [](const std::string&) {}};
 };
 
@@ -103,7 +107,7 @@ TEST_F(ObjectSourceTest, RunningNumbersLeaveNothingBehind) {
 }
 
 TEST_F(ObjectSourceTest, ARefusedMarkerLeavesNoFrame) {
-  const std::size_t frames = tf_.tree().size();
+  const std::size_t frames = tf_.size();
   take(badCube(0));
   for (const char* frame : {"", "/"}) {
     Marker marker = cube();
@@ -111,7 +115,7 @@ TEST_F(ObjectSourceTest, ARefusedMarkerLeavesNoFrame) {
     take(marker);
     expectRefused("header.frame_id");
   }
-  EXPECT_EQ(tf_.tree().size(), frames);
+  EXPECT_EQ(tf_.size(), frames);
   EXPECT_TRUE(take(cube()));
 }
 

@@ -13,7 +13,7 @@ class ObjectTimesTest : public LiveObjectsTest {
   void jumpTo(double seconds) {
     now_ = ros::Time(seconds);
     tf_.clear();
-    objects_.restart(tf_, now_);
+    restart();
   }
 
   void putFor(ObjectContent content, double lifetime) {
@@ -31,7 +31,7 @@ TEST_F(ObjectTimesTest, AReloadDoesNotBeginALifetimeAnew) {
     putFor(content, 2);
     for (int i = 0; i < 3; ++i) {
       EXPECT_FALSE(isGone()) << content.frame << i;
-      objects_.adopt("map", 2, tf_, now_);
+      adopt("map", 2);
       pass(0.7);
     }
     EXPECT_TRUE(isGone()) << content.frame;
@@ -75,14 +75,14 @@ TEST_F(ObjectTimesTest, BeforeTheClockBeginsNoLifetimePasses) {
 
 TEST_F(ObjectTimesTest, AClockFarAheadEndsLifetimesAndPatience) {
   putFor(boxIn("map"), 1);
-  objects_.put({"scene", 2}, boxIn("camera", 101), tf_, now_);
-  objects_.put({"scene", 3}, boxIn("tray"), tf_, now_);
+  objects_.put({"scene", 2}, boxIn("camera", 101), now_);
+  objects_.put({"scene", 3}, boxIn("tray"), now_);
   hear("map", "tray", 100, 0);
   now_ = kFarAhead;
-  EXPECT_NO_THROW(objects_.expire(tf_, now_));
+  EXPECT_NO_THROW(expire());
   EXPECT_EQ(objects_.objects().count(kKey), 0u);
-  EXPECT_EQ(objects_.objects().at({"scene", 2}).trouble, LiveObject::Trouble::kGivenUp);
-  EXPECT_EQ(objects_.objects().at({"scene", 3}).trouble, LiveObject::Trouble::kStale);
+  EXPECT_EQ(objects_.objects().at({"scene", 2}).problem, TransformProblem::kGivenUp);
+  EXPECT_EQ(objects_.objects().at({"scene", 3}).problem, TransformProblem::kStale);
 }
 
 TEST_F(ObjectTimesTest, AfterAJumpBackNoStampIsAheadOfTheClock) {
@@ -103,8 +103,8 @@ TEST_F(ObjectTimesTest, AfterAJumpBackNoStampIsAheadOfTheClock) {
 TEST_F(ObjectTimesTest, AJumpBackIsNewsWhereItChangesAStamp) {
   put(boxIn("map", 99));
   now_ = ros::Time(10);
-  EXPECT_TRUE(objects_.restart(tf_, now_));
-  EXPECT_FALSE(objects_.restart(tf_, now_));
+  EXPECT_TRUE(restart());
+  EXPECT_FALSE(restart());
 }
 
 TEST_F(ObjectTimesTest, WhatTheOldEraSentArrivesLate) {
@@ -121,8 +121,8 @@ TEST_F(ObjectTimesTest, NorIsThatOfABoxThatGoesOn) {
   put(boxIn("map", 99));
   put(boxIn("camera", 101));
   ObjectContent other = boxIn("map", 98);
-  objects_.put({"scene", 2}, other, tf_, now_);
-  objects_.put({"scene", 2}, meshOf("package://a/b.stl"), tf_, now_);
+  objects_.put({"scene", 2}, other, now_);
+  objects_.put({"scene", 2}, meshOf("package://a/b.stl"), now_);
   jumpTo(10);
   ASSERT_TRUE(state().box);
   EXPECT_EQ(stamp(), 10);

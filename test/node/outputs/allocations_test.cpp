@@ -44,7 +44,7 @@ class Chain {
       boxed_links_.push_back(boxed_links_.size());
       model->parts.push_back({link, link});
     }
-    scene_.links.adopt(model, tf_, ros::Time(1));
+    scene_.adopt(model, ros::Time(1));
     parts_.adopt(*model);
   }
 
@@ -65,7 +65,7 @@ class Chain {
     ros::serialization::deserializeMessage(received, message_);
     const ros::Time now(1 + kPeriod * update);
     tf_.add(message_.transforms, false, now);
-    ASSERT_TRUE(scene_.links.update(tf_, now));
+    ASSERT_TRUE(scene_.update(now));
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
     parts_.place(scene_.links);
@@ -88,8 +88,8 @@ class Chain {
   static std::string name(int i) { return "a_link_whose_name_is_long_" + std::to_string(i); }
 
   TfMessage message_;
-  TransformSource tf_;
-  Scene scene_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
   AxisAlignedBoxArray boxes_;
   AxisAlignedBoxArray groups_;
   PartBoxes parts_;

@@ -46,15 +46,15 @@ QuadBox boxOf(const Marker& cube) {
 
 TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
   brute_force::Random random(1);
-  TransformSource tf;
-  Scene scene;
-  scene.links.adopt(modelOf("base", {meshLink("l", 1)}), tf, ros::Time(1));
+  TransformBuffer tf;
+  Scene scene(tf);
+  scene.adopt(modelOf("base", {meshLink("l", 1)}), ros::Time(1));
   for (int i = 0; i < 2000; ++i) {
     const ros::Time now(10 + i);
     const Eigen::Quaterniond turn(random.rotation());
     tf.add({edge("base", "l", now.toSec(), turn, random.vector(random.magnitude(-3, 6)))}, false,
            now);
-    ASSERT_TRUE(scene.links.update(tf, now));
+    ASSERT_TRUE(scene.update(now));
     const Aabb box = scene.links.states()[0].box.value();
     const QuadBox cube = boxOf(boxMarkers(scene, headerOf(scene)).markers.front());
     for (int k = 0; k < 3; ++k) {

@@ -25,7 +25,7 @@ std::shared_ptr<const Model> modelInParts(int parts_per_link) {
 class PartBoxesTest : public testing::Test {
  protected:
   void adopt(const std::shared_ptr<const Model>& model) {
-    links_.adopt(model, tf_, ros::Time(1));
+    scene_.adopt(model, ros::Time(1));
     parts_.adopt(*model);
   }
 
@@ -33,11 +33,11 @@ class PartBoxesTest : public testing::Test {
     const double stamp = ++stamp_;
     const Eigen::Quaterniond rotation(brute_force::turned(degrees, {1, 2, 3}));
     tf_.add({edge("base", "arm", stamp, rotation, {1, 2, 3})}, false, ros::Time(stamp));
-    links_.update(tf_, ros::Time(stamp));
+    scene_.update(ros::Time(stamp));
   }
 
-  TransformSource tf_;
-  LiveBoxes links_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
   PartBoxes parts_;
   AxisAlignedBoxArray message_;
   int stamp_ = 1;
@@ -56,10 +56,10 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   for (const int turns : {1, 3, 1}) {
     for (int i = 0; i < turns; ++i)
       turn(30 + 15 * i);
-    parts_.place(links_);
-    parts_.fill(*links_.model(), message_);
+    parts_.place(scene_.links);
+    parts_.fill(*scene_.links.model(), message_);
     ASSERT_EQ(message_.boxes.size(), 2u);
-    const Aabb box = *links_.states()[0].box;
+    const Aabb box = *scene_.links.states()[0].box;
     const Aabb larger = padded(box, 1);
     EXPECT_EQ(message_.boxes[0].min.x, box.min().x());
     EXPECT_EQ(message_.boxes[1].max.z, larger.max().z());
@@ -71,10 +71,10 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
 TEST_F(PartBoxesTest, StayWhereTheLinksWerePlacedLast) {
   adopt(modelInParts(2));
   turn(30);
-  const Aabb box = *links_.states()[0].box;
-  parts_.place(links_);
+  const Aabb box = *scene_.links.states()[0].box;
+  parts_.place(scene_.links);
   turn(60);
-  parts_.fill(*links_.model(), message_);
+  parts_.fill(*scene_.links.model(), message_);
   EXPECT_EQ(message_.boxes[0].min.x, box.min().x());
   EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
 }
@@ -82,8 +82,8 @@ TEST_F(PartBoxesTest, StayWhereTheLinksWerePlacedLast) {
 TEST_F(PartBoxesTest, NameALinkWithoutBoxOnce) {
   adopt(modelInParts(2));
   turn(45);
-  parts_.place(links_);
-  parts_.fill(*links_.model(), message_);
+  parts_.place(scene_.links);
+  parts_.fill(*scene_.links.model(), message_);
   EXPECT_EQ(message_.incomplete, std::vector<std::string>{"lost"});
 }
 

@@ -18,8 +18,7 @@ class SceneTest : public testing::Test {
     model->groups.push_back(groupOf({0}, {{"scene", 2}}, {}));
     model->groups.push_back(groupOf({}, {}, {"scene"}));
     model->groups.push_back(groupOf({}, {}, {"nothing"}));
-    scene_.links.adopt(model, tf_, now_);
-    scene_.objects.adopt("base", 2, tf_, now_);
+    scene_.adopt(model, now_);
   }
 
   static SceneGroup groupOf(std::vector<std::size_t> links, std::vector<ObjectKey> objects,
@@ -38,14 +37,14 @@ class SceneTest : public testing::Test {
     content.bounded.shapes = {
         {nullptr, Solid::kBox, {1, 1, 1}, Eigen::Affine3d(Eigen::Translation3d(x, 0, 0))}};
     content.frame = frame;
-    scene_.objects.put({ns, id}, content, tf_, now_);
+    scene_.objects.put({ns, id}, content, now_);
   }
 
   BoxState group(std::size_t i) const { return groupState(scene_.model()->groups[i], scene_); }
 
   ros::Time now_{100};
-  TransformSource tf_;
-  Scene scene_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
 };
 
 TEST_F(SceneTest, LinksComeFirstThenObjectsByNamespaceAndNumber) {

@@ -14,46 +14,46 @@ const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 6, Eigen::Vector3d(1, 2,
 
 class LiveBoxesTest : public testing::Test {
  protected:
-  void adopt(const BoundedLink& link) { live_.adopt(modelOf("base", {link}), tf_, now_); }
+  void adopt(const BoundedLink& link) { scene_.adopt(modelOf("base", {link}), now_); }
 
   void move(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& translation) {
     now_ += ros::Duration(0.1);
     tf_.add({edge("base", "l", now_.toSec(), rotation, translation)}, false, now_);
-    live_.update(tf_, now_);
+    scene_.update(now_);
   }
 
   void expectBoxOf(const BoundedLink& link, const Eigen::Vector3d& translation) {
     Eigen::Affine3d pose(kTurn);
     pose.pretranslate(translation);
     const Aabb expected = linkBox(link, pose).value();
-    ASSERT_TRUE(live_.states()[0].box);
-    EXPECT_LT((live_.states()[0].box->min() - expected.min()).norm(), 1e-12);
-    EXPECT_LT((live_.states()[0].box->max() - expected.max()).norm(), 1e-12);
+    ASSERT_TRUE(scene_.links.states()[0].box);
+    EXPECT_LT((scene_.links.states()[0].box->min() - expected.min()).norm(), 1e-12);
+    EXPECT_LT((scene_.links.states()[0].box->max() - expected.max()).norm(), 1e-12);
   }
 
-  TransformSource tf_;
-  LiveBoxes live_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
   ros::Time now_{1000.0};
 };
 
 TEST_F(LiveBoxesTest, WithoutAModelNothingHappens) {
   tf_.add({}, false, now_);
-  EXPECT_FALSE(live_.update(tf_, now_));
+  EXPECT_FALSE(scene_.update(now_));
   move(kTurn, {1, 2, 3});
-  EXPECT_FALSE(live_.updateAll(tf_, now_));
-  EXPECT_FALSE(live_.expire(tf_, now_));
-  EXPECT_TRUE(live_.states().empty());
+  EXPECT_FALSE(scene_.restart(now_));
+  EXPECT_FALSE(scene_.expire(now_));
+  EXPECT_TRUE(scene_.links.states().empty());
 }
 
 TEST_F(LiveBoxesTest, StandingStillOnlyChangesTheStamp) {
   const BoundedLink link = meshLink("l", 1);
   adopt(link);
   move(kTurn, {1, 2, 3});
-  const Aabb before = live_.states()[0].box.value();
+  const Aabb before = scene_.links.states()[0].box.value();
   move(kTurn, {1, 2, 3});
-  EXPECT_EQ(live_.states()[0].stamp, static_cast<std::int64_t>(now_.toNSec()));
-  EXPECT_EQ(live_.states()[0].box->min(), before.min());
-  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+  EXPECT_EQ(scene_.links.states()[0].stamp, static_cast<std::int64_t>(now_.toNSec()));
+  EXPECT_EQ(scene_.links.states()[0].box->min(), before.min());
+  EXPECT_EQ(scene_.links.states()[0].box->max(), before.max());
 }
 
 TEST_F(LiveBoxesTest, SameRotationAfterAStaleGap) {
@@ -62,8 +62,8 @@ TEST_F(LiveBoxesTest, SameRotationAfterAStaleGap) {
   move(kTurn, {1, 2, 3});
   expectBoxOf(link, {1, 2, 3});
   now_ += ros::Duration(5);
-  EXPECT_TRUE(live_.expire(tf_, now_));
-  EXPECT_FALSE(live_.states()[0].box);
+  EXPECT_TRUE(scene_.expire(now_));
+  EXPECT_FALSE(scene_.links.states()[0].box);
   move(kTurn, {-1, 0, 2});
   expectBoxOf(link, {-1, 0, 2});
 }
@@ -82,10 +82,10 @@ TEST_F(LiveBoxesTest, SameRotationByTheOppositeQuaternion) {
   const BoundedLink link = meshLink("l", 1);
   adopt(link);
   move(kTurn, {1, 2, 3});
-  const Aabb before = live_.states()[0].box.value();
+  const Aabb before = scene_.links.states()[0].box.value();
   move(Eigen::Quaterniond(-kTurn.coeffs()), {1, 2, 3});
-  EXPECT_EQ(live_.states()[0].box->min(), before.min());
-  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+  EXPECT_EQ(scene_.links.states()[0].box->min(), before.min());
+  EXPECT_EQ(scene_.links.states()[0].box->max(), before.max());
 }
 
 TEST_F(LiveBoxesTest, AReparentedLinkIsBoundedAnew) {
@@ -96,7 +96,7 @@ TEST_F(LiveBoxesTest, AReparentedLinkIsBoundedAnew) {
           now_);
   now_ += ros::Duration(0.1);
   tf_.add({edge("other", "l", now_.toSec(), kTurn, {1, 2, 3})}, false, now_);
-  live_.update(tf_, now_);
+  scene_.update(now_);
   expectBoxOf(link, {6, 2, 3});
 }
 
@@ -113,7 +113,7 @@ class HalfTurnTest : public LiveBoxesTest {
   bool send(const std::string& parent, const std::string& child, double stamp,
             const Eigen::Quaterniond& rotation, bool is_static) {
     tf_.add({edge(parent, child, stamp, rotation, {0, 0, 0})}, is_static, now_);
-    return live_.update(tf_, now_);
+    return scene_.update(now_);
   }
 
   const Eigen::Quaterniond straight_ = Eigen::Quaterniond::Identity();
@@ -122,10 +122,10 @@ class HalfTurnTest : public LiveBoxesTest {
 
 TEST_F(HalfTurnTest, OfAStaticTransformIsNews) {
   EXPECT_TRUE(send("base", "l", 1, straight_, true));
-  const Aabb before = live_.states()[0].box.value();
+  const Aabb before = scene_.links.states()[0].box.value();
   EXPECT_TRUE(send("base", "l", 1, half_turn_, true));
-  EXPECT_EQ(live_.states()[0].box->min(), before.min());
-  EXPECT_EQ(live_.states()[0].box->max(), before.max());
+  EXPECT_EQ(scene_.links.states()[0].box->min(), before.min());
+  EXPECT_EQ(scene_.links.states()[0].box->max(), before.max());
 }
 
 TEST_F(HalfTurnTest, BySamplesThatComeLateIsNews) {
@@ -133,7 +133,7 @@ TEST_F(HalfTurnTest, BySamplesThatComeLateIsNews) {
   send("base", "m", 3, straight_, false);
   EXPECT_TRUE(send("m", "l", 2, straight_, false));
   EXPECT_TRUE(send("base", "m", 2, half_turn_, false));
-  EXPECT_EQ(live_.states()[0].stamp, 2000000000);
+  EXPECT_EQ(scene_.links.states()[0].stamp, 2000000000);
 }
 
 TEST_F(HalfTurnTest, TheSamePoseAgainIsNoNews) {
@@ -141,7 +141,7 @@ TEST_F(HalfTurnTest, TheSamePoseAgainIsNoNews) {
   EXPECT_FALSE(send("base", "l", 1, half_turn_, true));
   EXPECT_FALSE(send("base", "l", 1, Eigen::Quaterniond(-half_turn_.coeffs()), true));
   EXPECT_FALSE(send("base", "other", 1, straight_, true)) << "another structure, the same pose";
-  EXPECT_FALSE(live_.updateAll(tf_, now_));
+  EXPECT_FALSE(scene_.restart(now_));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class Star {
     std::vector<BoundedLink> links;
     for (int i = 0; i < count; ++i)
       links.push_back(cube(name(i)));
-    live_.adopt(modelOf("base", links), tf_, ros::Time(1));
+    scene_.adopt(modelOf("base", links), ros::Time(1));
   }
 
   /// Milliseconds of one message of all transforms and the update of all boxes.
@@ -59,7 +59,7 @@ class Star {
       transforms.push_back(edge("base", name(i), 1 + 0.01 * updates_, kTurn, {1.0 * i, 0, 0}));
     const double start = cpuMilliseconds();
     tf_.add({transforms.begin(), transforms.end()}, false, ros::Time(1 + 0.01 * updates_));
-    EXPECT_TRUE(live_.update(tf_, ros::Time(1 + 0.01 * updates_)));
+    EXPECT_TRUE(scene_.update(ros::Time(1 + 0.01 * updates_)));
     return cpuMilliseconds() - start;
   }
 
@@ -75,7 +75,7 @@ class Star {
       Eigen::Affine3d pose(kTurn);
       pose.pretranslate(Eigen::Vector3d(i, 0, 0));
       const Aabb expected = linkBox(cube(name(i)), pose).value();
-      const BoxState& state = live_.states()[static_cast<std::size_t>(i)];
+      const BoxState& state = scene_.links.states()[static_cast<std::size_t>(i)];
       ASSERT_TRUE(state.box && !state.incomplete) << name(i);
       EXPECT_LT((state.box->min() - expected.min()).norm(), kTolerance) << name(i);
       EXPECT_LT((state.box->max() - expected.max()).norm(), kTolerance) << name(i);
@@ -85,8 +85,8 @@ class Star {
  private:
   const int count_;
   int updates_ = 0;
-  TransformSource tf_;
-  LiveBoxes live_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
 };
 
 TEST(ManyFrames, AllExactFromOneMessage) {
@@ -104,19 +104,19 @@ TEST(ManyFrames, CostAsManyLinks) {
 }
 
 TEST(ManyFrames, NewFramesOneByOneBesideALink) {
-  TransformSource tf;
-  LiveBoxes live;
-  live.adopt(modelOf("base", {cube("link")}), tf, ros::Time(1));
+  TransformBuffer tf;
+  Scene scene(tf);
+  scene.adopt(modelOf("base", {cube("link")}), ros::Time(1));
   const double start = cpuMilliseconds();
   for (int i = 0; i < kMany; ++i) {
     tf.add({edge(i == 0 ? "base" : name(i - 1), name(i), 1, kTurn, {1, 0, 0})}, false,
            ros::Time(1));
-    EXPECT_FALSE(live.update(tf, ros::Time(1)));
+    EXPECT_FALSE(scene.update(ros::Time(1)));
   }
   std::cout << kMany << " messages of a new frame each: " << cpuMilliseconds() - start << " ms\n";
   tf.add({edge("base", "link", 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
-  EXPECT_TRUE(live.update(tf, ros::Time(1)));
-  EXPECT_TRUE(live.states()[0].box);
+  EXPECT_TRUE(scene.update(ros::Time(1)));
+  EXPECT_TRUE(scene.links.states()[0].box);
 }
 
 /// Links on a chain, a step each, and one link beside it. tf2 takes more than a thousand steps for
@@ -128,7 +128,7 @@ class Chain {
     for (int i = 0; i < depth; ++i)
       links_.push_back(cube(name(i)));
     links_.push_back(cube("beside"));
-    live_.adopt(modelOf(fixed_frame, links_), tf_, ros::Time(1));
+    scene_.adopt(modelOf(fixed_frame, links_), ros::Time(1));
   }
 
   /// Milliseconds of one message of all transforms and the update of all boxes.
@@ -141,7 +141,7 @@ class Chain {
           edge(i == 0 ? "base" : name(i - 1), name(i), stamp, step(), {0.01, 0, 0}));
     const double start = cpuMilliseconds();
     tf_.add({transforms.begin(), transforms.end()}, false, ros::Time(stamp));
-    EXPECT_TRUE(live_.update(tf_, ros::Time(stamp)));
+    EXPECT_TRUE(scene_.update(ros::Time(stamp)));
     return cpuMilliseconds() - start;
   }
 
@@ -175,8 +175,8 @@ class Chain {
   }
 
   void expectExact(std::size_t i, const Eigen::Isometry3d& top_from_link) const {
-    const BoxState& state = live_.states()[i];
-    ASSERT_TRUE(state.box) << links_[i].name << ": " << live_.reason(i);
+    const BoxState& state = scene_.links.states()[i];
+    ASSERT_TRUE(state.box) << links_[i].name << ": " << scene_.links.reason(i);
     const Aabb expected =
         linkBox(links_[i], Eigen::Affine3d(top_from_fixed_.inverse() * top_from_link)).value();
     EXPECT_LT((state.box->min() - expected.min()).norm(), kTolerance) << links_[i].name;
@@ -187,8 +187,8 @@ class Chain {
   const Eigen::Isometry3d top_from_fixed_;
   std::vector<BoundedLink> links_;
   int updates_ = 0;
-  TransformSource tf_;
-  LiveBoxes live_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
 };
 
 TEST(ManyFrames, DeepChainsAreExactEverywhere) {

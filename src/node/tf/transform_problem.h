@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What keeps a link or an object from having a box, besides its own geometry.
+#pragma once
+
+#include <string>
+
+namespace link_bounds {
+
+enum class TransformProblem {
+  kNone,
+  kNoTransform,    ///< tf does not connect the frame with the fixed frame at the time of its pose
+  kStale,          ///< a transform on the path is older than the timeout
+  kPoseNotFinite,  ///< or so large that no box can be computed
+  kWaiting,        ///< for the transform at the stamp of an object
+  kGivenUp,        ///< the object has waited longer than the timeout
+  kNotCarried,     ///< the object was placed in another fixed frame, which has no transform yet
+};
+
+/// In words; "" if there is none. `frame` is the one without a transform: of the link, of the
+/// object's header, or the fixed frame in which the object was placed.
+std::string describe(TransformProblem problem, const std::string& frame,
+                     const std::string& fixed_frame);
+
+}  // namespace link_bounds
