@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/geometry/shape/bounded_link.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

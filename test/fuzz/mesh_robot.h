@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
-#include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/geometry/shape/bounded_link.h"
 
 namespace link_bounds {
 
