@@ -170,10 +170,9 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
 }
 
 void MeshStore::forgetFailures() {
-  for (auto entry = entries_.begin(); entry != entries_.end();) {
-    const bool failed = !entry->second.error.empty();
-    entry = failed || entry->second.points.expired() ? entries_.erase(entry) : std::next(entry);
-  }
+  // A failure has no points, so it is erased with the entries whose points nobody uses.
+  for (auto entry = entries_.begin(); entry != entries_.end();)
+    entry = entry->second.points.expired() ? entries_.erase(entry) : std::next(entry);
 }
 
 }  // namespace link_bounds
