@@ -26,7 +26,7 @@ PublisherNode::PublisherNode()
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {
-                     guarded([&] { times_.measureTf([&] { onTransforms(event, is_static); }); });
+                     times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
                    }),
       tick_timer_(repeat(kTick, &PublisherNode::onTick)),
       diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {

@@ -3,10 +3,10 @@
 // Wall time by the steady clock, CPU time by that of the calling thread.
 #include "node/diagnostics/callback_times.h"
 
+#include <ros/time.h>
 #include <time.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -25,23 +25,28 @@ void Durations::add(double duration) {
   max = std::max(max, duration);
 }
 
-Durations CallbackTimes::takeRecentTf() {
-  return std::exchange(recent_tf_, Durations());
+double CallbackTimes::measure(const std::function<void()>& body) {
+  const ros::SteadyTime start = ros::SteadyTime::now();
+  const double start_cpu = threadCpuMilliseconds();
+  const auto record = [&] {
+    const double wall = (ros::SteadyTime::now() - start).toSec() * 1e3;
+    longest_ = std::max(longest_, wall);
+    longest_cpu_ = std::max(longest_cpu_, threadCpuMilliseconds() - start_cpu);
+    return wall;
+  };
+  try {
+    body();
+  } catch (...) {
+    record();
+    throw;
+  }
+  return record();
 }
 
-CallbackTimes::Measurement::Measurement(CallbackTimes& times, bool is_tf)
-    : times_(times),
-      is_tf_(is_tf),
-      start_(ros::SteadyTime::now()),
-      start_cpu_(threadCpuMilliseconds()) {}
-
-CallbackTimes::Measurement::~Measurement() {
-  const double wall = (ros::SteadyTime::now() - start_).toSec() * 1e3;
-  times_.longest_ = std::max(times_.longest_, wall);
-  times_.longest_cpu_ = std::max(times_.longest_cpu_, threadCpuMilliseconds() - start_cpu_);
-  if (!is_tf_) return;
-  times_.tf_.add(wall);
-  times_.recent_tf_.add(wall);
+void CallbackTimes::measureTf(const std::function<void()>& body) {
+  const double wall = measure(body);
+  tf_.add(wall);
+  recent_tf_.add(wall);
 }
 
 }  // namespace link_bounds

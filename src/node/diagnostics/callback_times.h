@@ -3,9 +3,9 @@
 // How long the callbacks of the update thread take.
 #pragma once
 
-#include <ros/time.h>
-
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 namespace link_bounds {
 
@@ -22,42 +22,20 @@ struct Durations {
 
 class CallbackTimes {
  public:
-  /// Runs a callback and records its time, also when it throws.
-  template <class Body>
-  void measure(Body&& body) {
-    const Measurement measurement(*this, false);
-    body();
-  }
+  /// Runs a callback and records its time, also when it throws. Returns its wall time [ms].
+  double measure(const std::function<void()>& body);
 
-  /// The same for a callback that handles one tf message.
-  template <class Body>
-  void measureTf(Body&& body) {
-    const Measurement measurement(*this, true);
-    body();
-  }
+  /// The same for a callback that handles one tf message, and throws nothing.
+  void measureTf(const std::function<void()>& body);
 
   double longest() const { return longest_; }         ///< ms of wall time, since the start
   double longestCpu() const { return longest_cpu_; }  ///< ms of CPU time, since the start
   const Durations& tf() const { return tf_; }         ///< since the start
 
   /// Those since the last call.
-  Durations takeRecentTf();
+  Durations takeRecentTf() { return std::exchange(recent_tf_, Durations()); }
 
  private:
-  class Measurement {
-   public:
-    Measurement(CallbackTimes& times, bool is_tf);
-    ~Measurement();
-    Measurement(const Measurement&) = delete;
-    Measurement& operator=(const Measurement&) = delete;
-
-   private:
-    CallbackTimes& times_;
-    bool is_tf_;
-    ros::SteadyTime start_;
-    double start_cpu_;  ///< ms
-  };
-
   double longest_ = 0;
   double longest_cpu_ = 0;
   Durations tf_;
