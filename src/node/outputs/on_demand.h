@@ -32,6 +32,9 @@ class OnDemand {
         });
   }
 
+  OnDemand(const OnDemand&) = delete;
+  OnDemand& operator=(const OnDemand&) = delete;
+
   bool hasSubscribers() const { return publisher_.getNumSubscribers() > 0; }
 
   void freeSpareMemory() { message_ = Message(); }

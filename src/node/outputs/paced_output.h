@@ -18,6 +18,8 @@ class PacedOutput {
  public:
   /// `guard` runs `emit` when the timer calls it.
   PacedOutput(ros::NodeHandle& node, Guard guard, std::function<void()> emit);
+  PacedOutput(const PacedOutput&) = delete;
+  PacedOutput& operator=(const PacedOutput&) = delete;
 
   /// In Hz; 0 = no limit. Also applies to a request that waits.
   void setRate(double rate);

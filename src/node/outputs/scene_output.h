@@ -28,6 +28,8 @@ class SceneOutput {
   /// `scene` must outlive this. `guard` runs the callbacks of roscpp.
   SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
               const Guard& guard);
+  SceneOutput(const SceneOutput&) = delete;
+  SceneOutput& operator=(const SceneOutput&) = delete;
 
   /// Publishes everything and sets the rates of the new model of the scene.
   void adopt();

@@ -16,12 +16,13 @@
 
 namespace link_bounds {
 
+/// Not copyable, because roscpp writes messages into its memory.
 class TfReceiver {
  public:
   using Event = ros::MessageEvent<const TfMessage>;
   using Callback = std::function<void(const Event& event, bool is_static)>;
 
-  /// `on_message` is called for each message and shall pass it to add().
+  /// `on_message` is called for each message and must pass it to add().
   TfReceiver(ros::NodeHandle& node, const Callback& on_message);
   TfReceiver(const TfReceiver&) = delete;
   TfReceiver& operator=(const TfReceiver&) = delete;
