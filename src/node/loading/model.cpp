@@ -130,19 +130,13 @@ void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>
   }
 }
 
-std::set<std::string> linkNames(const Robot& robot) {
-  std::set<std::string> names;
-  for (const Link& link : robot.links)
-    names.insert(link.name);
-  return names;
-}
-
 /// One warning per unknown name. Names with a slash may be those of objects.
-std::vector<std::string> unknownNames(const Robot& robot, const Parameters& parameters) {
-  const std::set<std::string> known = linkNames(robot);
+std::vector<std::string> unknownNames(const Parameters& parameters,
+                                      const std::vector<NamePair>& ignored_pairs,
+                                      const std::set<std::string>& links) {
   std::map<std::string, std::string> unknown;
   const auto check = [&](const std::string& name, const std::string& parameter) {
-    if (!known.count(name)) unknown.emplace(name, parameter);
+    if (!links.count(name)) unknown.emplace(name, parameter);
   };
   for (const std::string& name : parameters.links)
     check(name, "links");
@@ -155,7 +149,7 @@ std::vector<std::string> unknownNames(const Robot& robot, const Parameters& para
       if (name.find('/') == std::string::npos) check(name, "groups/" + group);
     }
   }
-  for (const NamePair& pair : ignoredPairs(parameters, known)) {
+  for (const NamePair& pair : ignored_pairs) {
     for (const std::string& name : {pair.first, pair.second}) {
       if (name.find('/') == std::string::npos) check(name, "ignore_pairs");
     }
@@ -193,7 +187,11 @@ MeshSource meshSource(const Parameters& parameters) {
 
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader) {
   const Robot robot = parseRobot(description);
-  checkIgnoredPairs(parameters, linkNames(robot));
+  std::set<std::string> names;
+  for (const Link& link : robot.links)
+    names.insert(link.name);
+  checkIgnoredPairs(parameters, names);
+  const std::vector<NamePair> ignored_pairs = ignoredPairs(parameters, names);
   const Selection selection = selectionOf(parameters);
   BoundedRobot bounded = loader.load(robot, selection, meshSource(parameters));
   Model model;
@@ -208,11 +206,11 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   }
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   model.bodies = bodiesOf(robot, bounded.indices);
-  model.ignored_pairs = NamePairs(ignoredPairs(parameters, linkNames(robot)));
+  model.ignored_pairs = NamePairs(ignored_pairs);
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
   model.problems = std::move(bounded.problems);
-  model.warnings = unknownNames(robot, parameters);
+  model.warnings = unknownNames(parameters, ignored_pairs, names);
   model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
   return model;
 }

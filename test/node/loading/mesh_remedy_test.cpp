@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each cause has a remedy, and only the node speaks of its parameters and its service.
+// Each fault has a remedy, and only that of the node names parameters and ~reload.
 #include "node/loading/mesh_remedy.h"
 
 #include <gtest/gtest.h>

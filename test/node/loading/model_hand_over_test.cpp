@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Who frees a model, and what is in use after a model could not be adopted.
+// Which thread frees a model, and which model is in use after one could not be adopted.
 #include "node/loading/model_hand_over.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using ModelPtr = ModelHandOver::ModelPtr;
 
 constexpr int kModels = 5000;
 
-/// This is the loader thread; another one serves the queue.
+/// The test is the loader thread; another thread serves the queue.
 class ModelHandOverTest : public testing::Test {
  protected:
   ModelHandOverTest() { ros::Time::init(); }  // for the log
@@ -31,7 +31,7 @@ class ModelHandOverTest : public testing::Test {
     update_thread_.join();
   }
 
-  /// Counts it if another thread than this one frees the model.
+  /// Counts models that another thread than this one frees.
   ModelPtr makeModel(const std::string& fixed_frame) {
     auto* model = new Model;
     model->fixed_frame = fixed_frame;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names in tf, and groups made of what the description has.
+// Names of links in tf, and the members of groups.
 #include "node/loading/model.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What stays of a text in a log, and what cannot get there.
+// Which characters of a text reach a log.
 #include "node/log/log_text.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Enough is said about refused transforms, and not too much.
+// Refused transforms are reported, but throttled.
 #include "node/log/refusal_log.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST_F(RefusalLogTest, NamesFramePublisherAndRemedy) {
             "a transform of \"arm\" from \"/driver\" is refused: it is bad; mend it");
 }
 
-TEST_F(RefusalLogTest, TellsOfAFrameOnceInTenSeconds) {
+TEST_F(RefusalLogTest, ReportsAFrameOnceInTenSeconds) {
   EXPECT_TRUE(line("arm", 0));
   EXPECT_FALSE(line("arm", 9));
   EXPECT_TRUE(line("leg", 9));

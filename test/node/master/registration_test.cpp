@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said to a master, by a master and a node that are made up.
+// The calls to a master, with a fake master and a fake node.
 #include "node/master/registration.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ XmlRpcValue list(const std::vector<XmlRpcValue>& values) {
   return result;
 }
 
-/// Answers with what was prepared for a method, and remembers what it was asked.
+/// Returns prepared answers by method, and records all calls.
 struct Server {
   std::map<std::string, XmlRpcAnswer> answers;
   std::vector<std::string> asked;
@@ -72,7 +72,7 @@ TEST(QueryRegistration, AMasterMayNotKnowUs) {
   EXPECT_EQ(queryRegistration(master.call()), Registration::kUnknown);
 }
 
-/// Without ros::init our own URI is empty.
+/// Without ros::init the URI of this node is empty.
 TEST(QueryRegistration, OurOwnUriShowsThatWeAreKnown) {
   Server master;
   master.answers["lookupNode"] = {kSuccess, ""};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of objects there and back.
+// Names of objects, written and parsed.
 #include "node/names/object_key.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(ObjectKey, OtherTextsAreNoNames) {
   }
 }
 
-TEST(ObjectKey, SortedByNamespaceThenByNumber) {
+TEST(ObjectKey, SortedByNamespaceThenById) {
   EXPECT_LT((ObjectKey{"a", 10}), (ObjectKey{"b", 2}));
   EXPECT_LT((ObjectKey{"a", 2}), (ObjectKey{"a", 10}));
   EXPECT_LT((ObjectKey{"a", -1}), (ObjectKey{"a", 0}));

@@ -33,7 +33,7 @@ std::vector<std::string> deleted(const MarkerArray& array) {
   return names;
 }
 
-/// What a reader computes from a cube's centre and scale, in real numbers.
+/// The box of a cube marker from its centre and scale, without rounding.
 QuadBox boxOf(const Marker& cube) {
   const auto side = [](double center, double scale, int sign) {
     return static_cast<Quad>(center) + sign * static_cast<Quad>(scale) / 2;

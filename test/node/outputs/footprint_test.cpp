@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The polygon contains the box, corner by corner in the order that is promised.
+// The polygon contains the box, and its corners have the documented order.
 #include "node/outputs/footprint.h"
 
 #include <gtest/gtest.h>

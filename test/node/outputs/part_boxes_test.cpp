@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts follow the poses of the boxes, and take no notice of what was before.
+// Parts have the poses of the boxes at the last place().
 #include "node/outputs/part_boxes.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-/// A link as its own two parts, the second one larger.
+/// The parts of each link are a copy of it and a larger copy.
 std::shared_ptr<const Model> modelInParts(int parts_per_link) {
   auto model = std::make_shared<Model>(*modelOf("base", {meshLink("arm", 1), meshLink("lost", 2)}));
   model->parameters.parts_per_link = parts_per_link;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// To be preloaded: a process can start so many threads as FEW_THREADS says, as under a pids limit.
+// A library to preload: the process can start FEW_THREADS threads only, as under a pids limit.
 #include <dlfcn.h>
 #include <pthread.h>
 
