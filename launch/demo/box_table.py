@@ -36,19 +36,24 @@ def table(message, topic):
         return [f'waiting for {topic}']
     width = max([len(box.name) for box in message.boxes] + [len('link')])
     titles = ''.join(f'{title:^27}' for title in ('min x y z', 'max x y z', 'size x y z'))
-    lines = [f'{len(message.boxes)} boxes in frame {message.header.frame_id} '
+    lines = [f'{len(message.boxes)} boxes in frame {printable(message.header.frame_id)} '
              f'at {message.header.stamp.to_sec():.3f} s, metres',
              f'{"link":{width}}{titles}'.rstrip()]
     lines += [row(box, width) for box in message.boxes]
     if message.incomplete:
-        lines.append('incomplete: ' + ', '.join(message.incomplete))
+        lines.append('incomplete: ' + ', '.join(map(printable, message.incomplete)))
     return lines
+
+
+def printable(text):
+    """One line: control characters, which could move the cursor, become spaces."""
+    return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
 def row(box, width):
     low, high = xyz(box.min), xyz(box.max)
     size = [b - a for a, b in zip(low, high)]
-    return f'{box.name:{width}}' + ''.join(
+    return f'{printable(box.name):{width}}' + ''.join(
         '   ' + ''.join(f'{value:8.3f}' for value in triple) for triple in (low, high, size))
 
 

@@ -17,7 +17,12 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
 
 PERIOD = 0.1  # s of wall time for which a link must be gone: boxes may come after overlaps
-OBJECT = re.compile(r'.*/-?\d+')  # a link of such a name counts as an object
+OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
+
+
+def printable(text):
+    """One line: control characters, which could move the cursor, become spaces."""
+    return ''.join(c if c.isprintable() else ' ' for c in text)
 
 
 def kind(name):
@@ -85,7 +90,7 @@ def main():
     publisher = rospy.Publisher('~events', String, queue_size=100)
 
     def tell(text):
-        rospy.loginfo(text)
+        rospy.loginfo(printable(text))
         publisher.publish(text)
 
     watch = Watch(rospy.get_param('~zones', 'zones'), tell)

@@ -8,8 +8,8 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import (Pose, Recorder, TfSender, box_link, load, names_of, robot, transform,
-                            turn, wait_for)
+from bounds_testing import (NodeLog, Pose, Recorder, TfSender, box_link, load, names_of, robot,
+                            transform, turn, wait_for)
 from link_bounds.msg import BoxOverlapArray
 from node_testing import NODE, SANITIZED
 from object_testing import ObjectSender, deletion, marker
@@ -143,6 +143,13 @@ class SafetyZone(unittest.TestCase):
         self.expect("link hand left zone zones/1")
         of_hand = [event for event in self.told() if event.startswith("link hand")]
         self.assertEqual(of_hand, ["link hand entered zone zones/1", "link hand left zone zones/1"])
+
+    def test_a_name_cannot_forge_a_line_of_the_log(self):
+        log = NodeLog("/zone_events")
+        wait_for(lambda: self.wait_for_events_until_now() or log.messages, "zone_events logs")
+        self.objects.send(zone("par\ncels/1"))
+        self.expect("object par\ncels/1 entered zone zones/1")
+        log.wait(lambda m: m.msg == "object par cels/1 entered zone zones/1", "one line")
 
     def test_it_is_told_soon(self):
         """Prints how soon; a busy machine is no failure."""

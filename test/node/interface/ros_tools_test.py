@@ -18,7 +18,9 @@ import rostest
 import yaml
 from bounds_testing import (DEADLINE, Recorder, corners_of, executable, latched, load,
                             wait_for)
+from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from node_testing import ALL, ARMS, NODE, ArmsTf, Repeater
+from std_msgs.msg import Header
 from visualization_msgs.msg import MarkerArray
 
 TOPICS = {NODE + "/boxes": None, NODE + "/markers": MarkerArray}  # None: an array of boxes
@@ -157,6 +159,15 @@ class RosTools(unittest.TestCase):
         mean = float(found.group(1)) * UNITS[found.group(2)]
         size = len(bytes_of(self.boxes.messages[-1]))
         self.assertAlmostEqual(mean, size, delta=size / 4)
+
+    def test_box_table_keeps_control_characters_from_the_terminal(self):
+        publisher = rospy.Publisher("/odd/boxes", AxisAlignedBoxArray, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(AxisAlignedBoxArray(
+            header=Header(frame_id="world\x1b[2J"), boxes=[AxisAlignedBox(name="odd\x1b[2J")],
+            incomplete=["lost\nlink"]))
+        table = self.start(executable("link_bounds", "box_table.py"), "_topic:=/odd/boxes")
+        table.wait_for_match(r"frame world \[2J at [^\x1b]*\nodd \[2J [^\x1b]*: lost link\n")
 
     def test_rviz_is_set_to_topics_that_exist(self):
         published = dict(rospy.get_published_topics())
