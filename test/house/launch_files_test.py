@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """roslaunch finds each launch file by package and name: launch_files_test.py CHECKOUT BUILD_FOLDER
 
-roslaunch walks through the whole checkout, whatever was built or installed there."""
+roslaunch searches the complete checkout, with all that was built or installed there."""
 import pathlib
 import shutil
 import subprocess

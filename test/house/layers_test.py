@@ -69,7 +69,7 @@ def faults_of(path, level):
 
 
 def check_rules():
-    """The rules must see what they are for, else the test could never fail."""
+    """The rules find planted faults; without that the test could not fail."""
     support = level_of('geometry/support/query')
     assert support == ROOMS.index('geometry/support')
     assert level_of('elsewhere') is None

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails if the core library knows ROS or assimp, or if assimp gets into a process that must not die
-of a mesh: usage no_ros_test.py LIBLINK_BOUNDS_SO MESH_WORKER PROGRAM ..."""
+"""The libraries know neither ROS nor assimp, and only mesh_worker loads assimp, which may crash on
+a mesh: no_ros_test.py LIBLINK_BOUNDS_SO MESH_WORKER PROGRAM ..."""
 
 import pathlib
 import re
@@ -27,14 +27,15 @@ def forbidden_libraries(dynamic_section):
 
 
 def check_patterns():
-    """The patterns must see what they are for, else the test could never fail."""
+    """The patterns match what they must find; without that the test could not fail."""
     bad = ['ros/ros.h', 'ros/package.h', 'tf2/buffer_core.h', 'tf2_ros/buffer.h',
            'rosconsole/macros_generated.h', 'geometry_msgs/Point.h', 'std_srvs/Trigger.h',
            'assimp/scene.h']
     for header in bad:
         for line in (f'#include <{header}>', f'  # include "{header}"'):
             assert forbidden_includes(f'// first\n{line}\n') == [header], line
-    good = '#include <Eigen/Core>\n#include "link_bounds/geometry/box/aabb.h"\n// #include <ros/ros.h>\n'
+    good = ('#include <Eigen/Core>\n#include "link_bounds/geometry/box/aabb.h"\n'
+            '// #include <ros/ros.h>\n')
     assert not forbidden_includes(good)
     for name in ('roscpp', 'rosconsole', 'roslib', 'tf2', 'rostime', 'cpp_common', 'xmlrpcpp',
                  'roscpp_serialization', 'assimp'):
@@ -68,7 +69,7 @@ def check_library(path):
 
 
 def loads_assimp(program):
-    """With all libraries that it needs, directly or not."""
+    """True if the program or one of its libraries needs assimp."""
     return 'libassimp' in subprocess.run(['ldd', program], check=True, capture_output=True,
                                          text=True).stdout
 

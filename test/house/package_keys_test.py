@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What package.xml names for rosdep, scripts/packages.sh names for apt: package_keys_test.py FOLDER"""
+"""scripts/packages.sh has a package for each key of package.xml: package_keys_test.py FOLDER"""
 import subprocess
 import sys
 from xml.etree import ElementTree
 
-# Forms of a key that are names of packages, and what has none of them.
+# Debian's names for a key of rosdep, and a package whose name follows none of these forms.
 OTHER_NAMES = {'eigen': 'libeigen3-dev'}
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
 GROUPS = 'build run test display link'

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A node that bounds the arms, whose tf starts out good before each test."""
+"""Base of tests with the arms: each test begins with good poses and all boxes."""
 import unittest
 
 import rospy

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Broken, hostile and odd robots, and what must become of each: those of test/data, which are
+"""Broken, hostile and odd robots with the expected result of each: those of test/data, which are
 always there, and those of $LINK_BOUNDS_DATA/bad.
 
-Each robot has a good link base, mostly also a good link good, and a link bad with the fault.
+Each robot has a sound link "base", mostly another sound link "good", and "bad" with the fault.
 """
 import json
 import os
@@ -166,7 +166,7 @@ SMALL_ROBOT = """<robot name="small">
 
 
 class Case:
-    """A robot and what is expected of it; {} if only the rule for all is known."""
+    """A robot and its expected result; {} if only the rules for all robots apply."""
 
     def __init__(self, name, text, expected):
         self.name = name
@@ -193,7 +193,7 @@ def large_cases():
 
 
 def cases():
-    """All that can be tried here; says what cannot."""
+    """All cases that can run here; prints those that cannot."""
     if not HAS_DATA:
         print('skipped: the robots of $LINK_BOUNDS_DATA/bad; LINK_BOUNDS_DATA is not set')
     for case in [*small_cases(), *(large_cases() if HAS_DATA else ())]:

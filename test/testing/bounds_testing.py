@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the node tests share: deadlines, recorded topics, small robots, poses, joints and tf."""
+"""Shared by the tests of the node: waiting, recorded topics, small robots, poses, joints and tf."""
 import itertools
 import math
 import threading
@@ -73,7 +73,8 @@ class Recorder:
 
 
 def latched(topic, message_type=AxisAlignedBoxArray):
-    """What a subscriber that comes now is sent; rospy asks the node only if no Recorder listens."""
+    """What the node sends to a new subscriber. There must be no Recorder of the topic, with which
+    rospy would share the connection."""
     return rospy.wait_for_message(topic, message_type, DEADLINE)
 
 
@@ -123,7 +124,7 @@ class TfSender:
         self._publisher.publish(message)
 
     def end(self):
-        """The next sender of this process registers anew; its master may be another one."""
+        """Lets the next sender of this process register again, maybe with another master."""
         self._publisher.unregister()
 
 
@@ -150,7 +151,7 @@ def turn(axis, degrees):
 
 
 class Pose:
-    """A rotation, then a translation; base_from_arm * arm_from_hand reads itself."""
+    """A rotation followed by a translation: base_from_hand = base_from_arm * arm_from_hand."""
 
     def __init__(self, xyz=(0, 0, 0), xyzw=(0, 0, 0, 1)):
         self.xyz, self.xyzw = tuple(xyz), tuple(xyzw)
@@ -189,7 +190,7 @@ class Pose:
 
 
 def visual(geometry, xyz=(0, 0, 0), rpy=(0, 0, 0)):
-    """A <visual>; repr() keeps every digit."""
+    """A <visual>; %r keeps every digit."""
     return '<visual><origin xyz="%r %r %r" rpy="%r %r %r"/><geometry>%s</geometry></visual>' % (
         *xyz, *rpy, geometry)
 
@@ -221,7 +222,7 @@ def load(node, description=None, timeout=0.0, **parameters):
 
 
 def executable(package, name):
-    """The path of a program; rosrun does not look into a build folder below the package."""
+    """The path of a program."""
     return roslib.packages.find_node(package, name)[0]
 
 
@@ -245,7 +246,7 @@ class JointSender:
 
 
 class NodeLog:
-    """What a node says on /rosout, in order."""
+    """The lines of a node on /rosout, in order."""
 
     def __init__(self, node):
         self._node = node
@@ -261,19 +262,19 @@ class NodeLog:
         return self._recorder.wait(lambda m: m.name == self._node and condition(m), what)
 
     def lines(self, level, begin, end):
-        """Of the messages from one number to another, those of a level."""
+        """The lines of a level among messages[begin:end]."""
         return [m.msg for m in self.messages[begin:end] if m.level == level]
 
     def connect(self):
-        """Reloads until a line arrives; rospy alone does not tell when the node is heard."""
-        def heard():
+        """Reloads until a line arrives; rospy does not say when /rosout is connected."""
+        def has_arrived():
             load(self._node)
             return self.messages
-        wait_for(heard, "%s says something" % self._node)
+        wait_for(has_arrived, "%s says something" % self._node)
 
     def settle(self):
-        """Reloads with a new fault; returns the number of the line that tells of it, which comes
-        after all that was said before and before all else that this load says."""
+        """Reloads with a new fault; returns the index of its line. It comes after all earlier lines
+        and before all other lines of this reload."""
         fault = "no_such_parameter_%d" % next(self._faults)
         load(self._node, **{fault: 1})
         return wait_for(lambda: [i for i, m in enumerate(self.messages) if fault in m.msg],

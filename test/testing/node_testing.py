@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests of a node's life share: a robot in tf, steady senders, clock, status, processes."""
+"""Shared by the tests of a running node: arms in tf, periodic senders, clock, status, processes."""
 import os
 import subprocess
 import tempfile
@@ -162,21 +162,21 @@ class SimulatedClock:
         self._publisher.publish(Clock(rospy.Time.from_sec(seconds)))
 
     def set(self, seconds):
-        """Returns when the node's own time is this; its diagnostics tell."""
+        """Returns when the stamps of the node's diagnostics show this time."""
         self.publish(seconds)
         self._diagnostics.wait_for_new(
             lambda stamp, _: stamp == rospy.Time.from_sec(seconds), "time %g" % seconds)
 
 
 def resident_bytes(pid):
-    """The memory of a process that is in use."""
+    """The memory of a process that is in RAM."""
     with open("/proc/%d/status" % pid, encoding="ascii") as file:
         line = next(line for line in file if line.startswith("VmRSS:"))
     return int(line.split()[1]) * 1024
 
 
 class NodeProcess:
-    """A publisher node started here and now, with private parameters; keeps what it prints."""
+    """Starts a publisher node with private parameters, and keeps its output."""
 
     def __init__(self, name, arguments=(), environment=None, folder=None, **parameters):
         self.name = "/" + name

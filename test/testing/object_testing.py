@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Markers as a publisher of objects makes them, and what the node must make of them."""
+"""Markers as a publisher of objects sends them, and the boxes that they must get."""
 import math
 
 import rospy
@@ -8,7 +8,7 @@ from bounds_testing import Pose, box_of, corners_of, difference, wait_for
 from geometry_msgs.msg import Point
 from visualization_msgs.msg import Marker, MarkerArray
 
-TOLERANCE = 1e-9  # m; generous to the pad, far below anything that could go wrong
+TOLERANCE = 1e-9  # m; more than the outward rounding, far less than any real fault
 
 
 def marker(name, kind=Marker.CUBE, scale=(1, 1, 1), pose=Pose(), frame="base", points=(),
@@ -49,7 +49,7 @@ def shows_box(message, name, bounds):
 
 
 class ObjectSender:
-    """A publisher of objects; has its listener before it sends."""
+    """A publisher of objects, which waits for the node before it sends."""
 
     def __init__(self, node):
         self._array = rospy.Publisher(node + "/objects", MarkerArray, queue_size=1000)

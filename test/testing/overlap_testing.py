@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The oracle of ~overlaps: a check of all pairs of published boxes."""
+"""The oracle of ~overlaps: checks all pairs of published boxes."""
 import itertools
 import math
 from xml.etree import ElementTree
@@ -30,10 +30,10 @@ def joined_links(urdf):
     for parent, child, kind in joints:
         if kind == "fixed":
             old, new = body[child], body[parent]
-            body.update({link: new for link, its_body in body.items() if its_body == old})
-    near = {(body[parent], body[child]) for parent, child, _ in joints}
+            body.update({link: new for link, name_of_body in body.items() if name_of_body == old})
+    neighbours = {(body[parent], body[child]) for parent, child, _ in joints}
     return {(a, b) for a, b in itertools.product(body, body)
-            if body[a] == body[b] or (body[a], body[b]) in near or (body[b], body[a]) in near}
+            if body[a] == body[b] or neighbours & {(body[a], body[b]), (body[b], body[a])}}
 
 
 def expected(boxes, margin, ignored):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hosts that are network namespaces, joined by a switch; all of it ends with the process."""
+"""Hosts that are network namespaces joined by a switch. All of them end with the process."""
 import ctypes
 import os
 import signal
@@ -18,7 +18,7 @@ def die_with_parent():
 
 
 def unshare_command():
-    """What gives a program a network of its own and the right to change it; None if nothing can."""
+    """A command that runs a program with a network of its own; None if that is not possible."""
     rights = [] if os.geteuid() == 0 else ["--map-root-user"]
     command = ["unshare", "--net", *rights]
     try:
@@ -34,7 +34,7 @@ def run(*command):
 
 
 class Host:
-    """A namespace, which a sleeping process keeps, with one interface, which has an address."""
+    """A namespace with one interface and its address. A sleeping process keeps it alive."""
 
     def __init__(self, number):
         self.address = SUBNET + str(number)
@@ -64,13 +64,13 @@ class Host:
                                 preexec_fn=die_with_parent, **options)
 
     def watch_neighbours(self):
-        """Lets the kernel notice soon that a host is gone: TCP then does not double its pause
-        before each new try (RFC 6069), which it does where nobody tells it."""
+        """Lets the kernel notice soon that a host is gone. TCP then does not double the pause
+        before each retransmission (RFC 6069)."""
         settings = [word for name, value in NEIGHBOURS.items() for word in (name, str(value))]
         self.run("ip", "ntable", "change", "name", "arp_cache", "dev", "eth0", *settings)
 
     def cut(self):
-        """Pulls the cable at the switch; the host's own end sees that, too."""
+        """Pulls the cable at the switch. The host's end of the cable sees that, too."""
         run("ip", "link", "set", self.port, "down")
 
     def restore(self):
@@ -88,7 +88,7 @@ class Host:
 
 
 def hosts(count):
-    """Numbered from 1, which is where the ROS master belongs."""
+    """Numbered from 1. The ROS master must run on host 1."""
     run("ip", "link", "add", "switch", "type", "bridge")
     run("ip", "link", "set", "switch", "up")
     return [Host(number) for number in range(1, count + 1)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of urdf_bounds share: robots, a mesh, and running the program."""
+"""Shared by the tests of urdf_bounds: robots, a mesh, and running the program."""
 import json
 import os
 import re
@@ -45,7 +45,7 @@ def mesh(name, uri):
 
 
 def tree(*links):
-    """A robot whose links all hang on the first one."""
+    """A robot whose other links are children of the first one."""
     names = [re.search('name="(.*?)"', link, re.DOTALL).group(1) for link in links]
     joints = ['<joint name="j%d" type="fixed"><parent link="%s"/><child link="%s"/></joint>'
               % (i, names[0], name) for i, name in enumerate(names) if i > 0]
@@ -74,7 +74,7 @@ def run(*arguments, urdf=ARM, **options):
 
 
 def boxes(*arguments, **options):
-    """The parsed JSON of a run that must succeed without a word on standard error."""
+    """The parsed JSON of a run that must succeed with an empty standard error."""
     code, out, err = run('-', '--format', 'json', *arguments, **options)
     assert (code, err) == (0, ''), (code, err)
     return json.loads(out)
@@ -96,7 +96,7 @@ class UrdfBoundsTest(unittest.TestCase):
         return path
 
     def check_box(self, box, low, high):
-        """Equal to rounding, and never smaller."""
+        """Equal up to rounding, and never smaller."""
         for found, exact in zip(box['min'], low):
             self.assertLessEqual(found, exact + 1e-15)
             self.assertAlmostEqual(found, exact, delta=1e-12)
@@ -112,7 +112,7 @@ class UrdfBoundsTest(unittest.TestCase):
 
 
 def main():
-    """Takes the path of urdf_bounds, runs the tests of the script that was started."""
+    """Runs the tests of the script with the path of urdf_bounds, its last argument."""
     global URDF_BOUNDS
     URDF_BOUNDS = os.path.abspath(sys.argv.pop())
     unittest.main()

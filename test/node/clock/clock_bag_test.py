@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A recorded bag, played in a loop with its clock: each round shows the boxes of its own time."""
+"""A bag that is played in a loop with its clock: each round shows the boxes of its own time."""
 import os
 import shutil
 import subprocess
@@ -24,7 +24,7 @@ LENGTH = 3.0  # s
 PERIOD = 0.01  # s between the transforms
 ROUNDS = 4
 RIGHT_AGAIN = 0.5  # wall seconds after a wrap
-JUMP = 1.0  # s; a clock that falls by more has begun a new round
+JUMP = 1.0  # s; where the clock goes back by more, a new round begins
 DEADLINE = 90.0  # wall seconds for all rounds
 
 
@@ -33,12 +33,12 @@ def stamp_at(index):
 
 
 def degrees_at(stamp):
-    """The arms turn on with each transform of the bag."""
+    """The arms turn a bit with each transform of the bag."""
     return 20 + 0.1 * round((stamp.to_sec() - BEGIN) / PERIOD)
 
 
 def write_bag(path):
-    """The robot as it was recorded; the mast is static and came first."""
+    """Records the arms. The mast is static and comes first."""
     with rosbag.Bag(path, "w") as bag:
         mast = arm_transform("mast", rospy.Time(), 0)
         bag.write("/tf_static", TFMessage([mast]), stamp_at(0))
@@ -49,7 +49,7 @@ def write_bag(path):
 
 
 class Record:
-    """Boxes and wraps of the clock, each with the wall time when it came."""
+    """Boxes and wraps of the clock, each with its wall time of arrival."""
 
     def __init__(self):
         self._lock = threading.Lock()
@@ -83,7 +83,7 @@ def is_complete(message):
 
 
 def split_into_rounds(boxes):
-    """A round ends where the clock's jump has taken the moving links away."""
+    """A round ends where the clock has jumped and the moving links have no boxes."""
     rounds = [[]]
     for received, message in boxes:
         if is_complete(message):

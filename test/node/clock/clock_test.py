@@ -29,7 +29,7 @@ class ClockTest(unittest.TestCase):
         cls.now = 0
 
     def setUp(self):
-        """The clock runs on to a time of this test's own."""
+        """Sets the clock forward, to a time that no other test uses."""
         load(NODE, ARMS, timeout=TIMEOUT)
         ClockTest.now += 10000
         self.clock.set(self.now)
@@ -74,7 +74,7 @@ class ClockTest(unittest.TestCase):
         self.boxes.wait(lambda m: shows(m, ONLY_STATIC, DYNAMIC), "stale links when it goes on")
 
     def test_back_and_forth(self):
-        """The sender knows the new time at once; the node hears of it when it may."""
+        """The sender changes its stamps at once; the node may receive the new clock later."""
         era = {"now": self.now, "degrees": 30}
         lock = threading.Lock()
 
@@ -97,7 +97,7 @@ class ClockTest(unittest.TestCase):
             self.check_no_return(first, degrees)
 
     def check_no_return(self, first, degrees):
-        """The next messages are all of the new era."""
+        """All further messages are of the new era."""
         def later():
             messages = self.boxes.messages
             return messages[messages.index(first):]

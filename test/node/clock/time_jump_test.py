@@ -45,7 +45,7 @@ class TimeJump(unittest.TestCase):
             self.assertLess(difference(box, arm_bounds(name, degrees)), TOLERANCE, name)
 
     def jump_back(self):
-        """By 5 s; returns the time after it, when the node has noticed."""
+        """By 5 s; returns the new time as soon as the node has noticed the jump."""
         new_now = self.now - 5
         self.clock.publish(new_now)
         message = self.boxes.wait(lambda m: "left" not in names_of(m), "loss of dynamic boxes")
@@ -53,12 +53,12 @@ class TimeJump(unittest.TestCase):
         return new_now
 
     def dropped(self, status=None):
-        """How many transforms were dropped after jumps, by this status or by a new one."""
+        """How many transforms were dropped after jumps, as this status says or a new one."""
         status = status or self.diagnostics.wait_for_new(lambda _, s: True, "a status")
         return int(value_of(status, "transforms dropped after a clock jump"))
 
     def send_two_poses(self, start):
-        """What was poisoned by a later stamp would not show both of these."""
+        """An edge with a sample of a later stamp would not show both."""
         self.tf.send(at(start + 0.01), degrees=30)
         self.wait_for_all(start + 0.01, degrees=30)
         self.tf.send(at(start + 0.02), degrees=45)
@@ -75,13 +75,13 @@ class TimeJump(unittest.TestCase):
         self.wait_for_all(new_now, degrees=45)
         self.assertLess(time.monotonic() - start, BACK_AGAIN)
 
-    def test_late_transform_that_races_the_clock_poisons_nothing(self):
+    def test_late_transform_that_races_the_clock_harms_nothing(self):
         self.clock.publish(self.now - 5)
         self.tf.send(at(self.now - 2))
         self.boxes.wait(lambda m: "left" not in names_of(m), "loss of dynamic boxes")
         self.send_two_poses(self.now - 5)
 
-    def test_late_transform_after_the_jump_poisons_nothing(self):
+    def test_late_transform_after_the_jump_harms_nothing(self):
         new_now = self.jump_back()
         self.tf.send(at(new_now + 3))
         self.send_two_poses(new_now)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A CUBE on ~object is a zone; ~overlaps and zone_events.py tell which link enters it, and soon."""
+"""A CUBE on ~object is a zone; ~overlaps and zone_events.py report at once which link enters it."""
 import itertools
 import time
 import unittest
@@ -75,7 +75,7 @@ class SafetyZone(unittest.TestCase):
         self.events.clear()
 
     def wait_for_events_until_now(self):
-        """Events come in order, and who leaves is told last."""
+        """Events come in order, and "left" is the last of one state."""
         number = next(self.numbers)
         far_zone, parcel = "zones/%d" % number, "parcels/%d" % number
         self.objects.send(zone(far_zone, 50.0), zone(parcel, 50.5))
@@ -90,7 +90,7 @@ class SafetyZone(unittest.TestCase):
         self.tf.send(transform("base", "hand", stamp, xyz, turn((0, 0, 1), 30)))
         return stamp
 
-    def told(self):
+    def reported(self):
         return [message.data for message in self.events.messages]
 
     def expect(self, event):
@@ -109,7 +109,7 @@ class SafetyZone(unittest.TestCase):
         self.assertAlmostEqual(pair.distance, -0.01, delta=TOLERANCE)
         self.place(OUTSIDE)
         self.expect("link hand left zone zones/1")
-        self.assertEqual(self.told(), ["link hand entered zone zones/1",
+        self.assertEqual(self.reported(), ["link hand entered zone zones/1",
                                        "link hand left zone zones/1"])
 
     def test_a_zone_comes_and_goes_around_a_link(self):
@@ -126,7 +126,7 @@ class SafetyZone(unittest.TestCase):
         self.expect("object parcels/1 entered zone zones/2")
         self.place(INSIDE)
         self.expect("link hand entered zone zones/1")
-        self.assertEqual([event for event in self.told() if "entered" in event],
+        self.assertEqual([event for event in self.reported() if "entered" in event],
                          ["object parcels/1 entered zone zones/2",
                           "link hand entered zone zones/1"])
 
@@ -141,7 +141,7 @@ class SafetyZone(unittest.TestCase):
         self.expect("hand is no longer incomplete")
         self.place(OUTSIDE)
         self.expect("link hand left zone zones/1")
-        of_hand = [event for event in self.told() if event.startswith("link hand")]
+        of_hand = [event for event in self.reported() if event.startswith("link hand")]
         self.assertEqual(of_hand, ["link hand entered zone zones/1", "link hand left zone zones/1"])
 
     def test_a_name_cannot_forge_a_line_of_the_log(self):
@@ -151,8 +151,8 @@ class SafetyZone(unittest.TestCase):
         self.expect("object par\ncels/1 entered zone zones/1")
         log.wait(lambda m: m.msg == "object par cels/1 entered zone zones/1", "one line")
 
-    def test_it_is_told_soon(self):
-        """Prints how soon; a busy machine is no failure."""
+    def test_it_is_reported_at_once(self):
+        """Prints the latency, which is no failure on a busy machine."""
         overlaps = TimedOverlaps()
         self.addCleanup(overlaps.subscriber.unregister)
         latencies = []

@@ -17,7 +17,7 @@ POINTS_PER_BOX = 24  # of its twelve edges
 
 
 def drawn_boxes(message, state):
-    """How many boxes the edges of a colour are of."""
+    """How many boxes are drawn with edges of a colour."""
     edges = next(m for m in message.markers if m.ns == state and m.type == Marker.LINE_LIST)
     return len(edges.points) / POINTS_PER_BOX
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The level that /diagnostics shows, its words, and its period."""
+"""Level, texts, values and period of /diagnostics."""
 import math
 import unittest
 
@@ -18,7 +18,7 @@ MEAN = "time per tf message, mean of the last second [ms]"
 MAXIMUM = "time per tf message, maximum of the last second [ms]"
 LONGEST = "time per tf message, longest [ms]"  # since the start
 CROWD = 400  # objects that all overlap
-LONG = 10.0  # ms; to find 80,000 pairs and send them takes longer
+LONG = 10.0  # ms; finding 80,000 pairs and sending them takes longer
 PERIODS = 5
 PERIOD = 1.0  # wall seconds
 LATE = 0.5  # wall seconds by which their mean may be off on a busy machine
@@ -126,7 +126,7 @@ class DiagnosticsTest(unittest.TestCase):
         self.addCleanup(load, NODE)
         self.addCleanup(objects.clear)
         key = "longest callback, CPU [ms]"
-        objects.send(marker("first/1"))  # this one or the reload lets the next one wait
+        objects.send(marker("first/1"))  # after this one or the reload the next one must wait
         before = float(value_of(self.diagnostics.wait_for_new(lambda *_: True, "a status"), key))
         objects.send(*[marker("crowd_of_objects/%d" % i) for i in range(CROWD)])
         overlaps.wait(lambda m: len(m.overlaps) >= CROWD * (CROWD - 1) / 2, "all pairs")

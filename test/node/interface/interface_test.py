@@ -26,7 +26,7 @@ class Interface(unittest.TestCase):
 
     @classmethod
     def offered(cls, kind):
-        """What the node publishes (0), subscribes (1) or serves (2), less what ROS adds."""
+        """What the node publishes (0), subscribes (1) or serves (2), without what ROS adds."""
         return {name for name, nodes in cls.master.getSystemState()[kind]
                 if NODE in nodes} - OF_ROS
 
@@ -42,7 +42,8 @@ class Interface(unittest.TestCase):
         self.assertEqual({name: types[name] for name in topics}, topics)
 
     def test_only_tf_and_objects_are_subscribed(self):
-        self.assertEqual(self.offered(1), {"/tf", "/tf_static", NODE + "/objects", NODE + "/object"})
+        self.assertEqual(self.offered(1),
+                         {"/tf", "/tf_static", NODE + "/objects", NODE + "/object"})
 
     def test_services_and_their_types(self):
         services = self.promised("Services")

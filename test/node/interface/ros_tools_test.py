@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people look with understands what the node sends: rosbag, rostopic and rviz."""
+"""rosbag, rostopic and rviz understand what the node sends."""
 import io
 import os
 import re
@@ -35,7 +35,7 @@ UNITS = {"B": 1, "KB": 1e3, "MB": 1e6}
 
 
 def bytes_of(message):
-    """As they are sent; a bag has types of its own, which are never equal to those of rospy."""
+    """A message as it is sent. Message types of a bag never equal those of rospy."""
     buffer = io.BytesIO()
     message.serialize(buffer)
     return buffer.getvalue()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Broken, hostile and odd robots, each through one node that lives through all of them."""
+"""Broken, hostile and odd robots: one node loads them all, one after the other."""
 import itertools
 import math
 import unittest
@@ -24,7 +24,7 @@ GOOD_BOX = [-.5, -1, -1.5, .5, 1, 1.5]
 
 
 def static_transforms(text):
-    """Of all joints at zero; the fault may be that there are none to be read."""
+    """The poses of all joints at zero; none where the text cannot be parsed."""
     try:
         joints = ElementTree.fromstring(text.strip()).findall("joint")
     except ElementTree.ParseError:
@@ -86,7 +86,7 @@ class BadInputs(unittest.TestCase):
             self.check_rule(message)
 
     def check_old_boxes_stay(self):
-        """The robot that was there before moves on, without another reload."""
+        """The robot that was loaded before still moves."""
         x = next(self.metres)
         self.tf.send(transform("base", "moves", rospy.Time(1000 + x), (x, 0, 0)))
         moved = [x - .5, -.5, -.5, x + .5, .5, .5]
@@ -99,7 +99,7 @@ class BadInputs(unittest.TestCase):
             self.assertTrue(self.is_near(corners_of(message.boxes[0]), GOOD_BOX, 1e-9))
 
     def reload(self, description):
-        """Why it failed, or nothing. The description is good again afterwards."""
+        """The reason of a failure, or "". The description is good again afterwards."""
         try:
             load(NODE, description)
             return ""
@@ -133,7 +133,7 @@ class BadInputs(unittest.TestCase):
         return all(abs(a - b) <= allowed for a, b in zip(box, expected))
 
     def check_errors(self, errors, expected):
-        """One for each link that is not whole, with its name and the reason."""
+        """One for each incomplete link, with its name and the reason."""
         incomplete = expected.get("incomplete", [])
         self.assertEqual(len(errors), len(incomplete), errors)
         for name, error in zip(incomplete, errors):

@@ -23,9 +23,9 @@ from object_testing import ObjectSender, marker
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
 
-TRIANGLES = 300000  # so many take the reader long enough to be caught
+TRIANGLES = 300000  # the reader needs so long for them that the test can stop it
 SHORT_TIMEOUT = 3.0  # s
-LONGEST_CALLBACK = 50.0  # ms of the update thread's own time
+MAX_CALLBACK = 50.0  # ms of the update thread's own time
 PROMPT = 5.0  # s, for the end of a node
 
 
@@ -35,7 +35,7 @@ def write_stl(path, triangles):
 
 
 def write_polygon(path, corners):
-    """A fan: each corner but two is a triangle of 12 bytes, two bytes in the file."""
+    """A fan: each corner but two makes a triangle, two bytes in the file and 12 in memory."""
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf" + " 1 2 3" * (corners // 3) + "\n")
 
 
@@ -47,7 +47,7 @@ def mesh_robot(uri):
 
 
 def parent_of(process):
-    """Also tells that it lives."""
+    """None if the process has ended."""
     try:
         stat = pathlib.Path("/proc/%d/stat" % process).read_text()
     except OSError:
@@ -57,7 +57,7 @@ def parent_of(process):
 
 
 def has_limits(process):
-    """It is past its beginning, in which it limits itself."""
+    """True if the process has set its own limits, as a mesh reader does first."""
     try:
         limits = pathlib.Path("/proc/%d/limits" % process).read_text()
     except OSError:
@@ -66,7 +66,7 @@ def has_limits(process):
 
 
 def workers_of(node):
-    """Process numbers of the mesh readers that a process has started."""
+    """Process numbers of the mesh readers of a node."""
     processes = [int(path.name) for path in pathlib.Path("/proc").glob("[0-9]*")]
     return [p for p in processes if parent_of(p) == node and has_limits(p)]
 
@@ -96,7 +96,7 @@ class MeshFaults(unittest.TestCase):
         return node
 
     def catch_worker(self, node):
-        """A reader at work, stopped; it hangs from now on."""
+        """Stops a mesh reader while it reads, so that it hangs."""
         worker = wait_for(lambda: workers_of(node.pid), "a mesh reader")[0]
         os.kill(worker, signal.SIGSTOP)
         self.addCleanup(lambda: is_alive(worker) and os.kill(worker, signal.SIGKILL))
@@ -201,7 +201,7 @@ class MeshFaults(unittest.TestCase):
         self.assertGreater(len(milliseconds), 100)
         self.assertEqual(milliseconds, list(range(milliseconds[0], milliseconds[-1] + 1)))
         status = Diagnostics(node.name).wait_for_new(lambda *_: True, "a status")
-        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), LONGEST_CALLBACK)
+        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
 
     def test_a_node_that_is_killed_leaves_no_reader(self):
         node = self.start(mesh_robot("file://%s" % self.large))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""~reload takes what is new, keeps the old on failure, and holds nothing up."""
+"""~reload applies what is new, keeps the old model on failure, and delays no box."""
 import os
 import struct
 import subprocess
@@ -16,12 +16,12 @@ from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_o
 from std_srvs.srv import Trigger
 
 TOLERANCE = 1e-12  # m
-LONGEST_CALLBACK = 50.0  # ms of the update thread's own time
+MAX_CALLBACK = 50.0  # ms of the update thread's own time
 TRIANGLES = 60000
 
 
 def write_stl(path, size, triangles=1):
-    """The first triangle reaches to (size, size, size); the others lie within."""
+    """The first triangle has a corner at (size, size, size); the others lie inside its box."""
     with open(path, "wb") as file:
         file.write(bytes(80) + struct.pack("<I", triangles))
         file.write(struct.pack("<12fH", *[0] * 3, *[0] * 3, size, 0, 0, size, size, size, 0))
@@ -73,7 +73,7 @@ class Reload(unittest.TestCase):
         return rospy.ServiceProxy(NODE + "/reload", Trigger)()
 
     def width_of_mast(self):
-        """In the mast's own frame, which the mesh does not leave."""
+        """The largest x of the mesh, measured in the mast's own frame."""
         self.boxes.clear()
         load(NODE, links=["mast"], fixed_frame="mast")
         message = self.boxes.wait(lambda m: m.header.frame_id == "mast", "boxes in the mast")
@@ -107,7 +107,7 @@ class Reload(unittest.TestCase):
         self.assertIn("padding", answer.message)
         self.check_served()
 
-    def test_very_small_rates_are_taken(self):
+    def test_very_small_rates_are_accepted(self):
         for i, rate in enumerate((1e-10, 1e-300, 5e-324)):
             padding = 0.5 + i
             self.boxes.clear()
@@ -120,7 +120,7 @@ class Reload(unittest.TestCase):
         self.assertIn("robot_description", self.reload().message)
         self.check_served()
 
-    def test_a_replaced_mesh_is_read_anew(self):
+    def test_a_replaced_mesh_is_read_again(self):
         write_stl(self.mesh, 1.0)
         rospy.set_param("/robot_description", mesh_robot(self.mesh))
         self.assertAlmostEqual(self.width_of_mast(), 1.0, delta=1e-9)
@@ -155,7 +155,7 @@ class Reload(unittest.TestCase):
         answered = [m.header.stamp for m in self.boxes.messages]
         self.assertEqual([stamp for stamp in sent if stamp not in answered], [])
         status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
-        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), LONGEST_CALLBACK)
+        self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A node without a description or a clock says what it waits for and goes on by itself."""
+"""A node without a description or a clock says what it waits for, and continues by itself."""
 import time
 import unittest
 

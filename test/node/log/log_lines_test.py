@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Text from outside cannot forge a line of the log, act on a terminal, or fill a disk."""
+"""Text from outside cannot forge a line of the log, control a terminal, or fill a disk."""
 import unittest
 
 import rospy
@@ -13,9 +13,9 @@ from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
 
 FORGED = "\n[ERROR] forged\u202e"
-CLEARED = "\x1b[2J"  # XML-RPC does not carry this
+CLEARED = "\x1b[2J"  # XML-RPC cannot carry it
 LONG = 5000 * "x"
-LONGEST = 1000  # characters of a line
+MAX_LENGTH = 1000  # characters of a line
 
 
 class LogLines(unittest.TestCase):
@@ -27,8 +27,8 @@ class LogLines(unittest.TestCase):
         cls.diagnostics = Diagnostics()
 
     def check(self, text):
-        self.assertTrue(text.isprintable(), repr(text[:LONGEST]))
-        self.assertLess(len(text), LONGEST)
+        self.assertTrue(text.isprintable(), repr(text[:MAX_LENGTH]))
+        self.assertLess(len(text), MAX_LENGTH)
 
     def check_line_with(self, *words):
         self.check(self.log.wait(lambda m: all(w in m.msg for w in words), " ".join(words)).msg)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A master that dies takes nothing away that is connected, and its successor learns all of it."""
+"""When the master dies, connections stay; the node registers everything with the next master."""
 import signal
 import subprocess
 import sys
@@ -18,14 +18,14 @@ from std_srvs.srv import Trigger
 
 STRANGER = "stranger"  # the argument of a second process of this script
 BACK_AT_MASTER = 5.0  # wall seconds
-PROMPT = 10.0  # wall seconds for the end of a node, with some for a busy machine
+PROMPT = 10.0  # wall seconds for the end of a node on a busy machine
 RATE = 100  # Hz
 LOST = "lost the ROS master"
 BACK = "knows this node again"
 
 
 def entries(node):
-    """What the master says of a node: topics and services, and how they are reached."""
+    """What the master knows of a node: topics and services, and their addresses."""
     master = rosgraph.Master("/asking")
     types = dict(master.getTopicTypes())
     topics, subscriptions, services = (
@@ -45,7 +45,7 @@ def is_known(node):
 
 
 def run(*command):
-    """What a command that is new to the graph prints."""
+    """The output of a command, which connects as a new node."""
     return subprocess.run(command, check=True, timeout=DEADLINE,
                           stdout=subprocess.PIPE).stdout.decode()
 
@@ -153,7 +153,7 @@ class MasterRestart(unittest.TestCase):
         self.assertEqual([m.header.stamp for m in self.boxes.messages[count:]], [after])
 
     def send_and_wait(self, tf, stamp):
-        """Until the boxes of this stamp have come, and so all that the node sent before."""
+        """Waits for the boxes of this stamp, which come after all that the node sent before."""
         tf.send(stamp)
         self.boxes.wait(lambda m: m.header.stamp == stamp and not m.incomplete, "all boxes")
 

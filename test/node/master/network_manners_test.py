@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""After a life with meshes, reloads and listeners the node holds nothing open that ROS does not."""
+"""After meshes, reloads and listeners only ports and files that ROS needs are open in the node."""
 import os
 import pathlib
 import re
@@ -43,7 +43,7 @@ def files_below(folder):
 
 
 class Process:
-    """What the kernel tells of a process; its sockets are told by their inodes."""
+    """A process in /proc; its sockets are identified by their inodes."""
 
     def __init__(self, pid):
         self._folder = "/proc/%d/" % pid
@@ -110,7 +110,7 @@ class NetworkManners(unittest.TestCase):
             self.assertEqual(os.path.commonpath([log_folder, os.path.realpath(file)]), log_folder)
 
     def test_which_files_are_written(self):
-        """A process has folders of its own for all that its environment names."""
+        """The process has its own folder for each variable of its environment that names one."""
         folder = pathlib.Path(tempfile.mkdtemp()).resolve()
         self.addCleanup(shutil.rmtree, folder)
         for name in [*FOLDERS.values(), "working"]:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Robot, node and consumer on three hosts, for a minute in which two cables are cut.
+"""Robot, node and consumer on three hosts for a minute, in which two cables are cut.
 
 Run without arguments; with one it is a process on one of the hosts.
 """
@@ -46,7 +46,7 @@ ROBOT = '<robot name="arms">%s%s%s</robot>' % (
 
 
 def degrees_at(nanoseconds):
-    """Where all joints stand at a time."""
+    """The angle of all joints at a time."""
     return nanoseconds % (10 * 10 ** 9) / 1e9 * DEGREES_PER_SECOND
 
 
@@ -102,7 +102,7 @@ class Consumer:
 
 
 def wait_until(moment):
-    """The schedule of the minute is part of what is tested."""
+    """Sleeps, because the schedule of the minute is part of the test."""
     time.sleep(max(0.0, moment - time.time()))
 
 
@@ -169,7 +169,7 @@ class ThreeHosts(unittest.TestCase):
         for begin, end in zip(borders[::2], borders[1::2]):
             stamps = [m["stamp"] for m in self.consumer.messages
                       if begin < m["stamp"] < end and not m["incomplete"]]
-            # What is lost on the way comes again, but not each joint state does.
+            # TCP repeats what is lost on the way, but the robot skips some joint states.
             self.assertGreater(len(set(stamps)), RATE / 2 * (end - begin - RIGHT_AGAIN))
             gaps = [b - a for a, b in zip(stamps, stamps[1:])]
             self.assertLess(max(gaps), RIGHT_AGAIN)

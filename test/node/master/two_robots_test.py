@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two robots side by side: each node's boxes are the other's objects, and their number stays. Their
-frames in tf are prefixed, the names of their boxes are not."""
+"""Two robots: the boxes of each node are objects of the other, and their number stays the same.
+Their frames in tf have prefixes, the names of their boxes do not."""
 import collections
 import itertools
 import time
@@ -40,7 +40,7 @@ def objects_of(side):
     return sorted("%s/%s/0" % (side, link) for link in DEMO_LINKS)
 
 
-def is_whole(side, message):
+def is_complete(side, message):
     return names_of(message) == DEMO_LINKS + objects_of(SIDES[side]) and not message.incomplete
 
 
@@ -69,7 +69,7 @@ def across(message):
 
 
 class DemoArms(unittest.TestCase):
-    """Every message of a minute is judged."""
+    """Judges each message of a minute."""
 
     @classmethod
     def setUpClass(cls):
@@ -77,7 +77,7 @@ class DemoArms(unittest.TestCase):
             print("skipped: two arms of the demo, robot_state_publisher knows no tf_prefix")
             raise unittest.SkipTest("robot_state_publisher knows no tf_prefix")
         for side in SIDES:
-            # A machine that is busy for two seconds is not what this is about.
+            # No link becomes stale on a machine that is busy for two seconds.
             rospy.set_param(node(side) + "/timeout", 0.0)
             rospy.wait_for_service(node(side) + "/reload", DEADLINE)
             rospy.ServiceProxy(node(side) + "/reload", Trigger)()
@@ -91,7 +91,7 @@ class DemoArms(unittest.TestCase):
         wait_for(lambda: time.monotonic() > end, "the end of the hold", HOLD + DEADLINE)
         cls.held = {side: recorder.messages[known[side]] for side, recorder in cls.boxes.items()}
         cls.held_overlaps = {side: recorder.messages for side, recorder in cls.overlaps.items()}
-        # What the last of these are compared with may come a little later.
+        # The messages that the last ones are compared with may come a little later.
         now = rospy.Time.now()
         for recorder in cls.boxes.values():
             recorder.wait(lambda m: m.header.stamp > now, "news")
@@ -113,7 +113,7 @@ class DemoArms(unittest.TestCase):
         since somebody listens."""
         sent = cls.sent_by(SIDES[side])
         return next((slice(i, None) for i, message in enumerate(cls.boxes[side].messages)
-                     if is_whole(side, message) and
+                     if is_complete(side, message) and
                      any(difference(corners_of_objects(message), s) < TOLERANCE for s in sent)),
                     None)
 
@@ -121,7 +121,7 @@ class DemoArms(unittest.TestCase):
         for side, messages in self.held.items():
             self.assertGreater(len(messages), 10 * HOLD)
             for message in messages:
-                self.assertTrue(is_whole(side, message), (names_of(message), message.incomplete))
+                self.assertTrue(is_complete(side, message), (names_of(message), message.incomplete))
 
     def test_objects_are_the_boxes_of_the_other_robot(self):
         for side, neighbour in SIDES.items():
@@ -187,7 +187,7 @@ def link_bounds(base_from_link):
 
 
 class Prefixes(unittest.TestCase):
-    """They are found above the nodes."""
+    """tf_prefix is found in the namespaces above the nodes."""
 
     @classmethod
     def setUpClass(cls):

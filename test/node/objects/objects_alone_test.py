@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects without a robot and without tf; their meshes; very many of them, and the memory after."""
+"""Objects without robot and tf; their meshes; 10,000 objects, and the memory after them."""
 import pathlib
 import shutil
 import struct
@@ -25,7 +25,7 @@ BROKEN = {"root": "<robot name='r'><link name='a'/><link name='b'/></robot>",
           "not a string": 5, "not a usable URDF": "<robot"}
 REFUSED = "waiting for another robot_description"
 MEBIBYTE = 1 << 20
-KEPT = 3 * MEBIBYTE  # of the memory of many objects, by the C library and in buffers
+KEPT = 3 * MEBIBYTE  # that the C library and buffers may keep of the memory of many objects
 
 
 def write_tetrahedron(path, size):

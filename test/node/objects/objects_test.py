@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects appear by themselves, follow, deform, are refused and go; groups and markers follow."""
+"""Objects appear, move, deform, are refused and go; groups and markers follow."""
 import itertools
 import math
 import unittest
@@ -23,7 +23,7 @@ POINTS = [(0, 0, 0), (0.5, 0, 0.1), (0, 0.7, -0.2), (0.3, 0.2, 0.9), (0.1, 0.8, 
 
 
 def swept(pose, bounds_of):
-    """Around all points, each swept by a solid at the pose's turn."""
+    """The bounds of a solid at all points, with the rotation of the pose."""
     return union([bounds_of(Pose(pose.moved(p), pose.xyzw)) for p in POINTS])
 
 

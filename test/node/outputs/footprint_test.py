@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""~footprint as costmap_2d reads it: in the robot's base frame, however that turns in odom."""
+"""~footprint as costmap_2d reads it: in the robot's base frame, wherever that is in odom."""
 import itertools
 import unittest
 

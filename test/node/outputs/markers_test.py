@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What rviz is given to draw."""
+"""~markers: what rviz draws."""
 import math
 import time
 import unittest
@@ -13,7 +13,7 @@ from node_testing import ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf
 from visualization_msgs.msg import Marker, MarkerArray
 
 TOLERANCE = 1e-9  # m
-THINNEST = 1e-4  # m
+MIN_THICKNESS = 1e-4  # m
 FACES, EDGES, LABEL = 0, 1, 2
 MARKER_RATE = 1.0  # Hz
 SENDING = 3.0  # wall seconds
@@ -42,7 +42,7 @@ class Markers(unittest.TestCase):
         cls.now = 1000
 
     def record(self):
-        """A subscriber of its own: rospy would share the connection of one that is still there."""
+        """A new subscriber. rospy would share the connection of one that still exists."""
         markers = Recorder(NODE + "/markers", MarkerArray)
         self.addCleanup(markers.subscriber.unregister)
         return markers
@@ -128,7 +128,7 @@ class Markers(unittest.TestCase):
         load(NODE, robot([box_link("base", (1.0, 0.0, 0.5))], []))
         markers = self.record()
         first = markers.wait(lambda m: len(added(m)) == 2, "the flat box")
-        self.assertAlmostEqual(added(first)["base", FACES].scale.y, THINNEST, delta=TOLERANCE)
+        self.assertAlmostEqual(added(first)["base", FACES].scale.y, MIN_THICKNESS, delta=TOLERANCE)
         self.assertTrue(all(math.isfinite(c) for m in first.markers
                             for point in m.points for c in (point.x, point.y, point.z)))
 
@@ -142,9 +142,9 @@ class Markers(unittest.TestCase):
         last = rospy.Time(self.now)
         markers.wait(lambda m: m.markers[0].header.stamp == last, "the newest state")
         # One more at the beginning of the time, and one that was on its way.
-        most = MARKER_RATE * (time.monotonic() - start) + 2
-        self.assertGreater(count, 5 * most)
-        self.assertLessEqual(len(markers.messages), most)
+        limit = MARKER_RATE * (time.monotonic() - start) + 2
+        self.assertGreater(count, 5 * limit)
+        self.assertLessEqual(len(markers.messages), limit)
 
     def test_a_raised_marker_rate_takes_effect_at_once(self):
         markers, _ = self.start(marker_rate=0.02)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without a limit every update is answered; with one the newest state still arrives."""
+"""max_rate: without a limit each update is published; with one the newest state still arrives."""
 import time
 import unittest
 
@@ -16,13 +16,13 @@ from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, value_of
 from object_testing import ObjectSender, deletion, marker
 
 UPDATES = 400
-LATE = 0.3  # wall seconds on a busy machine
+LATE = 0.3  # wall seconds that a busy machine may add
 SLOW = 0.01  # Hz; one period is longer than any deadline here
 INTERVAL = 0.005  # wall seconds between updates, 200 Hz
 
 
 class Arrivals:
-    """When each message of a topic arrived, and its stamp."""
+    """The wall time of arrival and the stamp of each message of a topic."""
 
     def __init__(self, topic):
         self.times = []

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""~overlaps names the pairs of published boxes that a check of all pairs finds, but joined."""
+"""~overlaps has the pairs that a check of all published boxes finds, but joined links."""
 import itertools
 import math
 import unittest
@@ -53,7 +53,7 @@ class Overlaps(unittest.TestCase):
         self.objects.clear()
 
     def check(self, boxes, margin=0.0, ignored=()):
-        """The overlaps of these boxes. The same stamp may come twice, at first with less boxes."""
+        """The overlaps of these boxes. A stamp may come twice, the first time with fewer boxes."""
         wanted = expected(boxes, margin, ignored)
         return self.overlaps.wait(
             lambda m: m.header.stamp == boxes.header.stamp and

@@ -70,14 +70,14 @@ class PartsTest(unittest.TestCase):
         return self.boxes.wait(
             lambda m: {box.name for box in m.boxes if box.stamp == stamp} == set(poses), "poses")
 
-    def check_unions(self, boxes, parts, most):
-        """Parts have the links, stamps and incomplete of the boxes, and their unions."""
+    def check_unions(self, boxes, parts, max_parts):
+        """Parts have the links, stamps and incomplete of the boxes; their unions are the boxes."""
         self.assertEqual((parts.header.stamp, parts.header.frame_id, parts.incomplete),
                          (boxes.header.stamp, boxes.header.frame_id, boxes.incomplete))
         found = by_name(parts)
         self.assertEqual(list(found), names_of(boxes))
         for box in boxes.boxes:
-            self.assertLessEqual(len(found[box.name]), most, box.name)
+            self.assertLessEqual(len(found[box.name]), max_parts, box.name)
             self.assertLess(difference(union(found[box.name]), corners_of(box)), TOLERANCE)
         self.assertEqual({(box.name, box.stamp) for box in parts.boxes},
                          {(box.name, box.stamp) for box in boxes.boxes})
@@ -140,7 +140,7 @@ class PartsTest(unittest.TestCase):
         self.load_blocks()
         parts = self.listen()
         self.send({"arm": Pose((0, 0, 1))})
-        self.load_blocks(parts_per_link=2)  # what was sent before would arrive before
+        self.load_blocks(parts_per_link=2)  # parts that had been sent before would arrive first
         message = parts.wait(lambda m: m.boxes, "parts, after ~reload")
         self.assertEqual(parts.messages[0], message)
         self.assertEqual(len(message.boxes), 4)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A subscriber that stops reading costs a bounded amount of memory and nobody else's messages."""
+"""A subscriber that stops reading costs bounded memory and no message of other subscribers."""
 import os
 import signal
 import struct
@@ -22,11 +22,11 @@ WARM_UP = 500  # messages
 STOPPED = 5000  # messages, more than the buffers of both kernels and our queue hold
 KERNEL_BUFFERS = 40e6  # bytes
 LOSS = 0.02  # part of the messages that a healthy subscriber may miss on a busy machine
-GROWTH = 8e6  # bytes; twice the 200 messages that may wait
+GROWTH = 8e6  # bytes; twice the size of the 200 messages that may wait
 
 
 class Counter:
-    """The stamps of all boxes that arrive, which are not parsed any further."""
+    """The stamps of all boxes messages. Nothing else of them is parsed."""
 
     def __init__(self):
         self._lock = threading.Lock()
@@ -52,7 +52,7 @@ class StoppedSubscriber(unittest.TestCase):
         rospy.set_param("/robot_description", robot(
             [box_link(name, (0.1, 0.2, 0.3)) for name in ["base"] + names],
             [("base", name) for name in names]))
-        # What ASan keeps for its reports would pass for growth.
+        # Memory that ASan keeps for its reports would count as growth.
         options = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"
         self.node = NodeProcess(NODE[1:], environment=dict(os.environ, ASAN_OPTIONS=options),
                                 timeout=0.0)
@@ -85,7 +85,7 @@ class StoppedSubscriber(unittest.TestCase):
         self.addCleanup(sender.stop)
 
     def check_next(self, count):
-        """The healthy subscriber gets this many messages and misses hardly one of them."""
+        """The healthy subscriber gets the next messages and misses at most a few."""
         start = len(self.sent)
         wait_for(lambda: len(self.sent) >= start + count, "%d messages" % count, 60)
         phase = self.sent[start:start + count]
@@ -107,7 +107,7 @@ class StoppedSubscriber(unittest.TestCase):
 
 
 def listen():
-    """Says when the first boxes have come."""
+    """Prints a line when the first boxes have come."""
     rospy.init_node("stopped_listener")
     first = threading.Event()
     rospy.Subscriber(NODE + "/boxes", rospy.AnyMsg, lambda _: first.set(), tcp_nodelay=True)

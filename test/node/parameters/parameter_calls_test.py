@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A call of the parameter server that fails is made again; a value is never taken for not set."""
+"""A failed call of the parameter server is repeated; a failure never counts as "not set"."""
 import http.client
 import http.server
 import itertools
@@ -17,7 +17,7 @@ from node_testing import NodeProcess
 from own_master import OwnMaster
 from std_srvs.srv import Trigger
 
-PATIENCE = 15.0  # wall seconds until a node gives its reason, with some for a busy machine
+PATIENCE = 15.0  # wall seconds until ~reload answers, on a busy machine
 CLOSED, ERROR_500, SILENT = "closed", "error 500", "silent"
 PADDING = 0.5  # m
 NODE = "/cell/publisher"
@@ -29,7 +29,7 @@ CALLS = [("getParam", NODE), ("searchParam", "tf_prefix"), ("getParam", PREFIX),
 
 
 class Proxy:
-    """A master that forwards all to the real one, but does not answer the calls that it drops."""
+    """A master that forwards calls to the real one, but leaves those unanswered that it drops."""
 
     def __init__(self, port):
         self._port = port

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which links have boxes, how much they are padded, how they are grouped; what is warned about."""
+"""Which links have boxes, their padding and groups, and the warnings."""
 import math
 import tempfile
 import unittest
@@ -146,7 +146,7 @@ class SelectionTest(unittest.TestCase):
         self.assertEqual((names_of(groups), groups.incomplete), (["robot", "arm_and_things"], []))
 
     def warnings_of(self, **parameters):
-        """What a reload warns about."""
+        """The warnings of a reload."""
         begin = self.log.settle() + 1
         load(NODE, **parameters)
         return self.log.lines(Log.WARN, begin, self.log.settle())

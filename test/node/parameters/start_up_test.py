@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cannot be served ends the node at once, with the reason; a signal ends it in peace."""
+"""Unusable input ends the node at once, with a reason; a signal ends it with exit status 0."""
 import itertools
 import os
 import signal
@@ -50,15 +50,15 @@ class StartUp(unittest.TestCase):
         self.addCleanup(node.end)
         return node
 
-    def check_refused(self, node, words):
+    def check_refused(self, node, text):
         self.assertEqual(node.wait(), 1)
         self.assertEqual(node.output.count("FATAL"), 1, node.output)
-        self.assertIn(words, node.output)
+        self.assertIn(text, node.output)
 
     def test_bad_descriptions(self):
-        for description, words in BAD_DESCRIPTIONS.items():
+        for description, text in BAD_DESCRIPTIONS.items():
             with self.subTest(description=description):
-                self.check_refused(self.start(description), words)
+                self.check_refused(self.start(description), text)
 
     def test_bad_parameters_are_named(self):
         for name, values in BAD_PARAMETERS.items():
@@ -66,7 +66,7 @@ class StartUp(unittest.TestCase):
                 with self.subTest(name=name, value=value):
                     self.check_refused(self.start(ARMS, **{name: value}), name)
 
-    def test_whole_numbers_will_do(self):
+    def test_whole_numbers_are_accepted(self):
         node = self.start(ARMS, padding=1, marker_color=[1, 0, 0, 1], link_padding={"base": 2})
         boxes = Recorder(node.name + "/boxes")
         message = boxes.wait(lambda m: m.boxes, "the static base")
@@ -78,7 +78,7 @@ class StartUp(unittest.TestCase):
         self.assertIn("~paddding", node.output)
         self.assertNotIn("diagnostic_period", node.output)
 
-    def test_signals_end_it_in_peace(self):
+    def test_signals_end_it_with_status_0(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             node = self.start(ARMS)
             Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")

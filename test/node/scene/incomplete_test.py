@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What cannot be bounded is named, once in the log and always in incomplete; the rest is exact."""
+"""Links without an exact box are named in the log once, in incomplete always; others are exact."""
 import math
 import unittest
 
@@ -103,7 +103,7 @@ class IncompleteTest(unittest.TestCase):
             self.assertRegex(line, "; (correct|install|repair|replace) ")
 
     def mover_and_rider(self, prefix):
-        """A robot whose mover is turned by 30 degrees. Returns its names and ~boxes from now on."""
+        """A robot whose mover is turned by 30 degrees; returns its names and a cleared Recorder."""
         names = [prefix + name for name in ("base", "aside", "mover", "rider")]
         base, aside, mover, rider = names
         load(NODE, robot([box_link(name, SIZE) for name in names],

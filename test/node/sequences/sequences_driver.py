@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does one step after another with a node and an oracle, and judges each message in between.
+"""Does the same steps with a node and an oracle, and judges each message of the node.
 
-After each step comes a fence: something that is sent on the same topic and is to be seen. When it
-is, so is all that came before it, and each message belongs to one of the states on the way."""
+After each step comes a fence: something sent on the same topic that the node must show. When it is
+shown, the node has handled all that was sent before it, and each message of the node belongs to one
+of the states since the last step."""
 import time
 
 import rospy
@@ -17,16 +18,16 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-DOUBT_AFTER_JUMP = 0.6  # wall s for which the node drops stamps from before a jump, and a bit more
+DOUBT_AFTER_JUMP = 0.6  # wall s; the node drops stamps from before a jump for 0.5 s
 FENCE_MESH = "zz_fence.stl"
 
 
 class Driver:
-    """The node must be running, with the model and at the time that the oracle has."""
+    """Needs a running node that has the model and the time of the oracle."""
 
-    def __init__(self, node, oracle, meshes, diagnostics, tell_time):
+    def __init__(self, node, oracle, meshes, diagnostics, publish_time):
         self._node, self._oracle, self._meshes = node, oracle, meshes
-        self._diagnostics, self._tell_time = diagnostics, tell_time
+        self._diagnostics, self._publish_time = diagnostics, publish_time
         self._inbox = Inbox(node)
         self._senders = {
             topic: rospy.Publisher(topic, kind, queue_size=1000, tcp_nodelay=True)
@@ -37,7 +38,7 @@ class Driver:
         self._path = Path(oracle.state())
 
     def connect(self):
-        """To be called first: all topics have both ends, and nothing is on its way."""
+        """To be called first: waits until all topics are connected and no message is on its way."""
         wait_for(lambda: self._inbox.is_connected() and all(
             sender.get_num_connections() for sender in self._senders.values()), "connections")
         self._inbox.wait(lambda m: m["boxes"] and m["groups"] and m["overlaps"], "a welcome")
@@ -74,22 +75,22 @@ class Driver:
         self._fence_objects(topic)
 
     def _clock_forward(self, now):
-        """The end of a fence's lifetime shows that the node has seen the time in a tick."""
+        """The end of a fence's lifetime shows that a timer of the node has seen the new time."""
         self._fences += 1
         fence = self._fence_marker("fence/1")
         fence.lifetime = rospy.Duration(0, min(now - self._oracle.now, SECOND))
         self._send_markers([fence], "/objects")
         self._wait_for_box("fence/1")
-        self._tell_time(now)
+        self._publish_time(now)
         self._oracle.on_time(now)
         self._arrive()
         self._inbox.wait(
             lambda m: m["boxes"] and center_x(m["boxes"][-1], "fence/1") is None, "time %d" % now)
 
     def _clock_back(self, now):
-        """Transforms from before the jump would be dropped for a while."""
+        """Waits until the node no longer drops transforms whose stamps are from before the jump."""
         start = time.monotonic()
-        self._tell_time(now)
+        self._publish_time(now)
         self._oracle.on_jump_back(now)
         self._fence_stamp = 0
         self._arrive()
@@ -123,7 +124,7 @@ class Driver:
     # Meshes
 
     def _mesh_objects(self, markers):
-        """All in one message, so that the fence's mesh is read last."""
+        """Sends all in one message, so that the mesh of the fence is read last."""
         fence = self._mesh_fence()
         self._send_markers(markers + [fence], "/objects", is_must=False)
         for uri in self._uris(markers) + [fence.mesh_resource]:
@@ -134,7 +135,7 @@ class Driver:
         self._fence_objects("/objects")
 
     def _reread_meshes(self):
-        """A reload reads the meshes of objects one after the other, beside the fence's marker."""
+        """A reload reads the meshes one by one; the fence's marker may come meanwhile."""
         first = len(self._path.states) - 1
         for uri in self._oracle.objects.meshes():
             self._oracle.objects.on_mesh(uri, self._meshes.of_uri(uri))
@@ -153,7 +154,7 @@ class Driver:
         return [m.mesh_resource for m in markers if m.type == Marker.MESH_RESOURCE]
 
     def _mesh_fence(self):
-        """Always another name for the same file; the last of all objects."""
+        """The last of all objects; each time another name of the same file."""
         self._fences += 1
         name = "/./" * (self._fences % 50 + 1) + "/" * (self._fences // 50) + FENCE_MESH
         return marker("zz/0", Marker.MESH_RESOURCE, pose=Pose((1000 + self._fences, 0, 0)),
@@ -203,13 +204,13 @@ class Driver:
             lambda m: any(abs((center_x(message, name) or 0) - x) < 0.4 for message in m["boxes"]),
             "the fence %s at x %d" % (name, x))
 
-    # Judgement
+    # Judging
 
     def _arrive(self, is_must=True):
         self._path.arrive(self._oracle.state(), is_must)
 
     def _judge(self):
-        """All topics but ~parts and ~footprint have a message for each one on ~boxes."""
+        """~groups and ~overlaps have a message for each one on ~boxes."""
         self._inbox.wait(lambda m: len(m["groups"]) >= len(m["boxes"]) and
                          len(m["overlaps"]) >= len(m["boxes"]), "what belongs to ~boxes")
         taken = self._inbox.take()
@@ -238,6 +239,6 @@ class Driver:
             complain(judge.wrong_footprint(polygon, groups))
 
 
-def complain(wrong):
-    if wrong:
-        raise AssertionError(wrong)
+def complain(fault):
+    if fault:
+        raise AssertionError(fault)

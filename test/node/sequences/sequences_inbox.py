@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The messages of all topics that a step may cause."""
+"""Collects the messages that a step may cause, on all topics."""
 import threading
 
 import rospy
@@ -29,13 +29,13 @@ class Inbox:
             self._news.notify_all()
 
     def wait(self, condition, what, deadline=DEADLINE):
-        """Until condition(messages by topic)."""
+        """Waits until condition(messages by topic)."""
         with self._news:
             if not self._news.wait_for(lambda: condition(self._messages), deadline):
                 raise AssertionError("%s did not come within %g s" % (what, deadline))
 
     def wait_for_silence(self):
-        """Until nothing has come for a moment, so that all topics have come as far as ~boxes."""
+        """Waits until nothing comes for a moment, so that all topics show the same state."""
         with self._news:
             while self._news.wait(SILENCE):
                 pass

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares messages with what must be in them. Functions return what is wrong, or ""."""
+"""Compares messages with their expected content. Functions return the fault as text, or ""."""
 import numpy
 
-TOO_SMALL = 4e-14  # relative to the numbers that are added up: what numpy and tf2 round away
-TOO_LARGE = 1e-12  # relative, beside this in metres:
-SLACK = 1e-9
+TOO_SMALL = 4e-14  # relative to the numbers that are added: rounding by numpy and tf2
+TOO_LARGE = 1e-12  # relative to the same numbers, besides SLACK
+SLACK = 1e-9  # m
 
 
 def corners(box):
@@ -14,7 +14,7 @@ def corners(box):
 
 
 def wrong_boxes(message, state):
-    """Of ~boxes."""
+    """Judges ~boxes."""
     shown = [entry for entry in state.entries if entry.has_box()]
     incomplete = [entry.name for entry in state.entries if not entry.is_complete]
     newest = max((entry.stamp for entry in shown), default=0)
@@ -46,7 +46,7 @@ def wrong_box(box, entry):
 
 
 def group_members(members, boxes, model):
-    """Names that a group's members stand for; None among them for one that nothing is."""
+    """The names that the members of a group stand for; None for a member that does not exist."""
     links = {link.name for link in model.links}
     names = []
     for member in members:
@@ -64,7 +64,7 @@ def group_members(members, boxes, model):
 
 
 def wrong_groups(message, boxes, model):
-    """Of ~groups, by the ~boxes that were published with it."""
+    """Judges ~groups by the ~boxes that were published with it."""
     groups = [("robot", [link.name for link in model.links])]
     groups += sorted(model.parameters["groups"].items())
     by_name = {box.name: box for box in boxes.boxes}
@@ -89,7 +89,7 @@ def wrong_groups(message, boxes, model):
 
 
 def wrong_overlaps(message, boxes, model):
-    """Of ~overlaps, by the ~boxes that were published with it."""
+    """Judges ~overlaps by the ~boxes that were published with it."""
     if (message.header.frame_id, message.header.stamp) != (
             boxes.header.frame_id, boxes.header.stamp):
         return "header of overlaps: %s instead of %s" % (message.header, boxes.header)
@@ -115,7 +115,7 @@ def box_distance(a, b):
 
 
 def wrong_parts(message, boxes):
-    """Of ~parts: together they are the boxes of the links."""
+    """Judges ~parts: the parts of a link together have the box of the link."""
     parts = {}
     for box in message.boxes:
         parts.setdefault(box.name, []).append(corners(box))

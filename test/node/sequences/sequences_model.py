@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot and parameters as plain data: as text for the node, and as what must become of them."""
+"""A robot and parameters as plain data: their text for the node, and the model they must give."""
 import os
 
 import numpy
@@ -45,7 +45,7 @@ class Element:
 
 
 class Link:
-    """As a URDF has it. The first one is the root."""
+    """A link of a URDF with the joint to its parent. The first one is the root."""
 
     def __init__(self, name, parent=None, is_fixed=False, visual=(), collision=()):
         self.name, self.parent, self.is_fixed = name, parent, is_fixed
@@ -72,7 +72,7 @@ class Meshes:
         self.points = {}
 
     def write(self, name, points, keeps_time=False):
-        """None makes it a file that is no mesh. The time of an earlier file may stay."""
+        """Without points the file is no mesh. keeps_time: with the times of the file before it."""
         path = os.path.join(self.folder, name)
         before = os.stat(path) if keeps_time and os.path.exists(path) else None
         with open(path, "wb") as file:
@@ -90,13 +90,13 @@ class BoundedLink:
     def __init__(self, link, elements, parameters, meshes):
         self.name = self.frame = link.name
         shapes = [element.shape(meshes) for element in elements]
-        self.is_whole = all(shapes)
+        self.is_complete = all(shapes)
         self.shapes = [shape for shape in shapes if shape]
         self.padding = parameters["link_padding"].get(link.name, parameters["padding"])
 
 
 class Model:
-    """What a load makes of a robot and parameters."""
+    """The robot with its parameters, as the node loads them."""
 
     def __init__(self, links, parameters, meshes):
         self.parameters = dict(DEFAULTS, **parameters)
@@ -124,7 +124,7 @@ class Model:
 
 
 def rigid_bodies(links):
-    """By link: its body, named by the link that is nearest to the root, and the body above."""
+    """For each link its body, named by the link nearest to the root, and the body above that."""
     bodies = {}
     for link in links:
         if link.parent is None:

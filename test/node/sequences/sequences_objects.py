@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What becomes of markers as doc/scene.md says. Times in ns."""
+"""The oracle of objects: what doc/scene.md says of markers. Times in ns."""
 import math
 
 from sequences_shapes import marker_shapes
@@ -31,14 +31,14 @@ def is_refused(marker):
 
 
 def content_of(marker):
-    """What decides about the box, as text."""
+    """All fields that change the box, as text."""
     stamp = to_time(0) if marker.frame_locked else marker.header.stamp
     return repr((marker.type, marker.action, marker.header.frame_id, stamp, marker.pose,
                  marker.scale, marker.points, marker.mesh_resource))
 
 
 class Object:
-    """One marker that is there, and what its box was before it."""
+    """A marker, and the entry that the object had before it."""
 
     def __init__(self, marker, now, before):
         self.marker, self.content = marker, content_of(marker)
@@ -47,24 +47,24 @@ class Object:
         self.stamp = 0 if marker.frame_locked else marker.header.stamp.to_nsec()
         self.shown_stamp = self.stamp
         self.received = self.waits_since = now
-        self.before = before  # goes on until this one can be placed
-        self.placed = None  # of an object that is placed once: the fixed frame, the pose in it
+        self.before = before  # is shown until this marker can be placed
+        self.placed = None  # where the object is placed once: the fixed frame, and the pose in it
         self.is_given_up = False
-        self.points = None  # of the mesh file, once it was read
+        self.points = None  # of the mesh file, when it has been read
         self.is_loading = marker.type == Marker.MESH_RESOURCE and not self.is_refused
 
     def mesh(self):
         return self.marker.mesh_resource if self.marker.type == Marker.MESH_RESOURCE else ""
 
-    def lacks_mesh(self):
+    def has_no_mesh(self):
         return bool(self.mesh()) and self.points is None
 
     def waits(self):
-        return not (self.is_refused or self.is_loading or self.lacks_mesh() or self.stamp == 0 or
+        return not (self.is_refused or self.is_loading or self.has_no_mesh() or self.stamp == 0 or
                     self.placed or self.is_given_up)
 
     def elapsed(self, now):
-        """Of its lifetime."""
+        """How much of the lifetime is over."""
         return min(now - self.received, max(self.marker.lifetime.to_nsec(), 0))
 
     def is_over(self, now):
@@ -75,7 +75,7 @@ class Objects:
     def __init__(self, oracle):
         self._oracle = oracle
         self._objects = {}  # by namespace and number
-        self._carries = {}  # poses of earlier fixed frames in this one; once found they stay
+        self._carries = {}  # poses of earlier fixed frames in this one; they stay once found
         self._newest_past = 0  # the newest time before the clock jumped back
 
     def take(self, marker):
@@ -133,7 +133,7 @@ class Objects:
                 thing.is_given_up = True
 
     def on_jump_back(self, past):
-        """What is left of a lifetime stays, and no stamp lies ahead."""
+        """The rest of each lifetime stays the same, and no stamp stays ahead of the clock."""
         now = self._oracle.now
         self._newest_past = max(self._newest_past, past)
         for thing in self._objects.values():
@@ -156,7 +156,7 @@ class Objects:
         self.settle()
 
     def _pose(self, thing):
-        """In the fixed frame; None if there is none."""
+        """The pose in the fixed frame; None if there is none."""
         if not thing.stamp:
             return self._oracle.pose(thing.frame)
         frame, pose = thing.placed
@@ -173,7 +173,7 @@ class Objects:
             return Entry(name)
         if thing.is_loading or thing.waits():
             return thing.before.as_incomplete() if thing.before else Entry(name)
-        if thing.lacks_mesh() or thing.is_given_up:
+        if thing.has_no_mesh() or thing.is_given_up:
             return Entry(name)
         pose = self._pose(thing)
         bounds = bounds_of(marker_shapes(thing.marker, thing.points), pose)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README.md and doc/scene.md say that the node publishes after each event. Times in ns."""
+"""Computes what README.md and doc/scene.md say the node publishes after events. Times in ns."""
 from sequences_objects import Objects
 from sequences_state import Entry, State, bounds_of
 from sequences_tf import SECOND, TfOracle
 
 
 class Oracle:
-    """Events change it; state() says what is to be seen."""
+    """Gets the events that the node gets; state() is what the node must then publish."""
 
     def __init__(self, model, now):
         self.now = now
@@ -43,7 +43,7 @@ class Oracle:
                 heard < self.now - round(self.model.timeout * SECOND))
 
     def pose(self, frame):
-        """Of a frame that is followed; None if there is none or it is stale."""
+        """The pose of a frame in the fixed frame; None if there is none or it is stale."""
         if self.is_stale(frame):
             return None
         return self.tf.latest(self.model.fixed_frame, frame)
@@ -59,4 +59,4 @@ class Oracle:
         bounds = bounds_of(link.shapes, pose, link.padding)
         if bounds is None:
             return Entry(link.name)
-        return Entry(link.name, link.is_whole, bounds, pose, pose.stamp)
+        return Entry(link.name, link.is_complete, bounds, pose, pose.stamp)

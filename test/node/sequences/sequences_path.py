@@ -1,23 +1,23 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The states that the messages of one step may show, in the order of events."""
+"""Finds the state that each message of a step shows, in the order of events."""
 from sequences_judge import wrong_boxes
 
 
 class Path:
-    """Begins with a state that was shown already."""
+    """The states since the last step. The first one has been shown already."""
 
     def __init__(self, state):
         self.states = [state]
-        self._musts = {0}  # of the states, by place: what is news must be shown
+        self._required = {0}  # places of states that must be shown, because they are news
 
     def arrive(self, state, is_must=True):
         if is_must and state.is_news(self.states[-1]):
-            self._musts.add(len(self.states))
+            self._required.add(len(self.states))
         self.states.append(state)
 
     def match(self, messages):
-        """The state that each ~boxes shows. None goes back, and none that is news is left out."""
+        """The state that each ~boxes shows. No message goes back, and no news is left out."""
         place, shown, states = 0, {0}, []
         for message in messages:
             wrongs = [wrong_boxes(message, state) for state in self.states[place:]]
@@ -29,7 +29,7 @@ class Path:
             shown.add(place)
             states.append(self.states[place])
         is_limited = any(state.model.parameters["max_rate"] for state in self.states)
-        if not self._musts <= shown and not is_limited:
+        if not self._required <= shown and not is_limited:
             raise AssertionError("no message for %d of %d states that are news" % (
-                len(self._musts - shown), len(self._musts)))
+                len(self._required - shown), len(self._required)))
         return states

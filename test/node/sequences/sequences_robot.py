@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random robots, mesh files and parameters; one for each seed, and others for its reloads."""
+"""Random robots, mesh files and parameters, for the start of a seed and for its reloads."""
 import math
 
 from sequences_model import Element, Link
@@ -11,7 +11,7 @@ GROUPS = {"arm": ["a", "b", "c"], "all": ["base", "p/*", "o/1"], "bad": ["d", "n
 
 
 def random_points(rng, name):
-    """Three for each triangle; many of them are extreme, so that the node makes look-up tables."""
+    """Three for each triangle. Many lie on the hull, so that the node makes look-up tables."""
     def point():
         while True:
             p = [rng.uniform(-1, 1) for _ in range(3)]
@@ -30,8 +30,8 @@ def random_rpy(rng):
     return [rng.choice([0, math.pi / 2, rng.uniform(-3, 3)]) for _ in range(3)]
 
 
-def random_xyz(rng, reach=1.0):
-    return [rng.uniform(-reach, reach) for _ in range(3)]
+def random_xyz(rng, limit=1.0):
+    return [rng.uniform(-limit, limit) for _ in range(3)]
 
 
 def random_element(rng, meshes=tuple(MESHES) + ("missing.stl",)):
@@ -70,7 +70,7 @@ def fence(name):
 
 
 def random_parameters(rng):
-    """Of the node; the fences are always there."""
+    """Parameters of the node; the links of the fences are always selected."""
     result = {}
 
     def maybe(name, share, value):

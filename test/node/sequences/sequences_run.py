@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Steps done with a node that is started for them; and fewer steps that still fail."""
+"""Does steps with a node that is started for them; looks for fewer steps that still fail."""
 import re
 
 import rospy
@@ -19,7 +19,7 @@ SHOWN = 8  # last steps that a failure prints
 
 
 class Failure(Exception):
-    """What was wrong after which steps."""
+    """A fault, and the steps that led to it."""
 
     def __init__(self, what, steps):
         super().__init__(what)
@@ -43,23 +43,23 @@ class Runner:
     def steps(self, seed):
         return Steps(seed, self._folder)
 
-    def _tell_time(self, now):
+    def _publish_time(self, now):
         self._clock.publish(Clock(to_time(now)))
 
     def run(self, seed, steps):
-        """Does steps with what the seed begins with; their number. Raises Failure."""
+        """Does steps with the robot of a seed; returns their number. Raises Failure."""
         begin = self.steps(seed)
         meshes = Meshes(self._folder)
         for name, points in dict(begin.files, **{FENCE_MESH: FENCE_POINTS}).items():
             meshes.write(name, points)
-        self._tell_time(START)
+        self._publish_time(START)
         rospy.set_param("/robot_description", description(begin.links, self._folder))
         diagnostics = Diagnostics("/" + NODE)
         node = NodeProcess(NODE)
         try:
             diagnostics.wait_for_new(lambda stamp, _: stamp == to_time(START), "time")
             oracle = Oracle(Model(begin.links, {}, meshes), START)
-            return self._drive(Driver("/" + NODE, oracle, meshes, diagnostics, self._tell_time),
+            return self._drive(Driver("/" + NODE, oracle, meshes, diagnostics, self._publish_time),
                                steps)
         finally:
             node.end()
@@ -79,7 +79,7 @@ class Runner:
         return len(done)
 
     def shortened(self, seed, failure):
-        """A failure of the same kind after as few of its steps as were found."""
+        """A failure of the same kind after fewer steps: leaves out what does not prevent it."""
         size = len(failure.steps) // 2
         while size > 0:
             place = 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The slow way to a box: turn every point, and solids by their textbook formulas. Lengths in m."""
+"""Boxes the slow way: turns every point, and bounds solids by textbook formulas. Lengths in m."""
 import itertools
 import struct
 
@@ -12,7 +12,7 @@ ZERO = numpy.zeros(3)
 
 
 def rotation_matrix(xyzw):
-    """Of a quaternion of any length but zero."""
+    """The rotation of a quaternion of any length but zero."""
     x, y, z, w = numpy.array(xyzw, dtype=float) / numpy.linalg.norm(xyzw)
     return numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
@@ -37,7 +37,7 @@ class Shape:
         self.linear, self.offset = linear, numpy.array(offset, dtype=float)
 
     def extents(self, rotation, translation):
-        """Lowest and highest coordinates at a pose, and the size of the numbers that were added."""
+        """Minimum and maximum at a pose, and the size of the numbers that were added."""
         linear = rotation @ self.linear
         offset = rotation @ self.offset
         moved = self.points @ linear.T
@@ -49,7 +49,7 @@ class Shape:
 
 
 def half_extents(solid, axes):
-    """Of a solid whose full diameters are the columns of a matrix."""
+    """Half the extents of a solid; the columns of `axes` are its full diameters."""
     if solid == "box":
         corners = numpy.array(list(itertools.product((-0.5, 0.5), repeat=3)))
         return (corners @ axes.T).max(axis=0)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is to be seen at one moment: names, boxes, stamps, and what is incomplete."""
+"""What the node must show at one moment: names, boxes, stamps, and what is incomplete."""
 import numpy
 
-IDENTICAL = 1e-9  # poses that differ by less may be one [relative]
+IDENTICAL = 1e-9  # relative; a smaller difference of poses may be no news
 
 
 class Entry:
@@ -24,7 +24,7 @@ class Entry:
         return Entry(self.name, False, bounds, self.pose, self.stamp)
 
     def is_news(self, other):
-        """True if something must be published for the change from one to the other."""
+        """True if the node must publish the change from the other entry to this one."""
         if (self.name, self.is_complete, self.has_box(), self.stamp) != (
                 other.name, other.is_complete, other.has_box(), other.stamp):
             return True
@@ -39,8 +39,7 @@ def differs(a, b):
 
 
 def bounds_of(shapes, pose, padding=0.0):
-    """Lowest and highest coordinates, and the size of the numbers that were added up; None where
-    they are not finite."""
+    """Minimum, maximum, and the size of the numbers that were added; None if not finite."""
     if pose is None or not pose.is_finite():
         return None
     with numpy.errstate(all="ignore"):
@@ -54,7 +53,7 @@ def bounds_of(shapes, pose, padding=0.0):
 
 
 class State:
-    """All that one message of each topic is made from."""
+    """The source of one message of each topic."""
 
     def __init__(self, model, entries):
         self.model, self.entries = model, entries

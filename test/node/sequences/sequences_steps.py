@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random steps as plain data, the same for the same seed: what Driver.do() takes. Times in ns."""
+"""Random steps for Driver.do() as plain data, the same for the same seed. Times in ns."""
 import math
 import random
 from functools import partial
@@ -51,7 +51,7 @@ class Steps:
         self.files[MESHES[-1]] = None
 
     def begin(self):
-        """Links have poses and objects are there."""
+        """Steps that give all links their poses."""
         yield "tf", [self._transform(child, "usual") for child in STATIC], True
         yield "tf", [self._transform(child, "usual") for child in MOVING], False
 
@@ -80,7 +80,7 @@ class Steps:
                       for child in children], True
 
     def _unusable_pose(self):
-        """Only the translation is infinite: what was found for the rotation must not stay."""
+        """Only the translation is infinite: the node must keep nothing of the rotation."""
         child = self._rng.choice(["a", "b", "e"])
         sent = self._transform(child, "usual")
         sent.transform.translation.x = math.inf
@@ -208,7 +208,7 @@ class Steps:
         return "clock_forward", self._now
 
     def _clock_back(self):
-        """A bit, or to the start. tf2 itself does not live long at times that are far apart."""
+        """By a bit, or to the start. From a very late time always to the start: tf2 fails there."""
         span = self._rng.choice([SECOND // 5, 3 * SECOND, self._now])
         is_far = self._now > 2 ** 31 * SECOND
         self._now = START if is_far else max(self._now - span, self._now // 2)
@@ -239,7 +239,7 @@ class Steps:
                 rng.random() < 0.5)
 
     def _other_points(self, name):
-        """At times of the same size as the ones before."""
+        """Sometimes as many points as before, so that the file keeps its size."""
         rng, before = self._rng, self.files[name]
         if before and rng.random() < 0.6:
             return [[1.5 * c + 0.1 for c in point] for point in before]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random steps of tf, objects, time and reloads; each message is what a slow oracle computes.
+"""Random steps of tf, objects, time and reloads; a slow oracle computes each expected message.
 
 LINK_BOUNDS_SEQUENCE_STEPS is the number of steps for each seed, LINK_BOUNDS_SEQUENCE_SEEDS names
 the seeds: "7", or "1 2 3". A failure names seed and step, which repeat it, and the last steps.
@@ -21,8 +21,8 @@ from sequences_run import Failure, Runner
 STEPS = int(os.environ.get("LINK_BOUNDS_SEQUENCE_STEPS", 400))
 SEEDS = list(map(int, os.environ.get("LINK_BOUNDS_SEQUENCE_SEEDS", "1 2 3").split()))
 SHORTENS = "LINK_BOUNDS_SEQUENCE_SHORTEN" in os.environ
-LIMIT = 60  # wall s for each seed of the ordinary run; where a step takes long, fewer are done
-FEWEST = 30  # steps that must be done in that time
+LIMIT = 60  # wall s for each seed of the default run; a slow machine does fewer steps
+MIN_STEPS = 30  # are done in any case
 
 
 class SequencesTest(unittest.TestCase):
@@ -36,7 +36,7 @@ class SequencesTest(unittest.TestCase):
         self.assertFalse(failures, "\n\n" + "\n\n".join(failures))
 
     def failure_of(self, seed):
-        """As text; None if all went well."""
+        """The failure as text; None if there is none."""
         try:
             start = time.monotonic()
             count = self.runner.run(seed, self.steps_of(seed))
@@ -54,7 +54,7 @@ class SequencesTest(unittest.TestCase):
         is_limited = "LINK_BOUNDS_SEQUENCE_STEPS" not in os.environ
         everything = itertools.chain(steps.begin(), iter(steps.next, None))
         for count, step in enumerate(itertools.islice(everything, STEPS)):
-            if is_limited and count >= FEWEST and time.monotonic() - start > LIMIT:
+            if is_limited and count >= MIN_STEPS and time.monotonic() - start > LIMIT:
                 return
             yield step
 

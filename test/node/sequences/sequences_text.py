@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A step in a line or a few, for whom reads of a failure."""
+"""Describes a step in a few lines, for the report of a failure."""
 from visualization_msgs.msg import Marker
 
 ACTIONS = {Marker.ADD: "ADD", Marker.DELETE: "DELETE", Marker.DELETEALL: "DELETEALL"}

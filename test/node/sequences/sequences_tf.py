@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tf knows: poses by tf2's own buffer, and when each edge was last heard. Times in ns."""
+"""The oracle of tf: poses from tf2's own buffer, and when each edge was received. Times in ns."""
 import bisect
 import math
 
@@ -9,7 +9,7 @@ import rospy
 import tf2_py
 from sequences_shapes import rotation_matrix
 
-numpy.seterr(all="ignore")  # poses that are not finite are wanted here
+numpy.seterr(all="ignore")  # some poses are not finite on purpose
 SECOND = 10 ** 9
 HISTORY = 10 * SECOND
 LAST_SECOND = 2 ** 32 - 12  # tf2 adds its history to a stamp, in 32 bits
@@ -32,7 +32,7 @@ def quaternion_of(transform):
 
 
 def is_usable(transform):
-    """What tf2 takes; names are compared as they are."""
+    """Whether tf2 accepts the transform; names are compared as they are."""
     q, t = quaternion_of(transform), vector_of(transform)
     stamp = transform.header.stamp
     if math.isnan(sum(abs(q)) + sum(abs(t))) or not abs(sum(q * q) - 1) < 0.01:
@@ -54,7 +54,7 @@ def conjugate(q):
 
 
 def turned(q, v):
-    """As tf2 does it: a quaternion that is not of length 1 scales."""
+    """The vector v turned as tf2 does it: a quaternion whose length is not 1 scales it, too."""
     return product(product(q, numpy.append(v, 0)), conjugate(q))[:3]
 
 
@@ -73,7 +73,7 @@ def meeting_of(target, way, other):
 
 
 class Pose:
-    """Of a frame in another one."""
+    """The pose of a frame in another one."""
 
     def __init__(self, rotation, translation, stamp, magnitude):
         self.rotation, self.translation = rotation, translation
@@ -81,7 +81,7 @@ class Pose:
         self.magnitude = magnitude  # of the translations that were added up [m]
 
     def of(self, pose):
-        """The pose of what has a pose in this frame."""
+        """Changes the frame of a pose that is given in this frame."""
         return Pose(self.rotation @ pose.rotation, self.rotation @ pose.translation +
                     self.translation, self.stamp, self.magnitude + pose.magnitude)
 
@@ -90,12 +90,12 @@ class Pose:
 
 
 class Edge:
-    """All that tf keeps of one child frame."""
+    """What tf keeps of one child frame."""
 
     def __init__(self, is_static):
         self.is_static = is_static
         self.samples = {}  # by stamp
-        self.heard = None
+        self.received = None
         self.is_distrusted = False
         self._stamps = []
 
@@ -103,11 +103,11 @@ class Edge:
     def newest(self):
         return self._stamps[-1] if self._stamps else 0
 
-    def takes(self, stamp):
+    def accepts(self, stamp):
         return self.is_static or not self._stamps or (
             stamp >= self.newest - HISTORY and stamp not in self.samples)
 
-    def reaches(self, stamp):
+    def has_pose_at(self, stamp):
         """True if there is a pose at a time, 0 for the newest."""
         return bool(self._stamps) and (self.is_static or stamp == 0 or
                                        self._stamps[0] <= stamp <= self.newest)
@@ -137,7 +137,7 @@ class Edge:
 
 
 class TfOracle:
-    """Takes what the node takes. A new buffer is made where an edge must be forgotten."""
+    """Accepts what the node accepts. To forget an edge it makes a new buffer."""
 
     def __init__(self):
         self._buffer = tf2_py.BufferCore(rospy.Duration(10))
@@ -151,24 +151,24 @@ class TfOracle:
     def _add(self, transform, is_static, now):
         child, stamp = transform.child_frame_id, transform.header.stamp.to_nsec()
         edge = self._edges.setdefault(child, Edge(is_static))
-        if not edge.takes(stamp):
+        if not edge.accepts(stamp):
             if not edge.is_distrusted or not edge.is_too_old(stamp):
                 return
             edge.clear()
             self._rebuild()
         edge.add(stamp, transform)
-        edge.heard, edge.is_distrusted = now, False
-        self._tell(transform, edge)
+        edge.received, edge.is_distrusted = now, False
+        self._insert(transform, edge)
 
-    def _tell(self, transform, edge):
-        tell = self._buffer.set_transform_static if edge.is_static else self._buffer.set_transform
-        tell(transform, "sequences")
+    def _insert(self, transform, edge):
+        insert = self._buffer.set_transform_static if edge.is_static else self._buffer.set_transform
+        insert(transform, "sequences")
 
     def _rebuild(self):
         self._buffer = tf2_py.BufferCore(rospy.Duration(10))
         for edge in self._edges.values():
             for _, transform in sorted(edge.samples.items()):
-                self._tell(transform, edge)
+                self._insert(transform, edge)
 
     def clear(self):
         """Static edges stay."""
@@ -199,9 +199,9 @@ class TfOracle:
         return Pose(rotation, translation, stamp, magnitude)
 
     def _composed(self, target, source, stamp):
-        """By the frame where both ways up meet, and the size of what was added up. tf2 goes on to
-        the root and back, which only makes a difference where a pose up there is not finite or not
-        of length 1."""
+        """The pose through the frame where both ways up meet, and the size of the numbers that were
+        added. tf2 goes on to the root and back. That makes a difference only where a pose above the
+        meeting frame is not finite, or its quaternion has not length 1."""
         ups = [{frame: (pose, size) for frame, pose, size in self._climb(start, stamp)}
                for start in (source, target)]
         meeting = meeting_of(target, *ups)
@@ -218,7 +218,7 @@ class TfOracle:
             yield frame, pose, size
             seen.add(frame)
             edge = self._edges.get(frame)
-            if edge is None or not edge.reaches(stamp):
+            if edge is None or not edge.has_pose_at(stamp):
                 return
             samples = edge.neighbours(stamp or edge.newest)
             parent = samples[0].header.frame_id
@@ -228,12 +228,12 @@ class TfOracle:
             frame = parent
 
     def oldest_receipt(self, target, source):
-        """When the edge that has been silent for longest was heard; None if all are static."""
+        """When the edge that has been silent longest was last received; None if all are static."""
         ups = [self._way_up(frame) for frame in (source, target)]
         meeting = meeting_of(target, *ups)
         path = [frame for up in ups if meeting for frame in up[:up.index(meeting)]]
-        heard = [self._edges[frame].heard for frame in path if not self._edges[frame].is_static]
-        return min(heard, default=None)
+        edges = [self._edges[frame] for frame in path]
+        return min((edge.received for edge in edges if not edge.is_static), default=None)
 
     def _way_up(self, frame):
         """Frames from this one to the root, by the newest parents."""

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A link whose transforms stop loses its box until they come again; the others do not."""
+"""A link whose transforms stop loses its box until they come again; other links keep theirs."""
 import time
 import unittest
 
@@ -12,8 +12,8 @@ from node_testing import ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Repeater, arm
 
 TOLERANCE = 1e-12  # m
 TIMEOUT = 0.5  # ROS seconds
-STAMPS_BEHIND = rospy.Duration(100)  # stamps do not count, only when transforms arrive
-LATEST = 5.0  # wall seconds until a stale link must be gone, on a busy machine
+STAMPS_BEHIND = rospy.Duration(100)  # only the time of arrival counts, not the stamp
+STALE_LIMIT = 5.0  # wall seconds until a stale link must be gone, on a busy machine
 
 
 class Stale(unittest.TestCase):
@@ -36,7 +36,7 @@ class Stale(unittest.TestCase):
 
     def wait_for(self, names):
         self.boxes.clear()
-        return self.boxes.wait(lambda m: names_of(m) == names, "boxes of %s" % names, LATEST)
+        return self.boxes.wait(lambda m: names_of(m) == names, "boxes of %s" % names, STALE_LIMIT)
 
     def test_links_below_a_silent_edge_go_and_come_back(self):
         self.links.remove("left")

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which time a box is of, what lies between two samples, and when boxes are published.
+"""The stamps of boxes, poses between two samples, and when boxes are published.
 
-Each test has links of its own, so that no transform of another one is in its way.
+Each test has links of its own, which no transform of another test moves.
 """
 import math
 import unittest
@@ -105,7 +105,7 @@ class StampsTest(unittest.TestCase):
                             TOLERANCE, name)
 
     def published_from_now(self, base, a, send):
-        """What send() publishes; a last message for link a shows that all have come."""
+        """What the node publishes because of send(); a last message of link a ends it."""
         self.fast.send(edge(base, a, 1000))
         first = self.newest(self.boxes, base, 1000)
         send()

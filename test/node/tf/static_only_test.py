@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without moving joints everything is said once, latched, and stamped zero."""
+"""Without moving joints everything is sent once, latched, with stamp 0."""
 import unittest
 
 import rospy

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The memory that huge tf messages need is given back after them."""
+"""The node gives back the memory that huge tf messages need."""
 import io
 import unittest
 
@@ -20,7 +20,7 @@ DEADLINE = 60.0  # wall seconds to send, receive and read one of them
 
 
 class Repetition(TFMessage):
-    """The same transform many times, made in no time."""
+    """One transform many times, serialised once."""
 
     def __init__(self, one, count):
         super().__init__([one])
@@ -67,7 +67,7 @@ class TfMemory(unittest.TestCase):
         self.send_arms()
         before = resident_bytes(self.node.pid)
         message = Repetition(transform("nowhere", child, rospy.Time(1000)), MANY)
-        kept = KEPT + (message.size if is_latched else 0)  # roscpp keeps a latched one as it came
+        kept = KEPT + (message.size if is_latched else 0)  # roscpp keeps a latched one
         for _ in range(ROUNDS):
             count = self.counter(key)
             sender.publish(message)

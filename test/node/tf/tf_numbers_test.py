@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers in tf that are no pose: refused as tf2 does, told once, and nothing else is touched."""
+"""Numbers in tf that are no pose: refused as by tf2, logged once, without effect on other links."""
 import math
 
 import rospy
@@ -28,7 +28,7 @@ class TfNumbers(ArmsTest):
         return result
 
     def send_beside_good(self, *bad):
-        """One message, with the right arm turned by 45 degrees behind the bad transforms."""
+        """One message with bad transforms, followed by the right arm at 45 degrees."""
         stamp = self.next_stamp()
         self.boxes.clear()
         self.tf.send_transforms(*bad, self.tf.transform("right", stamp, 45))

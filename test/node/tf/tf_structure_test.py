@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loops, changed parents, strange names, many frames: whoever is not touched stays exact."""
+"""Loops, changed parents, strange names, many frames: links that are not concerned stay exact."""
 import rospy
 import rostest
 from arms_testing import ArmsTest
@@ -14,14 +14,14 @@ NO_LEFT = {"base": 0, "mast": 0, "right": 45}
 LONG = 100000  # characters
 FRAMES = 10000
 PER_MESSAGE = 5000
-DEEP = (2000, 20000)  # frames; tf2 takes more than a thousand for a loop
-DEEP_TOLERANCE = 1e-9  # m; each of the frames rounds
+DEEP = (2000, 20000)  # frames; tf2 reports a chain of more than a thousand as a loop
+DEEP_TOLERANCE = 1e-9  # m; each frame adds a rounding error
 DEEP_DEADLINE = 60.0  # wall seconds to send, receive and answer the largest message
 PLACEHOLDER, NOT_UTF8 = b"not_utf8", b"\xff\xfe\x80\xc0\xaf\xed\xa0\x80"
 
 
 class RawMessage(TFMessage):
-    """Is sent with bytes in a name that rospy itself would not send."""
+    """Is sent with bytes in a name that rospy would not send."""
 
     def serialize(self, buff):
         begin = buff.tell()
@@ -36,7 +36,7 @@ class TfStructure(ArmsTest):
         return self.boxes.wait(lambda m: shows(m, degrees, incomplete), "the expected boxes")
 
     def send(self, *parents_and_children):
-        """A message of turned transforms, and one of the right arm behind it."""
+        """A message of turned transforms, followed by one of the right arm."""
         stamp = self.next_stamp()
         self.boxes.clear()
         self.tf.send_transforms(*(transform(parent, child, stamp, (0, 0, 1), turn((0, 1, 0), 30))

@@ -33,7 +33,7 @@ class TfTimes(unittest.TestCase):
                  "a warning arrives")
 
     def setUp(self):
-        """Arms at 30 degrees, fifty times a second; self.left says what the left one does."""
+        """Sends the arms at 30 degrees, 50 times a second; self.left(stamp) sends the left one."""
         load(NODE, ARMS, timeout=TIMEOUT)
         self.lock = threading.Lock()
         self.left = self.send_left
@@ -52,7 +52,7 @@ class TfTimes(unittest.TestCase):
         self.tf.send(stamp, 30, LEFT)
 
     def now_on(self, left):
-        """Replaces what the left arm does; no call of the old one is under way afterwards."""
+        """Replaces self.left; no call of the old function is under way afterwards."""
         with self.lock:
             self.left = left
 
@@ -61,7 +61,7 @@ class TfTimes(unittest.TestCase):
         return self.boxes.wait(lambda m: shows(m, degrees, incomplete), "the expected boxes")
 
     def check_others(self, messages):
-        """Whatever happened to the left arm, all others were there, and exact."""
+        """All links but the left arm have their exact boxes."""
         self.assertTrue(messages)
         for message in messages:
             for name in WITHOUT_LEFT:
@@ -70,7 +70,7 @@ class TfTimes(unittest.TestCase):
             self.assertLessEqual(set(message.incomplete), set(LEFT))
 
     def poison(self):
-        """One stamp of the year 2100 on one edge; the link becomes stale."""
+        """Sends one stamp of the year 2100 on one edge; its link becomes stale."""
         begin = len(self.log.messages)
         with self.lock:
             self.boxes.clear()
@@ -106,7 +106,7 @@ class TfTimes(unittest.TestCase):
         self.wait_for(at_angles(30, 30))
 
     def test_stamps_that_run_backwards_neither_move_nor_lose_a_link(self):
-        """They are accepted as history, so they count for the timeout."""
+        """They are accepted into the history, so the timeout counts from them."""
         self.boxes.clear()
         last = self.boxes.wait(lambda m: shows(m, at_angles(30, 30)), "news")
 
@@ -141,7 +141,7 @@ class TfTimes(unittest.TestCase):
         self.check_others(self.boxes.messages)
 
     def test_publishers_that_disagree(self):
-        """The newest stamp counts, and the box is that of its own stamp."""
+        """The newest stamp counts, and each box is that of its stamp."""
         self.sender.stop()
         load(NODE, ARMS)
         tfs = ArmsTf(), ArmsTf()
@@ -158,7 +158,7 @@ class TfTimes(unittest.TestCase):
             self.assertTrue(shows(message, at_angles(angle, angle)), message)
 
     def start_fresh(self, name):
-        """A node whose tf has not heard of any frame; its own tf topics."""
+        """A node with tf topics of its own, which knows no frame yet."""
         self.sender.stop()
         rospy.set_param("/robot_description", ARMS)
         node = NodeProcess(name, ["/tf:=/%s/tf" % name, "/tf_static:=/%s/tf_static" % name],

@@ -12,7 +12,7 @@ from node_testing import ARMS, SANITIZED, NodeProcess
 from own_master import OwnMaster
 
 FEW_THREADS = sys.argv.pop(1)  # the library to preload
-MOST = 50  # threads; a node needs fewer
+MAX_THREADS = 50  # a node needs fewer
 OURS = ("loader", "master watch")
 
 
@@ -47,7 +47,7 @@ class FewThreads(unittest.TestCase):
             print("skipped: a sanitizer has to be loaded first")
             return
         reasons = []
-        for threads in range(MOST):
+        for threads in range(MAX_THREADS):
             with self.subTest(threads=threads):
                 reasons.append(self.reason(threads))
             if reasons and reasons[-1] is None:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What assert_box demands and what it reports, without a ROS master: box_watch_test.py ASSERT_BOX"""
+"""The checks and reports of assert_box, without a ROS master: box_watch_test.py ASSERT_BOX"""
 import importlib.util
 import math
 import sys
@@ -227,11 +227,11 @@ class Watch(unittest.TestCase):
         self.watch.lose_publisher(1.5)
         self.check_failure('nobody publishes')
 
-    def test_tells_how_far_off_the_box_is(self):
+    def test_says_how_far_off_the_box_is(self):
         self.watch.see(message_of('palm', moved(CUBE, 0, 0, 1.25)), 1.0)
         self.check_failure('off by 0.25 m')
 
-    def test_tells_that_nothing_came(self):
+    def test_says_that_nothing_came(self):
         self.check_failure('no message came')
 
 

@@ -28,7 +28,7 @@ def load_json(*path):
 
 
 def run(urdf, geometry, joints):
-    """What urdf_bounds prints as JSON, and what it says."""
+    """The JSON of urdf_bounds, and its standard error."""
     command = [URDF_BOUNDS, os.path.join(DATA, urdf), '--format', 'json', '--geometry', geometry]
     command += ['%s:=%r' % joint for joint in joints.items()]
     environment = dict(os.environ, ROS_PACKAGE_PATH=DATA)
@@ -40,7 +40,7 @@ def run(urdf, geometry, joints):
 
 
 def links_of(urdf):
-    """Per link, in the order of the text, its mesh files per kind of geometry."""
+    """The mesh files of each link, in the order of the text, for each kind of geometry."""
     result = {}
     for link in ElementTree.parse(os.path.join(DATA, urdf)).getroot().findall('link'):
         result[link.get('name')] = {
@@ -137,7 +137,7 @@ class TruthTest(unittest.TestCase):
 
 
 def loadable(truth):
-    """Whether the truth knows a box of at least a part of the link."""
+    """Whether the truth has a box of the link, or of a part of it."""
     return bool(truth) and truth['aabb_min'] is not None
 
 

@@ -75,8 +75,8 @@ class MeshTest(UrdfBoundsTest):
         lines = err.splitlines()
         self.assertEqual(len(lines), 3)
         path = os.path.join(self.folder, 'robot/meshes/t.stl')
-        bytes_ = re.fullmatch(r'urdf_bounds: (\d+) bytes, 4 vertices that can be extreme, ' + re.escape(path),
-                              lines[0]).group(1)
+        pattern = r'urdf_bounds: (\d+) bytes, 4 vertices that can be extreme, ' + re.escape(path)
+        bytes_ = re.fullmatch(pattern, lines[0]).group(1)
         self.assertGreaterEqual(int(bytes_), 4 * 3 * 4)
         self.assertEqual(lines[1], 'urdf_bounds: %s bytes in 1 mesh files' % bytes_)
         self.assertRegex(lines[2], r'^urdf_bounds: \d+ kB of memory at the peak$')
@@ -93,7 +93,7 @@ class MeshTest(UrdfBoundsTest):
 
 
 class RemedyTest(UrdfBoundsTest):
-    """What helps follows from the cause; the node's parameters and services are not ours."""
+    """The remedy depends on the cause, and names no parameter or service of the node."""
 
     def refusal(self, mesh_file, program=None):
         urdf = tree(mesh('base', 'file://' + mesh_file)).encode()
@@ -105,7 +105,7 @@ class RemedyTest(UrdfBoundsTest):
         return reason
 
     def refusal_by(self, commands):
-        """That of a copy of the program, beside which a script stands for the mesh reader."""
+        """The error of a copy of the program with a script in place of mesh_worker."""
         worker = self.write('bin/mesh_worker', '#!/bin/sh\n' + commands)
         os.chmod(worker, 0o755)
         program = shutil.copy(urdf_bounds_testing.URDF_BOUNDS, os.path.dirname(worker))
