@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Does what an assertion, ASan or UBSan must report: memory_faults vector|eigen|heap|overflow|none
+// Has a fault that an assertion, ASan or UBSan must report: memory_faults
+// vector|eigen|heap|overflow|none
 #include <Eigen/Core>
 #include <limits>
 #include <string>
@@ -10,14 +11,14 @@ namespace {
 
 volatile int three = 3;  // unknown to the compiler
 
-/// Beyond the last number, but in memory of the vector: ASan has nothing to say.
+/// Beyond the last number, but within the capacity: only the assertion of std::vector reports it.
 int readVector() {
   std::vector<int> numbers{1, 2, 3};
   numbers.reserve(8);
   return numbers[static_cast<std::size_t>(three)];
 }
 
-/// In the matrix, but not in its upper part.
+/// Inside the matrix, but outside the block.
 int readEigen() {
   const Eigen::Matrix4i numbers = Eigen::Matrix4i::Identity();
   return numbers.topRows<3>()(three, 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two threads as the node has them, each of which spins a callback queue of roscpp, and between
-// them what ThreadSanitizer must report: thread_faults race|inversion|none
+// Two threads like those of the node, each with a callback queue of roscpp, and a fault between
+// them that ThreadSanitizer must report: thread_faults race|inversion|none
 #include <ros/callback_queue.h>
 
 #include <boost/make_shared.hpp>
@@ -30,7 +30,7 @@ void spin(std::function<void()> function) {
   queue.callAvailable();
 }
 
-/// One function on another thread, one on this.
+/// Runs one function on another thread, and one on this.
 void spinBoth(const std::function<void()>& theirs, const std::function<void()>& ours) {
   std::thread thread([&] { spin(theirs); });
   spin(ours);
@@ -42,7 +42,7 @@ void race(int& count) {
   spinBoth(increment, increment);
 }
 
-/// One after the other, or they might really wait for each other.
+/// One after the other, because at once they might really wait for each other for ever.
 void inversion(int& count, std::mutex& first, std::mutex& second) {
   const auto increment = [&](std::mutex& outer, std::mutex& inner) {
     const std::lock_guard<std::mutex> outer_lock(outer);
