@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "geometry/support/direction_fold.h"
+#include "geometry/support/query/point_scan.h"
 
 namespace link_bounds {
 namespace {
@@ -75,16 +76,16 @@ const Query& queryBy(QueryPath path) {
 /// Null until a path is chosen.
 std::atomic<const Query*> chosen_query{nullptr};
 
+}  // namespace
+
+const Query kPlainQuery{QueryPath::kPlain, findAndScan, find, scan, scanPlain};
+
 const Query& query() {
   const Query* const chosen = chosen_query.load(std::memory_order_relaxed);
   if (chosen) return *chosen;
   useQueryPath(bestPath());
   return queryBy(bestPath());
 }
-
-}  // namespace
-
-const Query kPlainQuery{QueryPath::kPlain, findAndScan, find, scan};
 
 bool isSupported(QueryPath path) {
 #ifdef __SSE2__

@@ -34,7 +34,14 @@ struct Query {
   void (*find)(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
   void (*scan)(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
                Extents& result);
+  /// Of `count` points in double, as for PointSet; all but the plain one need kLanes of them.
+  Extents (*scan_all)(const double* xyz, std::size_t count, const Directions& directions);
 };
+
+constexpr std::size_t kLanes = 4;
+
+/// The one that is in use.
+const Query& query();
 
 extern const Query kPlainQuery;
 

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The plain path, and the choice among the paths.
+// The plain path, and the magnitude.
 #include "geometry/support/query/point_scan.h"
 
 #include <algorithm>
 
-#include "geometry/support/query/query_path.h"
+#include "geometry/support/query/direction_query.h"
 
 namespace link_bounds {
-namespace {
 
 Extents scanPlain(const double* xyz, std::size_t count, const Directions& directions) {
   Extents result;
@@ -29,8 +28,6 @@ Extents scanPlain(const double* xyz, std::size_t count, const Directions& direct
   return result;
 }
 
-}  // namespace
-
 /// Four points at a time, so that the twelve numbers fill whole vectors.
 Eigen::Vector3d scannedMagnitude(const double* xyz, std::size_t count) {
   using Twelve = Eigen::Array<double, 12, 1>;
@@ -44,14 +41,7 @@ Eigen::Vector3d scannedMagnitude(const double* xyz, std::size_t count) {
 }
 
 Extents scannedExtents(const double* xyz, std::size_t count, const Directions& directions) {
-#ifdef __SSE2__
-  if (count >= kLanes) {
-    const QueryPath path = queryPath();
-    if (path == QueryPath::kAvx2) return scanAvx2(xyz, count, directions);
-    if (path == QueryPath::kSse2) return scanSse2(xyz, count, directions);
-  }
-#endif
-  return scanPlain(xyz, count, directions);
+  return (count < kLanes ? kPlainQuery : query()).scan_all(xyz, count, directions);
 }
 
 }  // namespace link_bounds

@@ -12,14 +12,10 @@ namespace link_bounds {
 /// The largest |x|, |y| and |z|.
 Eigen::Vector3d scannedMagnitude(const double* xyz, std::size_t count);
 
-/// As PointSet::extents, by the path that queryPath() names.
+/// As PointSet::extents, by the path in use.
 Extents scannedExtents(const double* xyz, std::size_t count, const Directions& directions);
 
-#ifdef __SSE2__
-/// By one path, for at least kLanes points.
-constexpr std::size_t kLanes = 4;
-Extents scanSse2(const double* xyz, std::size_t count, const Directions& directions);
-Extents scanAvx2(const double* xyz, std::size_t count, const Directions& directions);
-#endif
+/// The same by the plain path.
+Extents scanPlain(const double* xyz, std::size_t count, const Directions& directions);
 
 }  // namespace link_bounds

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The queries over four doubles at a time; each file that includes this has included its Double4
+// before. What costs is not the arithmetic but waiting for it: so there is no branch and no loop on
+// the way of a list of eight points, and three directions go side by side.
+#pragma once
+
+#include <algorithm>
+
+#include "geometry/support/direction_fold.h"
+#include "geometry/support/query/direction_query.h"
+#include "geometry/support/query/point_scan.h"
+
+namespace link_bounds {
+namespace {
+
+using Cell = DirectionTable::Cell;
+
+/// Coordinates of four points by axis.
+struct Points4 {
+  LINK_BOUNDS_TARGET explicit Points4(const PointBlock& block)
+      : x(Double4::ofFloats(block.x)),
+        y(Double4::ofFloats(block.y)),
+        z(Double4::ofFloats(block.z)) {}
+
+  /// Sorting by axis costs nothing beside the arithmetic.
+  LINK_BOUNDS_TARGET explicit Points4(const double* xyz) {
+    const Double4 xy = Double4::ofPairs(xyz, xyz + 6);
+    const Double4 zx = Double4::ofPairs(xyz + 2, xyz + 8);
+    const Double4 yz = Double4::ofPairs(xyz + 4, xyz + 10);
+    x = pick<0, 1>(xy, zx);
+    y = pick<1, 0>(xy, yz);
+    z = pick<0, 1>(zx, yz);
+  }
+
+  Double4 x, y, z;
+};
+
+/// One row of the linear part, and the range of r . p over the points that were added.
+struct Row {
+  LINK_BOUNDS_TARGET Row(const Directions& rows, int k, const Points4& first)
+      : r0(Double4::all(rows(k, 0))), r1(Double4::all(rows(k, 1))), r2(Double4::all(rows(k, 2))) {
+    low = high = dot(first);
+  }
+
+  LINK_BOUNDS_TARGET Double4 dot(const Points4& points) const {
+    return (r0 * points.x + r1 * points.y) + r2 * points.z;
+  }
+
+  LINK_BOUNDS_TARGET void add(const Points4& points) {
+    const Double4 next = dot(points);
+    low = min(low, next);
+    high = max(high, next);
+  }
+
+  LINK_BOUNDS_TARGET __m128d lowPair() const { return _mm_min_pd(low.lower(), low.upper()); }
+  LINK_BOUNDS_TARGET __m128d highPair() const { return _mm_max_pd(high.lower(), high.upper()); }
+
+  Double4 r0, r1, r2;
+  Double4 low, high;
+};
+
+/// From two values per direction to one, and from -0 to +0.
+LINK_BOUNDS_TARGET inline void finish(const Row& row0, const Row& row1, const Row& row2,
+                                      Extents& result) {
+  const __m128d zero = _mm_setzero_pd();
+  const __m128d low0 = row0.lowPair(), low1 = row1.lowPair(), low2 = row2.lowPair();
+  const __m128d high0 = row0.highPair(), high1 = row1.highPair(), high2 = row2.highPair();
+  const __m128d low = _mm_min_pd(_mm_unpacklo_pd(low0, low1), _mm_unpackhi_pd(low0, low1));
+  const __m128d high = _mm_max_pd(_mm_unpacklo_pd(high0, high1), _mm_unpackhi_pd(high0, high1));
+  const __m128d third_low = _mm_min_sd(low2, _mm_unpackhi_pd(low2, low2));
+  const __m128d third_high = _mm_max_sd(high2, _mm_unpackhi_pd(high2, high2));
+  _mm_storeu_pd(result.low.data(), _mm_add_pd(low, zero));
+  _mm_storeu_pd(result.high.data(), _mm_add_pd(high, zero));
+  _mm_store_sd(result.low.data() + 2, _mm_add_sd(third_low, zero));
+  _mm_store_sd(result.high.data() + 2, _mm_add_sd(third_high, zero));
+}
+
+/// gridIndex() of direction_fold.h for two directions; the low bits of each result count.
+LINK_BOUNDS_TARGET inline __m128i gridIndices(__m128d shifted) {
+  return _mm_srli_epi64(_mm_castpd_si128(shifted), kFraction);
+}
+
+LINK_BOUNDS_TARGET inline __m128i cellIndices(__m128d columns, __m128d rows, int log2_side) {
+  return _mm_add_epi64(_mm_sll_epi64(gridIndices(rows), _mm_cvtsi32_si128(log2_side)),
+                       gridIndices(columns));
+}
+
+/// The cell whose index is in the low bits of the first place.
+LINK_BOUNDS_TARGET inline const Cell* cellAt(const DirectionTable& table, __m128i index) {
+  return table.cells.data() + (static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask);
+}
+
+/// cellOf() of direction_fold.h for three directions.
+LINK_BOUNDS_TARGET inline void find(const DirectionTable& table, const Directions& directions,
+                                    CellsOfRows& cells) {
+  const DirectionGrid& grid = table.grid;
+  const double* columns = directions.data();
+  const Double4 x = Double4::ofThree(columns);
+  const Double4 y = Double4::ofThree(columns + directions.outerStride());
+  const Double4 z = Double4::ofThree(columns + 2 * directions.outerStride());
+  const Double4 sign = Double4::all(-0.0);
+  const Double4 norm = ((x ^ (x & sign)) + (y ^ (y & sign))) + (z ^ (z & sign));
+  const Double4 turned = Double4::all(grid.half) ^ (z & sign);
+  const Double4 shifter = Double4::all(grid.half + kShifter);
+  const Double4 s = (x + y) * turned / norm + shifter;
+  const Double4 t = (x - y) * turned / norm + shifter;
+  const __m128i first_two = cellIndices(s.lower(), t.lower(), grid.log2_side);
+  const __m128i third = cellIndices(s.upper(), t.upper(), grid.log2_side);
+  cells = {cellAt(table, first_two), cellAt(table, _mm_unpackhi_epi64(first_two, first_two)),
+           cellAt(table, third)};
+}
+
+LINK_BOUNDS_TARGET inline void addOverflow(const DirectionTable& table, const Cell& cell,
+                                           Row& row) {
+  for (std::uint32_t i = 0; i < cell.count; ++i)
+    row.add(Points4(table.more[cell.first + i]));
+}
+
+/// Points beyond the first eight of a list are rare, so one branch serves all three lists.
+LINK_BOUNDS_TARGET inline void scan(const DirectionTable& table, const Directions& directions,
+                                    const CellsOfRows& cells, Extents& result) {
+  const Cell &cell0 = *cells[0], &cell1 = *cells[1], &cell2 = *cells[2];
+  Row row0(directions, 0, Points4(cell0.near[0]));
+  Row row1(directions, 1, Points4(cell1.near[0]));
+  Row row2(directions, 2, Points4(cell2.near[0]));
+  row0.add(Points4(cell0.near[1]));
+  row1.add(Points4(cell1.near[1]));
+  row2.add(Points4(cell2.near[1]));
+  if (cell0.count | cell1.count | cell2.count) {
+    addOverflow(table, cell0, row0);
+    addOverflow(table, cell1, row1);
+    addOverflow(table, cell2, row2);
+  }
+  finish(row0, row1, row2, result);
+}
+
+LINK_BOUNDS_TARGET inline Extents findAndScan(const DirectionTable& table,
+                                              const Directions& directions) {
+  CellsOfRows cells;
+  find(table, directions, cells);
+  Extents result;
+  scan(table, directions, cells, result);
+  return result;
+}
+
+/// From the last points to the first, in portions of four; the last portion may overlap the first
+/// four, which are in the rows already.
+LINK_BOUNDS_TARGET inline Extents scanAll(const double* xyz, std::size_t count,
+                                          const Directions& directions) {
+  const Points4 first(xyz);
+  Row row0(directions, 0, first), row1(directions, 1, first), row2(directions, 2, first);
+  for (std::size_t i = count - kLanes; i > 0; i -= std::min(kLanes, i)) {
+    const Points4 points(xyz + 3 * i);
+    row0.add(points);
+    row1.add(points);
+    row2.add(points);
+  }
+  Extents result;
+  finish(row0, row1, row2, result);
+  return result;
+}
+
+}  // namespace
+}  // namespace link_bounds
