@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Some boxes that represent all of them, in decisions that affect speed and not the result.
+// Some boxes that represent all. What is decided by them affects the speed, not the result.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,12 @@ class BoxSample {
   const Aabb* const* begin() const { return boxes_.data(); }
   const Aabb* const* end() const { return boxes_.data() + size_; }
 
-  /// Of valueOf(box), for a list that is not empty. A mean would follow a single box far away.
+  /// The median of value_of(box), for a list that is not empty. A mean would follow a single box
+  /// far away.
   template <class ValueOf>
-  double median(ValueOf valueOf) const {
+  double median(ValueOf value_of) const {
     std::array<double, kMaxSize> values;
-    std::transform(begin(), end(), values.begin(), [&](const Aabb* box) { return valueOf(*box); });
+    std::transform(begin(), end(), values.begin(), [&](const Aabb* box) { return value_of(*box); });
     const auto middle = values.begin() + size_ / 2;
     std::nth_element(values.begin(), middle, values.begin() + size_);
     return *middle;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sorting in about linear time where values spread over buckets that are in order.
+// Sorts in about linear time if the values spread over many buckets.
 #pragma once
 
 #include <algorithm>
@@ -10,21 +10,22 @@
 
 namespace link_bounds {
 
-/// Counts the values of each bucket, moves each value to its bucket, and sorts within buckets.
-/// std::sort instead makes a search of 10,000 boxes up to 1.3 times as slow.
+/// Counts the values of each bucket, moves each value to its bucket, and sorts within buckets. With
+/// std::sort instead, a search takes up to 1.3 times as long.
 template <class Value>
 class BucketSort {
  public:
-  /// `bucketOf` maps a value to a number below `bucket_count`, a larger value to no smaller number.
+  /// bucket_of(value) is the bucket of a value, below `bucket_count`. A larger value must not have
+  /// a lower bucket.
   template <class BucketOf>
-  void sort(std::vector<Value>& values, std::size_t bucket_count, BucketOf bucketOf) {
+  void sort(std::vector<Value>& values, std::size_t bucket_count, BucketOf bucket_of) {
     ends_.assign(bucket_count + 1, 0);
     for (const Value& value : values)
-      ++ends_[bucketOf(value) + 1];
+      ++ends_[bucket_of(value) + 1];
     std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
     sorted_.resize(values.size());
     for (const Value& value : values)
-      sorted_[ends_[bucketOf(value)]++] = value;
+      sorted_[ends_[bucket_of(value)]++] = value;
     values.swap(sorted_);
     std::size_t begin = 0;
     for (std::size_t bucket = 0; bucket < bucket_count; ++bucket) {

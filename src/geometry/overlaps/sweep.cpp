@@ -14,12 +14,12 @@
 namespace link_bounds {
 namespace {
 
-/// GCC and Clang compile these to SSE2 on x86 and to NEON on ARM. Comparing one box at a time
-/// instead makes a search of 10,000 boxes 2.8 times as slow.
+/// GCC and Clang compile these to SSE2 on x86 and to NEON on ARM. If boxes are compared one at a
+/// time instead, a search of 10,000 boxes takes three times as long.
 using Floats = float __attribute__((vector_size(16)));
 using Mask = std::int32_t __attribute__((vector_size(16)));
 
-constexpr std::size_t kLanes = 8;  ///< boxes that are compared with a box at a time
+constexpr std::size_t kLanes = 8;  ///< how many boxes a box is compared with at once
 
 Floats load(const float* values) {
   Floats result;
@@ -59,14 +59,15 @@ class IntervalTest {
   Floats box_min_, box_max_;
 };
 
-/// The nearest finite float. A larger value never gives a smaller float, so numbers that are in
-/// order stay in order.
+/// The nearest finite float. Rounding keeps the order of values, so intervals that overlap still
+/// overlap afterwards.
 float toFloat(double value) {
   constexpr double largest = std::numeric_limits<float>::max();
   return static_cast<float>(std::min(std::max(value, -largest), largest));
 }
 
-/// The axis along which the fewest boxes of the sample overlap each other.
+/// The axis along which the fewest boxes of the sample overlap each other. Of the two orders of a
+/// pair, both count if it overlaps, and one if not.
 int sweepAxis(const BoxSample& sample) {
   std::array<int, 3> overlaps{};
   for (const Aabb* a : sample) {
@@ -100,19 +101,21 @@ void Sweep::find(const std::vector<Aabb>& boxes, double margin, std::vector<Inde
 
 void Sweep::sortStarts(const std::vector<Aabb>& boxes, int axis, double origin) {
   starts_.resize(boxes.size());
-  float lowest = std::numeric_limits<float>::max();
-  float highest = -lowest;
+  double lowest = std::numeric_limits<double>::max();
+  double highest = -lowest;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    starts_[i] = {toFloat(boxes[i].min()[axis] - origin), static_cast<std::uint32_t>(i)};
-    lowest = std::min(lowest, starts_[i].min);
-    highest = std::max(highest, starts_[i].min);
+    const float min = toFloat(boxes[i].min()[axis] - origin);
+    starts_[i] = {min, static_cast<std::uint32_t>(i), 0};
+    lowest = std::min(lowest, static_cast<double>(min));
+    highest = std::max(highest, static_cast<double>(min));
   }
-  const double width = static_cast<double>(highest) - static_cast<double>(lowest);
-  const double buckets_per_metre = width > 0 ? static_cast<double>(boxes.size() - 1) / width : 0;
-  start_sort_.sort(starts_, boxes.size(), [=](const Start& start) {
-    const double offset = static_cast<double>(start.min) - static_cast<double>(lowest);
-    return static_cast<std::size_t>(offset * buckets_per_metre);
-  });
+  const double last_bucket = static_cast<double>(boxes.size() - 1);
+  const double buckets_per_metre = highest > lowest ? last_bucket / (highest - lowest) : 0;
+  for (Start& start : starts_) {
+    const double offset = static_cast<double>(start.min) - lowest;
+    start.bucket = static_cast<std::uint32_t>(std::min(offset * buckets_per_metre, last_bucket));
+  }
+  start_sort_.sort(starts_, boxes.size(), [](const Start& start) { return start.bucket; });
 }
 
 void Sweep::arrange(const std::vector<Aabb>& boxes, int axis, double origin, double margin,

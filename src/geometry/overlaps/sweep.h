@@ -39,7 +39,8 @@ class Sweep {
   /// Where a box starts along the axis of the sweep.
   struct Start {
     float min;
-    std::uint32_t index;  ///< of the box
+    std::uint32_t index;   ///< of the box
+    std::uint32_t bucket;  ///< rises with min
 
     bool operator<(const Start& other) const { return min < other.min; }
   };
