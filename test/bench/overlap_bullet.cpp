@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bullet's dynamic trees. Boxes are in single precision, rounded outward; a leaf is made larger
-// than its box by gDbvtMargin, and nothing is to be done while the box stays inside. Pairs are kept
-// from step to step, which is faster than to empty the cache.
+// Bullet's dynamic trees. Boxes are in single precision, rounded outward. A leaf is larger than its
+// box by gDbvtMargin and stays as it is while the box is inside. The pairs are kept from step to
+// step, which is faster than emptying the cache.
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include "link_bounds/geometry/box/rounding.h"
@@ -23,7 +23,7 @@ BulletBox toBullet(const Aabb& box) {
 }
 
 struct BulletSetting {
-  bool collides_at_once;  ///< each box when it moves; else all together at the end
+  bool collides_at_once;  ///< tests each box when it moves, else all boxes at the end of a step
   btScalar margin;        ///< [m]
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// FCL's dynamic tree. Its objects are not turned, so their boxes are those of their geometry.
+// FCL's dynamic tree. Objects are not turned, so their boxes are those of their geometry.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/shape/box.h>
 
@@ -9,7 +9,7 @@
 namespace link_bounds::bench {
 namespace {
 
-/// Either the boxes of the tree are fitted again, or each object is moved within the tree.
+/// Either refits all boxes of the tree or moves each object within the tree.
 enum class Update { kFit, kMove };
 
 class FclOverlaps : public OverlapMethod {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways to find overlaps. All do the same job: in each step every box is new, and out come all
-// pairs of boxes that overlap or touch (margin 0), each with its distance in double precision,
-// computed by the same function. Ours are sorted, those of the peers are not.
+// Methods that find overlaps. All do the same job: every step changes every box, and the method
+// returns all pairs of boxes that overlap or touch (margin 0), each with its distance in double
+// precision, computed by the same function. Our pairs are sorted, those of the peers are not.
 //
-// A peer lives as long as its scene, so that it may profit from what it knows of earlier steps; it
-// gets the boxes in its own format before the clock runs. Of several settings that its
-// documentation offers, the one counts that is fastest in that scene.
+// A peer lives as long as its scene, so it may use what it knows from earlier steps. It gets the
+// boxes in its own format before the clock starts. Several settings from its documentation compete;
+// the fastest one in a scene counts.
 #pragma once
 
 #include <functional>
@@ -25,10 +25,10 @@ class OverlapMethod {
  public:
   virtual ~OverlapMethod() = default;
 
-  /// Not measured; may convert the boxes of the next step.
+  /// May convert the boxes of the next step. Not timed.
   virtual void prepare(const SceneBoxes&) {}
 
-  /// What is measured; fills `pairs`.
+  /// Fills `pairs`. Timed.
   virtual void step(const SceneBoxes& boxes) = 0;
 
   std::vector<BoxPair> pairs;

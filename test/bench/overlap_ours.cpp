@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Our search.
+// SweepAndPrune.
 #include "overlap_methods.h"
 
 namespace link_bounds::bench {

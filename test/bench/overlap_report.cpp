@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ratios are formed within rounds, where all methods met the same machine; then medians.
+// Medians of ratios within rounds, because the speed of the machine changes between rounds.
 #include "overlap_report.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace link_bounds::bench {
 namespace {
 
 const char* const kOurs = "ours";
-constexpr double kMostOfMedian = 1;
-constexpr double kMostOfAnyScene = 2;
+constexpr double kMaxMedian = 1;
+constexpr double kMaxOfAnyScene = 2;
 
 bool isSameScene(const OverlapResult& a, const OverlapResult& b) {
   return a.scene == b.scene && a.boxes == b.boxes;
@@ -29,7 +29,7 @@ double ratio(const OverlapResult& ours, const OverlapResult& peer) {
   return median(values);
 }
 
-/// To the faster peer; not a number without peers.
+/// Our time divided by that of the faster peer; NaN without peers.
 double ratioToFaster(const OverlapResult& ours, const OverlapResults& results) {
   double largest = std::nan("");
   for (const OverlapResult& peer : results) {
@@ -78,8 +78,8 @@ void printOverlapTargets(const OverlapResults& results, std::ostream& out) {
         values.push_back(ratioToFaster(result, results));
     }
     const std::string boxes = std::to_string(size) + " boxes";
-    printTarget("median of the scenes, " + boxes, kMostOfMedian, median(values), out);
-    printTarget("the slowest scene, " + boxes, kMostOfAnyScene,
+    printTarget("median of the scenes, " + boxes, kMaxMedian, median(values), out);
+    printTarget("the slowest scene, " + boxes, kMaxOfAnyScene,
                 *std::max_element(values.begin(), values.end()), out);
   }
 }

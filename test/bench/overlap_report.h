@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What was measured of overlaps, what was promised, and whether it holds.
+// Reports times of overlap searches, and whether they reach their targets.
 #pragma once
 
 #include <iosfwd>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times are those of the processor, so that other programs disturb less.
+// Measures processor time, which other programs disturb less than elapsed time.
 #include "overlap_rounds.h"
 
 #include <time.h>
@@ -17,14 +17,14 @@
 namespace link_bounds::bench {
 namespace {
 
-// Some methods do most of their work in a few of the steps.
+// A method may do most of its work in few of the steps, so a round has many.
 constexpr std::size_t kStepsPerRound = 32;
-// Trees that were built from nothing become better in the first steps; the choice of the settings
-// is made after that, by the last rounds of a trial.
+// After each of these rounds, slow settings are dropped and times are forgotten. The last choice
+// counts only one round, because trees improve during their first steps.
 constexpr int kFirstRounds = 1;
 constexpr int kTrialRounds = 4;
 constexpr int kChoiceRounds = 5;
-constexpr double kHopeless = 6;
+constexpr double kHopeless = 6;  ///< times the fastest setting, dropped before the last choice
 
 struct Contender {
   OverlapResult result;
@@ -49,7 +49,8 @@ SortedPairs sorted(const std::vector<BoxPair>& pairs) {
   return result;
 }
 
-/// Takes the steps and appends their time; returns the number of pairs in each.
+/// Takes all steps of a round and appends their mean time. Returns the number of pairs in each
+/// step.
 std::vector<std::size_t> run(const Round& round, Contender& contender) {
   double sum = 0;
   std::vector<std::size_t> counts;
@@ -102,8 +103,8 @@ double fastestOf(const std::string& method, const std::vector<Contender>& conten
   return fastest;
 }
 
-/// Keeps those that took at most so many times as long as the fastest of their method; forgets
-/// times.
+/// Drops settings that took more than `times` the time of the fastest setting of their method.
+/// Forgets all times.
 void keepFastest(double times, std::vector<Contender>& contenders) {
   std::vector<double> limits;
   for (const Contender& contender : contenders)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All methods on one scene, by turns.
+// Runs all methods on one scene, in turn.
 #pragma once
 
 #include <string>
@@ -22,8 +22,9 @@ struct OverlapResult {
 
 using OverlapResults = std::vector<OverlapResult>;
 
-/// In each round every method takes the same steps, in random order. Some rounds come first, after
-/// which each method keeps its fastest setting. Throws if two methods find different pairs.
+/// In each round every method takes the same steps; the order of the methods is random. Trial
+/// rounds come first and choose the fastest setting of each method. Throws if two methods find
+/// different pairs.
 OverlapResults measureOverlaps(const std::vector<OverlapSetting>& settings, OverlapScene scene,
                                int rounds);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes are as large as those of links, 0.2 m; what has no end goes on for ever.
+// Boxes are as large as those of links, 0.2 m. No scene ends.
 #include "overlap_scenes.h"
 
 #include <cmath>
@@ -16,14 +16,14 @@ constexpr double kSide = 0.2;  // mean [m]
 constexpr double kOverlapsPerBox = 2;
 constexpr std::size_t kLinksPerArm = 50;
 
-/// How wide a cube is in which so many boxes at random have two others each that overlap them. On
-/// one axis that are 2 r - r^2 of the others, r being side / width.
+/// The width of a cube in which each of `count` random boxes overlaps two others on average. Along
+/// one axis a box overlaps the fraction 2 r - r^2 of the others, with r = side / width.
 double clutterWidth(std::size_t count) {
   const double on_one_axis = std::cbrt(kOverlapsPerBox / static_cast<double>(count - 1));
   return kSide / (1 - std::sqrt(1 - on_one_axis));
 }
 
-/// A box that flies straight on and turns back at the walls.
+/// A box that flies straight and bounces off the walls.
 struct Flyer {
   Eigen::Vector3d center, half, step;
 
@@ -57,7 +57,7 @@ OverlapScene clutter(const std::string& name, std::size_t count, double step) {
           }};
 }
 
-/// Clutter, and a box amid the list that breathes.
+/// Clutter, and a box around all of it that grows and shrinks.
 OverlapScene covered(std::size_t count) {
   const double width = clutterWidth(count);
   return {"cover",
@@ -69,7 +69,8 @@ OverlapScene covered(std::size_t count) {
           }};
 }
 
-/// Each overlaps the next one; they drift on and swing, by about 1 % of a box in each step.
+/// A row of boxes, each overlapping the next one. They drift and swing by about 1 % of a box in
+/// each step.
 OverlapScene line(std::size_t count) {
   return {"line", [count, step = 0](SceneBoxes& boxes) mutable {
             boxes.clear();
@@ -84,7 +85,7 @@ OverlapScene line(std::size_t count) {
           }};
 }
 
-/// A joint that swings around an angle of its own.
+/// A joint that swings about its middle position.
 struct SwingingJoint {
   double middle, phase, speed;
 
@@ -112,7 +113,7 @@ void addArm(Eigen::Isometry3d pose, const SwingingJoint* joints, int step, Scene
   }
 }
 
-/// 20 arms for 1,000 boxes. They stand 2 m apart and reach 5 m at most.
+/// Arms of 50 links and at most 5 m length, 2 m apart.
 OverlapScene arms(std::size_t count) {
   Random random(2);
   const std::size_t arm_count = count / kLinksPerArm;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes in motion; the same in every run.
+// Scenes of moving boxes, the same in every run.
 #pragma once
 
 #include <functional>
@@ -15,11 +15,11 @@ using SceneBoxes = std::vector<Aabb>;
 
 struct OverlapScene {
   std::string name;
-  /// Overwrites the boxes by those of the next step; all have moved.
+  /// Replaces the boxes by those of the next step. All have moved.
   std::function<void(SceneBoxes& boxes)> advance;
 };
 
-/// Each of about `count` boxes, in the order in which they are reported.
+/// All scenes, each of about `count` boxes, in the order of the report.
 std::vector<OverlapScene> overlapScenes(std::size_t count);
 
 }  // namespace link_bounds::bench

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Overlaps of many boxes in motion, ours and the peers': overlaps_bench [--quick] [--json FILE]
+// Times overlap searches of many moving boxes, ours and others: overlaps_bench [--quick] [--json
+// FILE]
 #include <iostream>
 
 #include "benchmark_main.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kFewBoxes = 1000;
 constexpr std::size_t kManyBoxes = 10000;
 
-/// Peers that are not installed have no file in the build.
+/// A peer that is not installed is not compiled.
 std::vector<OverlapSetting> overlapSettings() {
   std::vector<OverlapSetting> settings;
   addOurOverlaps(settings);

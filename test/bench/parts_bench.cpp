@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How tight the parts of links are, by how many there may be: parts_bench [--quick] [--json FILE]
+// How tight parts are, by the max number per link: parts_bench [--quick] [--json FILE]
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -38,12 +38,12 @@ struct Row {
   int level = 0;
   std::size_t parts = 0;
   double volume = 0;         ///< sum over all parts, joints at 0 [m^3]
-  double turned_volume = 0;  ///< the same on average over turns of the whole robot [m^3]
+  double turned_volume = 0;  ///< mean over random orientations of the complete robot [m^3]
   std::size_t bytes = 0;     ///< of the points of parts
-  double seconds = 0;        ///< for everything but reading the files
+  double seconds = 0;        ///< without reading the files
 };
 
-/// A robot at rest, read once.
+/// A robot with all joints at 0, read once.
 class RestingRobot {
  public:
   explicit RestingRobot(const Model& model)
@@ -155,7 +155,7 @@ std::vector<Row> measureAll(int turns) {
   return rows;
 }
 
-/// One line per model and one column per level, of what `entry(row, row of level 1)` prints.
+/// One line per model, one column per level. `entry(row, row of level 1)` prints a cell.
 template <class Entry>
 void printTable(const std::string& title, const std::vector<Row>& rows, Entry&& entry) {
   std::cout << "\n" << title << "\n\n| |";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which volume bounds a link best, and at what price: volumes_bench [--quick] [--json FILE]
+// How tight volumes are and what they cost: volumes_bench [--quick] [--json FILE]
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
@@ -18,7 +18,7 @@ namespace {
 
 using Value = double Result::*;
 
-/// The mean over the links of all robots, or of one; `value` is what the row has.
+/// The mean of a column over the links of all robots, or of one.
 double mean(const Results& results, const std::string& method, Value value,
             const std::string& robot = "") {
   double sum = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes are means over random orientations and joint positions; times come from the suite.
+// Volumes are means over random orientations or joint positions. The suite measures times.
 #include "volumes_measure.h"
 
 #include <cmath>
@@ -40,7 +40,7 @@ LinkValues turnedVolumes(const MeasuredRobot& robot) {
   return result;
 }
 
-/// The same along the axes of the root link, while each joint is anywhere within a full turn.
+/// The same along the axes of the root link, with each joint anywhere in a full turn.
 LinkValues jointVolumes(const MeasuredRobot& robot) {
   brute_force::Random random(1);
   LinkValues result(robot.links.size(), 0.0);

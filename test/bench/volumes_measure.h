@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How large volumes are and what they cost, link by link.
+// Measures how large volumes are and what they cost.
 #pragma once
 
 #include "result.h"
@@ -8,9 +8,9 @@
 
 namespace link_bounds::bench {
 
-/// What is compared. The names also say what was timed.
-constexpr char kAabb[] = "aabb";                 ///< along fixed axes, the link turned at random
-constexpr char kAabbAtJoints[] = "aabb_joints";  ///< the same, the joints set at random: no time
+// Names of rows, by what was measured.
+constexpr char kAabb[] = "aabb";  ///< along fixed axes, with the link turned at random
+constexpr char kAabbAtJoints[] = "aabb_joints";  ///< with the joints at random; not timed
 constexpr char kSphere[] = "sphere";
 constexpr char kOrientedBox[] = "obb";
 constexpr char kPrepareSphere[] = "sphere_once";

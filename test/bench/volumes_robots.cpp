@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A flat link has no volume to compare with.
+/// Thinner links are left out: they have no volume to compare with.
 constexpr double kThinnest = 1e-6;  // of the longest side
 
 bool isFlat(const BoundedLink& link) {

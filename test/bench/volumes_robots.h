@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The robots whose links are bounded by boxes and other volumes.
+// The robots whose links are measured.
 #pragma once
 
 #include <iosfwd>
@@ -18,8 +18,8 @@ struct MeasuredRobot {
   std::vector<std::size_t> index;  ///< of the links, in `robot`
 };
 
-/// Those of `data_folder`/robots; without a data folder that of `demo_urdf`, which is in the folder
-/// launch/demo of its package. What is left out is said in `notes`.
+/// The robots in `data_folder`/robots. Without a data folder, the robot of `demo_urdf`, which is in
+/// the folder launch/demo of its package. Writes to `notes` what is left out.
 std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
                                         const std::string& demo_urdf, std::ostream& notes);
 
