@@ -16,7 +16,7 @@ import unittest
 import bad_inputs
 
 URDF_BOUNDS = ''
-TIMEOUT_SECONDS = 200 if bad_inputs.SANITIZED else 60  # for one robot on a busy machine
+TIMEOUT_SECONDS = 90 if bad_inputs.SANITIZED else 20  # for one robot
 MEMORY_BYTES = 4000000 * 1024
 
 
