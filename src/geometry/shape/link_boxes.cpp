@@ -11,9 +11,10 @@
 namespace link_bounds {
 namespace {
 
-/// Links of which everything that is prefetched stays in the nearest cache.
+/// What a batch prefetches fits into a first-level cache of 32 KiB.
 constexpr std::ptrdiff_t kLinksPerBatch = 16;
 constexpr std::size_t kShapesPerBatch = 64;
+static_assert(kShapesPerBatch * 3 * sizeof(DirectionTable::Cell) <= 32 * 1024, "");
 
 }  // namespace
 

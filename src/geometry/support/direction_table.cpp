@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/support/build/direction_build.h"
+#include "geometry/support/direction_fold.h"
 
 namespace link_bounds {
 namespace {
@@ -17,9 +18,15 @@ constexpr double kMeanListSize = 8;
 constexpr std::size_t kBytesPerTable = 128 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
 constexpr std::size_t kPart = 1 << 16;
-/// A scan over so many points takes about as long as going to a grid that is in no cache.
+/// A scan over so many points takes about as long as a look-up in a grid that is in no cache.
 constexpr std::size_t kGriddedPoints = 64;
 constexpr int kPasses = 4;
+
+/// Of the square's side, by which every index is smaller than it could be: more than its rounding.
+constexpr double kGridMargin = 1.25e-7;
+static_assert(kCoarsestGrid * kGridMargin > 0.5 / (1 << kFraction), "an index could be `side`");
+static_assert(kFinestGrid < 1 << (50 - kFraction), "kShifter could not hold an index");
+static_assert(sizeof(DirectionTable::Cell) <= 128, "findCells prefetches two lines of a cell");
 
 /// Four points of the list; what is beyond its end repeats the last one.
 PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
@@ -37,12 +44,12 @@ PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndice
 void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
             DirectionTable& table) {
   DirectionTable::Cell cell;
-  cell.near[0] = blockOf(points, list, 0);
-  cell.near[1] = blockOf(points, list, 4);
-  cell.first = static_cast<std::uint32_t>(table.more.size());
+  cell.blocks[0] = blockOf(points, list, 0);
+  cell.blocks[1] = blockOf(points, list, 4);
+  cell.first_overflow = static_cast<std::uint32_t>(table.overflow.size());
   for (std::size_t i = 8; i < list.size(); i += 4)
-    table.more.push_back(blockOf(points, list, i));
-  cell.count = static_cast<std::uint32_t>(table.more.size()) - cell.first;
+    table.overflow.push_back(blockOf(points, list, i));
+  cell.overflow_blocks = static_cast<std::uint32_t>(table.overflow.size()) - cell.first_overflow;
   table.cells.push_back(cell);
 }
 
@@ -52,7 +59,7 @@ DirectionTable packed(const std::vector<Eigen::Vector3f>& points, const Candidat
   table.cells.reserve(grid.cells.size());
   for (const CellCandidates& cell : grid.cells)
     append(points, cell.all(), table);
-  table.more.shrink_to_fit();
+  table.overflow.shrink_to_fit();
   return table;
 }
 
@@ -86,7 +93,7 @@ void appendNamed(const std::vector<Eigen::Vector3f>& points, std::vector<Eigen::
     named.push_back(points[index]);
 }
 
-/// Of a large set what its parts cannot do without: a part fits into the processor's cache.
+/// The points of a large set that can be extreme in their part. A part fits into the cache.
 std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points) {
   std::vector<Eigen::Vector3f> left;
   for (std::size_t first = 0; first < points.size(); first += kPart) {
@@ -117,14 +124,14 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
   return table;
 }
 
-DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
+DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes) {
   if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
   GridBuilder builder(toDouble(points));
   const CandidateGrid grid = coarsestLists(builder);
   const PointIndices named = grid.named();
   if (named.size() > kGriddedPoints) {
     DirectionTable table = packed(points, grid);
-    if (table.bytes() <= most_bytes) return table;
+    if (table.bytes() <= max_bytes) return table;
   }
   CandidateGrid list = listOfAll(0);
   list.cells[0].upper = named;
@@ -146,9 +153,9 @@ DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
   return reducedTable(points, kPasses, wholeTable);
 }
 
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes) {
-  return reducedTable(points, kPasses, [most_bytes](const std::vector<Eigen::Vector3f>& left) {
-    return smallTable(left, most_bytes);
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes) {
+  return reducedTable(points, kPasses, [max_bytes](const std::vector<Eigen::Vector3f>& left) {
+    return smallTable(left, max_bytes);
   });
 }
 
@@ -156,10 +163,10 @@ DirectionGrid::DirectionGrid(int cells_per_side)
     : side(cells_per_side),
       log2_side(__builtin_ctz(static_cast<unsigned>(cells_per_side))),
       mask(static_cast<unsigned>(cells_per_side * cells_per_side - 1)),
-      half(cells_per_side * (0.5 - 1.25e-7)) {}
+      half(cells_per_side * (0.5 - kGridMargin)) {}
 
 std::size_t DirectionTable::bytes() const {
-  return sizeof(*this) + cells.capacity() * sizeof(Cell) + more.capacity() * sizeof(PointBlock);
+  return sizeof(*this) + cells.capacity() * sizeof(Cell) + overflow.capacity() * sizeof(PointBlock);
 }
 
 }  // namespace link_bounds

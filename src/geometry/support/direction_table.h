@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// How far a rigid set of points reaches along any direction, in constant time and exactly.
+/// How far a rigid set of points extends along any direction, in constant time and exactly.
 ///
 /// The world box of a turned mesh needs six numbers: for each row r of the linear part of its pose,
 /// the smallest and the largest r . p over the points p. The paper finds them by looping over all
@@ -43,38 +43,38 @@ struct DirectionGrid {
   int side;
   int log2_side;
   unsigned mask;  ///< the bits of a cell's index
-  /// side / 2, less a hair, so that an index stays below `side` also where it is rounded to the
-  /// nearest 2^-20.
+  /// side / 2, less a margin, so that an index stays below `side` although it is rounded to the
+  /// nearest 2^-kFraction (direction_fold.h).
   double half;
 };
 
 /// Immutable once built, so any number of threads may query it.
 struct DirectionTable {
-  /// The list of one cell: eight points at hand, and `count` blocks of `more` from `first` on.
+  /// The list of one cell: eight points inline, and further ones in blocks of `overflow`.
   struct Cell {
-    PointBlock near[2];
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    PointBlock blocks[2];
+    std::uint32_t first_overflow = 0;
+    std::uint32_t overflow_blocks = 0;
   };
 
   DirectionGrid grid;
   std::vector<Cell> cells;  ///< side * side, row by row
-  std::vector<PointBlock> more;
+  std::vector<PointBlock> overflow;
 
   /// Bytes kept in memory.
   std::size_t bytes() const;
 };
 
-/// `points` must be finite and not empty. A point may be left out if others reach as far to within
-/// 1e-14 of the largest |coordinate| times |r|_1, which worldBox makes up for. Of at most
-/// `kScannedPoints` there is one list. Otherwise the grid is the coarsest of 8, 16, 32 and 64 with
-/// at most 8 points per list on average; if there is none, the finest that takes no more memory
-/// than 128 KiB or 48 bytes per point that can be extreme, whichever is more.
+/// `points` must be finite and not empty. A point may be left out if others extend as far to within
+/// 1e-14 of the largest |coordinate| times |r|_1; worldBox adds a pad for that. At most
+/// `kScannedPoints` points go into one list. Otherwise the grid is the coarsest of 8, 16, 32 and 64
+/// with at most 8 points per list on average; if there is none, the finest that takes no more
+/// memory than 128 KiB or 48 bytes per point that can be extreme, whichever is more.
 DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points);
 
 /// The same in less memory, for a set that is one of many: a grid of 8 if there are many points and
-/// it takes no more than `most_bytes`, else one list of all points that can be extreme.
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t most_bytes);
+/// it takes no more than `max_bytes`, else one list of all points that can be extreme.
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes);
 
 constexpr std::size_t kScannedPoints = 16;
 

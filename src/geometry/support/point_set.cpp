@@ -58,10 +58,10 @@ std::vector<Eigen::Vector3f> PointSet::points() const {
       distinct.insert({block.x[lane], block.y[lane], block.z[lane]});
   };
   for (const DirectionTable::Cell& cell : table_->cells) {
-    insert(cell.near[0]);
-    insert(cell.near[1]);
+    insert(cell.blocks[0]);
+    insert(cell.blocks[1]);
   }
-  for (const PointBlock& block : table_->more)
+  for (const PointBlock& block : table_->overflow)
     insert(block);
   std::vector<Eigen::Vector3f> result;
   for (const std::array<float, 3>& point : distinct)

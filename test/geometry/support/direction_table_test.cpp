@@ -207,9 +207,9 @@ TEST(DirectionTable, GridAndMemoryFollowTheRules) {
 
 TEST(DirectionTable, OfSetsThatAreManyIsExactToo) {
   for (const Points& points : {onSphere(1000), onSphere(100), plate(), Points{{1, 2, 3}}}) {
-    for (const std::size_t most_bytes : {std::size_t{0}, std::size_t{16'000}}) {
-      const PointSet set(points, most_bytes);
-      LinearMaps maps(most_bytes);
+    for (const std::size_t max_bytes : {std::size_t{0}, std::size_t{16'000}}) {
+      const PointSet set(points, max_bytes);
+      LinearMaps maps(max_bytes);
       Exactness result;
       for (int i = 0; i < 500; ++i)
         result += compare(points, set, maps.next());

@@ -10,41 +10,41 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kMostCorners = 6;  ///< of two triangles
+constexpr std::size_t kMaxCorners = 6;  ///< of two triangles
 
-/// How far a point reaches at each corner; corners that do not exist are 0.
-using Reaches = std::array<double, kMostCorners>;
+/// Dot products of a point with each corner; 0 for corners that do not exist.
+using DotProducts = std::array<double, kMaxCorners>;
 
-Reaches reachesOf(const Eigen::Vector3d& point, const Cone& corners, double sign) {
-  Reaches reaches{};
+DotProducts dotProductsOf(const Eigen::Vector3d& point, const Cone& corners, double sign) {
+  DotProducts products{};
   for (std::size_t i = 0; i < corners.size(); ++i)
-    reaches[i] = sign * point.dot(corners[i]);
-  return reaches;
+    products[i] = sign * point.dot(corners[i]);
+  return products;
 }
 
-/// Of the candidates so far, those that reach farthest at one corner or at all of them on average.
+/// Of the candidates so far, those with the largest product at one corner or on average.
 class Champions {
  public:
   explicit Champions(std::size_t corners) : corners_(corners), best_(corners + 1) {
-    for (Reaches& reaches : best_)
-      reaches.fill(-std::numeric_limits<double>::infinity());
+    for (DotProducts& products : best_)
+      products.fill(-std::numeric_limits<double>::infinity());
   }
 
-  void add(const Reaches& reaches) {
+  void add(const DotProducts& products) {
     double sum = 0;
     for (std::size_t i = 0; i < corners_; ++i) {
-      sum += reaches[i];
-      if (reaches[i] > best_[i][i]) best_[i] = reaches;
+      sum += products[i];
+      if (products[i] > best_[i][i]) best_[i] = products;
     }
-    if (sum > best_sum_) best_.back() = reaches;
+    if (sum > best_sum_) best_.back() = products;
     best_sum_ = std::max(best_sum_, sum);
   }
 
   /// True if one of them is ahead of the candidate by more than the margin at every corner.
-  bool beat(const Reaches& reaches, double margin) const {
-    return std::any_of(best_.begin(), best_.end(), [&](const Reaches& best) {
+  bool beat(const DotProducts& products, double margin) const {
+    return std::any_of(best_.begin(), best_.end(), [&](const DotProducts& best) {
       for (std::size_t i = 0; i < corners_; ++i) {
-        if (!(best[i] - reaches[i] > margin)) return false;
+        if (!(best[i] - products[i] > margin)) return false;
       }
       return true;
     });
@@ -52,7 +52,7 @@ class Champions {
 
  private:
   std::size_t corners_;
-  std::vector<Reaches> best_;
+  std::vector<DotProducts> best_;
   double best_sum_ = -std::numeric_limits<double>::infinity();
 };
 
@@ -60,16 +60,16 @@ class Champions {
 
 void dropDominated(const std::vector<Eigen::Vector3d>& points, const Cone& corners, double sign,
                    double margin, PointIndices& candidates) {
-  std::vector<Reaches> reaches;
-  reaches.reserve(candidates.size());
+  std::vector<DotProducts> products;
+  products.reserve(candidates.size());
   Champions champions(corners.size());
   for (const std::uint32_t candidate : candidates) {
-    reaches.push_back(reachesOf(points[candidate], corners, sign));
-    champions.add(reaches.back());
+    products.push_back(dotProductsOf(points[candidate], corners, sign));
+    champions.add(products.back());
   }
   std::size_t left = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (!champions.beat(reaches[i], margin)) candidates[left++] = candidates[i];
+    if (!champions.beat(products[i], margin)) candidates[left++] = candidates[i];
   }
   candidates.resize(left);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which points reach farthest for at least one direction of a cone.
+// Which points are extreme for at least one direction of a cone.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ namespace link_bounds {
 ///
 /// A point p is needed where it beats all the others, so the cone is clipped by the half-spaces
 /// (p - q) . d > tolerance of the points q that are already known to be needed. If nothing is left,
-/// p is not needed. If something is, whichever point reaches farthest in the middle of the rest is,
+/// p is not needed. If something is, the point that is extreme in the middle of the rest is needed,
 /// and p is tried again (the idea of Clarkson's redundancy removal). So a point is left out only
 /// for points that stay: tolerances do not add up.
 class Envelope {

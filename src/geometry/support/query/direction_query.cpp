@@ -12,16 +12,16 @@
 namespace link_bounds {
 namespace {
 
-/// Of one row; what a list gives is added point by point.
+/// Smallest and largest dot product of one row with the points so far.
 struct Range {
   double low;
   double high;
 
   void add(const PointBlock& block, double r0, double r1, double r2) {
     for (int lane = 0; lane < 4; ++lane) {
-      const double reach = (r0 * block.x[lane] + r1 * block.y[lane]) + r2 * block.z[lane];
-      low = std::min(low, reach);
-      high = std::max(high, reach);
+      const double dot = (r0 * block.x[lane] + r1 * block.y[lane]) + r2 * block.z[lane];
+      low = std::min(low, dot);
+      high = std::max(high, dot);
     }
   }
 };
@@ -40,12 +40,13 @@ void scan(const DirectionTable& table, const Directions& directions, const Cells
     const double r1 = directions(k, 1);
     const double r2 = directions(k, 2);
     const DirectionTable::Cell& cell = *cells[static_cast<std::size_t>(k)];
-    const double first = (r0 * cell.near[0].x[0] + r1 * cell.near[0].y[0]) + r2 * cell.near[0].z[0];
+    const double first =
+        (r0 * cell.blocks[0].x[0] + r1 * cell.blocks[0].y[0]) + r2 * cell.blocks[0].z[0];
     Range range{first, first};
-    range.add(cell.near[0], r0, r1, r2);
-    range.add(cell.near[1], r0, r1, r2);
-    for (std::uint32_t i = 0; i < cell.count; ++i)
-      range.add(table.more[cell.first + i], r0, r1, r2);
+    range.add(cell.blocks[0], r0, r1, r2);
+    range.add(cell.blocks[1], r0, r1, r2);
+    for (std::uint32_t i = 0; i < cell.overflow_blocks; ++i)
+      range.add(table.overflow[cell.first_overflow + i], r0, r1, r2);
     result.low[k] = range.low + 0.0;
     result.high[k] = range.high + 0.0;
   }
@@ -110,9 +111,9 @@ Extents extents(const DirectionTable& table, const Directions& directions) {
 void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
   query().find(table, directions, cells);
   for (const DirectionTable::Cell* cell : cells) {
-    __builtin_prefetch(&cell->near[0]);
-    __builtin_prefetch(&cell->near[1].y);
-    __builtin_prefetch(&cell->count);
+    __builtin_prefetch(&cell->blocks[0]);
+    __builtin_prefetch(&cell->blocks[1].y);
+    __builtin_prefetch(&cell->overflow_blocks);
   }
 }
 

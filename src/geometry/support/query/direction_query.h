@@ -39,6 +39,7 @@ struct Query {
 };
 
 constexpr std::size_t kLanes = 4;
+static_assert(sizeof(PointBlock) == 3 * kLanes * sizeof(float), "a block fills the lanes");
 
 /// The one that is in use.
 const Query& query();

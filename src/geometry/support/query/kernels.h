@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The queries over four doubles at a time; each file that includes this has included its Double4
-// before. What costs is not the arithmetic but waiting for it: so there is no branch and no loop on
-// the way of a list of eight points, and three directions go side by side.
+// The queries over four doubles at a time. A file that includes this has included its Double4
+// before. Latency costs more than arithmetic: so a list of eight points needs no branch and no
+// loop, and the three directions are independent of each other.
 #pragma once
 
 #include <algorithm>
@@ -113,21 +113,21 @@ LINK_BOUNDS_TARGET inline void find(const DirectionTable& table, const Direction
 
 LINK_BOUNDS_TARGET inline void addOverflow(const DirectionTable& table, const Cell& cell,
                                            Row& row) {
-  for (std::uint32_t i = 0; i < cell.count; ++i)
-    row.add(Points4(table.more[cell.first + i]));
+  for (std::uint32_t i = 0; i < cell.overflow_blocks; ++i)
+    row.add(Points4(table.overflow[cell.first_overflow + i]));
 }
 
 /// Points beyond the first eight of a list are rare, so one branch serves all three lists.
 LINK_BOUNDS_TARGET inline void scan(const DirectionTable& table, const Directions& directions,
                                     const CellsOfRows& cells, Extents& result) {
   const Cell &cell0 = *cells[0], &cell1 = *cells[1], &cell2 = *cells[2];
-  Row row0(directions, 0, Points4(cell0.near[0]));
-  Row row1(directions, 1, Points4(cell1.near[0]));
-  Row row2(directions, 2, Points4(cell2.near[0]));
-  row0.add(Points4(cell0.near[1]));
-  row1.add(Points4(cell1.near[1]));
-  row2.add(Points4(cell2.near[1]));
-  if (cell0.count | cell1.count | cell2.count) {
+  Row row0(directions, 0, Points4(cell0.blocks[0]));
+  Row row1(directions, 1, Points4(cell1.blocks[0]));
+  Row row2(directions, 2, Points4(cell2.blocks[0]));
+  row0.add(Points4(cell0.blocks[1]));
+  row1.add(Points4(cell1.blocks[1]));
+  row2.add(Points4(cell2.blocks[1]));
+  if (cell0.overflow_blocks | cell1.overflow_blocks | cell2.overflow_blocks) {
     addOverflow(table, cell0, row0);
     addOverflow(table, cell1, row1);
     addOverflow(table, cell2, row2);

@@ -18,9 +18,9 @@ Extents scanPlain(const double* xyz, std::size_t count, const Directions& direct
     double low = (r0 * xyz[0] + r1 * xyz[1]) + r2 * xyz[2];
     double high = low;
     for (const double* point = xyz + 3; point != xyz + 3 * count; point += 3) {
-      const double reach = (r0 * point[0] + r1 * point[1]) + r2 * point[2];
-      low = std::min(low, reach);
-      high = std::max(high, reach);
+      const double dot = (r0 * point[0] + r1 * point[1]) + r2 * point[2];
+      low = std::min(low, dot);
+      high = std::max(high, dot);
     }
     result.low[k] = low + 0.0;  // from -0 to +0, whichever came first
     result.high[k] = high + 0.0;
