@@ -9,6 +9,7 @@
 
 #include "benchmark_main.h"
 #include "contest.h"
+#include "geometry/support/direction_table.h"
 #include "machine.h"
 #include "mesh_choice.h"
 #include "result.h"
