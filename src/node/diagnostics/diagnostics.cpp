@@ -99,7 +99,7 @@ void describeScene(const Scene& scene, DiagnosticStatus& status) {
 }
 
 void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
-  add(status, "transforms taken", std::to_string(intake.taken));
+  add(status, "transforms taken", std::to_string(intake.accepted));
   add(status, "of those late", std::to_string(intake.late));
   add(status, "transforms refused, stamp repeated", std::to_string(intake.repeated));
   add(status, "transforms refused, too old", std::to_string(intake.too_old));

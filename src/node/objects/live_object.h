@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One object: what was said of it, and its box.
+// One object: its content and its box.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,14 @@
 
 namespace link_bounds {
 
-/// What a publisher says of an object.
+/// An object as its publisher describes it.
 struct ObjectContent {
-  BoundedLink bounded;     ///< what it draws, in the header frame; the name is that of the box
-  std::string frame;       ///< header frame, tf name
-  std::int64_t stamp = 0;  ///< nanoseconds; placed once, by the transform of then. 0: follows tf
+  BoundedLink bounded;  ///< its shapes, in the header frame; the name is that of the box
+  std::string frame;    ///< header frame, tf name
+  std::int64_t stamp =
+      0;  ///< nanoseconds; placed once by the transform at this time. 0: follows tf
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
-  std::string mesh_uri;    ///< of a mesh, whose shape has no points until they are loaded
+  std::string mesh_uri;    ///< of a mesh, whose shape has no points while it loads
   std::string publisher;   ///< name of the node that sent it
 
   /// A refused marker has no frame.
@@ -28,7 +29,7 @@ struct ObjectContent {
   }
 };
 
-/// True if the same box follows from both: the publisher and the lifetime do not count.
+/// True if both give the same box. Publisher and lifetime are not compared.
 bool isSame(const ObjectContent& a, const ObjectContent& b);
 
 /// Where an object was placed once. Another fixed frame later does not change this.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of a marker before it is bounded.
+// Checks of a marker before it is bounded.
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +11,12 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Below the 1e30 that a pose may contain, with room for what turning it adds by rounding.
-constexpr double kLargest = 1e29;
+/// A pose may contain up to 1e30 [m]; a tenth of it leaves room for rotating and adding.
+constexpr double kMaxNumber = 1e29;
 
-/// Not for what is not a number.
+/// False for NaN.
 bool isBelowLimit(double value) {
-  return std::abs(value) <= kLargest;
+  return std::abs(value) <= kMaxNumber;
 }
 
 template <class Vector>
@@ -28,19 +28,19 @@ bool isFinite(const geometry_msgs::Quaternion& q) {
   return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) && std::isfinite(q.w);
 }
 
-/// Four points at a time, so that the twelve numbers fill whole vectors. What is not a number would
-/// get lost in a maximum, but not in a sum. Downwards, for the reason that point_scan.h tells.
+/// Four points at a time, so that the twelve numbers fill vector registers. A maximum may lose a
+/// NaN; a sum does not. Downwards, for the reason in point_scan.h.
 bool areBelowLimit(const std::vector<geometry_msgs::Point>& points) {
   using Twelve = Eigen::Array<double, 12, 1>;
-  Twelve largest = Twelve::Zero();
-  Twelve nothing = Twelve::Zero();
+  Twelve max = Twelve::Zero();
+  Twelve nan_sum = Twelve::Zero();
   std::size_t i = points.size();
   for (; i >= 4; i -= 4) {
     const Eigen::Map<const Twelve> four(&points[i - 4].x);
-    largest = largest.max(four.abs());
-    nothing += 0 * four;
+    max = max.max(four.abs());
+    nan_sum += 0 * four;
   }
-  return largest.maxCoeff() <= kLargest && nothing.sum() == 0 &&
+  return max.maxCoeff() <= kMaxNumber && nan_sum.sum() == 0 &&
          std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i),
                      [](const geometry_msgs::Point& point) { return isBelowLimit(point); });
 }
@@ -53,7 +53,7 @@ bool hasPoints(const Marker& marker) {
   return marker.type == Marker::ARROW || isList(marker);
 }
 
-/// What rviz demands of the number of points; null if that is met.
+/// How many points rviz needs, in words; null if the marker has them.
 const char* wantedCount(const Marker& marker) {
   const std::size_t count = marker.points.size();
   switch (marker.type) {

@@ -13,7 +13,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// rviz's arrows are cut here into shaft and head, unless scale.z says where.
+/// Shares of an arrow's length in rviz (arrow_marker.cpp), unless scale.z gives the head's length.
 constexpr double kHeadPart = 0.23;
 constexpr double kShaftPart = 0.77;
 
@@ -25,7 +25,7 @@ Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
   return {p.x, p.y, p.z};
 }
 
-/// Of points that are where they stay.
+/// Takes the memory of the points over.
 std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> points) {
   static_assert(sizeof(geometry_msgs::Point) == 3 * sizeof(double));
   const auto owner = std::make_shared<const std::vector<geometry_msgs::Point>>(std::move(points));
@@ -47,8 +47,8 @@ Shape point(const Eigen::Isometry3d& pose, const Eigen::Vector3d& position) {
   return shape;
 }
 
-/// The box around the discs at both ends of a shaft is that around the shaft, and the box around
-/// the base and the tip of a cone is that around the cone.
+/// The discs at both ends of a shaft have the same box as the shaft; the base and the tip of a cone
+/// have that of the cone.
 std::vector<Shape> arrowByPose(const Marker& marker, const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d scale = toVector(marker.scale);
   Eigen::Matrix3d axes;
@@ -62,11 +62,11 @@ std::vector<Shape> arrowByPoints(const Marker& marker, const Eigen::Isometry3d& 
   const Eigen::Vector3d tail = toVector(marker.points[0]);
   const Eigen::Vector3d tip = toVector(marker.points[1]);
   const Eigen::Vector3d shaft = tip - tail;
-  const double whole = length(shaft.x(), shaft.y(), shaft.z());
+  const double total = length(shaft.x(), shaft.y(), shaft.z());
   const double head =
-      marker.scale.z == 0 ? kHeadPart * whole : std::min<double>(marker.scale.z, whole);
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rviz draws no length across z
-  if (whole > 0) {
+      marker.scale.z == 0 ? kHeadPart * total : std::min<double>(marker.scale.z, total);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rviz draws an arrow of length 0 along z
+  if (total > 0) {
     axes.col(2) = shaft.stableNormalized();
     axes.col(0) = axes.col(2).unitOrthogonal();
     axes.col(1) = axes.col(2).cross(axes.col(0));
@@ -83,7 +83,7 @@ Shape scaledPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
   return shape;
 }
 
-/// Those of lists lack their points.
+/// The shapes of lists lack their points.
 std::vector<Shape> shapesOf(const Marker& marker) {
   const Eigen::Isometry3d pose = markerPose(marker);
   const auto solid = [&](Solid kind) { return Shape{nullptr, kind, toVector(marker.scale), pose}; };
@@ -139,7 +139,7 @@ Eigen::Isometry3d markerPose(const Marker& marker) {
   Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
   const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
   if (largest > 0) {
-    rotation.coeffs() /= largest;  // squares of huge or tiny numbers would be lost
+    rotation.coeffs() /= largest;  // squares of huge or tiny numbers overflow or vanish
     rotation.normalize();
   } else {
     rotation.setIdentity();

@@ -4,9 +4,9 @@
 //
 // What each type makes of the marker's fields, all in the frame of its pose [m]:
 //   CUBE, SPHERE, CYLINDER   a solid of extent scale around the origin; the cylinder's axis is z
-//   CUBE_LIST, SPHERE_LIST   that solid around each point; scale is no factor of the points
+//   CUBE_LIST, SPHERE_LIST   that solid around each point; scale does not scale the points
 //   LINE_STRIP, LINE_LIST    ribbons of width scale.x that turn to the camera: a ball around each
-//                            point contains them from everywhere; the rest of scale counts nothing
+//                            point contains them from every side; scale.y and scale.z are unused
 //   POINTS                   squares that turn to the camera, the longer diagonal is
 //                            hypot(scale.x, scale.y); the positions follow the pose
 //   TRIANGLE_LIST            points times scale
@@ -18,9 +18,9 @@
 //                            diameter scale.y and length scale.z, but no longer than the arrow, and
 //                            23 % of it for scale.z = 0
 //   TEXT_VIEW_FACING         its size depends on a font; ignored
-// Zero in scale makes it flat, for rviz and here. Of POINTS and SPHERE_LIST rviz 1.14 draws only
-// the first number of scale, as side and as diameter, where the graphics card has geometry shaders,
-// and the first two where it has none: with uneven scale its picture depends on the machine.
+// A zero in scale makes the shape flat, in rviz and here. For POINTS and SPHERE_LIST, rviz 1.14
+// uses only scale.x if the graphics card has geometry shaders, else scale.x and scale.y: with
+// uneven scale its picture depends on the machine.
 #pragma once
 
 #include <visualization_msgs/Marker.h>
@@ -41,8 +41,8 @@ struct MarkerShape {
   std::string mesh_uri;  ///< of a MESH_RESOURCE, else ""
 };
 
-/// Why the marker, which deletes nothing, cannot be bounded, in words with the remedy; "" if it
-/// can, or is to be ignored.
+/// Why the marker cannot be bounded, in words with the remedy; "" if it can, or is to be ignored.
+/// Not for markers that delete.
 std::string whyMarkerRefused(const visualization_msgs::Marker& marker);
 
 /// False for text, which is ignored.
@@ -51,13 +51,12 @@ bool hasShape(const visualization_msgs::Marker& marker);
 /// True for types that draw something at each of their points; an arrow is given by them.
 bool isList(const visualization_msgs::Marker& marker);
 
-/// Frame of the header from that of the marker. A zero quaternion is the identity, others are
+/// From the marker's frame to that of its header. A zero quaternion is the identity, others are
 /// normalised. The marker must not be refused.
 Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);
 
-/// The marker must have a shape and not be refused. Takes its list of points away, for a copy would
-/// cost more than all else; nothing else of the message is kept, neither colours nor the array in
-/// which it came.
+/// The marker must have a shape and not be refused. Moves its points out, because a copy would cost
+/// more than all the rest. Keeps nothing else of the message, such as colours.
 MarkerShape markerShape(visualization_msgs::Marker&& marker);
 
 /// The same with a copy of the points.

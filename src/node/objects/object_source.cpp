@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Judges a marker, turns it into the content of an object, and finds its mesh.
+// Checks a marker, turns it into the content of an object, and finds its mesh.
 #include "node/objects/object_source.h"
 
 #include <ros/console.h>
@@ -15,11 +15,11 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Names of this prefix are what a node like this one draws of objects.
+/// Nodes like this one draw the boxes of objects in namespaces with this prefix.
 constexpr char kOwnNamespace[] = "link_bounds/";
 
-/// So many failures are remembered; a publisher may make up names without end.
-constexpr std::size_t kMostMeshes = 10000;
+/// Meshes that are remembered: a publisher may invent names without end.
+constexpr std::size_t kMaxMeshes = 10000;
 
 bool isOurs(const Marker& marker) {
   return marker.ns.compare(0, sizeof(kOwnNamespace) - 1, kOwnNamespace) == 0;
@@ -75,7 +75,7 @@ void ObjectSource::useMesh(ObjectContent& content) {
 }
 
 void ObjectSource::request(const std::string& uri) {
-  if (meshes_.size() >= kMostMeshes) meshes_.clear();
+  if (meshes_.size() >= kMaxMeshes) meshes_.clear();
   meshes_[uri].is_loading = true;
   request_mesh_(uri);
 }

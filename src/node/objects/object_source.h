@@ -15,27 +15,27 @@
 
 namespace link_bounds {
 
-/// Runs on the update thread. Meshes are asked for by `request_mesh`, which returns at once; what
-/// became of one comes back through fillMesh(). Functions return true if a box, a stamp or an
-/// incomplete name changed.
+/// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
+/// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
+/// an incomplete name changed.
 class ObjectSource {
  public:
   ObjectSource(LiveObjects& objects, std::function<void(const std::string& uri)> request_mesh);
 
-  /// Takes the points of a list out of the marker.
+  /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
-  /// Says which objects waited in vain for a transform.
+  /// Logs which objects waited for a transform that did not come.
   void warnOfGivenUp();
 
-  /// Asks again for the meshes of all objects: files may have been repaired or replaced. What was
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
   /// logged may be logged again.
   void reloadMeshes();
 
  private:
-  /// What is known of a mesh; neither points nor an error while it loads.
+  /// A mesh; it has neither points nor an error while it loads.
   struct Mesh {
     std::weak_ptr<const PointSet> points;
     std::string error;

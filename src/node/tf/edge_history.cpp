@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The newest sample is nearly always the one that is wanted, and the place of the next.
+// Nearly every call inserts after the newest sample or reads it; that part is in the header.
 #include "node/tf/edge_history.h"
 
 namespace link_bounds {
@@ -24,14 +24,14 @@ bool EdgeHistory::insertElsewhere(const EdgeSample& sample) {
   } else if (isRefused(sample.stamp)) {
     return false;
   } else {
-    samples_.insert(sample.stamp, reach()) = sample;
+    samples_.insert(sample.stamp, oldestKept()) = sample;
   }
   return true;
 }
 
 bool EdgeHistory::isRefused(std::int64_t stamp) const {
   if (samples_.isEmpty()) return false;
-  if (stamp == samples_.newest().stamp || stamp < reach()) return true;
+  if (stamp == samples_.newest().stamp || stamp < oldestKept()) return true;
   const EdgeSample* older = samples_.neighbours(stamp).older;
   return older && older->stamp == stamp;
 }
@@ -42,12 +42,12 @@ void EdgeHistory::clear() {
 
 bool EdgeHistory::reachesBefore(std::int64_t stamp) const {
   const EdgeSample* before = samples_.neighbours(stamp - 1).older;
-  return before && before->stamp >= reach();
+  return before && before->stamp >= oldestKept();
 }
 
 const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) const {
   const auto [older, newer] = samples_.neighbours(stamp);
-  if (!older || older->stamp < reach()) return nullptr;
+  if (!older || older->stamp < oldestKept()) return nullptr;
   if (older->parent != newer->parent) return older;
   if (older->stamp == stamp && !reachesBefore(stamp)) return older;
   scratch = {interpolated(*older, *newer, stamp), older->parent, stamp};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names are searched for where the guess fails.
+// Looks names up where the guess is wrong.
 #include "node/tf/frame_names.h"
 
 namespace link_bounds {

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers for the names of frames. A publisher names the same edges in the same order again and
-// again, so most are known before they are read and only have to be compared.
+// Numbers for the names of frames.
+//
+// A publisher sends the same edges in the same order again and again. So the edge that followed in
+// an earlier message is compared first, by the bytes of both names. Without this an update of 50 to
+// 200 links takes 1.2 times as long and misses a target of `scripts/bench pipeline`.
 #pragma once
 
 #include <deque>
@@ -27,8 +30,8 @@ class FrameNames {
   /// Before the first next() of a message.
   void beginMessage() { last_ = 0; }
 
-  /// The edge between two names. `key` is empty or a text that no other two names have; this makes
-  /// it quick if the edge follows the one before it as it did in an earlier message.
+  /// The edge between two names. `key` is empty or a text that no other two names have: it makes
+  /// the search fast if the edge follows the previous one as it did in an earlier message.
   Edge next(std::string_view parent, std::string_view child, std::string_view key) {
     const Frame guess = followers_[last_];
     if (key.empty() || guess >= keys_.size() || keys_[guess] != key) {
@@ -44,12 +47,12 @@ class FrameNames {
  private:
   Edge find(std::string_view parent, std::string_view child, std::string_view key);
 
-  std::deque<std::string> names_;  ///< does not move them
+  std::deque<std::string> names_;  ///< a deque, because the keys of `frames_` point into it
   std::unordered_map<std::string_view, Frame> frames_;
-  std::vector<std::string> keys_;    ///< of the edge that was last seen to a child
-  std::vector<Frame> parents_;       ///< in that edge
-  std::vector<Frame> followers_{0};  ///< at 0 of the beginning, at 1 + i of child i
-  std::size_t last_ = 0;
+  std::vector<std::string> keys_;    ///< by child: of its last edge
+  std::vector<Frame> parents_;       ///< by child: in that edge
+  std::vector<Frame> followers_{0};  ///< [0]: the first child of a message; [1 + i]: that after i
+  std::size_t last_ = 0;             ///< index in `followers_` for the next edge
 };
 
 }  // namespace link_bounds

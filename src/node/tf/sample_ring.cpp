@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The oldest block is used again once nobody wants its newest sample.
+// The oldest block is reused once all its samples may be dropped.
 #include "node/tf/sample_ring.h"
 
 #include <iterator>
@@ -8,8 +8,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kTurns = 16;  // from one release() to the next
-constexpr int kMostReleased = 64;     // at once, for a thousand edges may do so in one message
+constexpr std::uint32_t kBlocksPerRelease = 16;
+constexpr int kMaxReleased = 64;  // blocks at once: a thousand edges may release in one message
 
 }  // namespace
 
@@ -55,15 +55,15 @@ void SampleRing::pushBlock(std::int64_t dropped_before) {
   }
   newest_ = blocks_.back().data();
   end_of_block_ = &blocks_.back().back();
-  if (++turns_ == kTurns) release(dropped_before);
+  if (++blocks_begun_ == kBlocksPerRelease) release(dropped_before);
 }
 
-/// What an edge that has become slower does not need; two blocks are spared, so that one that is
-/// not quite regular takes no memory and gives it back by turns.
+/// Frees the memory that an edge does not need since its rate fell. Two blocks are spared:
+/// otherwise an edge that is not quite regular would allocate and free all the time.
 void SampleRing::release(std::int64_t dropped_before) {
   constexpr std::size_t kSpared = 2;
-  turns_ = 0;
-  for (int i = 0; i < kMostReleased && blocks_.size() > kSpared + 1; ++i) {
+  blocks_begun_ = 0;
+  for (int i = 0; i < kMaxReleased && blocks_.size() > kSpared + 1; ++i) {
     if (std::next(blocks_.begin(), kSpared)->back().stamp >= dropped_before) return;
     blocks_.pop_front();
   }

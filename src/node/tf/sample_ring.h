@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The transforms of one edge in the order of their stamps, in blocks of memory that are used in
-// turn. A full history takes nothing from the heap, and what is old is not looked at until its
-// memory is needed: with a thousand edges it lies in no cache.
+// The transforms of one edge in the order of their stamps, in blocks of memory that are reused.
+//
+// A full history allocates nothing, and old samples are not read until their memory is reused: with
+// a thousand edges they are in no cache.
 #pragma once
 
 #include <array>
@@ -26,29 +27,29 @@ class SampleRing {
   EdgeSample& newest() { return *newest_; }
   const EdgeSample& newest() const { return *newest_; }
 
-  /// Samples there is memory for.
+  /// The number of samples that the memory holds.
   std::size_t capacity() const { return blocks_.size() * Block().size(); }
 
-  /// Those between which a stamp lies that is before the newest one: not later, and later.
+  /// The samples before and after a stamp that is older than the newest one.
   struct Neighbours {
-    const EdgeSample* older;  ///< null if there is none
-    const EdgeSample* newer;
+    const EdgeSample* older;  ///< at the stamp or before it; null if there is none
+    const EdgeSample* newer;  ///< after it
   };
   Neighbours neighbours(std::int64_t stamp) const;
 
-  /// The place of a new one, whose stamp must be after the newest one. Some of those whose stamp is
-  /// before `dropped_before` may go.
+  /// The place of a new sample, whose stamp must be after the newest one. Samples with a stamp
+  /// before `dropped_before` may be overwritten.
   EdgeSample& push(std::int64_t dropped_before) {
     if (newest_ == end_of_block_) {
       pushBlock(dropped_before);
     } else {
       ++newest_;
     }
-    announce();
+    prefetchNext();
     return *newest_;
   }
 
-  /// The same for any other stamp.
+  /// As push(), for any other stamp.
   EdgeSample& insert(std::int64_t stamp, std::int64_t dropped_before);
 
   void clear() { *this = SampleRing(); }
@@ -56,8 +57,8 @@ class SampleRing {
  private:
   using Block = std::array<EdgeSample, 7>;
 
-  /// Begins to fetch the place of the next one.
-  void announce() const {
+  /// The place of the next sample.
+  void prefetchNext() const {
     if (newest_ == end_of_block_) {
       __builtin_prefetch(&blocks_.front().front(), 1);
       __builtin_prefetch(&blocks_.front().back().stamp);
@@ -72,10 +73,10 @@ class SampleRing {
   template <class Blocks, class Visit>
   static void walkBack(Blocks& blocks, const EdgeSample* newest, Visit visit);
 
-  std::list<Block> blocks_;  ///< the newest sample is in the last one
+  std::list<Block> blocks_;  ///< the newest sample is in the last block
   EdgeSample* newest_ = nullptr;
   EdgeSample* end_of_block_ = nullptr;  ///< the last place of that block
-  std::uint32_t turns_ = 0;             ///< blocks begun since the last release()
+  std::uint32_t blocks_begun_ = 0;      ///< since the last release()
 };
 
 }  // namespace link_bounds

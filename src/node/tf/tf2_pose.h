@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses in tf2's arithmetic: what it does with a quaternion that is not quite of length 1 counts.
+// Poses in tf2's arithmetic, which scales by quaternions that are not quite of length 1.
 #pragma once
 
 #include <tf2/LinearMath/Quaternion.h>
@@ -11,8 +11,8 @@
 
 namespace link_bounds {
 
-/// A rotation, then a translation; kept as a geometry_msgs/Transform is sent, so that it can be
-/// copied from there to a history in one piece.
+/// A rotation, then a translation. Stored as a geometry_msgs/Transform is serialised, so that one
+/// copy brings it from the message to the history.
 struct Tf2Pose {
   Tf2Pose() = default;
   Tf2Pose(const tf2::Quaternion& q, const tf2::Vector3& t)
@@ -34,12 +34,12 @@ inline Tf2Pose inverse(const Tf2Pose& pose) {
   return {rotation, tf2::quatRotate(rotation, -pose.translation())};
 }
 
-/// A pose that others are composed onto: with its matrix, which serves the boxes as well.
+/// A pose with its matrix, which serves the boxes and the poses of child frames.
 struct MatrixPose {
   MatrixPose() = default;
   explicit MatrixPose(const Tf2Pose& pose) { set(pose.rotation(), pose.translation()); }
 
-  /// A rotation whatever the length of the quaternion, as tf2::Matrix3x3 makes it.
+  /// The matrix is a rotation for any length of the quaternion, as in tf2::Matrix3x3.
   void set(const tf2::Quaternion& q, const tf2::Vector3& t) {
     rotation = q;
     length2 = q.length2();
@@ -56,7 +56,7 @@ struct MatrixPose {
   }
 
   /// Becomes a * b; false if it is that already. In tf2 a quaternion that is not of length 1 scales
-  /// what it turns.
+  /// the vector that it turns.
   bool setProduct(const MatrixPose& a, const Tf2Pose& b) {
     const tf2::Vector3 t = b.translation();
     const Eigen::Matrix4d& m = a.affine.matrix();
@@ -73,7 +73,7 @@ struct MatrixPose {
     return true;
   }
 
-  /// Number by number; q and -q are the same rotation. NaN differs from everything.
+  /// Compares numbers exactly; q and -q are the same rotation. NaN differs from everything.
   bool isAt(const tf2::Quaternion& q, const tf2::Vector3& t) const {
     const auto is_turned = [&](double sign) {
       return q.x() == sign * rotation.x() && q.y() == sign * rotation.y() &&

@@ -12,7 +12,7 @@ namespace {
 
 using ros::serialization::IStream;
 
-constexpr std::size_t kLarge = 1 << 20;  // bytes; about five thousand transforms
+constexpr std::size_t kLarge = 1 << 20;  // bytes, about five thousand transforms
 
 std::string_view stripped(std::string_view name) {
   if (!name.empty() && name.front() == '/') name.remove_prefix(1);

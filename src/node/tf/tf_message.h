@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tf2_msgs/TFMessage that is read where it lies: roscpp's own type takes memory from the heap for
+// A tf2_msgs/TFMessage whose names are views into its bytes: roscpp's own type allocates memory for
 // each name.
 #pragma once
 
@@ -17,8 +17,8 @@
 
 namespace link_bounds {
 
-/// Views of the names in a message that must outlive this. Names are as tf2 understands them:
-/// without one leading slash.
+/// One transform. Its names are views into a message that must outlive it, without one leading
+/// slash, as in tf2.
 struct TransformView {
   TransformView(const geometry_msgs::TransformStamped& transform);
   TransformView(std::string_view parent_name, std::string_view child_name, std::string_view bytes,
@@ -27,7 +27,7 @@ struct TransformView {
 
   std::string_view parent;
   std::string_view child;
-  std::string_view names;  ///< both, as they were sent, with their lengths; else empty
+  std::string_view names;  ///< both as they were sent, with their lengths; empty if not received
   ros::Time stamp;
   Tf2Pose parent_from_child;
 };
@@ -37,11 +37,11 @@ struct TfMessage {
   TfMessage(const TfMessage&) = delete;
   TfMessage& operator=(const TfMessage&) = delete;
 
-  /// Takes over a serialised TFMessage, in memory that is used again. Throws what
-  /// ros::serialization throws if it is too short.
+  /// Reads a serialised TFMessage into memory that is reused. Throws what ros::serialization throws
+  /// if it is too short.
   void read(const std::uint8_t* data, std::uint32_t size);
 
-  /// Of its memory [bytes].
+  /// Its memory [bytes].
   std::size_t capacity() const {
     return bytes.capacity() + transforms.capacity() * sizeof(TransformView);
   }
@@ -50,13 +50,13 @@ struct TfMessage {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Each message of a topic is read into the memory of the one before.
+/// Memory that each message of a topic reuses.
 class TfMessageMemory {
  public:
-  /// Unless somebody still holds it, the last one.
+  /// The previous message, or a new one if somebody still holds that.
   boost::shared_ptr<TfMessage> lend();
 
-  /// To be called now and then: what only a large message needs is not kept.
+  /// To be called now and then: frees memory that only large messages need.
   void giveBack();
 
  private:

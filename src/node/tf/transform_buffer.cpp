@@ -59,7 +59,7 @@ const char* TransformBuffer::insert(const TransformView& transform, bool is_stat
     edge.clear();
     edge.history->insert(stamp, parent, transform.parent_from_child);
   }
-  ++intake_.taken;
+  ++intake_.accepted;
   record(edge, parent, stamp);
   edge.received = now;
   edge.message = message_;

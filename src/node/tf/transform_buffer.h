@@ -30,8 +30,8 @@ struct Refusal {
 
 /// How many transforms were accepted and refused since the start.
 struct TfIntake {
-  std::uint64_t taken = 0;
-  std::uint64_t late = 0;      ///< accepted, with a stamp before the newest one of their frame
+  std::uint64_t accepted = 0;
+  std::uint64_t late = 0;      ///< accepted with a stamp before the newest one of their frame
   std::uint64_t repeated = 0;  ///< refused: there is one of that stamp already
   std::uint64_t too_old = 0;   ///< refused
   std::uint64_t unusable = 0;  ///< refused: see whyRefused

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// tf2 itself would print a line for each refused transform, a thousand a second for a bad sensor.
+// The checks of tf2's setTransform, without its line of output per refused transform.
 #include "node/tf/transform_refusal.h"
 
 #include <cmath>
@@ -9,9 +9,10 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kNormTolerance = 0.01;  // tf2's, of the squared length of a quaternion
+/// QUATERNION_NORMALIZATION_TOLERANCE of tf2, for the squared length.
+constexpr double kNormTolerance = 0.01;
 
-/// tf2 adds its ten seconds of history to a stamp and throws where that leaves 32 bits.
+/// tf2 adds its ten seconds of history to a stamp and throws if the seconds exceed 32 bits.
 constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
 constexpr std::uint32_t kLastNanosecond = 999999999;
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where on a walk through the frames a frame was met, without a search and without clearing.
+// The position of each frame on a walk through the frames. A new walk needs no clearing: marks of
+// earlier walks have another number.
 #pragma once
 
 #include <cstddef>

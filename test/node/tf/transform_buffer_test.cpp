@@ -76,9 +76,9 @@ class EdgeBesideTf2 {
         Eigen::AngleAxisd(random_.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
     const auto transform = edge(pick(10) == 0 ? "b" : "a", "child", stamp, turn,
                                 {pick(4) == 0 ? kInfinity : random_.uniform(-1, 1), 1, 2});
-    const std::uint64_t taken = both_.ours.intake().taken;
+    const std::uint64_t accepted = both_.ours.intake().accepted;
     both_.ours.add({transform}, false, ros::Time(1));
-    EXPECT_EQ(both_.tf2.setTransform(transform, "test"), both_.ours.intake().taken > taken);
+    EXPECT_EQ(both_.tf2.setTransform(transform, "test"), both_.ours.intake().accepted > accepted);
   }
 
   /// At every step of the last twelve seconds, and between; returns how many were known.
