@@ -21,7 +21,7 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model) {
     frames.push_back(frames_.tf().frame(name));
   for (std::size_t i = 0; i < model_->links.size(); ++i) {
     if (!model_->links[i].shapes.empty()) poses_[i] = frames_.follow(frames[i]);
-    describe(i, TransformProblem::kNone);
+    setProblem(i, TransformProblem::kNone);
   }
   for (std::size_t i = 0; i < states_.size(); ++i)
     refresh(i);
@@ -45,6 +45,7 @@ bool LiveBoxes::refresh(std::size_t i) {
   if (pose.problem != TransformProblem::kNone) return drop(i, pose.problem);
   BoxState& state = states_[i];
   if (!pose.has_moved && state.box) return std::exchange(state.stamp, pose.stamp) != pose.stamp;
+  state.stamp = pose.stamp;
   waiting_.push_back({i, &pose.fixed_from_frame.affine});
   return false;
 }
@@ -57,7 +58,7 @@ bool LiveBoxes::boundWaiting() {
     const TransformProblem problem =
         states_[i].box ? TransformProblem::kNone : TransformProblem::kPoseNotFinite;
     is_changed |= states_[i].box || problem != problems_[i];
-    describe(i, problem);
+    setProblem(i, problem);
   }
   waiting_.clear();
   return is_changed;
@@ -67,20 +68,20 @@ bool LiveBoxes::boundWaiting() {
 bool LiveBoxes::drop(std::size_t i, TransformProblem problem) {
   const bool is_changed = states_[i].box || problem != problems_[i];
   states_[i].box.reset();
-  describe(i, problem);
+  setProblem(i, problem);
   return is_changed;
 }
 
-/// All of the state but the box.
-void LiveBoxes::describe(std::size_t i, TransformProblem problem) {
+/// What follows from the problem, and from whether there is a box.
+void LiveBoxes::setProblem(std::size_t i, TransformProblem problem) {
   problems_[i] = problem;
-  states_[i].stamp = states_[i].box ? poses_[i].pose().stamp : 0;
+  if (!states_[i].box) states_[i].stamp = 0;
   states_[i].incomplete = problem != TransformProblem::kNone || !model_->links[i].isWhole();
 }
 
 std::string LiveBoxes::reason(std::size_t i) const {
   if (problems_[i] == TransformProblem::kNone) return model_->links[i].missing;
-  return link_bounds::describe(problems_[i], model_->frames[i], model_->fixed_frame);
+  return describe(problems_[i], model_->frames[i], model_->fixed_frame);
 }
 
 }  // namespace link_bounds

@@ -42,7 +42,7 @@ class LiveBoxes {
   bool refresh(std::size_t i);
   bool boundWaiting();
   bool drop(std::size_t i, TransformProblem problem);
-  void describe(std::size_t i, TransformProblem problem);
+  void setProblem(std::size_t i, TransformProblem problem);
 
   FrameTracker& frames_;
   std::shared_ptr<const Model> model_;
