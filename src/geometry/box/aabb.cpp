@@ -55,6 +55,7 @@ std::array<Eigen::Vector3d, 8> corners(const Aabb& box) {
   return result;
 }
 
+/// Two quads share each edge and run along it in opposite directions, so each edge rises in one.
 std::array<std::array<int, 2>, 12> edges() {
   std::array<std::array<int, 2>, 12> result{};
   std::size_t count = 0;

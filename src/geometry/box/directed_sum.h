@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What addUp() and addDown() of rounding.h do, inline: a padded box is a sixth faster by it. For
-// files of the library alone, which are compiled without contraction.
+// addUp() and addDown() of rounding.h as inline functions, which make a padded box a sixth faster.
+// Only for files of this library: they are compiled without contraction.
 #pragma once
 
 #include "link_bounds/geometry/box/rounding.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where squares would overflow or vanish, powers of two keep them within range; they round nothing.
+// Numbers whose squares would overflow or underflow are scaled by a power of two first, which is
+// exact.
 #include "link_bounds/geometry/box/length.h"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 namespace link_bounds {
 namespace {
 
+/// If the largest number lies between these, the sum of the squares is below 3e300, and what a
+/// square loses to underflow is far below the rounding of the sum, which is at least 1e-240.
 constexpr double kSmallest = 1e-120;
 constexpr double kLargest = 1e150;
 constexpr double kShrink = 0x1p-600;

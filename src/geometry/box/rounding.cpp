@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Directed sums for those whose compiler may contract.
+// Directed sums for callers whose compiler may contract.
 #include "link_bounds/geometry/box/rounding.h"
 
 #include "geometry/box/directed_sum.h"

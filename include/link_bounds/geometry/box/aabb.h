@@ -26,8 +26,9 @@ struct CenterRadius {
   Eigen::Vector3d radius;
 };
 
-/// Conversions contain their argument, both in real numbers and when the reader adds them up in
-/// double. Each widens a face by at most 4 ulp of the box's largest |coordinate|.
+/// A converted box contains the original one, in real numbers and also where the reader adds its
+/// numbers in double precision. A conversion moves a face outward by at most 4 ulp of the box's
+/// largest |coordinate|.
 MinWidth toMinWidth(const Aabb& box);
 CenterRadius toCenterRadius(const Aabb& box);
 Aabb toAabb(const MinWidth& box);
@@ -46,8 +47,7 @@ constexpr std::array<std::array<int, 4>, 6> kQuads{{{{1, 3, 7, 5}},
                                                     {{4, 5, 7, 6}},
                                                     {{0, 2, 3, 1}}}};
 
-/// The twelve edges as pairs of corner numbers. Every edge borders two quads that run along it in
-/// opposite directions, so taking the rising one of each gives every edge once.
+/// The twelve edges as pairs of corner numbers, the smaller number first.
 std::array<std::array<int, 2>, 12> edges();
 
 /// The box with every face moved outward by `distance` >= 0 metres, rounded outward.

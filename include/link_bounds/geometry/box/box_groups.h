@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What is known about each box at one moment, and the boxes of groups made from it. Nothing here
-/// throws.
+/// The state of each box at one moment, and the boxes of groups. Nothing here throws.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +19,7 @@ struct BoxState {
   bool incomplete = true;   ///< missing, or known not to cover everything
 };
 
-/// True if neither box is there, or both are and equal; of states all counts.
+/// True if both boxes are absent, or both are present and equal. Equal states agree in all fields.
 bool isSame(const std::optional<Aabb>& a, const std::optional<Aabb>& b);
 bool isSame(const BoxState& a, const BoxState& b);
 
@@ -28,7 +27,7 @@ bool isSame(const BoxState& a, const BoxState& b);
 struct BoxGroup {
   std::string name;
   std::vector<std::size_t> members;
-  bool lacks_members = false;  ///< some member named by the user does not exist
+  bool lacks_members = false;  ///< the user named a member that does not exist
 };
 
 /// Widens the state of a group by that of one more member.

@@ -5,9 +5,9 @@
 
 namespace link_bounds {
 
-/// sqrt(x^2 + y^2 + z^2) to within 3 unit roundoffs of itself, for numbers of any magnitude.
-/// std::hypot and Eigen's stableNorm() would differ by an ulp between machines; this consists of
-/// operations alone that IEEE 754 defines to the last bit.
+/// sqrt(x^2 + y^2 + z^2) with a relative error of at most 3 unit roundoffs, for numbers of any
+/// magnitude. Uses only operations whose results IEEE 754 defines to the last bit; std::hypot and
+/// Eigen's stableNorm() differ by an ulp between machines.
 double length(double x, double y, double z = 0);
 
 }  // namespace link_bounds

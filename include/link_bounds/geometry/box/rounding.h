@@ -22,9 +22,9 @@ inline double nextDown(double value) {
   return std::nextafter(value, -std::numeric_limits<double>::infinity());
 }
 
-/// The smallest step up from a + b that is not below the real sum.
-/// Not inline: where a compiler contracts a product and a sum, as for ARM and for x86 with FMA, the
-/// product that a caller passes would be another number in each of the steps.
+/// a + b rounded to nearest, or one ulp above where that is below the real sum.
+/// Not inline: a compiler that contracts products and sums, as for ARM and for x86 with FMA, could
+/// give a product that the caller passes a different value in each step of the computation.
 double addUp(double a, double b);
 
 /// As addUp, but not above the real sum.

@@ -20,8 +20,8 @@ struct BoundedLink {
   bool isWhole() const { return missing.empty(); }
 };
 
-/// The largest |coordinate| that computing with the link's shapes in its frame meets, which is at
-/// least that of any of their points [m]; rounding errors are in proportion to it. Without padding.
+/// An upper bound of the |coordinates| of the shapes' points in the link's frame [m], without
+/// padding. Rounding errors of computations in that frame are proportional to it.
 double magnitude(const BoundedLink& link);
 
 /// The box around all shapes of the link in the world: tight, rounded outward and padded. Nothing

@@ -10,7 +10,7 @@
 
 namespace link_bounds {
 
-/// A link in its new pose, which must be there during the update.
+/// A link and its new pose, which must stay in memory during the update.
 struct MovedLink {
   std::size_t link;  ///< index
   const Eigen::Affine3d* world_from_link;
@@ -29,7 +29,7 @@ class LinkBoxes {
   LinkBoxes& operator=(LinkBoxes&&) noexcept;
   ~LinkBoxes();
 
-  /// Faster than a call per link: prefetches what the links need from memory.
+  /// Faster than a call per link: prefetches what the batch reads.
   void update(const std::vector<MovedLink>& moved);
 
   void update(std::size_t link, const Eigen::Affine3d& world_from_link);
