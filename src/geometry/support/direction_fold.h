@@ -19,8 +19,8 @@
 
 namespace link_bounds {
 
-/// What is added to this number leaves its integer part and kFraction bits of the rest at the low
-/// end of the sum, which is quicker than a conversion. What is no number leaves some bits.
+/// A number added to kShifter leaves its integer part and kFraction bits of its fraction in the low
+/// bits of the sum, which is faster than a conversion. NaN leaves arbitrary bits.
 constexpr int kFraction = 20;
 constexpr double kShifter = 1.5 * (1ll << (52 - kFraction));
 
@@ -34,9 +34,9 @@ inline std::uint32_t gridIndex(double sum, double norm, double turned, const Dir
   return static_cast<std::uint32_t>(bits >> kFraction);
 }
 
-/// The index of the cell that holds a direction of any length, up to 1e30 along each axis. Beside a
-/// border the lists of both cells are right, but need not give the same bits: so every path of
-/// instructions computes the index by these very operations.
+/// The index of the cell that holds a direction of any length, up to 1e30 along each axis. Near a
+/// border the lists of both cells are valid, but their results may differ in the last bit: so every
+/// instruction path computes the index with exactly these operations.
 inline std::size_t cellOf(double x, double y, double z, const DirectionGrid& grid) {
   const double norm = std::abs(x) + std::abs(y) + std::abs(z);
   const double turned = std::signbit(z) ? -grid.half : grid.half;

@@ -12,17 +12,20 @@
 namespace link_bounds {
 namespace {
 
+/// directionTable() describes these limits. A cell has eight points inline.
 constexpr int kCoarsestGrid = 8;
 constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;
 constexpr std::size_t kBytesPerTable = 128 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
+/// Larger sets are first reduced in parts of so many points, in at most so many passes.
 constexpr std::size_t kPart = 1 << 16;
-/// A scan over so many points takes about as long as a look-up in a grid that is in no cache.
-constexpr std::size_t kGriddedPoints = 64;
 constexpr int kPasses = 4;
 
-/// Of the square's side, by which every index is smaller than it could be: more than its rounding.
+/// A scan over so many points takes about as long as a look-up in a grid that is in no cache.
+constexpr std::size_t kGriddedPoints = 64;
+
+/// Share of the square's side by which indices are reduced: rounding cannot make one equal `side`.
 constexpr double kGridMargin = 1.25e-7;
 static_assert(kCoarsestGrid * kGridMargin > 0.5 / (1 << kFraction), "an index could be `side`");
 static_assert(kFinestGrid < 1 << (50 - kFraction), "kShifter could not hold an index");
@@ -79,7 +82,7 @@ CandidateGrid listOfAll(std::size_t count) {
   return result;
 }
 
-/// The grid of 8, the first whose lists are as short as can be.
+/// The grid of 8, the first one with minimal lists.
 CandidateGrid coarsestLists(GridBuilder& builder) {
   CandidateGrid grid = builder.coarsest();
   while (grid.grid < kCoarsestGrid)
@@ -113,7 +116,7 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
   GridBuilder builder(toDouble(points));
   CandidateGrid grid = coarsestLists(builder);
   DirectionTable table = packed(points, grid);
-  // A finer grid never names fewer points, so that what is above the limit stays above it.
+  // A finer grid never names fewer points, so a table above the limit stays above it.
   while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
          grid.grid < kFinestGrid) {
     grid = builder.refined(grid);
@@ -138,7 +141,7 @@ DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_
   return packed(points, list);
 }
 
-/// `finish` makes the table of what is left of the points.
+/// `finish` makes the table of the remaining points.
 template <class Finish>
 DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes,
                             const Finish& finish) {

@@ -14,12 +14,13 @@
 namespace link_bounds {
 namespace {
 
-/// Lists go through at most eight envelopes (four of large sets in parts, then grids of 8, 16, 32
-/// and 64), each of which may leave out what is worth this much of the largest |coordinate|: 1e-14
-/// in all. Evaluating a difference of two functionals errs by less than 7e-16 of it.
+/// A list passes through at most eight envelopes (four of large sets in parts, then grids of 8, 16,
+/// 32 and 64). Each may drop points that exceed the others by less than this share of the largest
+/// |coordinate|: 1e-14 in all. The difference of two dot products errs by less than 7e-16 of it.
 constexpr double kTolerance = 1.25e-15;
 
-/// Cells are grown by so much on every side, for directions that rounding puts into a neighbour.
+/// Each cell is enlarged by this on every side, because rounding may put a direction into the
+/// neighbouring cell.
 constexpr double kGrowth = 2e-6;
 
 constexpr int kCoarsestEnvelope = 8;
@@ -64,7 +65,8 @@ std::vector<Cone> conesOf(int column, int row, int grid) {
   return {coneThrough<4>(square, {0, 1, 3, 2})};
 }
 
-/// All edges of the cones: what is smaller at each of them is smaller in the whole cell.
+/// All edges of the cones: a linear function that is smaller at each of them is smaller in the
+/// whole cell.
 Cone cornersOf(const std::vector<Cone>& cones) {
   Cone corners;
   for (const Cone& cone : cones)

@@ -29,8 +29,8 @@ struct CandidateGrid {
   PointIndices named() const;
 };
 
-/// Lists for grids of 2, 4, 8 ... cells per side. Only from 8 on are they as short as can be;
-/// before that they leave out no more than what is cheap to see.
+/// Lists for grids of 2, 4, 8 ... cells per side. They are minimal from 8 on; the coarser ones lack
+/// only the points that are cheap to rule out.
 class GridBuilder {
  public:
   explicit GridBuilder(std::vector<Eigen::Vector3d> points);

@@ -9,10 +9,10 @@
 namespace link_bounds {
 namespace {
 
-/// More candidates than these have their cone halved, and halves their halves, at most so deep,
-/// until each candidate has been looked at so often on average: enough to come down to the strip by
-/// which cells are grown. Ties along a line of directions would have cones halved without end,
-/// 2^depth of them; ties at one direction, one inside the other.
+/// A cone with more than kContenders candidates is halved, and so are its halves, to a depth of
+/// kDeepest, until each candidate has been examined kLooks times on average. That is enough to
+/// reach the strip by which cells are enlarged. Without these limits ties would halve cones without
+/// end: 2^depth cones for ties along a line of directions, nested ones for ties at one direction.
 constexpr std::size_t kContenders = 48;
 constexpr int kDeepest = 40;
 constexpr std::size_t kLooks = 64;
@@ -71,7 +71,8 @@ void Envelope::search(const PointIndices& candidates, const Cone& cone, int dept
   }
 }
 
-/// The half with fewer candidates first: what is needed there needs no decision in the other.
+/// The half with fewer candidates first: a point that is needed there needs no decision in the
+/// other half.
 void Envelope::searchHalves(const PointIndices& candidates, const Cone& cone, int depth) {
   looks_ -= candidates.size();
   const std::array<Cone, 2> half = halves(cone);
@@ -97,7 +98,8 @@ void Envelope::keepChampions(const PointIndices& candidates, const Cone& cone) {
     keep(farthest(candidates, edge));
 }
 
-/// Drops, before cones are halved, what a few points beat together: the inside of flat faces.
+/// Drops, before cones are halved, the points that a few others beat together, such as those inside
+/// flat faces.
 PointIndices Envelope::beyondChampions(const PointIndices& candidates, const Cone& cone) {
   keepChampions(candidates, cone);
   PointIndices left;
