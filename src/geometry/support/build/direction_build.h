@@ -35,6 +35,10 @@ class GridBuilder {
  public:
   explicit GridBuilder(std::vector<Eigen::Vector3d> points);
 
+  /// The envelope refers to the points.
+  GridBuilder(const GridBuilder&) = delete;
+  GridBuilder& operator=(const GridBuilder&) = delete;
+
   CandidateGrid coarsest();
   CandidateGrid refined(const CandidateGrid& parent);
 
