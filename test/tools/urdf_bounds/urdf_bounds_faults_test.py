@@ -9,6 +9,7 @@ import json
 import os
 import pty
 import re
+import select
 import shutil
 import struct
 import subprocess
@@ -86,10 +87,19 @@ class MeshTest(UrdfBoundsTest):
         master, slave = pty.openpty()
         with os.fdopen(master, 'rb', buffering=0) as terminal:
             self.assertEqual(run(self.file, stderr=slave)[0], 0)
-            text = terminal.read(4096).decode('utf-8')
+            text = read_until(terminal, '\r\x1b[K')
             os.close(slave)
         self.assertIn('1/1 meshes', text)
-        self.assertTrue(text.endswith('\r\x1b[K'), repr(text))
+
+
+def read_until(terminal, end):
+    """What was written to a terminal, which comes in pieces; fails if it does not end with that."""
+    text = ''
+    while not text.endswith(end):
+        if not select.select([terminal], [], [], 20)[0]:
+            raise AssertionError('%r does not end with %r' % (text, end))
+        text += terminal.read(4096).decode('utf-8')
+    return text
 
 
 class RemedyTest(UrdfBoundsTest):
