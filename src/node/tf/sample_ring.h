@@ -3,7 +3,8 @@
 // The transforms of one edge in the order of their stamps, in blocks of memory that are reused.
 //
 // A full history allocates nothing, and old samples are not read until their memory is reused: with
-// a thousand edges they are in no cache.
+// a thousand edges they are in no cache. With a std::deque, which allocates and frees, an update of
+// 50 to 200 links takes 1.6 times as long and misses a target of `scripts/bench pipeline`.
 #pragma once
 
 #include <array>
