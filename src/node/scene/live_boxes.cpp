@@ -23,15 +23,18 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model) {
     if (!model_->links[i].shapes.empty()) poses_[i] = frames_.follow(frames[i]);
     setProblem(i, TransformProblem::kNone);
   }
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    refresh(i);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (poses_[i]) refresh(i, poses_[i].pose());
+  }
   boundWaiting();
 }
 
 bool LiveBoxes::update() {
   bool is_changed = false;
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (poses_[i] && poses_[i].pose().is_changed) is_changed |= refresh(i);
+    if (!poses_[i]) continue;
+    const FramePose& pose = poses_[i].pose();
+    if (pose.is_changed) is_changed |= refresh(i, pose);
   }
   is_changed |= boundWaiting();
   return is_changed;
@@ -39,9 +42,7 @@ bool LiveBoxes::update() {
 
 /// A box that is to be computed waits for the others. It is news even if it comes out the same: the
 /// pose is another one.
-bool LiveBoxes::refresh(std::size_t i) {
-  if (!poses_[i]) return false;
-  const FramePose& pose = poses_[i].pose();
+bool LiveBoxes::refresh(std::size_t i, const FramePose& pose) {
   if (pose.problem != TransformProblem::kNone) return drop(i, pose.problem);
   BoxState& state = states_[i];
   if (!pose.has_moved && state.box) return std::exchange(state.stamp, pose.stamp) != pose.stamp;

@@ -39,7 +39,7 @@ class LiveBoxes {
   std::string reason(std::size_t i) const;
 
  private:
-  bool refresh(std::size_t i);
+  bool refresh(std::size_t i, const FramePose& pose);
   bool boundWaiting();
   bool drop(std::size_t i, TransformProblem problem);
   void setProblem(std::size_t i, TransformProblem problem);
