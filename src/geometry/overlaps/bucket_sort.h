@@ -30,7 +30,7 @@ class BucketSort {
     std::size_t begin = 0;
     for (std::size_t bucket = 0; bucket < bucket_count; ++bucket) {
       const std::size_t end = ends_[bucket];
-      if (end - begin > 1) std::sort(values.begin() + begin, values.begin() + end);
+      if (end - begin > 1) std::sort(values.data() + begin, values.data() + end);
       begin = end;
     }
   }
