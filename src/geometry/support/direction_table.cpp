@@ -18,7 +18,7 @@ constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;
 constexpr std::size_t kBytesPerTable = 128 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
-/// Larger sets are first reduced in parts of so many points, in at most so many passes.
+/// A set of more than 2 * kPart points is first reduced part by part, in at most kPasses passes.
 constexpr std::size_t kPart = 1 << 16;
 constexpr int kPasses = 4;
 

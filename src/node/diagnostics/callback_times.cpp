@@ -3,7 +3,6 @@
 // Wall time by the steady clock, CPU time by that of the calling thread.
 #include "node/diagnostics/callback_times.h"
 
-#include <ros/time.h>
 #include <time.h>
 
 #include <algorithm>
@@ -25,28 +24,15 @@ void Durations::add(double duration) {
   max = std::max(max, duration);
 }
 
-double CallbackTimes::measure(const std::function<void()>& body) {
-  const ros::SteadyTime start = ros::SteadyTime::now();
-  const double start_cpu = threadCpuMilliseconds();
-  const auto record = [&] {
-    const double wall = (ros::SteadyTime::now() - start).toSec() * 1e3;
-    longest_ = std::max(longest_, wall);
-    longest_cpu_ = std::max(longest_cpu_, threadCpuMilliseconds() - start_cpu);
-    return wall;
-  };
-  try {
-    body();
-  } catch (...) {
-    record();
-    throw;
-  }
-  return record();
+CallbackTimes::Start CallbackTimes::begin() {
+  return {ros::SteadyTime::now(), threadCpuMilliseconds()};
 }
 
-void CallbackTimes::measureTf(const std::function<void()>& body) {
-  const double wall = measure(body);
-  tf_.add(wall);
-  recent_tf_.add(wall);
+double CallbackTimes::end(const Start& start) {
+  const double wall = (ros::SteadyTime::now() - start.wall).toSec() * 1e3;
+  longest_ = std::max(longest_, wall);
+  longest_cpu_ = std::max(longest_cpu_, threadCpuMilliseconds() - start.cpu_ms);
+  return wall;
 }
 
 }  // namespace link_bounds

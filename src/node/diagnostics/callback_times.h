@@ -3,8 +3,9 @@
 // How long the callbacks of the update thread take.
 #pragma once
 
+#include <ros/time.h>
+
 #include <cstdint>
-#include <functional>
 #include <utility>
 
 namespace link_bounds {
@@ -23,10 +24,25 @@ struct Durations {
 class CallbackTimes {
  public:
   /// Runs a callback and records its time, also when it throws. Returns its wall time [ms].
-  double measure(const std::function<void()>& body);
+  template <class Body>
+  double measure(Body&& body) {
+    const Start start = begin();
+    try {
+      body();
+    } catch (...) {
+      end(start);
+      throw;
+    }
+    return end(start);
+  }
 
   /// The same for a callback that handles one tf message, and throws nothing.
-  void measureTf(const std::function<void()>& body);
+  template <class Body>
+  void measureTf(Body&& body) {
+    const double wall = measure(body);
+    tf_.add(wall);
+    recent_tf_.add(wall);
+  }
 
   double longest() const { return longest_; }         ///< ms of wall time, since the start
   double longestCpu() const { return longest_cpu_; }  ///< ms of CPU time, since the start
@@ -36,6 +52,15 @@ class CallbackTimes {
   Durations takeRecentTf() { return std::exchange(recent_tf_, Durations()); }
 
  private:
+  struct Start {
+    ros::SteadyTime wall;
+    double cpu_ms;
+  };
+
+  static Start begin();
+  /// Returns the wall time since then [ms].
+  double end(const Start& start);
+
   double longest_ = 0;
   double longest_cpu_ = 0;
   Durations tf_;
