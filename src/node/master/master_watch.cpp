@@ -10,6 +10,8 @@
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
+#include <utility>
+
 #include "node/log/guarded.h"
 #include "node/master/registration.h"
 #include "node/threads/start_thread.h"
@@ -63,9 +65,13 @@ void MasterWatch::poll() {
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
   if (isStopping()) return;
+  const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) return reportLost("it does not answer");
-  if (registration == Registration::kNameTaken)
-    return reportLost("another node has taken this one's name");
+  if (name_is_taken_) {
+    // The master ends the older node of a name. One that lives on a period later was not reached.
+    if (was_taken) reportNameTaken();
+    return;
+  }
   if (registration == Registration::kUnknown) {
     reportLost("it was restarted");
     must_register_ = true;
@@ -82,6 +88,14 @@ void MasterWatch::reportLost(const char* reason) {
   is_lost_ = true;
   ROS_WARN("lost the ROS master %s: %s; connections go on, new ones have to wait",
            ros::master::getURI().c_str(), reason);
+}
+
+void MasterWatch::reportNameTaken() {
+  if (is_lost_) return;
+  is_lost_ = true;
+  ROS_WARN(
+      "the ROS master %s knows another node as %s: new connections go there; end one of the two",
+      ros::master::getURI().c_str(), ros::this_node::getName().c_str());
 }
 
 void MasterWatch::reportBack() {

@@ -23,10 +23,12 @@ class MasterWatch {
   void run();
   void poll();
   void reportLost(const char* reason);
+  void reportNameTaken();
   void reportBack();
   bool isStopping();
 
   bool is_lost_ = false;
+  bool name_is_taken_ = false;
   bool must_register_ = false;
   std::mutex mutex_;
   std::condition_variable wake_up_;
