@@ -137,6 +137,8 @@ class ReadmeTablesTest(unittest.TestCase):
             for name in names.split(', '):
                 is_script = os.access(PACKAGE / name, os.X_OK)
                 self.assertTrue(name in known or is_script, '%s: no test %s' % (fault, name))
+                for path in (PACKAGE / 'test').rglob(name + '_test.*'):
+                    self.assertNotIn('LINK_BOUNDS_DATA', path.read_text('utf-8'), fault)
 
 
 class PagesTest(unittest.TestCase):

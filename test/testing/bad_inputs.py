@@ -12,6 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'data'))
 import bad_meshes
+import bad_robots
 
 DATA = os.path.join(os.environ.get('LINK_BOUNDS_DATA', ''), 'bad')
 HAS_DATA = bool(os.environ.get('LINK_BOUNDS_DATA'))
@@ -157,7 +158,7 @@ MESH = {
 SMALL_ROBOT = """<robot name="small">
 <link name="base"><visual><geometry><box size="1 2 3"/></geometry></visual></link>
 <link name="good"><visual><geometry><mesh filename="file://%s/cube.stl"/></geometry></visual></link>
-<link name="bad"><visual><geometry><mesh filename="file://%s"/></geometry></visual></link>
+<link name="bad">%s</link>
 <joint name="to_good" type="fixed"><parent link="base"/><child link="good"/>
 <origin xyz="0 0 5"/></joint>
 <joint name="to_bad" type="fixed"><parent link="base"/><child link="bad"/>
@@ -174,11 +175,24 @@ class Case:
         self.expected = expected
 
 
+def small_case(name, content, *expected):
+    """Link "bad" of a small robot with that content; expected are words, a box or both."""
+    words = next((item for item in expected if isinstance(item, str)), None)
+    box = next((item for item in expected if not isinstance(item, str)), None)
+    row = bad_at_ten(*box) if box else lost(words)
+    if box and words:
+        row.update(incomplete=['bad'], words=words)
+    return Case(name, (SMALL_ROBOT % (bad_meshes.FOLDER, content)).encode(), row)
+
+
 def small_cases():
     for name, (_, expected) in bad_meshes.MESHES.items():
-        text = SMALL_ROBOT % (bad_meshes.FOLDER, bad_meshes.FOLDER / name)
-        yield Case(name, text.encode(),
-                   lost(expected) if isinstance(expected, str) else bad_at_ten(*expected))
+        mesh = bad_robots.visual('<mesh filename="file://%s"/>' % (bad_meshes.FOLDER / name))
+        yield small_case(name, mesh, expected)
+    for name, (content, *expected) in bad_robots.LINKS.items():
+        yield small_case(name, content, *expected)
+    for name, (text, words) in bad_robots.UNUSABLE.items():
+        yield Case(name, text.encode(), refused(words))
 
 
 def large_cases():

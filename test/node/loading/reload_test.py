@@ -100,6 +100,15 @@ class Reload(unittest.TestCase):
             self.assertNotEqual(answer.message, "")
         self.check_served()
 
+    def test_another_description_waits_for_a_reload(self):
+        self.boxes.clear()
+        for description in (robot([box_link("other", (1, 2, 3))], []), ""):
+            rospy.set_param("/robot_description", description)
+            for _ in range(2):
+                self.diagnostics.wait_for_new(lambda *_: True, "a status")
+            self.check_served()
+        self.assertEqual([m for m in self.boxes.messages if names_of(m) != ALL], [])
+
     def test_a_broken_parameter_changes_nothing(self):
         rospy.set_param(NODE + "/padding", -1.0)
         answer = self.reload()

@@ -57,6 +57,9 @@ class Waiting(unittest.TestCase):
         self.assertEqual(status.level, DiagnosticStatus.WARN)
         self.assertGreater(time.monotonic() - start, CLOCK_PATIENCE * 0.9)
         wait_for(lambda: "/clock" in node.output, "a message about /clock")
+        for _ in range(3):
+            diagnostics.wait_for_new(lambda *_: True, "a status")
+        self.assertEqual(node.output.count("/clock"), 1, node.output)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from node_testing import ARMS, NODE, ArmsTf, Diagnostics, SimulatedClock
 from object_testing import ObjectSender, marker
 from visualization_msgs.msg import MarkerArray
 
-FAR_AHEAD = 3e9  # s; more than a ros::Duration holds
+FAR_AHEAD = 3.2e9  # s; a century, more than a ros::Duration holds
 
 
 class ObjectTimes(unittest.TestCase):

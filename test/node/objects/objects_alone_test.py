@@ -10,6 +10,7 @@ import unittest
 
 import rospy
 import rostest
+from bad_inputs import bad_robots
 from bounds_testing import (Pose, Recorder, box_link, box_of, corners_of, difference, names_of,
                             robot, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
@@ -21,8 +22,8 @@ from visualization_msgs.msg import Marker
 TURNED = Pose((1, 2, 3), turn((3, 2, 1), 45))
 MANY = 10000
 ROUNDS = 3
-BROKEN = {"root": "<robot name='r'><link name='a'/><link name='b'/></robot>",
-          "not a string": 5, "not a usable URDF": "<robot"}
+BROKEN = [*(bad_robots.UNUSABLE[name] for name in (
+    "empty", "no_xml", "loop_beside_the_tree", "two_parents", "two_roots")), (5, "not a string")]
 REFUSED = "waiting for another robot_description"
 MEBIBYTE = 1 << 20
 KEPT = 3 * MEBIBYTE  # that the C library and buffers may keep of the memory of many objects
@@ -70,12 +71,13 @@ class ObjectsAlone(unittest.TestCase):
         unit = Pose().box_bounds((1, 1, 1))
         diagnostics = Diagnostics(self.node.name)
         self.addCleanup(rospy.delete_param, "/robot_description")
-        for i, (reason, broken) in enumerate(BROKEN.items()):
+        for i, (broken, reason) in enumerate(BROKEN):
             rospy.set_param("/robot_description", broken)
-            wait_for(lambda r=reason: r in self.node.output, reason)
+            wait_for(lambda n=i + 1: self.node.output.count(REFUSED) == n, reason)
             for _ in range(2):  # statuses: in a second the node looks at the description five times
                 status = diagnostics.wait_for_new(lambda *_: True, "a status")
             self.assertEqual(self.node.output.count(REFUSED), i + 1, self.node.output)
+            self.assertIn(reason, self.node.output)
             self.assertIn("waiting for robot_description", status.message)
             self.objects.send(marker("a/%d" % i, frame="map"))
             self.expect("a/%d" % i, unit)
@@ -84,7 +86,7 @@ class ObjectsAlone(unittest.TestCase):
             self.assertIn(reason, answer.message)
         rospy.set_param("/robot_description", robot([box_link("map", (1, 1, 1))], []))
         message = self.expect("map", unit)
-        self.assertEqual(names_of(message), ["map", "a/0", "a/1", "a/2"])
+        self.assertEqual(names_of(message), ["map"] + ["a/%d" % i for i in range(len(BROKEN))])
 
     def test_a_failed_reload_keeps_the_old_parameters(self):
         rospy.set_param(self.node.name + "/fixed_frame", "")
@@ -112,15 +114,24 @@ class ObjectsAlone(unittest.TestCase):
         message = self.expect("body/2", Pose().bounds(corners))
         self.assertTrue(shows_box(message, "body/1", bounds), "nothing is read again")
         self.assertFalse(message.incomplete)
-        missing = folder / "missing.stl"
-        self.objects.send_alone(marker("body/2", Marker.MESH_RESOURCE, frame="map",
-                                       mesh_resource="file://%s" % missing))
-        self.boxes.wait(lambda m: m.incomplete == ["body/2"] and not box_of(m, "body/2"), "named")
-        wait_for(lambda: str(missing) in self.node.output, "an error with the file's name")
-        corners = write_tetrahedron(missing, 0.25)
+        missing, broken = folder / "missing.stl", folder / "broken.stl"
+        broken.write_text("no mesh")
+        self.objects.send(*(marker(name, Marker.MESH_RESOURCE, frame="map",
+                                   mesh_resource="file://%s" % file)
+                            for name, file in (("body/2", missing), ("body/3", broken))))
+        self.boxes.wait(lambda m: m.incomplete == ["body/2", "body/3"] and
+                        names_of(m) == ["body/1", "end/1"], "both named")
+        wait_for(lambda: all(str(file) in self.node.output for file in (missing, broken)),
+                 "errors with the names of the files")
+        repaired = Pose().bounds(write_tetrahedron(missing, 0.25))
+        write_tetrahedron(broken, 0.25)
         write_tetrahedron(path, 0.5)
         self.assertTrue(self.reload().success)
-        self.expect("body/2", Pose().bounds(corners))
+        self.expect("body/2", repaired)
+        self.expect("body/3", repaired)
+        for file in (missing, broken):
+            lines = [line for line in self.node.output.splitlines() if str(file) in line]
+            self.assertEqual(len([line for line in lines if "ERROR" in line]), 1, lines)
         self.boxes.wait_newest(lambda m: not m.incomplete and shows_box(m, "body/1", bounds),
                                "no fault")
 

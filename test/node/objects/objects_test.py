@@ -146,7 +146,7 @@ class Objects(unittest.TestCase):
         log.connect()
         self.objects.send(marker("bad/1", scale=SIZE), marker("bad/2", scale=SIZE))
         self.expect("bad/2", Pose().box_bounds(SIZE))
-        before = len(log.messages)
+        begin = log.settle()
         self.objects.send(
             marker("bad/1", scale=(math.nan, 1, 1)), marker("bad/3", frame=""),
             marker("bad/4", scale=(1, -1, 1)),
@@ -156,10 +156,12 @@ class Objects(unittest.TestCase):
         bad = ["bad/%d" % i for i in (1, 3, 4, 5, 6, 7, 8, 9)]
         self.boxes.wait(lambda m: m.incomplete == bad and names_of(m) == ALL + ["bad/2"],
                         "each of the bad ones named")
+        errors = log.lines(Log.ERROR, begin, log.settle())
         for name in bad:
-            log.wait(lambda m, n=name: '"%s"' % n in m.msg and m.level == Log.ERROR,
-                     "an error about " + name)
-        self.assertEqual(len([m for m in log.messages[before:] if '"bad/2"' in m.msg]), 0)
+            about = [line for line in errors if '"%s"' % name in line]
+            self.assertEqual(len(about), 1, errors)
+            self.assertIn(rospy.get_name(), about[0])
+        self.assertEqual(len(errors), len(bad), errors)
         self.objects.send(marker("bad/1", scale=SIZE), deletion("bad/3"))
         self.boxes.wait(lambda m: m.incomplete == bad[2:] and box_of(m, "bad/1"), "mended")
 
@@ -248,6 +250,7 @@ class Objects(unittest.TestCase):
         log.wait(lambda m: "lost/1" in m.msg and "nowhere" in m.msg and m.level == Log.WARN,
                  "a warning")
         self.assertIn("lost/1", latched(NODE + "/boxes").incomplete)
+        self.assertEqual(len([m for m in log.messages[:log.settle()] if "lost/1" in m.msg]), 1)
 
     def test_lifetime(self):
         self.objects.send(marker("brief/1", lifetime=rospy.Duration(0.3)), marker("stays/1"))

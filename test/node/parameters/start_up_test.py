@@ -9,17 +9,11 @@ import unittest
 
 import rospy
 import rostest
+from bad_inputs import bad_robots
 from bounds_testing import Recorder, wait_for
 from node_testing import ARMS, NodeProcess
 
-BAD_DESCRIPTIONS = {
-    "": "empty",
-    " \n": "empty",
-    "no xml": "not a usable URDF",
-    "<robot name='r'><link name='a'/><link name='b'/></robot>": "root",
-    "<robot name='r'/>": "not a usable URDF",
-    5: "not a string",
-}
+BAD_DESCRIPTIONS = {**bad_robots.UNUSABLE, "number": (5, "not a string")}
 BAD_PARAMETERS = {
     "fixed_frame": [1, ["base"]],
     "geometry": ["mesh", 1],
@@ -56,8 +50,8 @@ class StartUp(unittest.TestCase):
         self.assertIn(text, node.output)
 
     def test_bad_descriptions(self):
-        for description, text in BAD_DESCRIPTIONS.items():
-            with self.subTest(description=description):
+        for name, (description, text) in BAD_DESCRIPTIONS.items():
+            with self.subTest(description=name):
                 self.check_refused(self.start(description), text)
 
     def test_bad_parameters_are_named(self):

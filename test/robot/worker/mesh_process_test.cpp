@@ -18,14 +18,16 @@
 #include "robot/worker/mesh_import.h"
 #include "robot/worker/mesh_reply.h"
 #include "testing/mesh_texts.h"
+#include "testing/ordinary_user.h"
 #include "testing/process_census.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr double kShortTimeout = 0.3;  // s
-constexpr double kDeadline = 20;       // s
+constexpr double kShortTimeout = 0.3;        // s
+constexpr double kDeadline = 20;             // s
+constexpr std::chrono::seconds kGivenUp(4);  // 2 s, and as long again for a busy machine
 
 /// Whether a condition becomes true.
 bool comesTrue(const std::function<bool()>& condition) {
@@ -265,9 +267,11 @@ TEST_F(MeshProcess, AWorkerThatDoesNotEndWhenItIsKilledHoldsNobodyUp) {
   const pid_t worker = numberIn(steps.number);
   const bool is_traced = ptrace(PTRACE_SEIZE, worker, nullptr, nullptr) == 0;
   std::ofstream(steps.traced) << "";
+  const auto start = std::chrono::steady_clock::now();
   const auto given_up = [&] { return std::filesystem::exists(steps.number + ".given_up"); };
   if (is_traced) {
     EXPECT_TRUE(comesTrue(given_up)) << "waits for the worker without end";
+    EXPECT_LT(std::chrono::steady_clock::now() - start, kGivenUp);
     EXPECT_EQ(waitpid(worker, nullptr, __WALL), worker);  // as its tracer
   }
   std::ofstream(steps.released) << "";
@@ -275,6 +279,28 @@ TEST_F(MeshProcess, AWorkerThatDoesNotEndWhenItIsKilledHoldsNobodyUp) {
   EXPECT_TRUE(comesTrue([&] { return waitpid(importer, &status, WNOHANG) == importer; }));
   if (!is_traced) GTEST_SKIP() << "skipped: no process may be traced here";
   EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+/// 0 if a mesh is refused where no process can start, and its file is not blamed.
+int importWithoutProcesses(const std::string& worker, const MeshFile& mesh) {
+  if (!forbidThreads()) return 2;
+  try {
+    importInProcess(worker, mesh, {});
+    return 3;
+  } catch (const MeshError& error) {
+    const bool is_named = std::string(error.what()).find("cannot run") != std::string::npos;
+    return is_named && error.fault() == MeshFault::kComputer ? 0 : 1;
+  }
+}
+
+TEST_F(MeshProcess, WhereNoProcessCanStartTheMeshIsRefused) {
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms::all);
+  const pid_t child = fork();
+  if (child == 0) _exit(importWithoutProcesses(real_, stl_));
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
