@@ -12,6 +12,7 @@ import rospy
 from bounds_testing import (DEADLINE, Pose, TfSender, box_link, corners_of, difference, names_of,
                             robot, transform, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
+from link_bounds.msg import AxisAlignedBoxArray
 from rosgraph_msgs.msg import Clock
 
 NODE = "/link_bounds_publisher"
@@ -166,6 +167,37 @@ class SimulatedClock:
         self.publish(seconds)
         self._diagnostics.wait_for_new(
             lambda stamp, _: stamp == rospy.Time.from_sec(seconds), "time %g" % seconds)
+
+
+class Delays:
+    """How long the boxes of some nodes take by the wall clock, from sending the tf message of their
+    stamp to their receipt. All nodes get the same messages on the same machine, so a node that
+    nothing holds up shows what the machine itself takes."""
+
+    def __init__(self, *nodes):
+        self._sent = {}
+        self._received = {node: {} for node in nodes}
+        self._subscribers = [
+            rospy.Subscriber(node + "/boxes", AxisAlignedBoxArray, self._add, node,
+                             queue_size=10000, tcp_nodelay=True) for node in nodes]
+
+    def _add(self, message, node):
+        self._received[node].setdefault(message.header.stamp, time.monotonic())
+
+    def record(self, stamp):
+        """To be called right before the tf message is sent."""
+        self._sent[stamp] = time.monotonic()
+
+    def longest(self, node):
+        """Of all messages sent so far [s]; waits until the last of them is answered."""
+        wait_for(lambda: max(self._sent) in self._received[node], "the last boxes of " + node)
+        return max(received - self._sent[stamp]
+                   for stamp, received in list(self._received[node].items())
+                   if stamp in self._sent)
+
+    def end(self):
+        for subscriber in self._subscribers:
+            subscriber.unregister()
 
 
 def resident_bytes(pid):

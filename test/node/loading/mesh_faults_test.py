@@ -18,7 +18,7 @@ import rospy
 import rostest
 from bounds_testing import (Recorder, TfSender, box_link, box_of, names_of, robot, transform,
                             visual, wait_for)
-from node_testing import Diagnostics, NodeProcess, Repeater, value_of
+from node_testing import Delays, Diagnostics, NodeProcess, Repeater, value_of
 from object_testing import ObjectSender, marker
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
@@ -26,6 +26,7 @@ from visualization_msgs.msg import Marker
 TRIANGLES = 300000  # the reader needs so long for them that the test can stop it
 SHORT_TIMEOUT = 3.0  # s
 MAX_CALLBACK = 50.0  # ms of the update thread's own time
+MAX_DELAY = 0.5  # wall seconds beyond what the machine takes
 PROMPT = 5.0  # s, for the end of a node
 
 
@@ -177,10 +178,16 @@ class MeshFaults(unittest.TestCase):
     def test_a_reader_that_hangs_delays_no_other_box(self):
         links, joints = [box_link("base", (1, 2, 3)), box_link("arm", (1, 1, 1))], [("base", "arm")]
         node = self.start(robot(links, joints), mesh_timeout=SHORT_TIMEOUT)
+        beside = self.start(robot(links, joints))
         boxes, tf, sent = Recorder(node.name + "/boxes"), TfSender(), itertools.count()
-        tf.wait_for_listener()
-        sender = Repeater(100, lambda: tf.send(
-            transform("base", "arm", rospy.Time(1000, next(sent) * 1000000))))
+        delays = Delays(node.name, beside.name)
+        wait_for(lambda: tf.listeners() == 2, "both nodes listen")
+
+        def send():
+            stamp = rospy.Time(1000, next(sent) * 1000000)
+            delays.record(stamp)
+            tf.send(transform("base", "arm", stamp))
+        sender = Repeater(100, send)
         self.addCleanup(sender.stop)
         boxes.wait(lambda m: box_of(m, "arm"), "the arm")
         mast = '<link name="mast">%s</link>' % visual('<mesh filename="file://%s"/>' % self.large)
@@ -192,6 +199,8 @@ class MeshFaults(unittest.TestCase):
         wait_for(lambda: not is_alive(worker), "the end of the reader")
         self.check_no_gap(node, [m.header.stamp for m in boxes.messages[begin:]])
         reloading.join()
+        sender.stop()
+        self.check_delays(delays, node, beside)
         self.assertIn("mesh_timeout", node.output)
         boxes.wait(lambda m: names_of(m) == ["base", "arm"] and m.incomplete == ["mast"],
                    "the mast is named")
@@ -202,6 +211,13 @@ class MeshFaults(unittest.TestCase):
         self.assertEqual(milliseconds, list(range(milliseconds[0], milliseconds[-1] + 1)))
         status = Diagnostics(node.name).wait_for_new(lambda *_: True, "a status")
         self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
+
+    def check_delays(self, delays, node, beside):
+        """By the wall clock, so that a wait for a lock counts; `beside` loads nothing."""
+        machine, own = delays.longest(beside.name), delays.longest(node.name)
+        print("boxes after at most %.1f ms, those of a node beside it %.1f ms"
+              % (1e3 * own, 1e3 * machine))
+        self.assertLess(own, machine + MAX_DELAY)
 
     def test_a_node_that_is_killed_leaves_no_reader(self):
         node = self.start(mesh_robot("file://%s" % self.large))

@@ -6,17 +6,20 @@ import os
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 
 import rospy
 import rostest
 from bounds_testing import (Recorder, box_link, box_of, corners_of, difference, load, names_of,
-                            robot, visual)
-from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
+                            robot, visual, wait_for)
+from node_testing import (ALL, ARMS, NODE, ArmsTf, Delays, Diagnostics, NodeProcess, Repeater,
+                          value_of)
 from std_srvs.srv import Trigger
 
 TOLERANCE = 1e-12  # m
 MAX_CALLBACK = 50.0  # ms of the update thread's own time
+MAX_DELAY = 0.2  # wall seconds beyond what the machine takes
 TRIANGLES = 60000
 
 
@@ -47,7 +50,7 @@ class Reload(unittest.TestCase):
         cls.boxes = Recorder(NODE + "/boxes")
         cls.diagnostics = Diagnostics()
         cls.tf = ArmsTf()
-        cls.count = 0
+        cls.count, cls.delays = 0, None
 
     def setUp(self):
         load(NODE, ARMS)
@@ -60,6 +63,8 @@ class Reload(unittest.TestCase):
         """Returns its stamp."""
         Reload.count += 1
         stamp = stamp_of(self.count)
+        if self.delays:
+            self.delays.record(stamp)
         self.tf.send(stamp)
         return stamp
 
@@ -145,7 +150,28 @@ class Reload(unittest.TestCase):
         write_stl(self.mesh, 2.0)
         self.assertAlmostEqual(self.width_of_mast(), 2.0, delta=1e-9)
 
+    def measure_delays(self):
+        """Of this node and of one beside it that does not reload."""
+        other = NodeProcess("beside", timeout=0.0)
+        self.addCleanup(other.end)
+        Reload.delays = Delays(NODE, other.name)
+        self.addCleanup(self.delays.end)
+        self.addCleanup(setattr, Reload, "delays", None)
+        boxes = Recorder(other.name + "/boxes")
+        wait_for(lambda: self.send_next() and boxes.messages and
+                 names_of(boxes.messages[-1]) == ALL, "both nodes have tf")
+        boxes.subscriber.unregister()
+        return other.name
+
+    def check_delays(self, other, reload_time):
+        machine, own = self.delays.longest(other), self.delays.longest(NODE)
+        print("a reload of %.0f ms: boxes after at most %.1f ms, those of a node beside it %.1f ms"
+              % (1e3 * reload_time, 1e3 * own, 1e3 * machine))
+        self.assertLess(own, machine + MAX_DELAY)
+        self.assertGreater(reload_time, machine + MAX_DELAY, "too short to hold anything up")
+
     def test_tf_is_answered_while_a_large_mesh_loads(self):
+        other = self.measure_delays()
         write_stl(self.mesh, 1.0, TRIANGLES)
         large = ARMS.replace('<link name="bare"/>', '<link name="bare">%s</link>' % visual(
             '<mesh filename="file://%s"/>' % self.mesh))
@@ -153,7 +179,9 @@ class Reload(unittest.TestCase):
         first = self.count + 1
         sender = Repeater(100, self.send_next)
         try:
+            start = time.monotonic()
             load(NODE, large)
+            reload_time = time.monotonic() - start
             for broken in ("<robot", ""):
                 rospy.set_param("/robot_description", broken)
                 self.assertFalse(self.reload().success)
@@ -163,6 +191,7 @@ class Reload(unittest.TestCase):
         self.boxes.wait(lambda m: m.header.stamp == sent[-1], "the last update")
         answered = [m.header.stamp for m in self.boxes.messages]
         self.assertEqual([stamp for stamp in sent if stamp not in answered], [])
+        self.check_delays(other, reload_time)
         status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
         self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
 
