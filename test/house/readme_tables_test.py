@@ -14,6 +14,7 @@ import sys
 import unittest
 
 from help_testing import help_rows
+from three_hosts_testing import NEIGHBOURS
 
 PUBLISHER, ASSERT_BOX, PACKAGE = '', '', pathlib.Path()
 MAX_README_LINES = 250
@@ -139,6 +140,14 @@ class ReadmeTablesTest(unittest.TestCase):
                 self.assertTrue(name in known or is_script, '%s: no test %s' % (fault, name))
                 for path in (PACKAGE / 'test').rglob(name + '_test.*'):
                     self.assertNotIn('LINK_BOUNDS_DATA', path.read_text('utf-8'), fault)
+
+
+    def test_timers_of_a_cut_cable_are_those_of_its_test(self):
+        names = {'base_reachable': 'base_reachable_time_ms', 'retrans': 'retrans_time_ms',
+                 'delay_probe': 'delay_first_probe_time'}
+        timers = re.findall(r'net.ipv4.neigh.eth0.(\w+)=(\d+)', text_of('doc/deployment.md'))
+        self.assertEqual(dict(timers), {names[name]: str(value)
+                                        for name, value in NEIGHBOURS.items()})
 
 
 class PagesTest(unittest.TestCase):
