@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
       return 0;
     }
   }
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
   link_bounds::returnLargeBlocks();
   try {
     return run(argc, argv);

@@ -4,6 +4,7 @@
 #include "node/publisher_node.h"
 
 #include "node/log/guarded.h"
+#include "node/log/log_text.h"
 #include "node/names/topics.h"
 
 namespace link_bounds {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kObjectsQueue = 1000;
 const ros::WallDuration kTick(0.05);
+const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
 }  // namespace
@@ -29,6 +31,7 @@ PublisherNode::PublisherNode()
                      times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
                    }),
       tick_timer_(repeat(kTick, &PublisherNode::onTick)),
+      lost_frames_timer_(repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames)),
       diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {
   subscribeToObjects();
   // What adopt() throws becomes ~reload's answer.
@@ -138,6 +141,11 @@ void PublisherNode::onNews() {
   if (!scene_.model()) return;
   ++updates_;
   output_.request();
+}
+
+void PublisherNode::warnOfLostFrames() {
+  for (const std::string& line : lost_frames_.warnings(scene_, ros::SteadyTime::now()))
+    ROS_WARN("%s", logText(line).c_str());
 }
 
 void PublisherNode::publishDiagnostics() {

@@ -12,6 +12,7 @@
 #include "node/clock/clock_watch.h"
 #include "node/diagnostics/callback_times.h"
 #include "node/diagnostics/diagnostics.h"
+#include "node/diagnostics/lost_frames.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/memory/heap.h"
@@ -51,6 +52,7 @@ class PublisherNode {
   void observeClock(ros::Time now);
   void freeMemory();
   void onNews();
+  void warnOfLostFrames();
   void publishDiagnostics();
 
   ros::NodeHandle node_;
@@ -64,11 +66,13 @@ class PublisherNode {
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
   SceneOutput output_;
+  LostFrames lost_frames_;
   Diagnostics diagnostics_;
   TfReceiver tf_receiver_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::WallTimer tick_timer_;
+  ros::WallTimer lost_frames_timer_;
   ros::WallTimer diagnostics_timer_;
   std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes
   std::unique_ptr<MasterWatch> master_watch_;

@@ -10,6 +10,8 @@ import subprocess
 import sys
 import unittest
 
+from roslaunch.config import load_config_default
+
 
 class LaunchFiles(unittest.TestCase):
     checkout = build = None
@@ -24,6 +26,13 @@ class LaunchFiles(unittest.TestCase):
                 self.assertEqual(found.returncode, 0, found.stdout)
                 self.assertIn(path.resolve(), map(pathlib.Path.resolve, map(
                     pathlib.Path, found.stdout.splitlines())))
+
+    def test_the_node_says_on_the_screen_what_it_bounds(self):
+        nodes = [node for path in sorted(self.checkout.glob('launch/*.launch'))
+                 for node in load_config_default([str(path)], None, verbose=False).nodes
+                 if node.type == 'link_bounds_publisher']
+        self.assertGreater(len(nodes), 4)
+        self.assertEqual({node.output for node in nodes}, {'screen'})
 
     def test_nothing_is_installed_where_roslaunch_looks(self):
         prefix = self.checkout / 'build' / 'installed'

@@ -216,8 +216,6 @@ class NodeProcess:
             rospy.set_param("%s/%s" % (self.name, key), value)
         path = roslib.packages.find_node("link_bounds", "link_bounds_publisher")[0]
         self._output = tempfile.TemporaryFile("w+")
-        environment = dict(os.environ if environment is None else environment,
-                           ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
         self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
                                          cwd=folder, stdout=self._output, stderr=subprocess.STDOUT)
 

@@ -3,25 +3,24 @@
 // Callbacks of a running node must not throw: roscpp does not catch exceptions.
 #pragma once
 
-#include <ros/console.h>
-
 #include <exception>
 #include <functional>
-
-#include "node/log/log_text.h"
 
 namespace link_bounds {
 
 /// Runs the body of a callback and lets no exception out.
 using Guard = std::function<void(const std::function<void()>& body)>;
 
-/// Calls `body`. An exception is logged, at most once per second.
+/// At most one line per second of wall time.
+void logUnexpected(const std::exception& error);
+
+/// Calls `body`. An exception is logged.
 template <class Body>
 void guarded(Body&& body) {
   try {
     body();
   } catch (const std::exception& error) {
-    ROS_ERROR_THROTTLE(1, "unexpected: %s", logText(error.what()).c_str());
+    logUnexpected(error);
   }
 }
 

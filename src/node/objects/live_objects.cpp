@@ -213,16 +213,17 @@ std::vector<const LiveObject*> LiveObjects::takeGivenUp() {
   return result;
 }
 
+const std::string& LiveObjects::neededFrame(const LiveObject& object) const {
+  if (object.problem != TransformProblem::kNotCarried) return object.content.frame;
+  return frames_.tf().name(object.placement->fixed_frame);
+}
+
 std::string LiveObjects::reason(const LiveObject& object) const {
   const ObjectContent& content = object.content;
   if (!content.bounded.isWhole()) return content.bounded.missing;
   if (content.isLoading()) return "its mesh " + content.mesh_uri + " is still loading";
   if (!fixed_frame_) return "there is no fixed frame yet";
-  const TransformBuffer& tf = frames_.tf();
-  const bool is_not_carried = object.problem == TransformProblem::kNotCarried;
-  return describe(object.problem,
-                  is_not_carried ? tf.name(object.placement->fixed_frame) : content.frame,
-                  tf.name(*fixed_frame_));
+  return describe(object.problem, neededFrame(object), frames_.tf().name(*fixed_frame_));
 }
 
 }  // namespace link_bounds

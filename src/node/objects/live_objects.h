@@ -55,6 +55,10 @@ class LiveObjects {
   /// The objects that were given up since the last call and still are.
   std::vector<const LiveObject*> takeGivenUp();
 
+  /// The frame whose transform places the object: its header frame, or the fixed frame in which it
+  /// was placed, while that one is not carried over.
+  const std::string& neededFrame(const LiveObject& object) const;
+
   /// Why the object is incomplete, in words; "" if it is not.
   std::string reason(const LiveObject& object) const;
 

@@ -35,6 +35,9 @@ class LiveBoxes {
     return poses_[i].pose().fixed_from_frame.affine;
   }
 
+  /// What keeps link `i` from having a box, if it has shapes.
+  TransformProblem problem(std::size_t i) const { return problems_[i]; }
+
   /// Why link `i` is incomplete, in words; "" if it is not.
   std::string reason(std::size_t i) const;
 
