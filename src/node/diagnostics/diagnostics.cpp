@@ -80,7 +80,7 @@ void addMeshes(const Model& model, DiagnosticStatus& status) {
     add(status, "memory of " + path + " [bytes]", std::to_string(bytes));
 }
 
-void describeScene(const Scene& scene, DiagnosticStatus& status) {
+void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& status) {
   const Model& model = *scene.model();
   add(status, "fixed frame", model.fixed_frame);
   add(status, "bounded links", std::to_string(model.links.size()));
@@ -89,7 +89,9 @@ void describeScene(const Scene& scene, DiagnosticStatus& status) {
   addMeshes(model, status);
   const std::size_t links = addIncomplete(scene.links, status);
   const std::size_t objects = addIncomplete(scene.objects, status);
-  if (!hasLinkBox(scene.links) && !model.links.empty()) {
+  if (model.links.empty() && !health.waits_for_description) {
+    raise(status, DiagnosticStatus::WARN, "no link is bounded");
+  } else if (!hasLinkBox(scene.links) && !model.links.empty()) {
     raise(status, DiagnosticStatus::ERROR, "not one link has a box");
   }
   if (links > 0) raise(status, DiagnosticStatus::WARN, std::to_string(links) + " links incomplete");
@@ -126,7 +128,7 @@ std::string nodeName() {
 
 void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) {
   if (scene.model()) {
-    describeScene(scene, status);
+    describeScene(scene, health, status);
   } else if (!health.waits_for_description) {
     raise(status, DiagnosticStatus::ERROR, "the robot is still loading");
   }

@@ -31,8 +31,8 @@ class Diagnostics {
   explicit Diagnostics(ros::NodeHandle& node);
 
   /// Publishes one status named "<node name>: boxes". ERROR: there is no model, or links are
-  /// bounded but none has a box. WARN: something is incomplete or waited for, or the clock jumped.
-  /// Else OK. `times` begins a new period.
+  /// bounded but none has a box. WARN: something is incomplete or waited for, no link is bounded,
+  /// or the clock jumped. Else OK. `times` begins a new period.
   void publish(const Scene& scene, const Health& health, CallbackTimes& times);
 
  private:

@@ -211,6 +211,11 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
     model.mesh_bytes.emplace(path, points->bytes());
   model.problems = std::move(bounded.problems);
   model.warnings = unknownNames(parameters, ignored_pairs, names);
+  if (model.links.empty()) {
+    model.warnings.push_back(
+        "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "
+        "geometry; correct them");
+  }
   model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
   return model;
 }

@@ -5,6 +5,8 @@
 
 #include <ros/init.h>
 
+#include <algorithm>
+
 #include "node/loading/mesh_remedy.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
@@ -14,12 +16,13 @@ namespace link_bounds {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.2);
+constexpr std::size_t kMaxAnsweredWarnings = 4;
 
-Parameters readParametersAndWarn(const ParameterServer& server) {
-  const ReadParameters read = readParameters(server);
+ReadParameters readParametersAndWarn(const ParameterServer& server) {
+  ReadParameters read = readParameters(server);
   for (const std::string& warning : read.warnings)
     ROS_WARN("%s", logText(warning).c_str());
-  return read.parameters;
+  return read;
 }
 
 void report(const Model& model) {
@@ -29,6 +32,16 @@ void report(const Model& model) {
     ROS_WARN("%s", logText(warning).c_str());
   ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
            logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
+}
+
+/// The answer of a ~reload that succeeded, with the first of its warnings.
+std::string reloadedText(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return "reloaded";
+  std::string text = "reloaded, with " + std::to_string(warnings.size()) + " warning" +
+                     (warnings.size() > 1 ? "s" : "");
+  for (std::size_t i = 0; i < std::min(warnings.size(), kMaxAnsweredWarnings); ++i)
+    text += (i == 0 ? ": " : "; ") + warnings[i];
+  return logText(text + (warnings.size() > kMaxAnsweredWarnings ? "; see the log for all" : ""));
 }
 
 }  // namespace
@@ -60,7 +73,7 @@ ModelLoader::~ModelLoader() {
 
 void ModelLoader::run() {
   try {
-    parameters_ = readParametersAndWarn(server_);
+    parameters_ = readParametersAndWarn(server_).parameters;
     while (!isStopping()) {
       if (!has_loaded_) firstLoad();
       queue_.callAvailable(kPollPeriod);
@@ -95,7 +108,7 @@ void ModelLoader::serveObjectsMeanwhile() {
 }
 
 /// Throws RobotError, ParameterError, and what `adopt` throws.
-void ModelLoader::load(XmlRpc::XmlRpcValue description) {
+ModelLoader::ModelPtr ModelLoader::load(XmlRpc::XmlRpcValue description) {
   refused_ = description;
   if (description.getType() != XmlRpc::XmlRpcValue::TypeString) {
     throw RobotError("parameter robot_description is not a string");
@@ -106,14 +119,14 @@ void ModelLoader::load(XmlRpc::XmlRpcValue description) {
   report(*model);
   has_loaded_ = handOver(model) || has_loaded_;
   refused_.clear();
+  return model;
 }
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   const Parameters old_parameters = parameters_;
   try {
-    reload();
+    response.message = reloadedText(reload());
     response.success = true;
-    response.message = "reloaded";
   } catch (const std::exception& error) {
     const std::string reason = logText(error.what());
     parameters_ = old_parameters;
@@ -125,15 +138,21 @@ bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
   return true;
 }
 
-void ModelLoader::reload() {
+/// Returns what was logged of the parameters and the robot.
+std::vector<std::string> ModelLoader::reload() {
   robot_loader_.forgetFailures();
-  parameters_ = readParametersAndWarn(server_);
+  ReadParameters read = readParametersAndWarn(server_);
+  parameters_ = read.parameters;
+  std::vector<std::string> warnings = std::move(read.warnings);
   try {
-    load(description_.read());
+    const ModelPtr model = load(description_.read());
+    warnings.insert(warnings.end(), model->problems.begin(), model->problems.end());
+    warnings.insert(warnings.end(), model->warnings.begin(), model->warnings.end());
   } catch (const NoDescription&) {
     if (has_loaded_ || parameters_.fixed_frame.empty()) throw;
     serveObjectsMeanwhile();
   }
+  return warnings;
 }
 
 /// Returns true when the update thread uses the model, false if the node stops before.

@@ -11,6 +11,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "node/loading/mesh_requests.h"
 #include "node/loading/model.h"
@@ -47,8 +48,8 @@ class ModelLoader {
  private:
   void run();
   void firstLoad();
-  void load(XmlRpc::XmlRpcValue description);
-  void reload();
+  ModelPtr load(XmlRpc::XmlRpcValue description);
+  std::vector<std::string> reload();
   void serveObjectsMeanwhile();
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool handOver(ModelPtr model);

@@ -56,7 +56,7 @@ constexpr std::array<TopicName, 11> kTopics{
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",
-    "reads robot_description and all parameters again and answers after the swap; on failure "
-    "keeps the old model and says why"};
+    "reads robot_description and all parameters again and answers after the swap, with the "
+    "warnings that it logs; on failure keeps the old model and says why"};
 
 }  // namespace link_bounds

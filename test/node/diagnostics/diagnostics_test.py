@@ -52,9 +52,15 @@ class DiagnosticsTest(unittest.TestCase):
         load(NODE, ARMS, fixed_frame="nowhere")
         self.wait_for(DiagnosticStatus.ERROR, "boxes", "0")
 
-    def test_ok_where_nothing_is_to_be_bounded(self):
-        load(NODE, "<robot name='r'><link name='bare'/></robot>")
-        self.wait_for(DiagnosticStatus.OK, "bounded links", "0")
+    def test_warns_where_nothing_is_bounded(self):
+        for description, links in (("<robot name='r'><link name='bare'/></robot>", []),
+                                   (ARMS, ["lef"])):
+            load(NODE, description, links=links)
+            status = self.wait_for(DiagnosticStatus.WARN, "bounded links", "0")
+            self.assertEqual(status.message, "no link is bounded")
+            load(NODE, ARMS)
+            self.tf.send(rospy.Time.now())
+            self.wait_for(DiagnosticStatus.OK, "bounded links", "5")
 
     def test_counts_tf_messages_and_takes_their_time(self):
         before = self.diagnostics.wait_for_new(lambda *_: True, "a status")

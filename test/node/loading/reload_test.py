@@ -90,6 +90,26 @@ class Reload(unittest.TestCase):
                                 stdout=subprocess.PIPE).stdout.decode()
         self.assertIn("success: True", answer)
 
+    def test_the_answer_has_the_warnings(self):
+        self.assertEqual(self.reload().message, "reloaded")
+        for parameters, words in (
+                ({"links": ["lef"]}, ["2 warnings", '~links names link "lef"', "no link is bounded"]),
+                ({"paddding": 1}, ["1 warning:", "~paddding"]),
+                ({"links": ["a%d" % i for i in range(9)]}, ["10 warnings", '"a3"', "see the log"])):
+            self.addCleanup(load, NODE)
+            load(NODE)
+            for name, value in parameters.items():
+                rospy.set_param(NODE + "/" + name, value)
+            answer = self.reload()
+            self.assertTrue(answer.success)
+            for word in words:
+                self.assertIn(word, answer.message)
+        load(NODE)
+        rospy.set_param("/robot_description", mesh_robot("/no/such.stl"))
+        answer = self.reload()
+        self.assertTrue(answer.success)
+        self.assertIn("/no/such.stl", answer.message)
+
     def test_other_links_and_parameters_take_effect(self):
         self.boxes.clear()
         load(NODE, robot([box_link("base", (1, 2, 3))], []), padding=0.5)
