@@ -3,6 +3,7 @@
 """The oracle of ~overlaps: checks all pairs of published boxes."""
 import itertools
 import math
+import re
 from xml.etree import ElementTree
 
 TOLERANCE = 1e-12  # m; both sides start from the same published boxes
@@ -21,8 +22,8 @@ def pairs_of(message):
     return [(overlap.first, overlap.second) for overlap in message.overlaps]
 
 
-def joined_links(urdf):
-    """Pairs of links of one body, or of two bodies with one joint between."""
+def joined_links(urdf, most=1):
+    """Pairs of links of one body, or of bodies with at most so many joints between."""
     root = ElementTree.fromstring(urdf)
     body = {link.get("name"): link.get("name") for link in root.findall("link")}
     joints = [(joint.find("parent").get("link"), joint.find("child").get("link"), joint.get("type"))
@@ -31,9 +32,21 @@ def joined_links(urdf):
         if kind == "fixed":
             old, new = body[child], body[parent]
             body.update({link: new for link, name_of_body in body.items() if name_of_body == old})
-    neighbours = {(body[parent], body[child]) for parent, child, _ in joints}
-    return {(a, b) for a, b in itertools.product(body, body)
-            if body[a] == body[b] or neighbours & {(body[a], body[b]), (body[b], body[a])}}
+    near = {(one, one) for one in body.values()}
+    for _ in range(most):
+        near |= {(a, after) for a, b in near for parent, child, _ in joints
+                 for before, after in ((body[parent], body[child]), (body[child], body[parent]))
+                 if b == before}
+    return {(a, b) for a, b in itertools.product(body, body) if (body[a], body[b]) in near}
+
+
+def pairs_that_fit(names, first, second):
+    """Those of two names of which each fits one of two patterns; * is any text without a slash."""
+    fits_first, fits_second = (
+        re.compile("[^/]*".join(map(re.escape, pattern.split("*"))), re.DOTALL).fullmatch
+        for pattern in (first, second))
+    return {(a, b) for a, b in itertools.product(names, names)
+            if fits_first(a) and fits_second(b) or fits_first(b) and fits_second(a)}
 
 
 def expected(boxes, margin, ignored):

@@ -108,7 +108,7 @@ RigidBodies bodiesOf(const Robot& robot, const std::vector<std::size_t>& indices
 /// The pairs that an entry of ignore_pairs stands for; none if it cannot be split into names.
 std::vector<NamePair> pairsOf(const std::string& entry, const std::set<std::string>& links) {
   return namePairs(entry, [&links](const std::string& name) {
-    return links.count(name) || parseObjectName(name);
+    return links.count(name) || parseObjectName(name) || isPattern(name);
   });
 }
 
@@ -151,7 +151,9 @@ std::vector<std::string> unknownNames(const Parameters& parameters,
   }
   for (const NamePair& pair : ignored_pairs) {
     for (const std::string& name : {pair.first, pair.second}) {
-      if (name.find('/') == std::string::npos) check(name, "ignore_pairs");
+      const auto fits = [&name](const std::string& link) { return fitsPattern(link, name); };
+      const bool is_object = name.find('/') != std::string::npos;
+      if (!is_object && std::none_of(links.begin(), links.end(), fits)) check(name, "ignore_pairs");
     }
   }
   std::vector<std::string> warnings;

@@ -19,7 +19,8 @@ void SceneOverlaps::collect(const AxisAlignedBoxArray& boxes,
 }
 
 bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& b) const {
-  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link)) return false;
+  const int joints = model.parameters.adjacent_joints;
+  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link, joints)) return false;
   return !model.ignored_pairs.contains(*a.name, *b.name);
 }
 

@@ -28,6 +28,10 @@ inline std::string positive(double value) {
   return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
 }
 
+inline std::string notNegativeInt(int value) {
+  return value >= 0 ? "" : "must be a whole number >= 0";
+}
+
 inline std::string positiveInt(int value) {
   return value > 0 ? "" : "must be a whole number > 0";
 }
@@ -109,7 +113,11 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("overlap_margin", p.overlap_margin, rules::notNegative,
         "metres, >= 0; pairs of boxes with distance <= it are in ~overlaps");
   visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
-        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps");
+        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps; * in a name is any "
+        "text without a slash, as in NS/*: all objects of a namespace");
+  visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
+        "links with at most so many movable joints between them are never a pair in ~overlaps, "
+        ">= 0");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "at most so many boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

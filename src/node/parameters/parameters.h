@@ -33,6 +33,7 @@ struct Parameters {
   bool marker_labels = false;
   double overlap_margin = 0.0;
   std::vector<std::string> ignore_pairs;
+  int adjacent_joints = 1;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;

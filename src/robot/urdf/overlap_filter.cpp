@@ -10,6 +10,7 @@ namespace link_bounds {
 namespace {
 
 constexpr char kSpaces[] = " \t\r\n";
+constexpr char kWildcard = '*';
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(kSpaces);
@@ -31,10 +32,16 @@ RigidBodies rigidBodies(const Robot& robot) {
   return bodies;
 }
 
-bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other) {
-  const std::size_t a = bodies.of_links[link];
-  const std::size_t b = bodies.of_links[other];
-  return a == b || bodies.parents[a] == b || bodies.parents[b] == a;
+/// The body with the larger number is never above the other one, so its joint is on the way.
+bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other, int joints) {
+  std::size_t a = bodies.of_links[link];
+  std::size_t b = bodies.of_links[other];
+  for (; a != b; --joints) {
+    if (joints <= 0) return false;
+    std::size_t& lower = a > b ? a : b;
+    lower = bodies.parents[lower];
+  }
+  return true;
 }
 
 std::vector<NamePair> namePairs(const std::string& text,
@@ -55,7 +62,39 @@ std::vector<NamePair> namePairs(const std::string& text,
   return splits;
 }
 
+bool isPattern(const std::string& name) {
+  return name.find(kWildcard) != std::string::npos;
+}
+
+/// Where the rest differs, the last wildcard takes one more character and the rest starts again.
+/// No earlier wildcard needs to: each slash of the pattern has its place.
+bool fitsPattern(const std::string& name, const std::string& pattern) {
+  std::size_t p = 0;
+  std::size_t after_wildcard = 0;  // 0 = there was none yet
+  std::size_t taken = 0;           // end of what the last wildcard stands for
+  for (std::size_t i = 0; i < name.size();) {
+    if (p < pattern.size() && pattern[p] == kWildcard) {
+      after_wildcard = ++p;
+      taken = i;
+    } else if (p < pattern.size() && pattern[p] == name[i]) {
+      ++p;
+      ++i;
+    } else if (after_wildcard > 0 && name[taken] != '/') {
+      p = after_wildcard;
+      i = ++taken;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of(kWildcard, p) == std::string::npos;
+}
+
 NamePairs::NamePairs(std::vector<NamePair> pairs) : pairs_(std::move(pairs)) {
+  const auto patterns = std::partition(pairs_.begin(), pairs_.end(), [](const NamePair& pair) {
+    return !isPattern(pair.first) && !isPattern(pair.second);
+  });
+  patterns_.assign(patterns, pairs_.end());
+  pairs_.erase(patterns, pairs_.end());
   for (NamePair& pair : pairs_) {
     if (pair.second < pair.first) std::swap(pair.first, pair.second);
   }
@@ -69,7 +108,11 @@ bool NamePairs::contains(const std::string& name, const std::string& other) cons
                                       [](const NamePair& pair, const auto& value) {
                                         return std::tie(pair.first, pair.second) < value;
                                       });
-  return found != pairs_.end() && std::tie(found->first, found->second) == wanted;
+  if (found != pairs_.end() && std::tie(found->first, found->second) == wanted) return true;
+  return std::any_of(patterns_.begin(), patterns_.end(), [&](const NamePair& pair) {
+    return (fitsPattern(name, pair.first) && fitsPattern(other, pair.second)) ||
+           (fitsPattern(other, pair.first) && fitsPattern(name, pair.second));
+  });
 }
 
 }  // namespace link_bounds

@@ -80,13 +80,15 @@ TEST(Model, BodiesAreThoseOfTheBoundedLinks) {
 
 TEST(Model, IgnoredPairsAreWarnedAboutOnlyWhereALinkIsUnknown) {
   Parameters parameters;
-  parameters.ignore_pairs = {"arm base", "bare typo", "arm scene/1"};
+  parameters.ignore_pairs = {"arm base", "bare typo", "arm scene/1", "a* held/*", "b* no_such*"};
   const Model model = modelWith(parameters);
   EXPECT_TRUE(model.ignored_pairs.contains("base", "arm"));
   EXPECT_TRUE(model.ignored_pairs.contains("scene/1", "arm"));
   EXPECT_FALSE(model.ignored_pairs.contains("base", "scene/1"));
-  ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_NE(model.warnings[0].find("\"typo\""), std::string::npos) << model.warnings[0];
+  EXPECT_TRUE(model.ignored_pairs.contains("held/7", "arm"));
+  ASSERT_EQ(model.warnings.size(), 2u);
+  EXPECT_NE(model.warnings[0].find("\"no_such*\""), std::string::npos) << model.warnings[0];
+  EXPECT_NE(model.warnings[1].find("\"typo\""), std::string::npos) << model.warnings[1];
 }
 
 TEST(Model, MoreThanTwoWordsMustBeNames) {

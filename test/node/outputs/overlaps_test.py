@@ -15,7 +15,7 @@ from demo_testing import POSES
 from link_bounds.msg import BoxOverlapArray
 from node_testing import NODE
 from object_testing import ObjectSender, deletion, marker
-from overlap_testing import agree, expected, joined_links, pairs_of
+from overlap_testing import agree, expected, joined_links, pairs_of, pairs_that_fit
 
 TOPIC = NODE + "/overlaps"
 DEMO = rospkg.RosPack().get_path("link_bounds") + "/launch/demo/demo.urdf"
@@ -31,6 +31,8 @@ BODIES %= "".join(box_link(name, (0.4, 0.3, 0.2)) for name in
                   ("tip", "base", "plate", "arm", "hand")) + '<link name="bare"/>'
 # All boxes of BODIES overlap, whatever their turn; these are free to move against each other.
 FREE = [("tip", "base"), ("tip", "plate"), ("tip", "arm"), ("base", "hand"), ("plate", "hand")]
+BODIES_TOGETHER = {joint: Pose() for joint in (
+    ("base", "plate"), ("plate", "bare"), ("bare", "arm"), ("arm", "hand"), ("hand", "tip"))}
 TWO = robot([box_link("base", (1, 1, 1)), box_link("mid", (0.1, 0.1, 0.1)),
              box_link("far", (1, 1, 1))], [("base", "mid"), ("mid", "far")])
 
@@ -82,6 +84,39 @@ class Overlaps(unittest.TestCase):
                                                 ignored)))
             self.assertGreater(len(seen), 0)
 
+    def test_a_healthy_demo_robot_has_none_across_two_joints(self):
+        load(NODE, self.demo, adjacent_joints=2)
+        for pose in POSES:
+            overlaps = self.check(self.joints.move(pose, self.boxes),
+                                  ignored=joined_links(self.demo, 2))
+            self.assertEqual(overlaps.overlaps, [], pose)
+
+    def test_adjacent_joints(self):
+        for joints, count in ((0, 9), (1, len(FREE)), (2, 2), (3, 0), (1000, 0)):
+            load(NODE, BODIES, adjacent_joints=joints)
+            boxes = self.place(BODIES_TOGETHER)
+            overlaps = self.check(boxes, ignored=joined_links(BODIES, min(joints, 4)))
+            self.assertEqual(len(overlaps.overlaps), count, joints)
+        with self.assertRaisesRegex(AssertionError, "adjacent_joints"):
+            load(NODE, adjacent_joints=-1)
+
+    def test_wildcards(self):
+        """Two links and four objects, all of which overlap; mid is elsewhere."""
+        objects = ["right/arm/0", "right/hand/0", "held/1", "held/deep/1"]
+        names = ["base", "far"] + objects
+        for entries, count in (
+                ([], 15), (["right/*/* right/*/*"], 14), (["* held/*"], 13), (["* *"], 14),
+                (["f* b*"], 14), (["*/*/* */*/*"], 12), (["base held/*", "far held/*/*"], 13)):
+            load(NODE, TWO, ignore_pairs=entries)
+            self.place_two(0.5)
+            self.boxes.clear()
+            self.objects.send(*(marker(name, scale=(0.5, 0.5, 0.5)) for name in objects))
+            boxes = self.boxes.wait(lambda m: len(m.boxes) == 7, "links and objects")
+            overlaps = self.check(boxes, ignored=joined_links(TWO).union(
+                *(pairs_that_fit(names, *entry.split()) for entry in entries)))
+            self.assertEqual(len(overlaps.overlaps), count, entries)
+            self.objects.clear()
+
     def test_bodies_of_fixed_joints_and_their_neighbours(self):
         load(NODE, BODIES)
         for degrees in (0, 30, 45):
@@ -94,9 +129,7 @@ class Overlaps(unittest.TestCase):
 
     def test_ignored_pairs(self):
         load(NODE, BODIES, ignore_pairs=["tip base", "hand plate", "tip no_such_link"])
-        boxes = self.place({(parent, child): Pose() for parent, child in (
-            ("base", "plate"), ("plate", "bare"), ("bare", "arm"), ("arm", "hand"),
-            ("hand", "tip"))})
+        boxes = self.place(BODIES_TOGETHER)
         named = {("tip", "base"), ("plate", "hand")}
         overlaps = self.check(boxes, ignored=joined_links(BODIES) | named)
         self.assertEqual(pairs_of(overlaps), [pair for pair in FREE if pair not in named])

@@ -8,7 +8,7 @@ from sequences_shapes import IDENTITY, ZERO, Shape, rpy_matrix, stl
 
 DEFAULTS = dict(fixed_frame="", geometry="visual", links=[], ignore_links=[], padding=0.0,
                 link_padding={}, groups={}, max_rate=0.0, timeout=2.0, overlap_margin=0.0,
-                ignore_pairs=[], parts_per_link=1)
+                ignore_pairs=[], adjacent_joints=1, parts_per_link=1)
 
 
 class Element:
@@ -116,11 +116,16 @@ class Model:
         return (not chosen or name in chosen) and name not in ignored
 
     def are_joined(self, a, b):
-        """Links of one rigid body, or of two with one joint between them."""
+        """Links with at most adjacent_joints movable joints between their rigid bodies."""
         if a not in self._bodies or b not in self._bodies:
             return False
-        (a, above_a), (b, above_b) = self._bodies[a], self._bodies[b]
-        return a == b or a == above_b or b == above_a
+        way_a, way_b = self._way_to_root(a), self._way_to_root(b)
+        return len(set(way_a) ^ set(way_b)) <= self.parameters["adjacent_joints"]
+
+    def _way_to_root(self, link):
+        """The bodies from that of the link to the first one."""
+        body, above = self._bodies[link]
+        return [body] if above is None else [body] + self._way_to_root(above)
 
 
 def rigid_bodies(links):

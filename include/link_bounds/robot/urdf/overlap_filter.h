@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Which overlaps are not reported: those of links that are joined, and of pairs that the user
-/// names. Nothing here throws.
+/// names, with wildcards or without. Nothing here throws.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,15 @@ namespace link_bounds {
 /// Links that fixed joints connect are one body.
 struct RigidBodies {
   std::vector<std::size_t> of_links;  ///< of each link, with or without geometry, its body
-  std::vector<std::size_t> parents;   ///< of each body its parent; the first body is its own
+  std::vector<std::size_t> parents;   ///< of each body its parent, which stands before it; the
+                                      ///< first body is its own
 };
 
 RigidBodies rigidBodies(const Robot& robot);
 
-/// Whether two links are of one body, or of two bodies that a movable joint connects.
-bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other);
+/// Whether at most `joints` movable joints are on the way from one link to the other; between links
+/// of one body there is none.
+bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other, int joints = 1);
 
 using NamePair = std::pair<std::string, std::string>;
 
@@ -32,7 +34,13 @@ using NamePair = std::pair<std::string, std::string>;
 std::vector<NamePair> namePairs(const std::string& text,
                                 const std::function<bool(const std::string&)>& is_name);
 
-/// A set of pairs of names, in either order.
+/// Whether a name has a wildcard `*` in it.
+bool isPattern(const std::string& name);
+
+/// Whether `name` is `pattern`, in which each `*` stands for any text without a slash, or for none.
+bool fitsPattern(const std::string& name, const std::string& pattern);
+
+/// A set of pairs of names, in either order. A name may be a pattern.
 class NamePairs {
  public:
   NamePairs() = default;
@@ -41,7 +49,8 @@ class NamePairs {
   bool contains(const std::string& name, const std::string& other) const;
 
  private:
-  std::vector<NamePair> pairs_;  // sorted, and so is each pair
+  std::vector<NamePair> pairs_;     // without patterns; sorted, and so is each pair
+  std::vector<NamePair> patterns_;  // pairs with at least one pattern
 };
 
 }  // namespace link_bounds
