@@ -156,6 +156,7 @@ void PublisherNode::publishDiagnostics() {
   health.updates = updates_;
   health.publications = output_.publications();
   health.lag_ms = output_.takeMaxLag();
+  health.footprint = output_.footprintState();
   health.intake = tf_.intake();
   diagnostics_.publish(scene_, health, times_);
 }

@@ -14,6 +14,7 @@ import sys
 import unittest
 
 from help_testing import help_rows
+from page_testing import rows_below, tables
 from three_hosts_testing import NEIGHBOURS
 
 PUBLISHER, ASSERT_BOX, PACKAGE = '', '', pathlib.Path()
@@ -31,25 +32,6 @@ def pages():
     """{path: text} of the README and the pages in doc."""
     paths = [PACKAGE / 'README.md'] + sorted((PACKAGE / 'doc').glob('*.md'))
     return {path: path.read_text('utf-8') for path in paths}
-
-
-def tables(text):
-    """Every table of a markdown text as its rows, the header first; no backticks."""
-    result, rows = [], []
-    for line in text.splitlines() + ['']:
-        if line.startswith('|'):
-            cells = [cell.strip().replace('`', '') for cell in line.strip().strip('|').split('|')]
-            if not all(re.fullmatch(':?-+:?', cell) for cell in cells):
-                rows.append(cells)
-        elif rows:
-            result.append(rows)
-            rows = []
-    return result
-
-
-def rows_below(text, header):
-    """The rows of all tables with that header."""
-    return [row for table in tables(text) if table[0] == header for row in table[1:]]
 
 
 def without_blocks(text):
@@ -141,13 +123,26 @@ class ReadmeTablesTest(unittest.TestCase):
                 for path in (PACKAGE / 'test').rglob(name + '_test.*'):
                     self.assertNotIn('LINK_BOUNDS_DATA', path.read_text('utf-8'), fault)
 
-
     def test_timers_of_a_cut_cable_are_those_of_its_test(self):
         names = {'base_reachable': 'base_reachable_time_ms', 'retrans': 'retrans_time_ms',
                  'delay_probe': 'delay_first_probe_time'}
         timers = re.findall(r'net.ipv4.neigh.eth0.(\w+)=(\d+)', text_of('doc/deployment.md'))
         self.assertEqual(dict(timers), {names[name]: str(value)
                                         for name, value in NEIGHBOURS.items()})
+
+
+class DiagnosticsTest(unittest.TestCase):
+    """The table of levels in doc/deployment.md; the test diagnostics holds that of keys."""
+
+    def test_levels_and_texts(self):
+        code = text_of('src/node/diagnostics/diagnostics.cpp')
+        raised = re.findall(r'raise\(status, DiagnosticStatus::(\w+),\s*(.*?)\);', code, re.DOTALL)
+        self.assertGreater(len(raised), 5)
+        in_code = {(level, re.sub(r'std::to_string\(\w+\) \+ "', '"N', text).strip('"'))
+                   for level, text in raised}
+        in_code.add(('OK', re.search(r'status.message = "(.*?)"', code).group(1)))
+        rows = rows_below(text_of('doc/deployment.md'), ['level', 'text', 'when'])
+        self.assertEqual({(level, text) for level, text, _ in rows}, in_code)
 
 
 class PagesTest(unittest.TestCase):

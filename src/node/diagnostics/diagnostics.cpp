@@ -158,6 +158,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
+  add(status, "footprint", health.footprint);
   addTimes(times, status);
   publisher_.publish(array);
 }

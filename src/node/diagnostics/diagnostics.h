@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "node/diagnostics/callback_times.h"
 #include "node/scene/scene.h"
@@ -23,6 +24,7 @@ struct Health {
   std::uint64_t publications = 0;  ///< of ~boxes, since the start
   std::optional<double> lag_ms;    ///< by how much the newest stamp of a ~boxes lay behind ROS time
                                    ///< when it was published; the maximum since the last status
+  std::string footprint;           ///< whether ~footprint is published, and if not, why
   TfIntake intake;
 };
 

@@ -9,20 +9,10 @@
 #include "node/parameters/parameters.h"
 
 namespace link_bounds {
-
 namespace {
 
-/// Group robot is the first one in both lists.
-bool isRobotComplete(const AxisAlignedBoxArray& groups) {
-  const bool has_box = !groups.boxes.empty() && groups.boxes.front().name == kRobotGroup;
-  return has_box && (groups.incomplete.empty() || groups.incomplete.front() != kRobotGroup);
-}
-
-}  // namespace
-
-std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups) {
-  if (!isRobotComplete(groups)) return std::nullopt;
-  const AxisAlignedBox& box = groups.boxes.front();
+/// Nothing if a coordinate is too large for float32.
+std::optional<geometry_msgs::Polygon> rectangleOf(const AxisAlignedBox& box) {
   const float min_x = floatDown(box.min.x);
   const float min_y = floatDown(box.min.y);
   const float max_x = floatUp(box.max.x);
@@ -37,6 +27,21 @@ std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& gro
     polygon.points.push_back(point);
   }
   return polygon;
+}
+
+}  // namespace
+
+std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups) {
+  if (!whyNoFootprint(groups).empty()) return std::nullopt;
+  return rectangleOf(groups.boxes.front());
+}
+
+/// Group robot is the first one in both lists.
+std::string whyNoFootprint(const AxisAlignedBoxArray& groups) {
+  if (groups.boxes.empty() || groups.boxes.front().name != kRobotGroup) return "no link has a box";
+  if (!groups.incomplete.empty() && groups.incomplete.front() == kRobotGroup)
+    return "group robot is incomplete";
+  return rectangleOf(groups.boxes.front()) ? "" : "box robot is too large for float32";
 }
 
 }  // namespace link_bounds

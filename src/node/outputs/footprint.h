@@ -6,6 +6,7 @@
 #include <geometry_msgs/Polygon.h>
 
 #include <optional>
+#include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 
@@ -15,5 +16,8 @@ namespace link_bounds {
 /// float32 rounded outward. `groups` is a message of ~groups. Nothing if its box robot is missing,
 /// incomplete or too large for float32.
 std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups);
+
+/// Why footprintOf returns nothing; "" if it returns a polygon.
+std::string whyNoFootprint(const AxisAlignedBoxArray& groups);
 
 }  // namespace link_bounds

@@ -56,6 +56,12 @@ void SceneOutput::freeSpareMemory() {
   overlaps_.freeSpareMemory();
 }
 
+std::string SceneOutput::footprintState() const {
+  const std::string reason = whyNoFootprint(groups_message_);
+  if (!reason.empty()) return "silent: " + reason;
+  return footprint_.hasSubscribers() ? "published" : "silent: nobody subscribes";
+}
+
 void SceneOutput::publishBoxes() {
   ++publications_;
   fillBoxes(scene_, boxes_message_);

@@ -7,6 +7,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,9 @@ class SceneOutput {
 
   /// Number of messages on ~boxes.
   std::uint64_t publications() const { return publications_; }
+
+  /// Whether ~footprint is published, and if not, why.
+  std::string footprintState() const;
 
   /// By how much the stamp of a ~boxes lay behind ROS time when it was published [ms], the maximum
   /// since the last call. Nothing if no ~boxes had a stamp.

@@ -3,16 +3,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Level, texts, values and period of /diagnostics."""
 import math
+import re
 import unittest
 
+import rospkg
 import rospy
 import rostest
 from bounds_testing import Recorder, box_link, load, robot, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import Polygon
 from link_bounds.msg import BoxOverlapArray
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, Repeater, value_of
 from object_testing import ObjectSender, marker
+from page_testing import rows_below
 
+PAGE = rospkg.RosPack().get_path("link_bounds") + "/doc/deployment.md"
+MESH = "package://link_bounds/launch/demo/meshes/finger_ascii.stl"
 MESSAGES = 20
 MEAN = "time per tf message, mean of the last second [ms]"
 MAXIMUM = "time per tf message, maximum of the last second [ms]"
@@ -138,6 +144,36 @@ class DiagnosticsTest(unittest.TestCase):
         overlaps.wait(lambda m: len(m.overlaps) >= CROWD * (CROWD - 1) / 2, "all pairs")
         status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
         self.assertGreater(float(value_of(status, key)), before + LONG)
+
+    def test_keys_are_those_of_the_page(self):
+        """Words in capitals in a key of the page stand for a name."""
+        mesh = '<link name="%s"><visual><geometry><mesh filename="%s"/></geometry></visual></link>'
+        load(NODE, robot([mesh % ("base", MESH), mesh % ("lost", MESH)], [("base", "lost")]))
+        status = self.wait_for(DiagnosticStatus.WARN, "boxes", "1")
+        with open(PAGE, encoding="utf-8") as page:
+            rows = rows_below(page.read(), ["key", "value"])
+        patterns = [re.sub(r"[A-Z]{4,}", ".+", re.escape(key)) for key, _ in rows]
+        keys = [pair.key for pair in status.values]
+        for key in keys:
+            self.assertTrue(any(re.fullmatch(p, key) for p in patterns), "no row for " + key)
+        for pattern in patterns:
+            self.assertTrue(any(re.fullmatch(pattern, k) for k in keys), "no value for " + pattern)
+
+    def test_tells_why_there_is_no_footprint(self):
+        def wait_for_footprint(text):
+            self.diagnostics.wait_for_new(lambda _, s: value_of(s, "footprint") == text, text)
+
+        load(NODE, ARMS)
+        self.tf.send(rospy.Time.now() + rospy.Duration(200))  # later than all that was sent
+        wait_for_footprint("silent: nobody subscribes")
+        footprints = Recorder(NODE + "/footprint", Polygon)
+        self.addCleanup(footprints.subscriber.unregister)
+        wait_for_footprint("published")
+        load(NODE, robot([box_link("base", (1, 2, 3)), box_link("lost", (1, 1, 1))],
+                         [("base", "lost")]))
+        wait_for_footprint("silent: group robot is incomplete")
+        load(NODE, ARMS, fixed_frame="nowhere")
+        wait_for_footprint("silent: no link has a box")
 
     def test_comes_every_second(self):
         start = len(self.diagnostics.received)

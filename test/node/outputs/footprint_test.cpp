@@ -54,11 +54,16 @@ TEST(Footprint, ContainsTheBox) {
 TEST(Footprint, NoneOfARobotThatIsNotCompleteOrTooLarge) {
   const Aabb box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
   EXPECT_TRUE(footprintOf(groupsOf(BoxState{box, 0, false})));
+  EXPECT_EQ(whyNoFootprint(groupsOf(BoxState{box, 0, false})), "");
   EXPECT_FALSE(footprintOf(groupsOf(BoxState{box, 0, true})));
   EXPECT_FALSE(footprintOf(groupsOf(BoxState{std::nullopt, 0, false})));
   EXPECT_FALSE(footprintOf(groupsOf(BoxState{std::nullopt, 0, true})));
   EXPECT_FALSE(footprintOf(AxisAlignedBoxArray()));
   EXPECT_FALSE(footprintOf(groupsOf({0, 0, 0}, {1, 1e39, 1})));
+  EXPECT_EQ(whyNoFootprint(groupsOf(BoxState{box, 0, true})), "group robot is incomplete");
+  EXPECT_EQ(whyNoFootprint(AxisAlignedBoxArray()), "no link has a box");
+  EXPECT_EQ(whyNoFootprint(groupsOf({0, 0, 0}, {1, 1e39, 1})),
+            "box robot is too large for float32");
 }
 
 }  // namespace

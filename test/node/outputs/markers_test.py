@@ -6,12 +6,15 @@ import math
 import time
 import unittest
 
+import rospkg
 import rospy
 import rostest
 from bounds_testing import Recorder, box_link, box_of, corners_of, difference, load, robot
 from node_testing import ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf
+from page_testing import rows_below
 from visualization_msgs.msg import Marker, MarkerArray
 
+PAGE = rospkg.RosPack().get_path("link_bounds") + "/doc/scene.md"
 TOLERANCE = 1e-9  # m
 MIN_THICKNESS = 1e-4  # m
 FACES, EDGES, LABEL = 0, 1, 2
@@ -82,6 +85,13 @@ class Markers(unittest.TestCase):
                 color = marker.color
                 self.assertEqual((color.r, color.g, color.b, color.a),
                                  (1.0, 0.5, 0.25, 0.125 if i == FACES else 1.0))
+
+    def test_ids_are_those_of_the_page(self):
+        _, first = self.start(marker_labels=True)
+        with open(PAGE, encoding="utf-8") as page:
+            rows = rows_below(page.read(), ["id", "type", "what", "when"])
+        self.assertEqual({(marker.id, marker.type) for marker in first.markers},
+                         {(int(row[0]), getattr(Marker, row[1])) for row in rows})
 
     def test_cubes_contain_their_boxes_and_edges_follow_them(self):
         _, first = self.start()
