@@ -63,19 +63,37 @@ def facts(build):
     return found
 
 
+def is_skipped(case):
+    """gtest 1.11 and later say so by an element, earlier versions by an attribute."""
+    return case.find('skipped') is not None or case.get('result') == 'skipped'
+
+
+def counted(passed, skipped, failed=0):
+    """As "108 passed, 2 skipped"."""
+    counts = [(passed, 'passed'), (skipped, 'skipped'), (failed, 'failed')]
+    return ', '.join('%d %s' % count for count in counts if count[0] or count[1] == 'passed')
+
+
 def cases(build):
-    """How many test cases ran in all tests of ctest."""
+    """The test cases that ran in all tests of ctest, by what became of them."""
     scripts = map(int, re.findall(r'^Ran (\d+) tests? in ', details(build), re.MULTILINE))
-    return sum(len(root.findall('.//testcase')) for root in results(build)) + sum(scripts)
+    found = [case for root in results(build) for case in root.iter('testcase')]
+    failed = sum(case.find('failure') is not None or case.find('error') is not None
+                 for case in found)
+    skipped = sum(map(is_skipped, found))
+    return counted(len(found) + sum(scripts) - skipped - failed, skipped, failed)
 
 
 def tests(build):
-    """ctest's own count, as "109 of 109"; nothing where it did not run."""
-    match = re.search(r'(\d+) tests failed out of (\d+)', text_of(os.path.join(build, 'ctest.log')))
+    """The tests of ctest, by what became of them; nothing where it did not run. ctest itself counts
+    a skipped test as passed."""
+    log = text_of(os.path.join(build, 'ctest.log'))
+    match = re.search(r'(\d+) tests failed out of (\d+)', log)
     if not match:
         return ''
     failed, every = map(int, match.groups())
-    return '%d of %d passed' % (every - failed, every)
+    skipped = len(re.findall(r'^\s*\d+ - \S+ \(Skipped\)', log, re.MULTILINE))
+    return counted(every - failed - skipped, skipped, failed)
 
 
 def print_counted(kind, lines):
@@ -88,7 +106,7 @@ def main():
         sys.exit(__doc__)
     build, *sanitized = sys.argv[1:]
     found = facts(build)
-    print('tests:    %s, with %d cases' % (tests(build) or 'none', cases(build)))
+    print('tests:    %s; cases: %s' % (tests(build) or 'none', cases(build)))
     for folder in sanitized:
         if tests(folder):
             print('          %s: %s' % (os.path.basename(folder), tests(folder)))

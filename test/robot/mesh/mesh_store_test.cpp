@@ -291,7 +291,7 @@ TEST_F(MeshStoreTest, AChangeRightAfterTheFileWasWrittenIsSeen) {
 }
 
 TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
-  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "a single core";
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "skipped: a single core";
   constexpr auto kDeadline = std::chrono::seconds(20);
   std::mutex mutex;
   std::condition_variable arrived;

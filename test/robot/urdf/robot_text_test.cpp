@@ -157,7 +157,7 @@ TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
   const std::string urdf =
       "<robot name=unquoted>" + links({"b", "a"}) + joint("j", "b", "a") + "</robot>";
   if (refusal(urdf).find("XML_ERROR") != std::string::npos) {
-    GTEST_SKIP() << "urdfdom 4 understands well-formed XML only";
+    GTEST_SKIP() << "skipped: urdfdom 4 understands well-formed XML only";
   }
   const Robot robot = parseRobot(urdf);
   ASSERT_FALSE(robot.warnings.empty());
@@ -170,7 +170,7 @@ TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
 TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
   const std::string urdf = "<?xml version='1.0'?><robot name='r'>\xd2<link name='a'/>" +
                            links({"a", "b"}) + joint("j", "a", "b") + "</robot>";
-  if (!refusal(urdf).empty()) GTEST_SKIP() << "this urdfdom sees them twice";
+  if (!refusal(urdf).empty()) GTEST_SKIP() << "skipped: this urdfdom sees them twice";
   const Robot robot = parseRobot(urdf);
   ASSERT_EQ(robot.links.size(), 2u);
   EXPECT_EQ(robot.links[robot.joints.at(0).child].name, "b");

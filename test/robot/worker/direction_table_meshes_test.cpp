@@ -75,10 +75,7 @@ TEST(DirectionTableMeshes, DemoRobot) {
 
 TEST(DirectionTableMeshes, RobotsAndModels) {
   const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) {
-    std::cout << "skipped: meshes of robots and models, there is no LINK_BOUNDS_DATA\n";
-    return;
-  }
+  if (!data) GTEST_SKIP() << "skipped: meshes of robots and models: LINK_BOUNDS_DATA is not set";
   compareMeshesBelow(fs::path(data) / "robots");
 }
 

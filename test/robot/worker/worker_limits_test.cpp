@@ -45,7 +45,7 @@ int statusOf(const std::function<bool()>& body, long cpu_seconds = 100) {
 }
 
 TEST(WorkerLimits, MemoryEnds) {
-  if (kIsSanitized) GTEST_SKIP() << "no such limit under a sanitizer";
+  if (kIsSanitized) GTEST_SKIP() << "skipped: no such limit under a sanitizer";
   EXPECT_EQ(statusOf([] {
               return mmap(nullptr, kMemory, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) ==
                      MAP_FAILED;
@@ -65,7 +65,7 @@ bool canTake(std::uint64_t bytes) {
 }
 
 TEST(WorkerLimits, TheMemoryLimitRisesToItsMaxAndNeverFalls) {
-  if (kIsSanitized) GTEST_SKIP() << "no such limit under a sanitizer";
+  if (kIsSanitized) GTEST_SKIP() << "skipped: no such limit under a sanitizer";
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {
@@ -96,7 +96,7 @@ TEST(WorkerLimits, TimeOfTheProcessorEnds) {
 }
 
 TEST(WorkerLimits, NoFileIsWritten) {
-  if (kIsSanitized) GTEST_SKIP() << "no such limit under a sanitizer";
+  if (kIsSanitized) GTEST_SKIP() << "skipped: no such limit under a sanitizer";
   const TemporaryFolder folder;
   const std::string path = folder / "file";
   EXPECT_EQ(statusOf([&path] {
