@@ -166,6 +166,24 @@ SMALL_ROBOT = """<robot name="small">
 </robot>"""
 
 
+# Texts that users give for a URDF, and the words that say what they are.
+NO_URDF = {
+    'file_name': ('/opt/robots/arm.urdf\n', 'rosparam set robot_description -t FILE'),
+    'xacro_file_name': ('$(find arm)/arm.urdf.xacro', 'command="xacro FILE"'),
+    'xacro_file': ('<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">'
+                   '<xacro:include filename="arm.xacro"/><xacro:arm prefix="${left}"/></robot>',
+                   'command="xacro FILE"'),
+    'xacro_file_with_percent': ('<robot name="r"><!-- 10 % --><xacro:arm/></robot>',
+                                '<xacro:arm>'),
+    'no_xml': ('100 % no XML', 'no XML element'),
+    'broken_xml_with_percent': ('<?xml version="1.0"?>\n<!-- 10 % -->\n<robot name="r">\n'
+                                '<link name="a">\n</robot>', 'see line 4'),
+    'sdf_with_percent': ('<sdf version="1.6"><!-- 10 % --></sdf>', 'root element is <sdf>'),
+    'two_roots_with_percent': ('<robot name="r"><!-- 10 % --><link name="a"/><link name="b"/>'
+                               '</robot>', 'its XML is well-formed and its root is <robot>'),
+}
+
+
 class Case:
     """A robot and its expected result; {} if only the rules for all robots apply."""
 
@@ -186,6 +204,8 @@ def small_case(name, content, *expected):
 
 
 def small_cases():
+    for name, (text, words) in NO_URDF.items():
+        yield Case(name, text.encode(), refused(words))
     for name, (_, expected) in bad_meshes.MESHES.items():
         mesh = bad_robots.visual('<mesh filename="file://%s"/>' % (bad_meshes.FOLDER / name))
         yield small_case(name, mesh, expected)

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <unordered_map>
 
+#include "robot/urdf/not_urdf.h"
 #include "robot/urdf/urdf_elements.h"
 #include "robot/urdf/urdf_log.h"
 #include "robot/urdf/urdf_losses.h"
@@ -175,6 +176,16 @@ urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
   return is_late ? urdf::parseURDF(elements + kAfterText) : nullptr;
 }
 
+/// What is wrong with a text that urdfdom refuses. The remedy is at the end.
+std::string refusalOf(const std::string& urdf, const UrdfLog& log) {
+  const std::string what = "the robot description is not a usable URDF";
+  const std::string why = whyNoUrdf(urdf);
+  if (!why.empty()) return what + (log.isOff() ? "" : " (" + log.messages() + ")") + ": " + why;
+  const char* const not_so =
+      log.isOff() ? "its XML is well-formed and its root is <robot>, but " : "";
+  return what + ": " + not_so + log.messages();
+}
+
 }  // namespace
 
 const char* toText(Purpose purpose) {
@@ -186,10 +197,10 @@ Robot parseRobot(const std::string& urdf) {
   const std::vector<LinkOutline> outlines = outlineOf(urdf);
   const UrdfLog log(urdf);
   const ModelHolder model(readByUrdfdom(urdf));
-  if (!model) {
-    throw RobotError("the robot description is not a usable URDF: " + log.messages());
-  }
+  if (!model) throw RobotError(refusalOf(urdf, log));
   Robot robot;
+  const std::string warning = xacroWarning(urdf);
+  if (!warning.empty()) robot.warnings.push_back(warning);
   robot.name = (*model).getName();
   addLinks(outlines, *model, log, robot);
   addJoints(*model, robot);

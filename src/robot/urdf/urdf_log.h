@@ -27,6 +27,8 @@ class UrdfLog : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char* file,
            int line) override;
 
+  bool isOff() const { return is_off_; }
+
   /// The messages so far that contain `part`, joined by "; ". If messages are switched off, says
   /// so.
   std::string messages(const std::string& part = "") const;

@@ -139,6 +139,19 @@ TEST(OddRobots, DirectivesOfPrintfAreNotObeyed) {
   }
 }
 
+TEST(OddRobots, XacroElementsThatUrdfdomOverlooksCauseAWarning) {
+  const Robot robot = parseRobot(inRobot("<xacro:include filename='arm.xacro'/><link name='b'/>"));
+  ASSERT_EQ(robot.warnings.size(), 1u);
+  EXPECT_NE(robot.warnings[0].find("<xacro:include>"), std::string::npos);
+}
+
+TEST(OddRobots, WhatXacroHasMadeCausesNoWarning) {
+  EXPECT_TRUE(parseRobot("<!-- made by xacro from a.xacro --><robot name='r' "
+                         "xmlns:xacro='http://ros.org/wiki/xacro'><!-- <xacro:arm/> -->"
+                         "<link name='b'/></robot>")
+                  .warnings.empty());
+}
+
 TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
   const Robot robot = parseRobot("\n<!-- made by a tool -->\n<?xml version=\"1.0\"?>\n" +
                                  inRobot(links({"b", "a"}) + joint("j", "b", "a")));
