@@ -14,12 +14,15 @@ std::string number(double value) {
   return std::isfinite(value) ? std::to_string(value) : "null";
 }
 
+std::string truth(std::optional<bool> value) {
+  return !value ? "null" : *value ? "true" : "false";
+}
+
 void write(const Result& result, std::ostream& out) {
   out << "{\"mesh\": " << std::quoted(result.mesh) << ", \"kind\": " << std::quoted(result.kind)
       << ", \"vertices\": " << result.vertices << ", \"hull\": " << result.hull
-      << ", \"method\": " << std::quoted(result.method)
-      << ", \"exact\": " << (result.exact ? "true" : "false") << ", \"ns\": " << number(result.ns)
-      << ", \"volume_ratio\": " << number(result.volume_ratio)
+      << ", \"method\": " << std::quoted(result.method) << ", \"exact\": " << truth(result.exact)
+      << ", \"ns\": " << number(result.ns) << ", \"volume_ratio\": " << number(result.volume_ratio)
       << ", \"bytes\": " << (result.bytes ? std::to_string(result.bytes) : "null") << "}";
 }
 

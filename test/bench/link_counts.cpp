@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "geometry/support/direction_table.h"
+#include "judgement.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "methods.h"
+#include "testing/brute_force.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -58,9 +60,22 @@ MeasuredMeshes distinctMeshes(const MeasuredMeshes& meshes, std::size_t count) {
   return result;
 }
 
+/// The boxes of one update beside a loop over the points that can be extreme.
+Judgement judge(const MeasuredMeshes& meshes, Links& links) {
+  links.update(linkPoses().data());
+  Boxes boxes, exact;
+  for (std::size_t i = 0; i < links.moved.size(); ++i) {
+    boxes.push_back(links.boxes.box(i).value());
+    exact.push_back(brute_force::box(meshes[i % meshes.size()].points->points(), linkPoses()[i]));
+  }
+  return bench::judge(boxes, exact);
+}
+
 /// Sums over the meshes, each counted once.
-Result totals(const std::string& name, const MeasuredMeshes& meshes, std::size_t count) {
-  Result result{name, "synthetic", 0, 0, nameOfOurs(queryPath()), true, 1, 0};
+Result totals(const std::string& name, const MeasuredMeshes& meshes, std::size_t count,
+              const Judgement& judgement) {
+  Result result{
+      name, "synthetic", 0, 0, nameOfOurs(queryPath()), judgement.exact, judgement.volume_ratio, 0};
   for (std::size_t i = 0; i < std::min(count, meshes.size()); ++i) {
     result.hull += meshes[i].points->size();
     result.bytes += meshes[i].points->bytes();
@@ -81,7 +96,7 @@ void addCount(const std::string& name, const MeasuredMeshes& meshes, std::size_t
       first = first + 2 * count <= linkPoses().size() ? first + count : 0;
     }
   };
-  suite.push_back({totals(name, meshes, count), body, count});
+  suite.push_back({totals(name, meshes, count, judge(meshes, *links)), body, count});
 }
 
 }  // namespace

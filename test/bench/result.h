@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,10 @@ struct Result {
   std::size_t vertices;
   std::size_t hull;  ///< points that can be extreme
   std::string method;
-  bool exact;
-  double volume_ratio;  ///< to the exact box, mean
-  std::size_t bytes;    ///< what the boxes are computed from; 0 if not known
-  double ns = 0;        ///< per box, median
+  std::optional<bool> exact;  ///< none: the boxes were not compared with exact ones
+  double volume_ratio;        ///< to the exact box, mean; not a number: not computed
+  std::size_t bytes;          ///< what the boxes are computed from; 0 if not known
+  double ns = 0;              ///< per box, median
 };
 
 using Results = std::vector<Result>;

@@ -119,7 +119,8 @@ void printMedians(const Results& results, const std::string& ours, const Layout&
   print("volume / exact volume",
         median_of([](const Result& result) { return result.volume_ratio; }));
   print("share of meshes with exact boxes", [&](const std::string& method) {
-    return mean(valuesOfRobots(results, method, [](const Result& result) { return result.exact; }));
+    return mean(
+        valuesOfRobots(results, method, [](const Result& result) { return result.exact.value(); }));
   });
   print("kB a box is computed from", median_of([](const Result& result) {
           return result.bytes ? static_cast<double>(result.bytes) / 1e3 : std::nan("");
@@ -132,7 +133,8 @@ void printLinkCounts(const Results& results, std::ostream& out) {
     if (!isLinkCount(result)) continue;
     out << std::left << std::setw(kMeshWidth) << result.mesh << std::right << std::setw(kCountWidth)
         << toText(result.ns) << " ns per link, tables of "
-        << toText(static_cast<double>(result.bytes) / 1e6) << " MB\n";
+        << toText(static_cast<double>(result.bytes) / 1e6) << " MB"
+        << (result.exact.value() ? "" : ", NOT exact") << "\n";
   }
 }
 

@@ -74,7 +74,7 @@ double meanRatio(const LinkValues& values, const LinkValues& reference) {
 }
 
 Result row(const MeasuredRobot& robot, const std::string& method, double ratio) {
-  return {robot.name, "robot", robot.links.size(), 0, method, true, ratio, 0};
+  return {robot.name, "robot", robot.links.size(), 0, method, std::nullopt, ratio, 0};
 }
 
 void addVolumes(const MeasuredRobot& robot, Results& results) {
