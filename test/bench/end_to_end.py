@@ -2,11 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that
-computes nothing, and a usual node of tf2. end_to_end.py [--quick] [--json FILE]"""
+computes nothing, and a usual node of tf2; with 200 links also ours with spheres for meshes, and ours
+with one bounded link, which show what tables and links cost. end_to_end.py [--quick] [--json FILE]
+
+Ours and the relay run one right after the other, for a short time each, and the verdict is the
+median of their ratios: so neither the load nor the speed of the machine at one time decides."""
 import argparse
 import json
 import os
-import random
 import statistics
 import subprocess
 import tempfile
@@ -15,47 +18,75 @@ from node_process import PROGRAMS, Master, print_target, random_mesh
 
 DEPTH = 10
 SHARED_MESHES = 16
-SECONDS = 2
+REPETITIONS = 15
+MESSAGES = 500  # of one run, but at least
+SHORTEST = 0.5  # seconds, and at most
+LONGEST = 2
 METHODS = {"relay": ("end_to_end_relay", "boxes"),
            "ours": ("link_bounds_publisher", "boxes"),
-           "usual_tf2": ("end_to_end_usual_tf2", "markers")}
+           "usual_tf2": ("end_to_end_usual_tf2", "markers"),
+           "ours_spheres": ("link_bounds_publisher", "boxes"),
+           "ours_one_link": ("link_bounds_publisher", "boxes")}
+LINKS_OF_ALL = 200  # with others only the first three methods
 FIGURES = ["p50_us", "p90_us", "p99_us", "cpu_us_per_update"]
 
 
-def description(links, folder):
-    """The robot of tf_robot.cpp; its poses come from tf alone."""
-    names = ["branch_%d_joint_%d_link" % (100 + i // DEPTH, 10 + i % DEPTH) for i in range(links)]
+def link_name(i):
+    return "branch_%d_joint_%d_link" % (100 + i // DEPTH, 10 + i % DEPTH)
+
+
+def description(links, shape):
+    """The robot of tf_robot.cpp; its poses come from tf alone. `shape` makes the geometry of a
+    link from its number."""
+    names = [link_name(i) for i in range(links)]
     base = "the_base_of_the_robot"
     return '<robot name="bench"><link name="%s"/>%s%s</robot>' % (
         base,
-        "".join('<link name="%s"><visual><geometry><mesh filename="file://%s/%d.stl"/></geometry>'
-                '</visual></link>' % (name, folder, i % SHARED_MESHES)
-                for i, name in enumerate(names)),
+        "".join('<link name="%s"><visual><geometry>%s</geometry></visual></link>' % (
+            name, shape(i)) for i, name in enumerate(names)),
         "".join('<joint name="to_%s" type="floating"><parent link="%s"/><child link="%s"/></joint>'
                 % (name, base if i % DEPTH == 0 else names[i - 1], name)
                 for i, name in enumerate(names)))
 
 
+def set_parameters(parameters, links, folder):
+    def mesh(i):
+        return '<mesh filename="file://%s/%d.stl"/>' % (folder, i % SHARED_MESHES)
+
+    def sphere(_):
+        return '<sphere radius="0.1"/>'
+    parameters.setParam("/ours/robot_description", description(links, mesh))
+    parameters.setParam("/ours_spheres/robot_description", description(links, sphere))
+    parameters.setParam("/ours_one_link/robot_description", description(links, mesh))
+    parameters.setParam("/ours_one_link/node/links", [link_name(0)])
+
+
 def measure(method, process, links, hz):
     """The figures of one run."""
     stopwatch = os.path.join(PROGRAMS, "end_to_end_stopwatch")
+    seconds = min(LONGEST, max(SHORTEST, MESSAGES / hz))
     output = subprocess.run(
         [stopwatch, "/" + method, str(process.pid), METHODS[method][1], str(links), str(DEPTH),
-         str(hz), str(SECONDS)], check=True, stdout=subprocess.PIPE).stdout
+         str(hz), str(seconds)], check=True, stdout=subprocess.PIPE).stdout
     return json.loads(output)
+
+
+def order_of(methods, repetition):
+    """Ours and the relay one after the other, each of them first in every second repetition."""
+    return methods[1::-1] + methods[2:] if repetition % 2 else methods
 
 
 def run(links, rates, repetitions, folder):
     """{(method, hz): [figures of each repetition]}"""
-    runs = {(method, hz): [] for hz in rates for method in METHODS}
-    dice = random.Random(links)
+    methods = list(METHODS) if links == LINKS_OF_ALL else list(METHODS)[:3]
+    runs = {(method, hz): [] for hz in rates for method in methods}
     with Master() as master:
-        master.parameters.setParam("/ours/robot_description", description(links, folder))
-        nodes = {method: master.start_node(program, "/" + method)
-                 for method, (program, _) in METHODS.items()}
+        set_parameters(master.parameters, links, folder)
+        nodes = {method: master.start_node(METHODS[method][0], "/" + method)
+                 for method in methods}
         for repetition in range(repetitions):
             for hz in rates:
-                for method in dice.sample(list(METHODS), len(METHODS)):
+                for method in order_of(methods, repetition):
                     runs[method, hz].append(measure(method, nodes[method], links, hz))
             print("%d links: %d of %d" % (links, repetition + 1, repetitions), flush=True)
     return runs
@@ -90,17 +121,16 @@ def print_targets(runs, links, hz):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="200 links at 1 kHz, 3 repetitions")
+    parser.add_argument("--quick", action="store_true", help="200 links at 1 kHz only")
     parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
-    link_counts, rates, repetitions = ([200], [1000], 3) if options.quick else (
-        [50, 200, 1000], [100, 1000], 11)
+    link_counts, rates = ([200], [1000]) if options.quick else ([50, 200, 1000], [100, 1000])
     rows, results = [], {}
     with tempfile.TemporaryDirectory() as folder:
         for i in range(SHARED_MESHES):
             random_mesh("%s/%d.stl" % (folder, i), i)
         for links in link_counts:
-            results[links] = run(links, rates, repetitions, folder)
+            results[links] = run(links, rates, REPETITIONS, folder)
             rows += [row_of(method, links, hz, runs)
                      for (method, hz), runs in results[links].items()]
     print_table(rows)

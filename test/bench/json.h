@@ -9,7 +9,7 @@
 
 namespace link_bounds::bench {
 
-/// An array with one object per result; what is not known is null.
+/// An array with one object per result; what is not known or was not compared is null.
 void writeJson(const Results& results, std::ostream& out);
 
 }  // namespace link_bounds::bench

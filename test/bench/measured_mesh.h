@@ -3,6 +3,7 @@
 // A mesh on which all methods are measured.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,13 +18,16 @@ struct MeasuredMesh {
   std::string kind;   ///< robot, model or synthetic
   TriangleMesh mesh;  ///< every vertex once, as the library keeps it
   std::shared_ptr<const PointSet> points;
+  double build_ns = 0;  ///< to make `points`, once
 };
 
 using MeasuredMeshes = std::vector<MeasuredMesh>;
 
 inline MeasuredMesh measuredMesh(std::string name, std::string kind, TriangleMesh mesh) {
+  const auto start = std::chrono::steady_clock::now();
   auto points = std::make_shared<const PointSet>(mesh.vertices);
-  return {std::move(name), std::move(kind), std::move(mesh), std::move(points)};
+  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+  return {std::move(name), std::move(kind), std::move(mesh), std::move(points), time.count()};
 }
 
 }  // namespace link_bounds::bench

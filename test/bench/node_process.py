@@ -61,6 +61,18 @@ class Master:
             process.wait()
 
 
+def megabytes(pid, entry):
+    """An entry of /proc/PID/status, such as VmRSS."""
+    with open("/proc/%d/status" % pid, encoding="ascii") as file:
+        line = next(line for line in file if line.startswith(entry + ":"))
+    return int(line.split()[1]) * 1024 / 1e6
+
+
+def cpu_seconds(pid):
+    """Of all threads of the process so far."""
+    return time.clock_gettime(~pid << 3 | 2)  # CLOCK_PROCESS_CPUTIME_ID of another process
+
+
 def random_mesh(path, seed, vertices=400):
     """A binary STL of points on an ellipsoid: all of them can be extreme."""
     dice = random.Random(seed)

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From markers that have arrived to boxes: objects_bench [--quick] [--json FILE]
+#include <malloc.h>
+
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -9,6 +11,7 @@
 #include "benchmark_main.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "machine.h"
+#include "node/memory/heap.h"
 #include "node/objects/marker_shape.h"
 #include "suite.h"
 #include "target.h"
@@ -57,9 +60,23 @@ BoundedLink makeObject(Marker message) {
   return {"object", markerShape(std::move(message)).shapes, 0, ""};
 }
 
+/// As in the node: what a freed message took goes back to the system if it is large.
+void useHeapOfNode() {
+  constexpr int kDefault = 128 * 1024;  // bytes, of glibc
+  mallopt(M_TRIM_THRESHOLD, kDefault);
+  returnLargeBlocks();
+}
+
+/// Everything that is freed is kept for the next message.
+void useHeapThatKeeps() {
+  constexpr int kMax = 32 << 20;  // bytes, the largest value that glibc takes for blocks
+  mallopt(M_TRIM_THRESHOLD, 2 * kMax);
+  mallopt(M_MMAP_THRESHOLD, kMax);
+}
+
 /// The whole way from messages that have arrived, some at a time so that the watch need not be
 /// stopped for each. As in the node, the old object goes when the new one is there.
-void runOurs(const Marker& marker, benchmark::State& state) {
+void runWhole(const Marker& marker, benchmark::State& state) {
   const auto batch =
       static_cast<std::int64_t>(std::max<std::size_t>(1, kFew / marker.points.size()));
   BoundedLink object = makeObject(marker);
@@ -72,6 +89,17 @@ void runOurs(const Marker& marker, benchmark::State& state) {
       benchmark::DoNotOptimize(linkBox(object, kTilted));
     }
   }
+}
+
+void runOurs(const Marker& marker, benchmark::State& state) {
+  useHeapOfNode();
+  runWhole(marker, state);
+}
+
+/// What returning the memory costs is the difference to runOurs.
+void runKept(const Marker& marker, benchmark::State& state) {
+  useHeapThatKeeps();
+  runWhole(marker, state);
 }
 
 /// Only the pose has changed.
@@ -117,6 +145,7 @@ Suite makeSuite() {
     for (const std::size_t count : kCounts) {
       const MarkerPtr marker = makeMarker(type.type, count);
       addCase(type, marker, "ours", runOurs, suite);
+      addCase(type, marker, "ours_kept", runKept, suite);
       addCase(type, marker, "rescan", runRescan, suite);
       addCase(type, marker, "minmax", runMinMax, suite);
     }
@@ -131,23 +160,25 @@ double nsPerPoint(const Result& result) {
 void printTable(const Results& results, std::ostream& out) {
   out << "ns per point\n"
       << std::left << std::setw(16) << "type" << std::right << std::setw(9) << "points"
-      << std::setw(9) << "ours" << std::setw(9) << "rescan" << std::setw(9) << "minmax"
+      << std::setw(9) << "ours" << std::setw(11) << "ours_kept" << std::setw(9) << "rescan"
+      << std::setw(9) << "minmax"
       << "\n"
       << std::fixed << std::setprecision(2);
   for (const Result& result : results) {
     if (result.method == "ours")
       out << std::left << std::setw(16) << result.kind << std::right << std::setw(9)
           << result.vertices;
-    out << std::setw(9) << nsPerPoint(result) << (result.method == "minmax" ? "\n" : "");
+    out << std::setw(result.method == "ours_kept" ? 11 : 9) << nsPerPoint(result)
+        << (result.method == "minmax" ? "\n" : "");
   }
 }
 
-std::vector<double> growth(const Results& results) {
+std::vector<double> growth(const Results& results, const std::string& method) {
   std::vector<double> ratios;
   for (const NamedType& type : kTypes) {
     const std::string name = type.name;
     const auto ns = [&](std::size_t count) {
-      return find(results, name + ":" + std::to_string(count), "ours")->ns;
+      return find(results, name + ":" + std::to_string(count), method)->ns;
     };
     ratios.push_back(ns(kMany) / ns(kFew));
   }
@@ -157,11 +188,14 @@ std::vector<double> growth(const Results& results) {
 void printTargets(const Results& results, std::ostream& out) {
   const auto many = [](const Result& result) { return result.vertices == kMany; };
   out << "\nTargets\n";
-  print({"ours, 100,000 points / 10,000 points", Wanted::kAtMost, 12, growth(results)}, "type",
-        "types", out);
-  print({"ours / minmax, 100,000 points", Wanted::kAtMost, 3,
-         ratios(results, "ours", "minmax", many)},
+  for (const std::string method : {"ours", "ours_kept"}) {
+    print(
+        {method + ", 100,000 points / 10,000 points", Wanted::kAtMost, 12, growth(results, method)},
         "type", "types", out);
+    print({method + " / minmax, 100,000 points", Wanted::kAtMost, 3,
+           ratios(results, method, "minmax", many)},
+          "type", "types", out);
+  }
 }
 
 void writeJson(const Results& results, std::ostream& out) {

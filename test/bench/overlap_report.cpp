@@ -10,6 +10,7 @@
 #include <set>
 
 #include "result.h"
+#include "target.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -39,15 +40,6 @@ double ratioToFaster(const OverlapResult& ours, const OverlapResults& results) {
   return largest;
 }
 
-void printTarget(const std::string& text, double limit, double value, std::ostream& out) {
-  out << std::left << std::setw(60) << text << " <= " << limit << ": ";
-  if (std::isnan(value)) {
-    out << "not measured\n";
-  } else {
-    out << value << (value <= limit ? "  reached\n" : "  MISSED\n");
-  }
-}
-
 }  // namespace
 
 void printOverlaps(const OverlapResults& results, std::ostream& out) {
@@ -74,13 +66,17 @@ void printOverlapTargets(const OverlapResults& results, std::ostream& out) {
   for (const std::size_t size : sizes) {
     std::vector<double> values;
     for (const OverlapResult& result : results) {
-      if (result.method == kOurs && result.boxes == size)
-        values.push_back(ratioToFaster(result, results));
+      const bool is_meant = result.method == kOurs && result.boxes == size;
+      const double value = is_meant ? ratioToFaster(result, results) : std::nan("");
+      if (!std::isnan(value)) values.push_back(value);
     }
-    const std::string boxes = std::to_string(size) + " boxes";
-    printTarget("median of the scenes, " + boxes, kMaxMedian, median(values), out);
-    printTarget("the slowest scene, " + boxes, kMaxOfAnyScene,
-                *std::max_element(values.begin(), values.end()), out);
+    const std::string text = "overlaps / faster peer, " + std::to_string(size) + " boxes";
+    std::sort(values.begin(), values.end());
+    std::vector<double> slowest(values);
+    if (!values.empty()) slowest.assign(1, values.back());
+    print({text, Wanted::kAtMost, kMaxMedian, values}, "scene", "scenes", out);
+    print({text + ", slowest scene", Wanted::kAtMost, kMaxOfAnyScene, slowest}, "scene", "scenes",
+          out);
   }
 }
 

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From the start of the node's process to its first boxes that lack nothing, all meshes loaded.
-start_up.py [--quick] [--json FILE]"""
+"""From the start of the node's process to its first boxes that lack nothing, all meshes loaded; and
+the memory of the node then, and of its tables. start_up.py [--quick] [--json FILE]"""
 import argparse
 import json
 import os
+import re
 import statistics
+import subprocess
 import threading
 import time
 import xml.etree.ElementTree as ElementTree
 
 import rospy
 from geometry_msgs.msg import TransformStamped
-from node_process import DEADLINE, Master
+from node_process import DEADLINE, PROGRAMS, Master, megabytes
 from tf2_msgs.msg import TFMessage
 
 from link_bounds.msg import AxisAlignedBoxArray
@@ -38,8 +40,9 @@ def transforms_of(description):
     return message
 
 
-def seconds_to_first_boxes(master, name_space):
-    """Starts the node, and ends it when its boxes are complete."""
+def start_once(master, name_space):
+    """Starts the node, and ends it when its boxes are complete. Returns the seconds it took, and
+    the memory of the node: its peak and at the end [MB]."""
     complete = threading.Event()
 
     def on_boxes(message):
@@ -53,9 +56,21 @@ def seconds_to_first_boxes(master, name_space):
     if not complete.wait(DEADLINE):
         raise RuntimeError("no complete boxes within %d s" % DEADLINE)
     seconds = time.monotonic() - start
+    memory = {"peak_mb": megabytes(process.pid, "VmHWM"),
+              "resident_mb": megabytes(process.pid, "VmRSS")}
     subscriber.unregister()
     master.end(process)
-    return seconds
+    return {"median_ms": 1e3 * seconds, **memory}
+
+
+def tables_of(path):
+    """The memory of the robot's meshes, and the peak of the program that loads them [MB]."""
+    text = subprocess.run([os.path.join(PROGRAMS, "urdf_bounds"), "--verbose", path], check=True,
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE).stderr.decode()
+    tables = re.search(r"(\d+) bytes in (\d+) mesh files", text)
+    peak = re.search(r"(\d+) kB of memory at the peak", text)
+    return {"tables_mb": round(int(tables.group(1)) / 1e6, 2), "files": int(tables.group(2)),
+            "loading_mb": round(int(peak.group(1)) * 1024 / 1e6, 1)}
 
 
 def measure(robot, repetitions, master):
@@ -64,7 +79,13 @@ def measure(robot, repetitions, master):
     master.parameters.setParam("/%s/robot_description" % robot, description)
     publisher = rospy.Publisher("/%s/tf_static" % robot, TFMessage, queue_size=1, latch=True)
     publisher.publish(transforms_of(description))
-    return [seconds_to_first_boxes(master, "/" + robot) for _ in range(repetitions)]
+    starts = [start_once(master, "/" + robot) for _ in range(repetitions)]
+    row = {"robot": robot, "starts": repetitions, **tables_of(ROBOTS[robot])}
+    for figure in starts[0]:
+        row[figure] = round(statistics.median(start[figure] for start in starts), 1)
+    row["shortest_ms"] = round(min(start["median_ms"] for start in starts), 1)
+    row["longest_ms"] = round(max(start["median_ms"] for start in starts), 1)
+    return row
 
 
 def main():
@@ -78,13 +99,10 @@ def main():
     with Master() as master:
         rospy.init_node("start_up", disable_signals=True)
         for robot in ROBOTS:
-            seconds = measure(robot, 3 if options.quick else 11, master)
-            rows.append({"robot": robot, "median_ms": round(1e3 * statistics.median(seconds), 1),
-                         "shortest_ms": round(1e3 * min(seconds), 1),
-                         "longest_ms": round(1e3 * max(seconds), 1)})
-            print("%-6s %6.0f ms (from %.0f to %.0f in %d starts)" % (
-                robot, rows[-1]["median_ms"], rows[-1]["shortest_ms"], rows[-1]["longest_ms"],
-                len(seconds)), flush=True)
+            rows.append(measure(robot, 3 if options.quick else 11, master))
+            print("%(robot)-6s %(median_ms)6.0f ms (from %(shortest_ms).0f to %(longest_ms).0f in "
+                  "%(starts)d starts), node %(resident_mb).0f MB, at the peak %(peak_mb).0f MB; "
+                  "%(files)d mesh files take %(tables_mb).1f MB" % rows[-1], flush=True)
         rospy.signal_shutdown("done")
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
