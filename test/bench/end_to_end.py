@@ -18,7 +18,7 @@ from node_process import PROGRAMS, Master, print_target, random_mesh
 
 DEPTH = 10
 SHARED_MESHES = 16
-REPETITIONS = 15
+REPETITIONS = 11
 MESSAGES = 500  # of one run, but at least
 SHORTEST = 0.5  # seconds, and at most
 LONGEST = 2
@@ -71,14 +71,11 @@ def measure(method, process, links, hz):
     return json.loads(output)
 
 
-def order_of(methods, repetition):
-    """Ours and the relay one after the other, each of them first in every second repetition."""
-    return methods[1::-1] + methods[2:] if repetition % 2 else methods
-
-
 def run(links, rates, repetitions, folder):
     """{(method, hz): [figures of each repetition]}"""
     methods = list(METHODS) if links == LINKS_OF_ALL else list(METHODS)[:3]
+    # Two pairs of ours and the relay, each of them first in one.
+    order = [*methods, "ours", "relay"]
     runs = {(method, hz): [] for hz in rates for method in methods}
     with Master() as master:
         set_parameters(master.parameters, links, folder)
@@ -86,7 +83,7 @@ def run(links, rates, repetitions, folder):
                  for method in methods}
         for repetition in range(repetitions):
             for hz in rates:
-                for method in order_of(methods, repetition):
+                for method in order:
                     runs[method, hz].append(measure(method, nodes[method], links, hz))
             print("%d links: %d of %d" % (links, repetition + 1, repetitions), flush=True)
     return runs
@@ -109,8 +106,9 @@ def print_table(rows):
 
 def print_targets(runs, links, hz):
     def ratios(figure, method):
-        return [ours[figure] / other[figure]
-                for ours, other in zip(runs["ours", hz], runs[method, hz])]
+        ours = runs["ours", hz]
+        step = len(ours) // len(runs[method, hz])
+        return [own[figure] / other[figure] for own, other in zip(ours[::step], runs[method, hz])]
     where = ", %d links at %d Hz" % (links, hz)
     if (links, hz) == (200, 1000):
         print_target("p50, ours / relay" + where, 1.25, ratios("p50_us", "relay"))

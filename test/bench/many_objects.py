@@ -87,7 +87,7 @@ def move(publisher, boxes, pid, seconds):
 
 
 def fill(publisher, boxes, pid):
-    """The memory of very many, and of those that stay after all have gone."""
+    """The memory of very many, most of which must go back to the system with them."""
     before = megabytes(pid, "VmRSS")
     publisher.publish(message(MANY))
     boxes.wait(MANY)
