@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small robot descriptions, unusable, partly lost, or odd but right, and what must become of each.
 """
+import bad_meshes
 
 
 def links(*names):
@@ -41,13 +42,21 @@ UNUSABLE = {
                                      joint('j', 'a', 'c')), "'j' is not unique"),
 }
 
+def mesh(filename, scale='1 1 1'):
+    return visual('<mesh filename="%s" scale="%s"/>' % (filename, scale))
+
+
+CUBE = 'file://%s' % (bad_meshes.FOLDER / 'cube.stl')
 BOX = visual('<box size="2 2 2"/>')
-MISSING = visual('<mesh filename="file:///no/such/mesh.stl"/>')
+MISSING = mesh('file:///no/such/mesh.stl')
 
 # Name: content of a link; and words of the error, its exact box (low, high), or both.
 LINKS = {
     'missing_mesh': (MISSING, '/no/such/mesh.stl'),
     'missing_mesh_beside_boxes': (BOX + MISSING + BOX, 'visual 2', ([-1] * 3, [1] * 3)),
+    'relative_mesh': (mesh('no/such/mesh.stl'), 'no/such/mesh.stl'),
+    'foreign_package': (mesh('package://no_such_package/mesh.stl'), '"no_such_package"'),
+    'foreign_scheme': (mesh('http://127.0.0.1:9/mesh.stl'), 'http://127.0.0.1:9/mesh.stl'),
     'nan_size': (visual('<box size="1 nan 1"/>'), 'nan'),
     'two_numbers': (visual('<box size="1 2"/>'), '1 2'),
     'comma_for_point': (visual('<sphere radius="1,5"/>'), '1,5'),
@@ -57,6 +66,10 @@ LINKS = {
     'broken_inertial': ('<inertial><mass value="heavy"/></inertial>' + BOX, 'inertial'),
     'negative_size': (visual('<box size="1 -1 1"/>'), 'negative'),
     'negative_radius': (visual('<cylinder radius="-1" length="1"/>'), 'negative'),
+    'nan_scale': (mesh(CUBE, '1 nan 1'), 'nan'),
+    'one_number_scale': (mesh(CUBE, '2'), 'scale'),
+    'mirrored': (mesh(CUBE, '-1 2 1'), ([-1, 0, 0], [0, 2, 1])),
+    'zero_scale': (mesh(CUBE, '0 1 1'), ([0] * 3, [0, 1, 1])),
     'zero_size': (visual('<box size="0 0 0"/>'), ([0] * 3, [0] * 3)),
     'zero_radius': (visual('<cylinder radius="0" length="2"/>'), ([0, 0, -1], [0, 0, 1])),
 }

@@ -80,12 +80,15 @@ class TfTimes(unittest.TestCase):
 
     def test_a_stamp_of_2100_blocks_its_link_alone_until_a_reload(self):
         begin = self.poison()
-        wait_for(lambda: [line for line in self.log.lines(Log.WARN, begin, None)
-                          if '"left"' in line and "older" in line and "~reload" in line],
-                 "a warning that names the frame and the remedy")
+
+        def warnings():
+            return [line for line in self.log.lines(Log.WARN, begin, None)
+                    if '"left"' in line and "older" in line and "~reload" in line]
+        wait_for(warnings, "a warning that names the frame and the remedy")
         load(NODE, ARMS, timeout=TIMEOUT)
         self.boxes.wait(lambda m: shows(m, at_angles(30, 30)) and m is self.boxes.messages[-1],
                         "the arm again")
+        self.assertEqual(len(warnings()), 1)
         self.check_others(self.boxes.messages)
 
     def test_a_reload_heals_also_when_the_next_transform_comes_later(self):
