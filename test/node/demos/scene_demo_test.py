@@ -13,6 +13,10 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 OBJECTS = ["balls/0", "balls/1", "balls/2", "mesh/0", "parcels/0", "parcels/1", "parcels/2",
            "parcels/3", "parcels/4", "sheet/0"]
+LINKS = ["base", "shoulder", "upper_arm", "elbow", "forearm", "wrist", "flange", "gripper",
+         "finger_left", "finger_right"]
+MESSAGES = 500  # ten seconds of the joints
+TOUCH = 60.0  # wall seconds within which the arm touches an object
 POINTS_PER_BOX = 24  # of its twelve edges
 
 
@@ -39,6 +43,20 @@ class SceneDemo(unittest.TestCase):
         self.assertGreaterEqual(len(names), 2)
         message = drawings.wait(lambda m: drawn_boxes(m, "overlapping") >= 2, "red boxes")
         self.assertGreater(drawn_boxes(message, "free"), 0)
+
+    def test_the_arm_does_not_overlap_itself(self):
+        overlaps = Recorder(NODE + "/overlaps", BoxOverlapArray)
+        overlaps.wait(
+            lambda m: len(overlaps.messages) > MESSAGES and any(
+                pair.first in LINKS for pair in m.overlaps), "the arm touches an object", TOUCH)
+        self.assertFalse([(pair.first, pair.second) for message in overlaps.messages
+                          for pair in message.overlaps if pair.second in LINKS])
+
+    def test_the_mesh_has_its_own_size(self):
+        objects = Recorder(NODE + "/objects", MarkerArray)
+        message = objects.wait(lambda m: True, "the objects")
+        scales = [m.scale for m in message.markers if m.ns == "mesh"]
+        self.assertEqual([(s.x, s.y, s.z) for s in scales], [(1, 1, 1)])
 
 
 if __name__ == "__main__":

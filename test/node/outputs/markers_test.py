@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """~markers: what rviz draws."""
+import itertools
 import math
 import time
 import unittest
@@ -18,12 +19,28 @@ PAGE = rospkg.RosPack().get_path("link_bounds") + "/doc/scene.md"
 TOLERANCE = 1e-9  # m
 MIN_THICKNESS = 1e-4  # m
 FACES, EDGES, LABEL = 0, 1, 2
+CHARACTER = 0.5  # width of a character of rviz's font on average, relative to its height
+CONTRAST = 3  # what WCAG 2 asks of large text
+WHITE, DARK, BLACK = (1, 1, 1), (48 / 255,) * 3, (0, 0, 0)  # DARK is rviz's default
 MARKER_RATE = 1.0  # Hz
 SENDING = 3.0  # wall seconds
 
 
 def added(array):
     return {(m.ns, m.id): m for m in array.markers if m.action == Marker.ADD}
+
+
+def luminance(red, green, blue):
+    """Of a color of sRGB, relative to that of white."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+              for c in (red, green, blue)]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(color, background):
+    """By the definition of WCAG 2, from 1 to 21."""
+    low, high = sorted((luminance(color.r, color.g, color.b), luminance(*background)))
+    return (high + 0.05) / (low + 0.05)
 
 
 def deleted(array):
@@ -81,10 +98,25 @@ class Markers(unittest.TestCase):
                                            LABEL: Marker.TEXT_VIEW_FACING}[i])
             if i == LABEL:
                 self.assertEqual(marker.text, ns)
+                for background in (WHITE, DARK, BLACK):
+                    self.assertGreaterEqual(contrast(marker.color, background), CONTRAST)
             else:
                 color = marker.color
                 self.assertEqual((color.r, color.g, color.b, color.a),
                                  (1.0, 0.5, 0.25, 0.125 if i == FACES else 1.0))
+
+    def test_labels_stand_above_their_boxes_and_apart(self):
+        _, first = self.start(marker_labels=True)
+        labels = [marker for marker in first.markers if marker.id == LABEL]
+        for label in labels:
+            box = box_of(self.message, label.text)
+            self.assertGreater(label.pose.position.z - label.scale.z / 2, box.max.z)
+        for a, b in itertools.combinations(labels, 2):
+            p, q = a.pose.position, b.pose.position
+            gaps = [abs(p.z - q.z) / (a.scale.z + b.scale.z)]
+            widths = CHARACTER * (len(a.text) * a.scale.z + len(b.text) * b.scale.z)
+            gaps += [abs(p.x - q.x) / widths, abs(p.y - q.y) / widths]
+            self.assertGreater(max(gaps), 0.5 - TOLERANCE, a.text + " and " + b.text)
 
     def test_ids_are_those_of_the_page(self):
         _, first = self.start(marker_labels=True)

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Size and place of the names of boxes in rviz.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/box/aabb.h"
+
+namespace link_bounds {
+
+/// A line of text that faces the camera, so it takes its width along x and along y.
+struct Label {
+  Eigen::Vector3d center;  ///< [m]
+  double width;            ///< at most [m]; depends on the font
+  double height;           ///< [m]
+};
+
+/// The label of a box grows with the box and is at most as wide as its diagonal. It stands above
+/// the corner of largest x and y, where other links rarely hide it.
+Label labelOf(const Aabb& box, const std::string& text);
+
+/// Raises labels so that none overlaps a lower one. Of many labels at one place, only some tens
+/// are kept apart, so that the time grows with their number and not with its square.
+void separate(std::vector<Label>& labels);
+
+}  // namespace link_bounds
