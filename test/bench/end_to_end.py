@@ -21,7 +21,7 @@ SHARED_MESHES = 16
 REPETITIONS = 11
 MESSAGES = 500  # of one run, but at least
 SHORTEST = 0.5  # seconds, and at most
-LONGEST = 2
+LONGEST = 1.5
 METHODS = {"relay": ("end_to_end_relay", "boxes"),
            "ours": ("link_bounds_publisher", "boxes"),
            "usual_tf2": ("end_to_end_usual_tf2", "markers"),
