@@ -150,7 +150,7 @@ void PublisherNode::warnOfLostFrames() {
 
 void PublisherNode::publishDiagnostics() {
   Health health;
-  health.waits_for_description = loader_->waitsForDescription();
+  if (loader_->waitsForDescription()) health.awaited_description = loader_->descriptionName();
   health.waits_for_clock = clock_.isMissing();
   health.clock_jumped = clock_.hasJustJumped();
   health.updates = updates_;

@@ -89,7 +89,7 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   addMeshes(model, status);
   const std::size_t links = addIncomplete(scene.links, status);
   const std::size_t objects = addIncomplete(scene.objects, status);
-  if (model.links.empty() && !health.waits_for_description) {
+  if (model.links.empty() && health.awaited_description.empty()) {
     raise(status, DiagnosticStatus::WARN, "no link is bounded");
   } else if (!hasLinkBox(scene.links) && !model.links.empty()) {
     raise(status, DiagnosticStatus::ERROR, "not one link has a box");
@@ -129,11 +129,11 @@ std::string nodeName() {
 void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) {
   if (scene.model()) {
     describeScene(scene, health, status);
-  } else if (!health.waits_for_description) {
+  } else if (health.awaited_description.empty()) {
     raise(status, DiagnosticStatus::ERROR, "the robot is still loading");
   }
-  if (health.waits_for_description) {
-    raise(status, DiagnosticStatus::WARN, "waiting for robot_description");
+  if (!health.awaited_description.empty()) {
+    raise(status, DiagnosticStatus::WARN, "waiting for " + logText(health.awaited_description));
   }
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");

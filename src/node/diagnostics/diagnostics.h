@@ -17,7 +17,7 @@ namespace link_bounds {
 
 /// What cannot be read from the scene.
 struct Health {
-  bool waits_for_description = false;
+  std::string awaited_description;  ///< name of the parameter; empty: not waited for
   bool waits_for_clock = false;
   bool clock_jumped = false;       ///< in the last five seconds
   std::uint64_t updates = 0;       ///< changes of the scene, since the start

@@ -10,6 +10,7 @@
 #include "node/loading/mesh_remedy.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
+#include "node/parameters/parameter_text.h"
 #include "node/threads/start_thread.h"
 
 namespace link_bounds {
@@ -111,7 +112,8 @@ void ModelLoader::serveObjectsMeanwhile() {
 ModelLoader::ModelPtr ModelLoader::load(XmlRpc::XmlRpcValue description) {
   refused_ = description;
   if (description.getType() != XmlRpc::XmlRpcValue::TypeString) {
-    throw RobotError("parameter robot_description is not a string");
+    throw RobotError("parameter " + description_.name() + " is " + valueText(description) +
+                     ", not a string; load the text of the URDF there");
   }
   waits_for_description_ = false;
   const auto model = std::make_shared<const Model>(

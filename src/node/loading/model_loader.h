@@ -41,6 +41,7 @@ class ModelLoader {
   void requestMesh(const std::string& uri) { mesh_requests_.add(uri); }
 
   bool waitsForDescription() const { return waits_for_description_; }
+  std::string descriptionName() const { return description_.name(); }
 
   /// True if the first load failed for good; the node is then shutting down.
   bool hasFailed() const { return has_failed_; }

@@ -25,6 +25,9 @@ class RobotDescription {
  public:
   explicit RobotDescription(const ParameterServer& server) : server_(server) {}
 
+  /// "robot_description"; if it is remapped, with the full name that it has then.
+  std::string name() const;
+
   /// Of any type. Throws NoDescription.
   XmlRpc::XmlRpcValue read() const;
 

@@ -3,6 +3,8 @@
 // Conversions of single values.
 #include "node/parameters/parameter_reader.h"
 
+#include "node/parameters/parameter_text.h"
+
 namespace link_bounds {
 
 using XmlRpc::XmlRpcValue;
@@ -46,11 +48,21 @@ std::string fromXml(XmlRpcValue& value, std::vector<std::string>& out) {
   return "";
 }
 
-std::vector<std::string> ParameterReader::unknownNames() const {
+/// roscpp takes _name:=[a, b] on the command line for a string.
+std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::string& fault) {
+  const bool is_list_wanted = fault.find("must be a list") == 0 || fault.find("must be a map") == 0;
+  const bool is_text = value.getType() == XmlRpcValue::TypeString;
+  return "parameter " + name + " is " + valueText(value) + ", but " + fault +
+         (is_list_wanted && is_text ? "; give lists and maps by rosparam or a launch file" : "");
+}
+
+std::vector<std::string> ParameterReader::warnings() const {
   std::vector<std::string> result;
   if (values_.getType() != XmlRpcValue::TypeStruct) return result;
   for (auto& [name, value] : values_) {
-    if (!known_.count(name)) result.push_back(name);
+    if (known_.count(name) || name == "diagnostic_period") continue;  // of diagnostic_updater
+    result.push_back("parameter ~" + name + ", which is " + valueText(value) +
+                     ", is unknown and ignored; see --help");
   }
   return result;
 }

@@ -51,6 +51,10 @@ std::string fromXml(XmlRpc::XmlRpcValue& value, std::map<std::string, T>& out) {
   return "";
 }
 
+/// The message about a parameter; `fault` is what the value must be or must not be.
+std::string wrongValue(const std::string& name, XmlRpc::XmlRpcValue& value,
+                       const std::string& fault);
+
 /// A visitor of the table of parameters. Sets the fields for which `values`, a struct, has a
 /// member, and collects all names of the table.
 class ParameterReader {
@@ -64,11 +68,12 @@ class ParameterReader {
     if (values_.getType() != XmlRpc::XmlRpcValue::TypeStruct || !values_.hasMember(name)) return;
     const std::string expected = fromXml(values_[name], field);
     const std::string fault = expected.empty() ? rule(field) : "must be " + expected;
-    if (!fault.empty()) throw ParameterError(std::string("parameter ~") + name + " " + fault);
+    if (!fault.empty())
+      throw ParameterError(wrongValue("~" + std::string(name), values_[name], fault));
   }
 
-  /// Members of `values` that the table does not have.
-  std::vector<std::string> unknownNames() const;
+  /// One warning per member of `values` that the table does not have.
+  std::vector<std::string> warnings() const;
 
  private:
   XmlRpc::XmlRpcValue& values_;

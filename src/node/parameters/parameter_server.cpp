@@ -17,18 +17,26 @@ using XmlRpc::XmlRpcValue;
 const ros::WallDuration kTimeout(10.0);
 const ros::WallDuration kPause(0.1);
 
+std::string remapped(const std::string& name) {
+  const auto& remappings = ros::names::getUnresolvedRemappings();
+  const auto found = remappings.find(name);
+  return found == remappings.end() ? name : found->second;
+}
+
 }  // namespace
 
 std::optional<XmlRpcValue> ParameterServer::get(const std::string& name) const {
   return call("getParam", ros::this_node::getName(), ros::names::resolve(name));
 }
 
+std::string ParameterServer::resolved(const std::string& ns, const std::string& name) {
+  return ros::names::resolve(ns, remapped(name), false);
+}
+
 /// The API searches from the namespace of the caller.
 std::optional<std::string> ParameterServer::search(const std::string& ns,
                                                    const std::string& name) const {
-  const auto& remappings = ros::names::getUnresolvedRemappings();
-  const auto remapped = remappings.find(name);
-  auto found = call("searchParam", ns, remapped == remappings.end() ? name : remapped->second);
+  auto found = call("searchParam", ns, remapped(name));
   if (!found || found->getType() != XmlRpcValue::TypeString) return std::nullopt;
   return static_cast<std::string>(*found);
 }

@@ -29,6 +29,9 @@ class ParameterServer {
   /// Nothing if the parameter is not set.
   std::optional<XmlRpc::XmlRpcValue> get(const std::string& name) const;
 
+  /// The name after remapping on the command line, and in `ns` if it is relative.
+  static std::string resolved(const std::string& ns, const std::string& name);
+
   /// The full name of a parameter that is set in `ns` or in the nearest namespace above it; nothing
   /// if there is none. Remappings of `name` on the command line apply.
   std::optional<std::string> search(const std::string& ns, const std::string& name) const;

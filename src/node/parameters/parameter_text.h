@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Type and default of a parameter, as --help prints them.
+// Type and default of a parameter, as --help prints them; any value, as messages quote it.
 #pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <array>
 #include <map>
@@ -46,6 +48,8 @@ std::string valueText(const std::string& value);
 std::string valueText(bool value);
 std::string valueText(int value);
 std::string valueText(double value);
+/// A value of the parameter server, of any type.
+std::string valueText(XmlRpc::XmlRpcValue& value);
 
 template <std::size_t count>
 std::string valueText(const std::array<double, count>& value) {

@@ -17,7 +17,7 @@ std::string foundTfPrefix(const ParameterServer& server) {
   auto value = name ? server.get(*name) : std::nullopt;
   std::string prefix;
   if (value && !fromXml(*value, prefix).empty()) {
-    throw ParameterError("parameter " + *name + " must be a string");
+    throw ParameterError(wrongValue(*name, *value, "must be a string"));
   }
   return prefix;
 }
@@ -31,10 +31,7 @@ ReadParameters readParameters(const ParameterServer& server) {
   ParameterReader reader(values);
   visitParameters(result.parameters, reader);
   result.parameters.tf_prefix = foundTfPrefix(server);
-  for (const std::string& name : reader.unknownNames()) {
-    if (name == "diagnostic_period") continue;  // of diagnostic_updater
-    result.warnings.push_back("parameter ~" + name + " is unknown and ignored; see --help");
-  }
+  result.warnings = reader.warnings();
   return result;
 }
 

@@ -18,8 +18,8 @@ CLOCK_PATIENCE = 5.0  # wall seconds
 
 
 class Waiting(unittest.TestCase):
-    def start(self, name):
-        node = NodeProcess(name)
+    def start(self, name, *arguments):
+        node = NodeProcess(name, arguments)
         self.addCleanup(node.end)
         return node
 
@@ -43,6 +43,28 @@ class Waiting(unittest.TestCase):
         message = boxes.wait(lambda m: True, "boxes without a restart")
         self.assertEqual(names_of(message), ["base"])
         self.assertEqual(message.incomplete, STATIC[1:] + ["left", "left_tip", "right"])
+
+    def check_names(self, node, label, full_name):
+        line = "waiting for parameter %s: parameter %s is not set" % (label, full_name)
+        wait_for(lambda: line in node.output, line)
+        Diagnostics(node.name).wait_for_new(
+            lambda _, status: status.message == "waiting for " + label, label)
+        rospy.wait_for_service(node.name + "/reload")
+        answer = rospy.ServiceProxy(node.name + "/reload", Trigger)()
+        self.assertIn("parameter %s is not set" % full_name, answer.message)
+
+    def test_for_a_remapped_description(self):
+        node = self.start("remapped", "robot_description:=/cell/urdf")
+        self.check_names(node, "robot_description (remapped to /cell/urdf)", "/cell/urdf")
+        boxes = Recorder(node.name + "/boxes")
+        rospy.set_param("/cell/urdf", ARMS)
+        self.addCleanup(rospy.delete_param, "/cell")
+        boxes.wait(lambda m: names_of(m) == ["base"], "boxes of that description")
+
+    def test_for_one_that_is_remapped_to_its_own_name(self):
+        """As link_bounds.launch does."""
+        node = self.start("not_remapped", "robot_description:=robot_description")
+        self.check_names(node, "robot_description", "/robot_description")
 
     def test_for_the_clock(self):
         rospy.set_param("/use_sim_time", True)

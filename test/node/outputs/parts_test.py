@@ -161,7 +161,8 @@ class PartsTest(unittest.TestCase):
     def test_other_numbers_are_refused(self):
         self.load_blocks(parts_per_link=256)
         for number in (0, -1, 257, 1.5):
-            with self.assertRaisesRegex(AssertionError, "parts_per_link must be a whole number"):
+            expected = "parts_per_link is %s, but must be a whole number" % number
+            with self.assertRaisesRegex(AssertionError, expected):
                 self.load_blocks(parts_per_link=number)
         self.load_blocks(parts_per_link=2)
 

@@ -13,7 +13,7 @@ from bad_inputs import bad_robots
 from bounds_testing import Recorder, wait_for
 from node_testing import ARMS, NodeProcess
 
-BAD_DESCRIPTIONS = {**bad_robots.UNUSABLE, "number": (5, "not a string")}
+BAD_DESCRIPTIONS = {**bad_robots.UNUSABLE, "number": (5, "is 5, not a string")}
 BAD_PARAMETERS = {
     "fixed_frame": [1, ["base"]],
     "geometry": ["mesh", 1],
@@ -32,6 +32,12 @@ BAD_PARAMETERS = {
     "mesh_timeout": [0, -1.0, "30", float("inf")],
     "max_mesh_bytes": [0, -1, 1e6, "1000"],
 }
+QUOTED = {  # as messages quote them
+    "['base']": '["base"]', "{'a': 1}": "{a: 1}", "{'base': 'wide'}": '{base: "wide"}',
+    "{'base': -1.0}": "{base: -1.0}", "{'arm': 'base'}": '{arm: "base"}', "True": "true",
+    "{'robot': ['base']}": '{robot: ["base"]}', "1000000.0": "1e+06",
+    **{repr(text): '"%s"' % text for text in ("base", "mesh", "0.1", "fast", "30", "lines", "red",
+                                              "yes", "1000")}}
 BAD_NAMES = ["__name:=a/b", "__ns:=a b", "~boxes:=a b", "boxes:=a//b!"]
 
 
@@ -58,7 +64,19 @@ class StartUp(unittest.TestCase):
         for name, values in BAD_PARAMETERS.items():
             for value in values:
                 with self.subTest(name=name, value=value):
-                    self.check_refused(self.start(ARMS, **{name: value}), name)
+                    node = self.start(ARMS, **{name: value})
+                    self.check_refused(node, "parameter ~%s is " % name)
+                    self.assertIn(" is %s, but must" % QUOTED.get(repr(value), value), node.output)
+
+    def test_a_list_on_the_command_line_is_told_where_lists_belong(self):
+        rospy.set_param("/robot_description", ARMS)
+        for argument in ("_links:=[base]", "_groups:={arm: [left]}", "_marker_color:=[1, 0, 0, 1]"):
+            with self.subTest(argument=argument):
+                node = NodeProcess(next(self.names), [argument])
+                self.addCleanup(node.end)
+                name, _, value = argument.partition(":=")
+                self.check_refused(node, 'parameter ~%s is "%s", but must be a ' % (name[1:], value))
+                self.assertIn("; give lists and maps by rosparam or a launch file", node.output)
 
     def test_whole_numbers_are_accepted(self):
         node = self.start(ARMS, padding=1, marker_color=[1, 0, 0, 1], link_padding={"base": 2})
@@ -69,7 +87,7 @@ class StartUp(unittest.TestCase):
     def test_an_unknown_parameter_is_only_warned_about(self):
         node = self.start(ARMS, paddding=1.0, diagnostic_period=2.0)
         Recorder(node.name + "/boxes").wait(lambda m: True, "boxes")
-        self.assertIn("~paddding", node.output)
+        self.assertIn("~paddding, which is 1.0, is unknown", node.output)
         self.assertNotIn("diagnostic_period", node.output)
 
     def test_signals_end_it_with_status_0(self):
