@@ -1,0 +1,31 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""usage: rviz_in_fixed_frame.py [--help] [ARGUMENT_OF_RVIZ ...]
+
+Starts rviz with the fixed frame of a link_bounds_publisher, when its first message on topic
+link_bounds_publisher/boxes is there.
+"""
+
+import os
+import sys
+
+import rospy
+from link_bounds.msg import AxisAlignedBoxArray
+
+
+def main():
+    if {'-h', '--help'} & set(sys.argv[1:]):
+        print(__doc__.strip())
+        return
+    rospy.init_node('rviz_in_fixed_frame', anonymous=True)
+    try:
+        boxes = rospy.wait_for_message('link_bounds_publisher/boxes', AxisAlignedBoxArray)
+    except rospy.ROSInterruptException:
+        return  # a signal
+    rospy.signal_shutdown('rviz takes the place of this node')
+    os.execvp('rviz', ['rviz', *sys.argv[1:], '--fixed-frame', boxes.header.frame_id])
+
+
+if __name__ == '__main__':
+    main()
