@@ -107,7 +107,8 @@ def of_pipeline(rows):
 
 
 def of_end_to_end(rows):
-    figures = {}
+    figures = {'end_to_end/' + count: sum(row[count] for row in rows if row['method'] == 'ours')
+               for count in ('sent', 'received')}
     for row in rows:
         key = 'end_to_end/%d/%d/%s/' % (row['links'], row['hz'], row['method'])
         figures.update({key + 'p50': row['p50_us'], key + 'p90': row['p90_us'],
