@@ -34,7 +34,7 @@ class Sentence:
         self.page, self.text = page, text
         literals = PLACE.split(text)[::3]
         self.places = PLACE.findall(text)
-        # A cell is on one line, a sentence may be broken anywhere. A number ends before a full stop.
+        # A cell is on one line, a sentence may be broken anywhere. A number ends before a stop.
         figure = r'([^|\n]*?)' if text.startswith('|') else r'(-?[\d.,]*\d|[^|]{1,60}?)'
         self._pattern = re.compile(figure.join(
             r'\s+'.join(re.escape(word) for word in re.split(r'\s+', literal))

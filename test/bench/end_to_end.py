@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that
-computes nothing, and a usual node of tf2; with 200 links also ours with spheres for meshes, and ours
-with one bounded link, which show what tables and links cost. end_to_end.py [--quick] [--json FILE]
+computes nothing, and a usual node of tf2; with 200 links also ours with spheres for meshes, and
+ours with one bounded link, which show the parts of the cost. end_to_end.py [--quick] [--json FILE]
 
 Ours and the relay run one right after the other, for a short time each, and the verdict is the
 median of their ratios: so neither the load nor the speed of the machine at one time decides."""
