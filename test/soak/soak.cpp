@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -99,18 +100,25 @@ int reloadUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
   return reloads;
 }
 
-/// Returns the growth of memory after the first minute [bytes].
-double runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects& objects,
+/// The growth of memory after the first minute [bytes].
+struct Growth {
+  double at_end = 0;
+  double largest = 0;  ///< of all minutes
+};
+
+Growth runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects& objects,
               const SoakListener& listener) {
   const ros::SteadyTime start = ros::SteadyTime::now();
   ros::SteadyTime next_reload = start + kFirstReload;
   double first = 0;
   double resident = 0;
+  Growth growth;
   int reloads = 0;
   for (int minute = 1; minute <= minutes; ++minute) {
     reloads += reloadUntil(start + kMinute * minute, next_reload);
     resident = residentBytes(pid);
     if (minute == 1) first = resident;
+    growth = {resident - first, std::max(growth.largest, resident - first)};
     std::printf(
         "minute %3d: %9llu tf messages in, %9llu boxes and %7llu markers out, %4d reloads, "
         "%3llu time jumps, %8llu objects, %.3f MB resident\n",
@@ -123,7 +131,7 @@ double runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects&
   }
   std::printf("memory: %.3f MB after the first minute, %.3f MB at the end, %+.3f MB\n", first / 1e6,
               resident / 1e6, (resident - first) / 1e6);
-  return resident - first;
+  return growth;
 }
 
 /// Prints and returns how many messages were lost between two moments.
@@ -136,13 +144,14 @@ double reportLosses(double sent, const Counts& before, const Counts& after) {
   return tf_lost + boxes_lost;
 }
 
-/// Prints what decides and returns whether it is good; growth and its limit are in bytes.
-bool verdict(double lost, double growth, double max_growth, double boxless_links) {
-  const bool is_good = lost == 0 && growth < max_growth && boxless_links == 0;
-  std::printf(
-      "%s: %.0f messages lost (allowed: 0), memory %+.3f MB (allowed: less than %+.3f MB), %.0f "
-      "links without a box (allowed: 0)\n",
-      is_good ? "passed" : "FAILED", lost, growth / 1e6, max_growth / 1e6, boxless_links);
+/// Prints what decides and returns whether it is good; growth and its limit are in bytes. The limit
+/// is for the end: what the C library keeps free varies from minute to minute.
+bool verdict(double lost, const Growth& growth, double max_growth, double boxless_links) {
+  const bool is_good = lost == 0 && growth.at_end < max_growth && boxless_links == 0;
+  std::printf("%s: %.0f messages lost (allowed: 0), %.0f links without a box (allowed: 0),\n",
+              is_good ? "passed" : "FAILED", lost, boxless_links);
+  std::printf("  memory %+.3f MB at the end (allowed: < %.3f MB), %+.3f MB in the largest minute\n",
+              growth.at_end / 1e6, max_growth / 1e6, growth.largest / 1e6);
   return is_good;
 }
 
@@ -162,7 +171,7 @@ bool soak(int minutes, int pid, double max_growth) {
   const Counts before = settledCounts(listener);
   sender.start();
   objects.start();
-  const double growth = runFor(minutes, pid, sender, objects, listener);
+  const Growth growth = runFor(minutes, pid, sender, objects, listener);
   objects.stop();
   sender.stop();
   waitFor([&] { return listener.diagnostic("objects") == 0; }, "all objects are gone");
