@@ -54,7 +54,8 @@ def row(box, width):
     low, high = xyz(box.min), xyz(box.max)
     size = [b - a for a, b in zip(low, high)]
     return f'{printable(box.name):{width}}' + ''.join(
-        '   ' + ''.join(f'{value:8.3f}' for value in triple) for triple in (low, high, size))
+        '   ' + ''.join(f'{round(value, 3) + 0:8.3f}' for value in triple)  # + 0: no minus zero
+        for triple in (low, high, size))
 
 
 def xyz(point):

@@ -117,7 +117,8 @@ void placeLabels(std::vector<Label> labels, MarkerArray& array) {
   auto label = labels.begin();
   for (Marker& marker : array.markers) {
     if (marker.id != kLabel) continue;
-    marker.pose.position = toPoint(label->center);
+    marker.pose.position = toPoint(label->bottom);
+    marker.pose.position.z += label->height / 2;  // rviz places the middle of a text
     marker.scale.z = label->height;
     ++label;
   }

@@ -22,8 +22,8 @@ std::optional<geometry_msgs::Polygon> rectangleOf(const AxisAlignedBox& box) {
        {std::pair(min_x, min_y), {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}) {
     if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
     geometry_msgs::Point32 point;
-    point.x = x;
-    point.y = y;
+    point.x = x + 0.0F;  // turns -0 into 0
+    point.y = y + 0.0F;
     polygon.points.push_back(point);
   }
   return polygon;

@@ -15,25 +15,27 @@ constexpr double kMinHeight = 1e-3;      ///< [m]
 constexpr double kCharacterWidth = 0.6;  ///< of the height, in rviz's font; its mean is about 0.5
 constexpr std::size_t kMaxNeighbours = 64;
 
-double bottom(const Label& label) {
-  return label.center.z() - label.height / 2;
-}
-
 double top(const Label& label) {
-  return label.center.z() + label.height / 2;
+  return label.bottom.z() + label.height;
 }
 
 bool overlap(const Label& a, const Label& b) {
-  const double reach = (a.width + b.width) / 2;
-  return std::abs(a.center.x() - b.center.x()) < reach &&
-         std::abs(a.center.y() - b.center.y()) < reach && bottom(a) < top(b) && bottom(b) < top(a);
+  const double width = (a.width + b.width) / 2;
+  return std::abs(a.bottom.x() - b.bottom.x()) < width &&
+         std::abs(a.bottom.y() - b.bottom.y()) < width && a.bottom.z() < top(b) &&
+         b.bottom.z() < top(a);
 }
 
-/// `neighbours` are in the order of their bottoms, so a label is never raised back into one that it
-/// has passed.
-void raiseAbove(const std::vector<Label>& neighbours, Label& label) {
-  for (const Label& neighbour : neighbours) {
-    if (overlap(label, neighbour)) label.center.z() = top(neighbour) + label.height / 2;
+/// Each move raises the label, so there is an end. `neighbours` are in the order of their bottoms,
+/// so two rounds nearly always do.
+void putOnTop(const std::vector<Label>& neighbours, Label& label) {
+  for (bool is_moved = true; is_moved;) {
+    is_moved = false;
+    for (const Label& neighbour : neighbours) {
+      if (!overlap(label, neighbour)) continue;
+      label.bottom << neighbour.bottom.head<2>(), top(neighbour);
+      is_moved = true;
+    }
   }
 }
 
@@ -45,18 +47,18 @@ Label labelOf(const Aabb& box, const std::string& text) {
   const double widths = kCharacterWidth * std::max(1.0, static_cast<double>(text.size()));
   const double height =
       std::max(kMinHeight, std::min(kHeight * std::sqrt(diagonal), diagonal / widths));
-  return {box.max() + Eigen::Vector3d(0, 0, 0.75 * height), widths * height, height};
+  return {box.max() + Eigen::Vector3d(0, 0, 0.25 * height), widths * height, height};
 }
 
 void separate(std::vector<Label>& labels) {
-  const auto is_lower = [](const Label& a, const Label& b) { return bottom(a) < bottom(b); };
+  const auto is_lower = [](const Label& a, const Label& b) { return a.bottom.z() < b.bottom.z(); };
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return is_lower(labels[a], labels[b]); });
   std::vector<Label> neighbours;
   for (const std::size_t i : order) {
-    raiseAbove(neighbours, labels[i]);
+    putOnTop(neighbours, labels[i]);
     if (neighbours.size() == kMaxNeighbours) neighbours.erase(neighbours.begin());
     neighbours.insert(std::upper_bound(neighbours.begin(), neighbours.end(), labels[i], is_lower),
                       labels[i]);

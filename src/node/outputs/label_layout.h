@@ -12,7 +12,7 @@ namespace link_bounds {
 
 /// A line of text that faces the camera, so it takes its width along x and along y.
 struct Label {
-  Eigen::Vector3d center;  ///< [m]
+  Eigen::Vector3d bottom;  ///< the middle of its lower edge [m]
   double width;            ///< at most [m]; depends on the font
   double height;           ///< [m]
 };
@@ -21,8 +21,9 @@ struct Label {
 /// the corner of largest x and y, where other links rarely hide it.
 Label labelOf(const Aabb& box, const std::string& text);
 
-/// Raises labels so that none overlaps a lower one. Of many labels at one place, only some tens
-/// are kept apart, so that the time grows with their number and not with its square.
+/// Puts each label that overlaps a lower one on top of that one, like lines of a list. Of many
+/// labels at one place, only some tens are kept apart, so that the time grows with their number and
+/// not with its square.
 void separate(std::vector<Label>& labels);
 
 }  // namespace link_bounds

@@ -107,6 +107,9 @@ Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
   joint.is_fixed = source.type == urdf::Joint::FIXED;
   joint.parent_from_joint = toIsometry(source.parent_to_joint_origin_transform);
   joint.axis = toVector(source.axis).stableNormalized();
+  const bool has_range =
+      source.type == urdf::Joint::REVOLUTE || source.type == urdf::Joint::PRISMATIC;
+  if (has_range && source.limits) joint.limits = Limits{source.limits->lower, source.limits->upper};
   if (source.mimic) {
     joint.mimic = Mimic{source.mimic->joint_name, source.mimic->multiplier, source.mimic->offset};
   }

@@ -67,7 +67,8 @@ std::string jsonString(const std::string& text) {
 std::string exactNumber(double value) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+  out << std::setprecision(std::numeric_limits<double>::max_digits10)
+      << value + 0.0;  // turns -0 into 0
   return out.str();
 }
 

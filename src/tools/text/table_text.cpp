@@ -16,7 +16,7 @@ std::string shortNumber(double value) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
   if (std::abs(value) < 1e9) {
-    out << std::fixed << std::setprecision(6) << (std::abs(value) < 5e-7 ? 0.0 : value);
+    out << std::fixed << std::setprecision(6) << (std::abs(value) <= 5e-7 ? 0.0 : value);
   } else {
     out << std::setprecision(9) << value;
   }

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <locale>
 #include <memory>
+#include <sstream>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "tools/urdf_bounds/terminal.h"
@@ -40,6 +42,23 @@ void checkNames(const Robot& robot, const std::map<std::string, double>& given) 
   }
 }
 
+/// One warning for all of them.
+void checkLimits(const Robot& robot, const std::map<std::string, double>& given) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  for (const Joint& joint : robot.joints) {
+    const auto found = given.find(joint.name);
+    if (found == given.end() || joint.mimic || !joint.limits) continue;
+    const auto [lower, upper] = *joint.limits;
+    if (found->second >= lower && found->second <= upper) continue;
+    text << (text.tellp() > 0 ? ", \"" : "\"") << joint.name << "\" at " << found->second
+         << " (limits " << lower << " to " << upper << ")";
+  }
+  if (text.tellp() > 0)
+    warn("beyond the limits of its joint in the URDF: " + text.str() +
+         "; the boxes are those of this pose all the same");
+}
+
 }  // namespace
 
 std::string readText(const std::string& file) {
@@ -66,6 +85,7 @@ std::string folderOf(const std::string& file) {
 std::vector<Eigen::Isometry3d> posesFor(const Robot& robot,
                                         const std::map<std::string, double>& given) {
   checkNames(robot, given);
+  checkLimits(robot, given);
   return linkPoses(robot, jointValues(robot, given));
 }
 

@@ -51,6 +51,17 @@ TEST(Footprint, ContainsTheBox) {
   }
 }
 
+TEST(Footprint, HasNoMinusZero) {
+  for (const double zero : {-0.0, -1e-60}) {  // rounds up to -0 in float32
+    const auto polygon = footprintOf(groupsOf({-1, -1, 0}, {zero, zero, 1}));
+    ASSERT_TRUE(polygon);
+    for (const auto& point : polygon->points) {
+      EXPECT_FALSE(point.x == 0 && std::signbit(point.x)) << zero;
+      EXPECT_FALSE(point.y == 0 && std::signbit(point.y)) << zero;
+    }
+  }
+}
+
 TEST(Footprint, NoneOfARobotThatIsNotCompleteOrTooLarge) {
   const Aabb box(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
   EXPECT_TRUE(footprintOf(groupsOf(BoxState{box, 0, false})));

@@ -93,9 +93,9 @@ PASSING = {  # parameters
     "held": dict(AROUND_PALM, check="inside", hold=0.5)}
 FAILING = {  # parameters, and what the failure says
     "not_equal": (dict(EXACT_PALM, max=[c + 0.02 for c in PALM_MAX]),
-                  [LAST_PALM, "off by 0.02 m", FRAME]),
+                  [LAST_PALM, "off by 0.02 m: max x by 0.02 m, max y by", FRAME]),
     "not_inside": (dict(AROUND_PALM, check="inside", max=[2, 1, 0.5]),
-                   [LAST_PALM, "off by 0.05 m", "not inside [0, -1, 0] to [2, 1, 0.5]"]),
+                   [LAST_PALM, "off by 0.05 m: max z by 0.05 m", "not inside [0, -1, 0] to [2, 1, 0.5]"]),
     "not_outside": (dict(AROUND_PALM, check="outside"), [LAST_PALM, "off by"]),
     "missing": (MISSING, ["no such box", "not named in incomplete", "palm, thumb"]),
     "incomplete": (dict(EXACT_PALM, name="thumb", check="outside", topic="/half/boxes"),

@@ -237,6 +237,29 @@ class Watch(unittest.TestCase):
         self.watch.see(message_of('palm', moved(CUBE, 0, 0, 1.25)), 1.0)
         self.check_failure('off by 0.25 m')
 
+    def test_says_which_faces_are_off(self):
+        self.watch.see(message_of('palm', moved(CUBE, 0.5, 0, 1.25)), 1.0)
+        self.check_failure('off by 0.25 m: max x by 0.183 m, max z by 0.25 m')
+        faces = [f'{end} {axis}' for end in ('min', 'max') for axis in 'xyz']
+        for number, face in enumerate(faces):
+            value = [*WANTED.min, *WANTED.max][number]
+            for step in (-0.1, 0.1):
+                box = with_coordinate(WANTED, number, value + step)
+                outward = (step > 0) == (number > 2)
+                self.assertEqual(assertion('equal').wrong_faces(box), face + ' by 0.1 m')
+                self.assertEqual(assertion('inside').wrong_faces(box),
+                                 face + ' by 0.1 m' if outward else '')
+
+    def test_says_where_the_shortest_way_out_is(self):
+        for step, text in (((0.9, 0, 0), 'min x by 0.1 m'), ((-0.9, 0, 0), 'max x by 0.1 m'),
+                           ((0, 0, -1.8), 'max z by 0.2 m')):
+            box = moved(Box((0, 0, 1), (0, 0, 2)), *step)
+            self.assertEqual(assertion('outside').wrong_faces(box), text)
+
+    def test_says_what_is_no_box(self):
+        broken = with_coordinate(CUBE, 2, NAN)
+        self.assertEqual(assertion('equal').wrong_faces(broken), 'not finite, or a min above its max')
+
     def test_says_that_nothing_came(self):
         self.check_failure('no message came')
 

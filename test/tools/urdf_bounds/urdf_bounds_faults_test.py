@@ -269,6 +269,20 @@ class RefusalTest(UrdfBoundsTest):
                      '1e999', 'one', '1:2'):
             self.check_refused('"turn" is "%s"' % re.escape(text), '-', 'turn:=' + text)
 
+    def test_joints_beyond_limits_are_warned_of_once(self):
+        for values, texts in ((['turn:=3.5'], ['"turn" at 3.5 (limits -3 to 3)']),
+                              (['push:=-3.25', 'turn:=4'], ['"push" at -3.25 (limits -3 to 3)',
+                                                            '"turn" at 4 (limits -3 to 3)'])):
+            code, out, err = run('-', *values, '--format', 'json')
+            self.assertEqual((code, len(err.splitlines())), (0, 1), err)
+            self.assertRegex(err, '^urdf_bounds: warning: ')
+            for text in texts:
+                self.assertIn(text, err)
+            self.assertIn('bar', json.loads(out)['boxes'])
+        without_limits = ARM.replace('revolute', 'continuous')
+        for urdf, value in ((ARM, '3'), (ARM, '-3'), (without_limits, '9')):
+            self.assertEqual(run('-', 'turn:=' + value, urdf=urdf)[::2], (0, ''))
+
     def test_axis_of_zero_length(self):
         urdf = ARM.replace('<axis xyz="1 0 0"/>', '<axis xyz="0 0 0"/>')
         self.check_refused('"push"', '-', 'push:=1', urdf=urdf)

@@ -59,6 +59,12 @@ struct Mimic {
   double offset;  ///< rad or m
 };
 
+/// The range of a joint [rad or m].
+struct Limits {
+  double lower;
+  double upper;
+};
+
 struct Joint {
   std::string name;
   std::size_t parent;  ///< index of a link
@@ -67,6 +73,7 @@ struct Joint {
   Eigen::Isometry3d parent_from_joint;
   Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero as in the URDF
   std::optional<Mimic> mimic;
+  std::optional<Limits> limits;  ///< of revolute and prismatic joints, if the URDF has them
   bool is_fixed = false;
 };
 
