@@ -93,7 +93,8 @@ class Reload(unittest.TestCase):
     def test_the_answer_has_the_warnings(self):
         self.assertEqual(self.reload().message, "reloaded")
         for parameters, words in (
-                ({"links": ["lef"]}, ["2 warnings", '~links names link "lef"', "no link is bounded"]),
+                ({"links": ["lef"]},
+                 ["2 warnings", '~links names link "lef"', "no link is bounded"]),
                 ({"paddding": 1}, ["1 warning:", "~paddding"]),
                 ({"links": ["a%d" % i for i in range(9)]}, ["10 warnings", '"a3"', "see the log"])):
             self.addCleanup(load, NODE)

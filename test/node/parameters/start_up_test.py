@@ -75,7 +75,8 @@ class StartUp(unittest.TestCase):
                 node = NodeProcess(next(self.names), [argument])
                 self.addCleanup(node.end)
                 name, _, value = argument.partition(":=")
-                self.check_refused(node, 'parameter ~%s is "%s", but must be a ' % (name[1:], value))
+                self.check_refused(
+                    node, 'parameter ~%s is "%s", but must be a ' % (name[1:], value))
                 self.assertIn("; give lists and maps by rosparam or a launch file", node.output)
 
     def test_whole_numbers_are_accepted(self):
