@@ -35,6 +35,10 @@ class Interface(unittest.TestCase):
         return {name.replace("~", NODE + "/"): kind
                 for name, kind, _ in help_rows(section, self.help)}
 
+    def test_help_says_how_lists_are_given(self):
+        self.assertIn("Set lists and maps by rosparam or in a launch file.",
+                      " ".join(self.help.split()))
+
     def test_topics_and_their_types(self):
         topics = self.promised("Topics")
         self.assertEqual(self.offered(0) | self.offered(1), set(topics))

@@ -18,6 +18,7 @@ import rostest
 import yaml
 from bounds_testing import (DEADLINE, Recorder, corners_of, executable, latched, load,
                             wait_for)
+from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from node_testing import ALL, ARMS, NODE, ArmsTf, Repeater
 from std_msgs.msg import Header
@@ -164,10 +165,13 @@ class RosTools(unittest.TestCase):
         publisher = rospy.Publisher("/odd/boxes", AxisAlignedBoxArray, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
         publisher.publish(AxisAlignedBoxArray(
-            header=Header(frame_id="world\x1b[2J"), boxes=[AxisAlignedBox(name="odd\x1b[2J")],
+            header=Header(frame_id="world\x1b[2J"), boxes=[
+                AxisAlignedBox(name="odd\x1b[2J"),
+                AxisAlignedBox(name="flat", min=Point(-6e-15, -1, -0.0), max=Point(1, -0.0, 2))],
             incomplete=["lost\nlink"]))
         table = self.start(executable("link_bounds", "box_table.py"), "_topic:=/odd/boxes")
         table.wait_for_match(r"frame world \[2J at [^\x1b]*\nodd \[2J [^\x1b]*: lost link\n")
+        table.wait_for_match(r"\nflat +0\.000  -1\.000   0\.000 +1\.000   0\.000   2\.000 ")
 
     def test_rviz_is_set_to_topics_that_exist(self):
         published = dict(rospy.get_published_topics())
