@@ -10,6 +10,9 @@ BUILD=$REPO/build
 
 say() { printf '\n==> %s\n' "$*"; }
 
+# from_package_xml TAG
+from_package_xml() { sed -n "s:^ *<$1[^>]*>\(.*\)</$1>$:\1:p" "$REPO/package.xml"; }
+
 fail() {
   printf '%s: %s\n' "${0##*/}" "$*" >&2
   exit 1
@@ -86,3 +89,9 @@ build() {
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
 }
+
+# Here $1 is the first argument of the script that sources this file.
+if [ "${1:-}" = --version ]; then
+  echo "${0##*/} of link_bounds $(from_package_xml version)"
+  exit 0
+fi

@@ -14,15 +14,18 @@ packages_of() {
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;
-    run)  # what the launch files start, and the command line tools to look at it
-      echo python3 python3-rospy python3-roslaunch python3-rosgraph rosout ros-robot-state-publisher \
+    run)  # what the launch files start, assert_box in a .test file, and the command line tools to
+          # look at it; rosmsg reads the ros-*-msgs
+      echo python3 python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest rosout \
+        ros-robot-state-publisher ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs \
+        ros-std-srvs ros-tf2-msgs ros-visualization-msgs \
         python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
         python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
         ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
-        python3-numpy python3-rosmaster python3-rospkg python3-rostest python3-rosunit python3-tf2-ros \
+        python3-numpy python3-rosmaster python3-rosunit python3-tf2-ros \
         python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
@@ -42,7 +45,7 @@ packages_of() {
     pictures)
       echo fonts-dejavu-core graphviz imagemagick python3-pil python3-tf2-ros xvfb ;;
     lint)
-      echo catkin-lint clang-format ;;
+      echo catkin-lint clang-format lintian ;;
     *)
       fail "no group of packages is called $1" ;;
   esac

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/packages.sh has a package for each key of package.xml: package_keys_test.py FOLDER"""
+"""scripts/packages.sh has a package for each key of package.xml, and the package for apt depends on
+those that run beside it: package_keys_test.py FOLDER"""
+import re
 import subprocess
 import sys
 from xml.etree import ElementTree
@@ -11,32 +13,49 @@ OTHER_NAMES = {'eigen': 'libeigen3-dev'}
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
 GROUPS = 'build run test display link'
 
+# Groups that the package for apt depends on or recommends; keys that are libraries, on which it
+# depends by ${shlibs:Depends}; and what rosmsg and rossrv read message files from.
+GROUPS_OF_DEB = 'run display link'
+LIBRARIES = {'assimp', 'roscpp', 'rospack', 'tf2', 'tf2_ros'}
+MESSAGE_FILES = ('ros-{}',)
 
-def keys(folder):
+
+def keys(folder, tags):
     package = ElementTree.parse(f'{folder}/package.xml').getroot()
-    return {element.text for element in package if element.tag.endswith('depend')}
+    return {element.text for element in package if re.fullmatch(tags, element.tag)}
 
 
-def packages(folder):
-    command = f'. {folder}/scripts/packages.sh; for group in {GROUPS}; do packages_of $group; done'
+def packages(folder, groups):
+    command = f'. {folder}/scripts/packages.sh; for group in {groups}; do packages_of $group; done'
     return set(subprocess.run(['bash', '-euc', command], check=True, capture_output=True,
                               text=True).stdout.split())
 
 
-def is_known(key, known):
+def is_known(key, known, forms=FORMS):
     name = key.replace('_', '-')
     if name.endswith('-dev'):
         name = name[:-len('-dev')]
-    return OTHER_NAMES.get(name) in known or any(form.format(name) in known for form in FORMS)
+    return OTHER_NAMES.get(name) in known or any(form.format(name) in known for form in forms)
+
+
+def forms_at_run_time(key):
+    return MESSAGE_FILES if key.endswith(('_msgs', '_srvs')) else FORMS
 
 
 def main():
     folder = sys.argv[1]
-    known = packages(folder)
-    missing = sorted(key for key in keys(folder) if not is_known(key, known))
-    print('scripts/packages.sh has no package for: ' + ', '.join(missing) if missing else
-          f'{len(keys(folder))} keys have a package')
-    return 1 if missing else 0
+    known, of_deb = packages(folder, GROUPS), packages(folder, GROUPS_OF_DEB)
+    all_keys = keys(folder, r'\w*depend')
+    run_keys = keys(folder, '(exec_)?depend') - LIBRARIES
+    missing = sorted(key for key in all_keys if not is_known(key, known))
+    absent = sorted(key for key in run_keys if not is_known(key, of_deb, forms_at_run_time(key)))
+    if missing:
+        print('scripts/packages.sh has no package for: ' + ', '.join(missing))
+    if absent:
+        print('the package for apt depends on no package for: ' + ', '.join(absent))
+    if not missing and not absent:
+        print(f'{len(all_keys)} keys have a package')
+    return 1 if missing or absent else 0
 
 
 if __name__ == '__main__':
