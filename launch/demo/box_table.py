@@ -7,13 +7,16 @@ Parameter: ~topic (default link_bounds_publisher/boxes). Redraws in place on a t
 table after the other.
 """
 
-import argparse
+import os
 import shutil
 import sys
 import threading
 
 import rospy
 from link_bounds.msg import AxisAlignedBoxArray
+
+sys.path.append(os.path.dirname(os.path.realpath(__file__)))
+from demo_arguments import check_arguments  # noqa: E402
 
 TERMINAL_PERIOD = 0.5  # s of wall time, so that the table is updated while /clock stands still
 PLAIN_PERIOD = 2.0
@@ -72,9 +75,7 @@ def draw_in_place(lines):
 
 
 def main():
-    argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    ).parse_args(rospy.myargv()[1:])
+    check_arguments(__doc__)
     rospy.init_node('box_table', anonymous=True)
     topic = rospy.resolve_name(rospy.get_param('~topic', 'link_bounds_publisher/boxes'))
     newest, ended = Newest(), threading.Event()

@@ -8,14 +8,17 @@ start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of eac
 ~ahead (s, default 0): where in the motion to start.
 """
 
-import argparse
 import math
+import os
 import sys
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 import rospy
 from sensor_msgs.msg import JointState
+
+sys.path.append(os.path.dirname(os.path.realpath(__file__)))
+from demo_arguments import check_arguments  # noqa: E402
 
 GOLDEN = (1 + math.sqrt(5)) / 2  # two periods of this ratio never coincide again
 SLOW_SHARE, FAST_SHARE = 0.7, 0.3  # of the two sines; their sum is 1, so no limit is passed
@@ -72,9 +75,7 @@ def publish_until_shutdown(swings, rate, ahead):
 
 
 def main():
-    argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    ).parse_args(rospy.myargv()[1:])
+    check_arguments(__doc__)
     rospy.init_node('joint_mover')
     name = rospy.search_param('robot_description')
     if name is None:

@@ -8,14 +8,18 @@ Subscribes to ~boxes and ~overlaps of link_bounds_publisher, publishes ~markers
 (default false): draws the links alone, red where one overlaps an object.
 """
 
-import argparse
 import itertools
+import os
 import re
+import sys
 
 import rospy
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.append(os.path.dirname(os.path.realpath(__file__)))
+from demo_arguments import check_arguments  # noqa: E402
 
 QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (0, 2, 3, 1))
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
@@ -87,9 +91,7 @@ class Newest:
 
 
 def main():
-    argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    ).parse_args(rospy.myargv()[1:])
+    check_arguments(__doc__)
     rospy.init_node('overlap_colors')
     newest = Newest()
     rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, newest.take_boxes,

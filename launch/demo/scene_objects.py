@@ -7,12 +7,16 @@ Publishes link_bounds_publisher/objects (visualization_msgs/MarkerArray). Parame
 default 30), ~mesh (URI, default none), ~mesh_scale (default 1), ~frame (default base).
 """
 
-import argparse
 import math
+import os
+import sys
 
 import rospy
 from geometry_msgs.msg import Point
 from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.append(os.path.dirname(os.path.realpath(__file__)))
+from demo_arguments import check_arguments  # noqa: E402
 
 PARCELS, BALLS = 5, 3
 BELT_RADIUS, BELT_HEIGHT, BELT_PERIOD = 0.65, 0.3, 24.0  # m, m, s
@@ -94,9 +98,7 @@ def scene(seconds, frame, uri, scale):
 
 
 def main():
-    argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    ).parse_args(rospy.myargv()[1:])
+    check_arguments(__doc__)
     rospy.init_node('scene_objects')
     publisher = rospy.Publisher('link_bounds_publisher/objects', MarkerArray, queue_size=10)
     frame = rospy.get_param('~frame', 'base')

@@ -8,13 +8,17 @@ Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and p
 reported as not watched and leaves no zone meanwhile. Parameter: ~zones (default zones).
 """
 
-import argparse
+import os
 import re
+import sys
 import threading
 
 import rospy
 from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import String
+
+sys.path.append(os.path.dirname(os.path.realpath(__file__)))
+from demo_arguments import check_arguments  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone: boxes may come after overlaps
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
@@ -81,9 +85,7 @@ class Watch:
 
 
 def main():
-    argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    ).parse_args(rospy.myargv()[1:])
+    check_arguments(__doc__)
     rospy.init_node('zone_events')
     ended = threading.Event()
     rospy.on_shutdown(ended.set)

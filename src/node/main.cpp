@@ -7,10 +7,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <stdexcept>
 
+#include "node/interface/command_line.h"
 #include "node/interface/usage.h"
 #include "node/log/log_text.h"
 #include "node/memory/heap.h"
@@ -30,10 +30,18 @@ void checkMasterUri() {
 }
 
 int run(int argc, char** argv) {
+  const link_bounds::CommandLine line = link_bounds::readCommandLine(argc, argv);
+  if (line.help || line.version) {
+    std::cout << (line.help ? link_bounds::usage()
+                            : "link_bounds_publisher " LINK_BOUNDS_VERSION "\n");
+    return 0;
+  }
   checkMasterUri();
   ros::init(argc, argv, "link_bounds_publisher");
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  for (const std::string& warning : line.warnings)
+    ROS_WARN("%s", link_bounds::logText(warning).c_str());
   link_bounds::PublisherNode node;
   ros::spin();
   return node.exitCode();
@@ -42,12 +50,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--help") == 0 || std::strcmp(argv[i], "-h") == 0) {
-      std::cout << link_bounds::usage();
-      return 0;
-    }
-  }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
   link_bounds::returnLargeBlocks();
   try {

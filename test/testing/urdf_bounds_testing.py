@@ -109,6 +109,7 @@ class UrdfBoundsTest(unittest.TestCase):
         self.assertEqual((code, out), (1, ''), arguments)
         self.assertRegex(err, '^urdf_bounds: error: .*' + reason)
         self.assertIn('--help', err)
+        self.assertEqual(err.count('\n'), 1, err)
 
 
 def main():

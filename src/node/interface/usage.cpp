@@ -14,7 +14,8 @@ namespace link_bounds {
 std::string usage() {
   std::ostringstream text;
   text
-      << "usage: rosrun link_bounds link_bounds_publisher [_PARAMETER:=VALUE ...]\n\n"
+      << "usage: rosrun link_bounds link_bounds_publisher [_PARAMETER:=VALUE ...] [--help] "
+         "[--version]\n\n"
          "_PARAMETER:=VALUE sets strings, numbers, true and false. Set lists and maps by rosparam\n"
          "or in a launch file.\n\n"
          "Publishes the exact axis-aligned bounding box of every link of the robot, in one fixed\n"

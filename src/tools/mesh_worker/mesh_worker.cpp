@@ -74,6 +74,19 @@ int run(char** argv) {
   _exit(0);
 }
 
+/// For whoever starts it by hand.
+int answerUser(int argc, char** argv) {
+  const std::string argument = argc == 2 ? argv[1] : "";
+  if (argument == "--version") {
+    std::puts("mesh_worker " LINK_BOUNDS_VERSION);
+    return 0;
+  }
+  const bool asks_for_help = argument == "--help" || argument == "-h";
+  std::fputs("usage: mesh_worker is started by link_bounds for one mesh file; use urdf_bounds\n",
+             asks_for_help ? stdout : stderr);
+  return asks_for_help ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace link_bounds
 
@@ -85,11 +98,7 @@ extern "C" const char* __asan_default_options() {
 #endif
 
 int main(int argc, char** argv) {
-  if (argc != link_bounds::kCount) {
-    std::fputs("mesh_worker is started by link_bounds for one mesh file; use urdf_bounds\n",
-               stderr);
-    return 1;
-  }
+  if (argc != link_bounds::kCount) return link_bounds::answerUser(argc, argv);
   std::signal(SIGABRT, SIG_DFL);  // a sanitizer may have set a handler
   return link_bounds::run(argv);
 }

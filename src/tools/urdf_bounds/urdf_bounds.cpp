@@ -74,14 +74,13 @@ int run(const UrdfBoundsOptions& options) {
 int runGuarded(int argc, char** argv) {
   try {
     const UrdfBoundsOptions options = parseOptions(argc, argv);
-    if (!options.help) return run(options);
-    std::cout << kUsage;
+    if (!options.help && !options.version) return run(options);
+    std::cout << (options.help ? kUsage : "urdf_bounds " LINK_BOUNDS_VERSION "\n");
     return finishOutput() ? 0 : 1;
   } catch (const std::bad_alloc&) {
     say("error: out of memory");
   } catch (const std::exception& error) {
-    say(std::string("error: ") + error.what());
-    say("see urdf_bounds --help");
+    say(std::string("error: ") + error.what() + "; see urdf_bounds --help");
   }
   return 1;
 }

@@ -35,13 +35,23 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --verbose           the memory that each mesh takes, on standard error
   --strict            exit with 2 if any geometry could not be used
   -h, --help          this text
+  --version           the version of link_bounds
 
 Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict.
 )";
 
 namespace {
 
-enum Code { kGeometry = 256, kRepresentation, kFormat, kVolume, kVerbose, kStrict, kHelp };
+enum Code {
+  kGeometry = 256,
+  kRepresentation,
+  kFormat,
+  kVolume,
+  kVerbose,
+  kStrict,
+  kHelp,
+  kVersion
+};
 
 constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeometry},
                                    {"representation", required_argument, nullptr, kRepresentation},
@@ -50,6 +60,7 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"help", no_argument, nullptr, kHelp},
+                                   {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
 
 /// The value called `name`. Throws UsageError with all names if there is none.
@@ -142,6 +153,9 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case kHelp:
       options.help = true;
       return;
+    case kVersion:
+      options.version = true;
+      return;
     case ':':
       throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
     default:
@@ -158,7 +172,7 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
   // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
   while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
     addOption(code, argv, options);
-    if (options.help) return options;
+    if (options.help || options.version) return options;
   }
   for (; optind < argc; ++optind)
     addArgument(argv[optind], options);

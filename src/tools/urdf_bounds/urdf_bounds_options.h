@@ -28,7 +28,8 @@ struct UrdfBoundsOptions {
   Format format = Format::kTable;
   bool verbose = false;
   bool strict = false;
-  bool help = false;  ///< the other members are then undefined
+  bool help = false;     ///< the other members are then undefined
+  bool version = false;  ///< likewise
 };
 
 /// Throws UsageError. Call it once: getopt keeps state.

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of the nodes in this folder."""
+
+import argparse
+import os
+import sys
+
+import rospkg
+import rospy
+
+
+def check_arguments(description):
+    """Answers --help and --version, and refuses what is unknown. To be called before the node
+    connects to ROS, because a node that registers ends the running one of its name."""
+    parser = argparse.ArgumentParser(
+        description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--version', action='store_true', help='print the version and exit')
+    # In one line, without the usage.
+    parser.error = lambda text: parser.exit(
+        2, f'{parser.prog}: {text}; write parameters as _NAME:=VALUE, or see --help\n')
+    if parser.parse_args(rospy.myargv()[1:]).version:
+        print(os.path.basename(sys.argv[0]), rospkg.RosPack().get_manifest('link_bounds').version)
+        sys.exit()

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The forms of roscpp: _PARAMETER:=VALUE, __KEYWORD:=VALUE and NAME:=OTHER_NAME.
+#include "node/interface/command_line.h"
+
+#include <ros/names.h>
+
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+#include <set>
+
+#include "node/parameters/parameter_reader.h"
+#include "node/parameters/parameter_table.h"
+
+namespace link_bounds {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+const std::set<std::string> kKeywords{"__name", "__ns", "__log", "__ip", "__hostname", "__master"};
+
+/// An argument, split at its first ":=".
+struct Assignment {
+  std::string argument, left, right;
+};
+
+/// A visitor of the table of parameters.
+struct ParameterNames {
+  std::set<std::string> names;
+
+  template <class T, class Rule>
+  void operator()(const char* name, const T&, Rule, const char*) {
+    names.insert(name);
+  }
+};
+
+bool isParameter(const std::string& name) {
+  const Parameters ignored;
+  ParameterNames known;
+  visitParameters(ignored, known);
+  return known.names.count(name) != 0;
+}
+
+bool isName(const std::string& text) {
+  std::string reason;
+  return ros::names::validate(text, reason);
+}
+
+/// The value to which roscpp sets a parameter. It tries the types in the same order.
+XmlRpcValue valueOf(const std::string& text) {
+  int whole = 0;
+  double real = 0;
+  if (boost::conversion::try_lexical_convert(text, whole)) return XmlRpcValue(whole);
+  if (boost::conversion::try_lexical_convert(text, real)) return XmlRpcValue(real);
+  if (text == "true" || text == "True" || text == "TRUE") return XmlRpcValue(true);
+  if (text == "false" || text == "False" || text == "FALSE") return XmlRpcValue(false);
+  return XmlRpcValue(text);
+}
+
+[[noreturn]] void refuse(const std::string& argument, const std::string& remedy) {
+  throw ArgumentError("argument \"" + argument + "\" " + remedy);
+}
+
+void checkKeyword(const Assignment& a) {
+  if (!kKeywords.count(a.left)) {
+    refuse(a.argument, "is unknown; roscpp has __name, __ns, __log, __ip, __hostname and __master");
+  }
+  const bool is_node_name = isName(a.right) && a.right.find_first_of("/~") == std::string::npos;
+  if (a.left == "__name" && !is_node_name) {
+    refuse(a.argument,
+           "is no name of a node: it has letters, digits and _ only; write a namespace "
+           "as __ns:=NAMESPACE");
+  }
+  if (a.left == "__ns" && !isName(a.right)) {
+    refuse(a.argument, "is no namespace: it has letters, digits, _ and / only");
+  }
+}
+
+/// roscpp sets the parameter before the node reads it, so a bad value would stay on the server.
+void checkParameters(XmlRpcValue& values) {
+  Parameters ignored;
+  visitParameters(ignored, ParameterReader(values));
+}
+
+/// Launch files remap names for all nodes of a scope, so an unused name is no error.
+void checkRemapping(const Assignment& a, CommandLine& line) {
+  const bool is_parameter = isParameter(a.left);
+  const std::string hint = "to set the parameter, write _" + a.argument;
+  if (!isName(a.left) || !isName(a.right)) {
+    refuse(a.argument, "is a remapping, but \"" + (isName(a.left) ? a.right : a.left) +
+                           "\" is no name of ROS; " +
+                           (is_parameter ? hint : "names have letters, digits, _ and / only"));
+  }
+  if (is_parameter) {
+    line.warnings.push_back("argument \"" + a.argument +
+                            "\" has no effect: it remaps a topic of that name, which the node "
+                            "does not have; " +
+                            hint);
+  }
+}
+
+}  // namespace
+
+CommandLine readCommandLine(int argc, const char* const* argv) {
+  CommandLine line;
+  XmlRpcValue values;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const std::size_t sign = argument.find(":=");
+    if (argument == "--help" || argument == "-h") {
+      line.help = true;
+    } else if (argument == "--version") {
+      line.version = true;
+    } else if (sign == std::string::npos || sign == 0) {
+      refuse(argument, "is unknown; write parameters as _NAME:=VALUE, or see --help");
+    } else {
+      const Assignment a{argument, argument.substr(0, sign), argument.substr(sign + 2)};
+      if (a.left.compare(0, 2, "__") == 0) {
+        checkKeyword(a);
+      } else if (a.left.compare(0, 1, "_") != 0) {
+        checkRemapping(a, line);
+      } else if (isName("~" + a.left.substr(1))) {
+        values[a.left.substr(1)] = valueOf(a.right);
+      } else {
+        refuse(argument, "names no parameter: a name has letters, digits, _ and / only");
+      }
+    }
+  }
+  checkParameters(values);
+  return line;
+}
+
+}  // namespace link_bounds
