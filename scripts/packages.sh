@@ -15,10 +15,12 @@ packages_of() {
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;
     run)  # what the launch files start, assert_box in a .test file, and the command line tools to
-          # look at it; rosmsg reads the ros-*-msgs
-      echo python3 python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest rosout \
-        ros-robot-state-publisher ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs \
-        ros-std-srvs ros-tf2-msgs ros-visualization-msgs \
+          # look at it; rosmsg reads the messages in ros-*-msgs and the manifests in lib*-msgs-dev
+      echo python3 python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
+        rosout ros-robot-state-publisher ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs \
+        ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs libdiagnostic-msgs-dev \
+        libgeometry-msgs-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-msgs-dev \
+        libvisualization-msgs-dev \
         python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
         python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
         ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \

@@ -14,10 +14,10 @@ FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
 GROUPS = 'build run test display link'
 
 # Groups that the package for apt depends on or recommends; keys that are libraries, on which it
-# depends by ${shlibs:Depends}; and what rosmsg and rossrv read message files from.
+# depends by ${shlibs:Depends}; and all that rosmsg and rossrv need: messages and manifest.
 GROUPS_OF_DEB = 'run display link'
 LIBRARIES = {'assimp', 'roscpp', 'rospack', 'tf2', 'tf2_ros'}
-MESSAGE_FILES = ('ros-{}',)
+OF_MESSAGES = ('ros-{}', 'lib{}-dev')
 
 
 def keys(folder, tags):
@@ -31,15 +31,17 @@ def packages(folder, groups):
                               text=True).stdout.split())
 
 
-def is_known(key, known, forms=FORMS):
+def is_known(key, known):
     name = key.replace('_', '-')
     if name.endswith('-dev'):
         name = name[:-len('-dev')]
-    return OTHER_NAMES.get(name) in known or any(form.format(name) in known for form in forms)
+    return OTHER_NAMES.get(name) in known or any(form.format(name) in known for form in FORMS)
 
 
-def forms_at_run_time(key):
-    return MESSAGE_FILES if key.endswith(('_msgs', '_srvs')) else FORMS
+def is_complete_at_run_time(key, known):
+    if not key.endswith(('_msgs', '_srvs')):
+        return is_known(key, known)
+    return all(form.format(key.replace('_', '-')) in known for form in OF_MESSAGES)
 
 
 def main():
@@ -48,7 +50,7 @@ def main():
     all_keys = keys(folder, r'\w*depend')
     run_keys = keys(folder, '(exec_)?depend') - LIBRARIES
     missing = sorted(key for key in all_keys if not is_known(key, known))
-    absent = sorted(key for key in run_keys if not is_known(key, of_deb, forms_at_run_time(key)))
+    absent = sorted(key for key in run_keys if not is_complete_at_run_time(key, of_deb))
     if missing:
         print('scripts/packages.sh has no package for: ' + ', '.join(missing))
     if absent:
