@@ -18,7 +18,8 @@ std::string readText(const std::string& file);
 std::string folderOf(const std::string& file);
 
 /// The pose of each link in the frame of the root link, for the given joint values [rad or m].
-/// Warns about values that have no effect, and once about those beyond limits. Throws UsageError for an unknown name, and JointError.
+/// Warns about values that have no effect, and once about those beyond limits. Throws UsageError
+/// for an unknown name, and JointError.
 std::vector<Eigen::Isometry3d> posesFor(const Robot& robot,
                                         const std::map<std::string, double>& given);
 
