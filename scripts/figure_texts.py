@@ -18,8 +18,11 @@ UNIT = re.compile(r'\s+(ns|µs|ms|s|seconds|minutes|bytes|kB|KiB|MB|%|times)(?![
 
 def to_text(value, form):
     """A value as it stands in a text."""
-    if form or isinstance(value, str):
+    if isinstance(value, str):
         return format(value, form or '')
+    if form:
+        text = format(value, form)
+        return text.lstrip('-') if not text.strip('-0.') else text  # no minus zero
     if isinstance(value, int):
         return format(value, ',')
     if value < 0.995:

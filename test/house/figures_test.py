@@ -94,6 +94,11 @@ class MechanismTest(unittest.TestCase):
         self.assertEqual((self.package / 'README.md').read_text('utf-8'),
                          'A box takes 7.0 ns,\n2.50 times ours.\n\n| box | 7.0 |\n')
 
+    def test_zero_has_no_minus(self):
+        self.assertEqual(figure_texts.to_text(-0.4, '.0f'), '0')
+        self.assertEqual(figure_texts.to_text(-0.04, '.1f'), '0.0')
+        self.assertEqual(figure_texts.to_text(-10, '.0f'), '-10')
+
     def test_missing_key_and_missing_sentence(self):
         self.assertIn('lacks b', self.differences({'a/ns': 35})[0])
         self.write('A box takes long.\n\n| box | 35 |\n')
