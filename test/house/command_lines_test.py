@@ -24,7 +24,7 @@ TIMEOUT = 60  # s
 def programs():
     """Those that are installed, and the scripts of the repository."""
     scripts = [path for path in (PACKAGE / 'scripts').iterdir()
-               if not path.suffix and os.access(path, os.X_OK)]
+               if path.is_file() and not path.suffix and os.access(path, os.X_OK)]
     return [PROGRAMS / name for name in NAMES] + sorted(scripts)
 
 
