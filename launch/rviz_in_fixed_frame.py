@@ -8,6 +8,7 @@ link_bounds_publisher/boxes is there.
 """
 
 import os
+import shutil
 import sys
 
 import rospy
@@ -18,6 +19,9 @@ def main():
     if {'-h', '--help'} & set(sys.argv[1:]):
         print(__doc__.strip())
         return
+    if not shutil.which('rviz'):
+        sys.exit('rviz_in_fixed_frame: rviz is not installed; install its package: '
+                 'rviz on Debian, ros-noetic-rviz on Ubuntu')
     rospy.init_node('rviz_in_fixed_frame', anonymous=True)
     try:
         boxes = rospy.wait_for_message('link_bounds_publisher/boxes', AxisAlignedBoxArray)

@@ -7,6 +7,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -52,6 +53,14 @@ class RvizFrame(unittest.TestCase):
     def check(self, arguments, frame):
         self.assertEqual(arguments[:2], ["--display-config", CONFIGURATION])
         self.assertEqual(arguments[-2:], ["--fixed-frame", frame])
+
+    def test_without_rviz(self):
+        script = os.path.join(os.path.dirname(CONFIGURATION), "rviz_in_fixed_frame.py")
+        done = subprocess.run([sys.executable, script], env=dict(os.environ, PATH=self.arguments),
+                              timeout=LAUNCH_LIMIT, check=False, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1)
+        error = done.stderr.decode()
+        self.assertRegex(error, r"\Arviz_in_fixed_frame: rviz is not installed; .+\n\Z")
 
     def test_root_link(self):
         rospy.set_param("/robot_description", ARMS)
