@@ -22,8 +22,8 @@ def pairs_of(message):
     return [(overlap.first, overlap.second) for overlap in message.overlaps]
 
 
-def joined_links(urdf, most=1):
-    """Pairs of links of one body, or of bodies with at most so many joints between."""
+def joined_links(urdf, max_joints=1):
+    """Pairs of links with at most `max_joints` movable joints between them."""
     root = ElementTree.fromstring(urdf)
     body = {link.get("name"): link.get("name") for link in root.findall("link")}
     joints = [(joint.find("parent").get("link"), joint.find("child").get("link"), joint.get("type"))
@@ -33,7 +33,7 @@ def joined_links(urdf, most=1):
             old, new = body[child], body[parent]
             body.update({link: new for link, name_of_body in body.items() if name_of_body == old})
     near = {(one, one) for one in body.values()}
-    for _ in range(most):
+    for _ in range(max_joints):
         near |= {(a, after) for a, b in near for parent, child, _ in joints
                  for before, after in ((body[parent], body[child]), (body[child], body[parent]))
                  if b == before}

@@ -116,10 +116,10 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "\"a b\": links or objects NS/ID that are never a pair in ~overlaps; * in a name is any "
         "text without a slash, as in NS/*: all objects of a namespace");
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
-        "links with at most so many movable joints between them are never a pair in ~overlaps, "
-        ">= 0");
+        "links with this many movable joints between them, or fewer, are never a pair in "
+        "~overlaps; >= 0");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
-        "at most so many boxes per link on ~parts, 1 to 256");
+        "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
   visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
 }

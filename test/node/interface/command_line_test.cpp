@@ -29,10 +29,10 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 TEST(CommandLine, TakesWhatRoslaunchAndUsersGive) {
-  const CommandLine line =
-      read({"__name:=bounds", "__log:=/root/.ros/log/a b.log", "__ns:=/robot", "tf:=/other/tf",
-            "~boxes:=/boxes", "robot_description:=/arm/urdf", "_padding:=0.05", "_timeout:=2",
-            "_geometry:=collision", "_marker_labels:=True", "_parts_per_link:=8", "_paddign:=x"});
+  const CommandLine line = read(
+      {"__name:=bounds", "__log:=/home/robot/.ros/log/a b.log", "__ns:=/robot", "tf:=/other/tf",
+       "~boxes:=/boxes", "robot_description:=/arm/urdf", "_padding:=0.05", "_timeout:=2",
+       "_geometry:=collision", "_marker_labels:=True", "_parts_per_link:=8", "_paddign:=x"});
   EXPECT_FALSE(line.help || line.version);
   EXPECT_TRUE(line.warnings.empty());
 }
