@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "robot/urdf/trimmed.h"
+
 namespace link_bounds {
 namespace {
 
@@ -49,13 +51,6 @@ Content contentOf(const fs::path& folder) {
     }
   }
   return content;
-}
-
-std::string trimmed(const std::string& text) {
-  constexpr char kSpaces[] = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpaces);
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
 /// The name in a package.xml, "" if it has none; nullopt if the file cannot be read.

@@ -29,18 +29,24 @@ std::optional<geometry_msgs::Polygon> rectangleOf(const AxisAlignedBox& box) {
   return polygon;
 }
 
-}  // namespace
-
-std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups) {
-  if (!whyNoFootprint(groups).empty()) return std::nullopt;
-  return rectangleOf(groups.boxes.front());
-}
-
-/// Group robot is the first one in both lists.
-std::string whyNoFootprint(const AxisAlignedBoxArray& groups) {
+/// Why box robot cannot be used; "" if it can. Group robot is the first one in both lists.
+std::string whyNoRobot(const AxisAlignedBoxArray& groups) {
   if (groups.boxes.empty() || groups.boxes.front().name != kRobotGroup) return "no link has a box";
   if (!groups.incomplete.empty() && groups.incomplete.front() == kRobotGroup)
     return "group robot is incomplete";
+  return "";
+}
+
+}  // namespace
+
+std::optional<geometry_msgs::Polygon> footprintOf(const AxisAlignedBoxArray& groups) {
+  if (!whyNoRobot(groups).empty()) return std::nullopt;
+  return rectangleOf(groups.boxes.front());
+}
+
+std::string whyNoFootprint(const AxisAlignedBoxArray& groups) {
+  const std::string reason = whyNoRobot(groups);
+  if (!reason.empty()) return reason;
   return rectangleOf(groups.boxes.front()) ? "" : "box robot is too large for float32";
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "robot/urdf/trimmed.h"
 #include "robot/urdf/urdf_outline.h"
 
 namespace link_bounds {
@@ -19,13 +20,6 @@ constexpr std::size_t kMaxPath = 4096;
 const std::string kExpand =
     "expand it, in a launch file by <param name=\"robot_description\" command=\"xacro FILE\"/>, "
     "on a command line by xacro FILE > robot.urdf";
-
-std::string trimmed(const std::string& text) {
-  const char* const blank = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blank);
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
-}
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -105,6 +99,7 @@ std::string whyNoUrdf(const std::string& text) {
 }
 
 std::string xacroWarning(const std::string& text) {
+  if (text.find("<xacro:") == std::string::npos) return "";  // saves most robots the parsing
   tinyxml2::XMLDocument document;
   document.Parse(fromFirstElement(text).c_str());
   const std::string element = xacroElementIn(document);

@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "robot/urdf/trimmed.h"
+
 namespace link_bounds {
 namespace {
 
 constexpr char kSpaces[] = " \t\r\n";
 constexpr char kWildcard = '*';
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(kSpaces);
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpaces) + 1 - begin);
-}
 
 }  // namespace
 
@@ -66,6 +62,7 @@ bool isPattern(const std::string& name) {
   return name.find(kWildcard) != std::string::npos;
 }
 
+/// Not by fnmatch(), to which brackets and question marks in a name are special, too.
 /// Where the rest differs, the last wildcard takes one more character and the rest starts again.
 /// No earlier wildcard needs to: each slash of the pattern has its place.
 bool fitsPattern(const std::string& name, const std::string& pattern) {
