@@ -215,7 +215,7 @@ class NodeProcess:
         for key, value in parameters.items():
             rospy.set_param("%s/%s" % (self.name, key), value)
         path = roslib.packages.find_node("link_bounds", "link_bounds_publisher")[0]
-        self._output = tempfile.TemporaryFile("w+")
+        self._output = tempfile.TemporaryFile()
         self._process = subprocess.Popen([path, "__name:=" + name, *arguments], env=environment,
                                          cwd=folder, stdout=self._output, stderr=subprocess.STDOUT)
 
@@ -232,8 +232,9 @@ class NodeProcess:
 
     @property
     def output(self):
-        self._output.seek(0)
-        return self._output.read()
+        """Read without a seek, which would also move where the node writes next."""
+        file = self._output.fileno()
+        return os.pread(file, os.fstat(file).st_size, 0).decode(errors="replace")
 
     def __enter__(self):
         return self
