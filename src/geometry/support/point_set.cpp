@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/support/query/direction_query.h"
+#include "geometry/support/query/farthest_point.h"
 #include "geometry/support/query/point_scan.h"
 
 namespace link_bounds {
@@ -38,6 +39,10 @@ PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
 Extents PointSet::extents(const Directions& directions) const {
   return table_ ? link_bounds::extents(*table_, directions)
                 : scannedExtents(xyz_.get(), size_, directions);
+}
+
+Eigen::Vector3d PointSet::farthest(const Eigen::Vector3d& direction) const {
+  return table_ ? farthestPoint(*table_, direction) : farthestPoint(xyz_.get(), size_, direction);
 }
 
 std::size_t PointSet::bytes() const {

@@ -96,6 +96,30 @@ TEST(PointSet, EqualsBruteForceForTheExtremesOfFloat) {
   expectEqualsBruteForce({{3.4e38f, -3.4e38f, 1e-45f}, {1e-38f, 3.4e38f, -1e-45f}}, 9);
 }
 
+TEST(PointSet, FarthestIsAPointOfTheSetAsFarAsTheExtent) {
+  brute_force::Random random(11);
+  for (const std::size_t count : {1u, 3u, 5u, 40u, 1000u}) {
+    const Points points = random.points(count, 0.5);
+    std::vector<Eigen::Vector3d> in_double;
+    for (const Eigen::Vector3f& point : points)
+      in_double.push_back(point.cast<double>());
+    const PointSet set(points);
+    const std::shared_ptr<const double> xyz(std::shared_ptr<void>(), in_double[0].data());
+    const PointSet scanned(xyz, count);
+    for (int i = 0; i < 1000; ++i) {
+      const Eigen::Vector3d direction = random.vector(random.magnitude(-3, 3));
+      Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();
+      rows.row(0) = direction;
+      const double high = set.extents(rows).high[0];
+      for (const PointSet* any : {&set, &scanned}) {
+        const Eigen::Vector3d farthest = any->farthest(direction);
+        ASSERT_EQ(brute_force::reach(direction, farthest), high);
+        ASSERT_NE(std::find(in_double.begin(), in_double.end(), farthest), in_double.end());
+      }
+    }
+  }
+}
+
 TEST(PointSet, MagnitudeIsTheLargestCoordinatePerAxis) {
   const PointSet set({{1, -5, 2}, {-3, 4, 2}});
   EXPECT_EQ(set.magnitude(), Eigen::Vector3d(3, 5, 2));

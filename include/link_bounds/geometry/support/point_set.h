@@ -43,6 +43,11 @@ class PointSet {
   /// `directions` must not exceed 1e30, and no product with points in double may overflow.
   Extents extents(const Directions& directions) const;
 
+  /// A point with the largest d . p, up to the rounding of its evaluation and the 1e-14 of the
+  /// largest |coordinate| times |d|_1 by which a table may leave out points. Entries of `direction`
+  /// must not exceed 1e30, and no product with points in double may overflow.
+  Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const;
+
   /// True for the very same set, and for points in double that are equal one by one.
   bool isSame(const PointSet& other) const;
 
