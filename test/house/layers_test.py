@@ -11,7 +11,7 @@ import sys
 
 # From the bottom to the top.
 ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes',
-         'geometry/parts', 'geometry/overlaps',
+         'geometry/parts', 'geometry/overlaps', 'geometry/distance',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot',
          'packages', 'ros', 'text',
          'node/names', 'node/log', 'node/clock', 'node/threads', 'node/memory', 'node/master',

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What distances are computed of: the shapes of a link or an object, and their triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/shape/shape.h"
+
+namespace link_bounds {
+
+class TriangleTree;  // private to the library
+
+/// The triangles of a shape in a tree, in the coordinates of the shape's points [m]. It is made
+/// once and may be shared by any number of shapes and threads. A triangle with two equal corners is
+/// a segment, one with three a point. Null if there is no triangle, an index is too large, or a
+/// coordinate is not finite or exceeds 1e30.
+std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh);
+
+/// As above, for vertices in double. `solid` with its `size` sweeps the triangles, as in Shape: so
+/// a list of cubes is a list of points that a box sweeps.
+std::shared_ptr<const TriangleTree> triangleTree(
+    const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, Solid solid = Solid::kNone,
+    const Eigen::Vector3d& size = Eigen::Vector3d::Zero());
+
+/// Bytes kept in memory.
+std::size_t bytes(const TriangleTree& tree);
+
+struct BodyShape {
+  Shape shape;
+  /// What the shape consists of: surfaces, for a mesh also where it encloses a volume. Its vertices
+  /// and its solid are those of `shape`. Null: the body is only known to lie within the convex hull
+  /// of the shape and to hold the shape's points, each swept by the solid. A solid without points,
+  /// or with one, is its own convex hull and needs no triangles.
+  std::shared_ptr<const TriangleTree> triangles = nullptr;
+};
+
+/// In the frame of the link or object.
+struct Body {
+  std::vector<BodyShape> shapes;
+};
+
+}  // namespace link_bounds

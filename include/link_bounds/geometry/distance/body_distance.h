@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The distance of two bodies between two proven bounds.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "link_bounds/geometry/distance/body.h"
+
+namespace link_bounds {
+
+/// What decided the lower bound: axis-aligned boxes, convex hulls, or triangles.
+enum class DistanceLevel { kBox, kHull, kMesh };
+
+/// Lengths are metres, points and directions are in the world.
+struct BodyDistance {
+  /// Proven: no point of one body is nearer to the other. 0: they may touch.
+  double lower;
+  /// The distance of on_first and on_second, rounded up, so at least that of the bodies.
+  double upper;
+  Eigen::Vector3d on_first;  ///< a point of the first body
+  Eigen::Vector3d on_second;
+  /// Unit, from the first body to the second; zero if `lower` is 0. At the levels kBox and kHull
+  /// the shapes that decide are `lower` apart along it.
+  Eigen::Vector3d normal;
+  DistanceLevel level;
+};
+
+struct DistanceGoal {
+  /// `upper` - `lower` shall not exceed this [m], > 0. Close to contact, rounding leaves some 1e-8
+  /// of the bodies' size.
+  double accuracy = 1e-4;
+  /// Bodies that are proven to be farther apart need no accuracy [m], >= 0.
+  double limit = std::numeric_limits<double>::infinity();
+  /// Max number of pairs of tree nodes that are compared. Where they do not suffice, both bounds
+  /// hold, but differ by more than `accuracy`.
+  std::size_t max_steps = 1'000'000;
+};
+
+/// `lower` and `upper` differ by at most goal.accuracy if each shape has triangles or is a solid
+/// with at most one point, and neither goal.limit nor goal.max_steps ended the search. Nothing if a body has no shape, or a pose
+/// gives no finite box. Poses may be any affine transform. Throws nothing but std::bad_alloc.
+std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
+                                         const Body& second,
+                                         const Eigen::Affine3d& world_from_second,
+                                         const DistanceGoal& goal = {});
+
+}  // namespace link_bounds

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The distances of bodies that move, asked for many times a second.
+#pragma once
+
+#include <memory>
+
+#include "link_bounds/geometry/distance/body_distance.h"
+
+namespace link_bounds {
+
+/// Some bodies at their last poses, and the one owner of what makes distances fast: of each pair it
+/// remembers what was nearest, and the next search of that pair begins there. A memory ends when
+/// one of the two bodies is replaced. Bounds of find() and of bodyDistance() hold alike and are as
+/// near to each other, but they may differ within goal.accuracy. Throws nothing but std::bad_alloc.
+/// Not thread-safe.
+class BodyDistances {
+ public:
+  explicit BodyDistances(const DistanceGoal& goal = {});
+  BodyDistances(BodyDistances&&) noexcept;
+  BodyDistances& operator=(BodyDistances&&) noexcept;
+  ~BodyDistances();
+
+  /// Adds or replaces a body, which then has no pose. Null removes it. Indices should be small:
+  /// there is memory for all smaller ones.
+  void set(std::size_t index, std::shared_ptr<const Body> body);
+
+  void move(std::size_t index, const Eigen::Affine3d& world_from_body);
+
+  void setGoal(const DistanceGoal& goal);
+
+  /// Nothing if one of the two is not there, has had no pose, or has no finite box in its last one.
+  std::optional<BodyDistance> find(std::size_t first, std::size_t second);
+
+ private:
+  class Memories;
+  std::unique_ptr<Memories> memories_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each pair of shapes, nearest boxes first, by boxes, then hulls, then triangles, each level only
+// where the one before it leaves the distance open.
+#include "link_bounds/geometry/distance/body_distance.h"
+
+#include <algorithm>
+
+#include "geometry/distance/gjk.h"
+#include "geometry/distance/pair_search.h"
+#include "link_bounds/geometry/box/rounding.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kHullSteps = 100;
+
+/// Of the accuracy, the rest of which is left to the triangles.
+constexpr double kHullTolerance = 0.25;
+
+struct Candidate {
+  std::uint32_t first;
+  std::uint32_t second;
+  double lower;  ///< proven by the boxes
+};
+
+/// A shape that is its own convex hull.
+bool isConvex(const BodyShape& shape) {
+  return !shape.triangles && (!shape.shape.points || shape.shape.points->size() == 1);
+}
+
+/// Each of its points is known.
+bool isKnown(const BodyShape& shape) {
+  return shape.triangles || isConvex(shape);
+}
+
+/// From the first box to the second.
+Eigen::Vector3d boxNormal(const Aabb& first, const Aabb& second) {
+  const Eigen::Vector3d gap =
+      (second.min() - first.max()).cwiseMax(0.0) - (first.min() - second.max()).cwiseMax(0.0);
+  return gap.stableNormalized();
+}
+
+class Search {
+ public:
+  Search(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
+         PairMemory& memory)
+      : first_(first),
+        second_(second),
+        goal_(goal),
+        memory_(memory),
+        rounding_(pairRounding(first, second)),
+        steps_left_(goal.max_steps) {}
+
+  BodyDistance run() {
+    const PairMemory before = memory_;
+    memory_.is_known = false;
+    for (const Candidate& candidate : candidates(before)) {
+      if (candidate.lower >= farEnough()) {
+        decide(candidate.lower, DistanceLevel::kBox, boxNormalOf(candidate), candidate);
+      } else {
+        refine(candidate, before);
+      }
+    }
+    if (!(witness_.distance < std::numeric_limits<double>::infinity())) takeAnyPoints();
+    return result();
+  }
+
+ private:
+  double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
+
+  /// The boxes are rounded outward, but to the product of the two poses as computed.
+  double boxLower(const Aabb& a, const Aabb& b) const {
+    return std::max(0.0, signedDistance(a, b) * (1 - 8 * kUnitRoundoff) - rounding_);
+  }
+
+  /// The pair that was nearest before comes first, then those with the nearest boxes.
+  std::vector<Candidate> candidates(const PairMemory& before) const {
+    std::vector<Candidate> result;
+    result.reserve(first_.shapes.size() * second_.shapes.size());
+    for (std::uint32_t i = 0; i < first_.shapes.size(); ++i) {
+      for (std::uint32_t j = 0; j < second_.shapes.size(); ++j) {
+        result.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box)});
+      }
+    }
+    const auto isNearest = [&before](const Candidate& pair) {
+      return before.is_known && pair.first == before.first_shape &&
+             pair.second == before.second_shape;
+    };
+    std::sort(result.begin(), result.end(), [&](const Candidate& a, const Candidate& b) {
+      return std::make_pair(!isNearest(a), a.lower) < std::make_pair(!isNearest(b), b.lower);
+    });
+    return result;
+  }
+
+  Eigen::Vector3d boxNormalOf(const Candidate& pair) const {
+    return boxNormal(first_.shapes[pair.first].box, second_.shapes[pair.second].box);
+  }
+
+  ShapePair shapePair(const Candidate& pair) const {
+    const PlacedShape& a = first_.shapes[pair.first];
+    const PlacedShape& b = second_.shapes[pair.second];
+    ShapePair result{*a.shape, *b.shape, a.from_body_origin, b.from_body_origin, rounding_};
+    result.second_at.translation += second_.origin - first_.origin;
+    return result;
+  }
+
+  void refine(const Candidate& candidate, const PairMemory& before) {
+    const ShapePair pair = shapePair(candidate);
+    const bool is_nearest = before.is_known && before.first_shape == candidate.first &&
+                            before.second_shape == candidate.second;
+    Simplex simplex = is_nearest ? placed(before.simplex, pair) : Simplex();
+    const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, kHullTolerance * goal_.accuracy,
+                           kHullSteps};
+    const ShapeHull a{pair.first.shape}, b{pair.second.shape};
+    const Eigen::Vector3d start = startOf(candidate);
+    const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
+    const double distance_before = witness_.distance;
+    offer(simplex, pair);
+    double lower = std::max(candidate.lower, hulls.lower - pair.rounding);
+    DistanceLevel level = DistanceLevel::kHull;
+    LeafPair leaves = is_nearest ? before.leaves : LeafPair();
+    if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
+        !(isConvex(pair.first) && isConvex(pair.second))) {
+      const SearchResult found = searchTrees(pair, lower, hulls.lower > 0 ? hulls.normal : start,
+                                             leaves, goal_, steps_left_, witness_);
+      if (found.lower > lower) level = DistanceLevel::kMesh;
+      lower = found.lower;
+      leaves = found.nearest;
+    }
+    decide(lower, level, hulls.normal, candidate);
+    if (witness_.distance < distance_before || !memory_.is_known)
+      memory_ = {true, candidate.first, candidate.second, simplex, leaves};
+  }
+
+  /// A direction to begin with.
+  Eigen::Vector3d startOf(const Candidate& pair) const {
+    const Aabb& a = first_.shapes[pair.first].box;
+    const Aabb& b = second_.shapes[pair.second].box;
+    const Eigen::Vector3d normal = boxNormal(a, b);
+    if (normal.squaredNorm() > 0) return normal;
+    const Eigen::Vector3d between = (b.center() - a.center()).stableNormalized();
+    return between.squaredNorm() > 0 ? between : Eigen::Vector3d::UnitX();
+  }
+
+  static Simplex placed(const Simplex& before, const ShapePair& pair) {
+    Simplex result;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Eigen::Vector3d& a = before[i].first;
+      const Eigen::Vector3d& b = before[i].second;
+      result.add({pair.first_at.toSearch(a) - pair.second_at.toSearch(b), a, b});
+    }
+    return result;
+  }
+
+  /// Of shapes that are their own hulls the nearest points, of others the vertices of the simplex.
+  void offer(const Simplex& simplex, const ShapePair& pair) {
+    if (simplex.size() > 0 && isConvex(pair.first) && isConvex(pair.second)) {
+      offer(pair.first_at.toSearch(simplex.first()), pair.second_at.toSearch(simplex.second()));
+      return;
+    }
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      for (std::size_t j = 0; j < simplex.size(); ++j)
+        offer(pair.first_at.toSearch(simplex[i].first), pair.second_at.toSearch(simplex[j].second));
+    }
+  }
+
+  void offer(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double distance = (b - a).norm();
+    if (distance < witness_.distance) witness_ = {a, b, distance};
+  }
+
+  void decide(double lower, DistanceLevel level, const Eigen::Vector3d& normal,
+              const Candidate& pair) {
+    if (!(lower < lower_)) return;
+    lower_ = lower;
+    level_ = level;
+    normal_ = normal;
+    nearest_ = pair;
+  }
+
+  /// Where boxes decided, no point is known yet.
+  void takeAnyPoints() {
+    const ShapePair pair = shapePair(nearest_);
+    const Eigen::Vector3d normal = startOf(nearest_);
+    const Eigen::Vector3d a = ShapeHull{pair.first.shape}.farthest(pair.first_at.toShape(normal));
+    const Eigen::Vector3d b =
+        ShapeHull{pair.second.shape}.farthest(-pair.second_at.toShape(normal));
+    offer(pair.first_at.toSearch(a), pair.second_at.toSearch(b));
+  }
+
+  BodyDistance result() const {
+    const double upper = (witness_.distance + rounding_) * (1 + 8 * kUnitRoundoff);
+    BodyDistance result{std::min(lower_, upper),
+                        upper,
+                        first_.origin + witness_.on_first,
+                        first_.origin + witness_.on_second,
+                        normal_,
+                        level_};
+    if (level_ == DistanceLevel::kMesh)
+      result.normal = (witness_.on_second - witness_.on_first).stableNormalized();
+    if (!(result.lower > 0)) result.normal.setZero();
+    return result;
+  }
+
+  const PlacedBody& first_;
+  const PlacedBody& second_;
+  const DistanceGoal& goal_;
+  PairMemory& memory_;
+  double rounding_;
+  std::size_t steps_left_;
+  Witness witness_;
+  double lower_ = std::numeric_limits<double>::infinity();
+  DistanceLevel level_ = DistanceLevel::kBox;
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
+  Candidate nearest_{0, 0, 0};
+};
+
+}  // namespace
+
+BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
+                            const DistanceGoal& goal, PairMemory& memory) {
+  return Search(first, second, goal, memory).run();
+}
+
+std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
+                                         const Body& second,
+                                         const Eigen::Affine3d& world_from_second,
+                                         const DistanceGoal& goal) {
+  const std::optional<PlacedBody> a = placedBody(first, world_from_first);
+  const std::optional<PlacedBody> b = placedBody(second, world_from_second);
+  if (!a || !b) return std::nullopt;
+  PairMemory memory;
+  return placedDistance(*a, *b, goal, memory);
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance of two convex sets by their supports (Gilbert, Johnson and Keerthi, 1988).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/distance/convex_sets.h"
+#include "geometry/distance/simplex.h"
+
+namespace link_bounds {
+
+/// When the iteration may end. Lengths are metres.
+struct GjkGoal {
+  double enough;     ///< the lower bound need not be larger
+  double too_near;   ///< ends as soon as the distance is proven to be at most this
+  double tolerance;  ///< between the two bounds
+  int max_steps;
+};
+
+struct GjkResult {
+  /// How far the sets are apart along `normal`, without any pad against rounding; 0 if no direction
+  /// that was tried separates them.
+  double lower = 0;
+  double upper = std::numeric_limits<double>::infinity();  ///< of the simplex's nearest point
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the first set to the second
+};
+
+/// Shorter vectors have no direction, because their squares vanish.
+constexpr double kShortest = 1e-140;
+
+/// A step that does not bring the simplex nearer by this part has met the limit of rounding.
+constexpr double kLeastProgress = 1e-13;
+
+/// Every direction that the iteration tries bounds the distance from below, whatever becomes of the
+/// iteration: the sets cannot be nearer than their supports along that direction are. The best
+/// bound counts. Begins with the points of `simplex`; if it has none, with the direction
+/// `first_to_second`. Leaves the last simplex, which is reduced.
+template <class First, class Second>
+GjkResult gjk(const First& first, const Placement& first_at, const Second& second,
+              const Placement& second_at, const Eigen::Vector3d& first_to_second,
+              const GjkGoal& goal, Simplex& simplex) {
+  GjkResult result;
+  Eigen::Vector3d nearest = -first_to_second;
+  if (simplex.size() > 0) {
+    nearest = simplex.reduce();
+    result.upper = nearest.norm();
+  }
+  for (int step = 0; step < goal.max_steps; ++step) {
+    const double length = nearest.norm();
+    if (!(length > kShortest)) break;
+    const Eigen::Vector3d normal = nearest / -length;
+    DifferencePoint next;
+    next.first = first.farthest(first_at.toShape(normal));
+    next.second = second.farthest(-second_at.toShape(normal));
+    next.difference = first_at.toSearch(next.first) - second_at.toSearch(next.second);
+    const double gap = -normal.dot(next.difference);
+    if (gap > result.lower) {
+      result.lower = gap;
+      result.normal = normal;
+    }
+    if (result.lower >= goal.enough || result.upper - result.lower <= goal.tolerance) break;
+    if (simplex.contains(next.difference)) break;
+    simplex.add(next);
+    nearest = simplex.reduceAfterAdding();
+    const double before = result.upper;
+    result.upper = std::min(before, nearest.norm());
+    if (result.upper <= goal.too_near || simplex.size() == 4) break;
+    if (!(result.upper < before * (1 - kLeastProgress))) break;
+  }
+  return result;
+}
+
+}  // namespace link_bounds

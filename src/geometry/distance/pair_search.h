@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance of two placed bodies, level by level, with what a search leaves for the next one.
+#pragma once
+
+#include "geometry/distance/simplex.h"
+#include "geometry/distance/tree_search.h"
+
+namespace link_bounds {
+
+/// What was nearest in a search. The next search of the same two bodies begins with it, which saves
+/// time where they have not moved far. All of it is in the coordinates of the shapes, where no
+/// motion changes it, and it only says where to look first: no bound rests on it.
+struct PairMemory {
+  bool is_known = false;
+  std::uint32_t first_shape = 0;
+  std::uint32_t second_shape = 0;
+  Simplex simplex;  ///< of the hulls of these shapes
+  LeafPair leaves;
+};
+
+/// Only shapes of the bodies that `memory` was made with may be given, in any poses.
+BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
+                            const DistanceGoal& goal, PairMemory& memory);
+
+}  // namespace link_bounds

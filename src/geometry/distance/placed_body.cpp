@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The argument behind every lower bound of this room.
+//
+// Let n be a vector of doubles, which GJK or two witness points give, with | |n| - 1 | <= 4u where
+// u = 2^-53. Whatever n is, no point of A is nearer to one of B than
+//   (min over B of n . b  -  max over A of n . a) / |n|,
+// so only the rounding of these two supports counts, never that of what found n. A shape places its
+// point p at W (S p), with the poses W and S as given. Computed are
+//   M = fl(W S)                 relative to |W| |S|, each entry   4u (three products, two sums,
+//                                                                    one more for the translation)
+//   m = fl(M' n)                                                  3u
+//   p, the point with the largest fl(m . p)                       twice 3u, and twice the 3u of m:
+//                                                                 the best point may lose by that
+//   n . fl(M p + t)                                               4u + 3u
+//   the difference of both supports, and |n|                      1u + 4u
+// together less than 32u of the sum over the absolute values of all factors, which is at most
+//   rho = | |W| (|S| A + |s|) |,  A the largest |coordinate|, s the translation of S,
+// since |n| <= 1 to within 4u. A direction table may leave out points that are beaten by less than
+// 1e-14 A |m|_1 <= 1e-14 rho and evaluates to as much again. The origins of the bodies are
+// subtracted once, with an error of u of the difference, which then enters the last four steps.
+// kRounding is twice of what is needed, and so covers that second-order terms are left out.
+#include "geometry/distance/placed_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/distance/triangle_tree.h"
+#include "link_bounds/geometry/box/length.h"
+#include "link_bounds/geometry/box/rounding.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kRounding = 64 * kUnitRoundoff;
+constexpr double kTableTolerance = 2e-14;
+
+/// What products and squares of tiny numbers may lose [m]. Much smaller lengths have no square.
+constexpr double kUnderflow = 1e-140;
+
+/// Larger bodies could overflow in a product of four lengths.
+constexpr double kLargest = 1e60;
+
+double magnitudeOf(const BodyShape& body_shape) {
+  const Shape& shape = body_shape.shape;
+  double magnitude = shape.size.cwiseAbs().maxCoeff() / 2;
+  if (shape.points) magnitude += shape.points->magnitude().maxCoeff();
+  if (body_shape.triangles) magnitude = std::max(magnitude, body_shape.triangles->magnitude);
+  return magnitude;
+}
+
+/// The bound rho of the argument above.
+double roundingBound(const BodyShape& shape, const Eigen::Affine3d& world_from_body) {
+  const Eigen::Affine3d& link_from_shape = shape.shape.link_from_shape;
+  const Eigen::Vector3d in_body =
+      link_from_shape.linear().cwiseAbs() * Eigen::Vector3d::Constant(magnitudeOf(shape)) +
+      link_from_shape.translation().cwiseAbs();
+  const Eigen::Vector3d rho = world_from_body.linear().cwiseAbs() * in_body;
+  return length(rho.x(), rho.y(), rho.z());
+}
+
+}  // namespace
+
+std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body) {
+  if (body.shapes.empty() || !isUsablePose(world_from_body)) return std::nullopt;
+  PlacedBody result{world_from_body.translation(), {}, 0};
+  if (!(result.origin.cwiseAbs().maxCoeff() <= kLargest)) return std::nullopt;
+  result.shapes.reserve(body.shapes.size());
+  for (const BodyShape& shape : body.shapes) {
+    const std::optional<Aabb> box = worldBox(shape.shape, world_from_body);
+    const double rho = roundingBound(shape, world_from_body);
+    if (!box || !(rho <= kLargest)) return std::nullopt;
+    result.rounding = std::max(result.rounding, (kRounding + kTableTolerance) * rho + kUnderflow);
+    const Eigen::Affine3d& link_from_shape = shape.shape.link_from_shape;
+    const Placement placement{world_from_body.linear() * link_from_shape.linear(),
+                              world_from_body.linear() * link_from_shape.translation()};
+    result.shapes.push_back({&shape, placement, *box});
+  }
+  return result;
+}
+
+double pairRounding(const PlacedBody& first, const PlacedBody& second) {
+  const Eigen::Vector3d offset = second.origin - first.origin;
+  return first.rounding + second.rounding + kRounding * length(offset.x(), offset.y(), offset.z()) +
+         kUnderflow;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A body at its pose, with what every search with it needs, and how much rounding can amount to.
+#pragma once
+
+#include <optional>
+
+#include "geometry/distance/convex_sets.h"
+#include "link_bounds/geometry/distance/body.h"
+
+namespace link_bounds {
+
+struct PlacedShape {
+  const BodyShape* shape;
+  Placement from_body_origin;  ///< in the axes of the world, from the origin of the body
+  Aabb box;                    ///< in the world
+};
+
+struct PlacedBody {
+  Eigen::Vector3d origin;  ///< in the world
+  std::vector<PlacedShape> shapes;
+  /// Bounds the error of a computed support of any shape along a unit direction, beyond that of
+  /// the position of the origin [m].
+  double rounding;
+};
+
+/// `body` must live as long. Nothing if there is no shape or one has no finite box.
+std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body);
+
+/// Of the two bodies and of the offset of their origins: bounds the error of a computed distance
+/// along a unit direction [m].
+double pairRounding(const PlacedBody& first, const PlacedBody& second);
+
+}  // namespace link_bounds

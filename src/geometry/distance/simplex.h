@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A simplex of up to four points of the difference of two convex sets, and its point nearest to the
+// origin: the distance subalgorithm of GJK.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace link_bounds {
+
+/// A point of the difference of two sets, and the two points that it is the difference of, each in
+/// the coordinates of its shape.
+struct DifferencePoint {
+  Eigen::Vector3d difference;  ///< first - second, in the axes of the world
+  Eigen::Vector3d first;
+  Eigen::Vector3d second;
+};
+
+class Simplex {
+ public:
+  std::size_t size() const { return size_; }
+  const DifferencePoint& operator[](std::size_t i) const { return points_[i]; }
+  bool contains(const Eigen::Vector3d& difference) const;
+
+  /// There must be fewer than four points.
+  void add(const DifferencePoint& point) { points_[size_++] = point; }
+
+  /// The point nearest to the origin; zero if the origin is inside a tetrahedron. Afterwards only
+  /// the points remain of which it is a convex combination. Every candidate is such a combination,
+  /// so rounding can make the point less near, but never one that is not in the difference.
+  Eigen::Vector3d reduce() { return reduceTo(0); }
+
+  /// The same if the point is a combination that the last added point has a part in.
+  Eigen::Vector3d reduceAfterAdding() { return reduceTo(1u << (size_ - 1)); }
+
+  /// The point of each set that the nearest point is the difference of.
+  Eigen::Vector3d first() const;
+  Eigen::Vector3d second() const;
+
+ private:
+  Eigen::Vector3d reduceTo(unsigned required);
+
+  std::array<DifferencePoint, 4> points_;
+  std::array<double, 4> weights_;  ///< of the nearest point; their sum is 1
+  std::size_t size_ = 0;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits an oriented box to the triangles of a node and divides them along its longest edge.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/distance/triangle_tree.h"
+#include "link_bounds/geometry/box/length.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kLargestCoordinate = 1e30;
+
+/// Every box is larger than its triangles by this part of their distance from its centre. The axes
+/// are unit and orthogonal to 1e-15, and rounding a half edge to float turns and shortens it by at
+/// most 6e-8 of its length. In the basis of the rounded edges, a coordinate of a point so differs
+/// from the one along the axes by at most 1.1e-7 of the point's distance from the centre.
+constexpr double kEdgePad = 1e-6;
+
+/// Smaller boxes would lose digits to underflow [m].
+constexpr double kSmallestRadius = 1e-30;
+
+using Axes = Eigen::Matrix3d;  // columns
+
+struct FittedBox {
+  Axes axes = Axes::Identity();
+  Aabb box;  ///< of the triangles, in coordinates along the axes
+
+  double surface() const {
+    const Eigen::Vector3d size = box.sizes();
+    return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+  }
+};
+
+class Builder {
+ public:
+  explicit Builder(TriangleTree& tree) : tree_(tree) { centers_.reserve(tree.triangles.size()); }
+
+  void build() {
+    tree_.nodes.emplace_back();
+    std::vector<Range> open{{0, 0, static_cast<std::uint32_t>(tree_.triangles.size())}};
+    while (!open.empty()) {
+      const Range range = open.back();
+      open.pop_back();
+      const FittedBox box = fit(range);
+      store(box, range);
+      if (range.end - range.begin > kTrianglesPerLeaf) divide(box, range, open);
+    }
+  }
+
+ private:
+  struct Range {
+    std::uint32_t node, begin, end;  ///< triangles
+  };
+
+  FittedBox along(const Axes& axes, const Range& range) const {
+    FittedBox result{axes, Aabb()};
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      for (const Eigen::Vector3d& corner : tree_.corners(i))
+        result.box.extend(axes.transpose() * corner);
+    }
+    return result;
+  }
+
+  /// The axes of least and most variance of the area, as Gottschalk, Lin and Manocha (1996) take
+  /// them.
+  Axes principalAxes(const Range& range) const {
+    const Eigen::Vector3d origin = tree_.corners(range.begin)[0];
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double total = 0;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      Triangle p = tree_.corners(i);
+      for (Eigen::Vector3d& corner : p)
+        corner -= origin;
+      const double area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
+      const Eigen::Vector3d center = (p[0] + p[1] + p[2]) / 3;
+      moments += area / 12 *
+                 (9 * center * center.transpose() + p[0] * p[0].transpose() +
+                  p[1] * p[1].transpose() + p[2] * p[2].transpose());
+      sum += area * center;
+      total += area;
+    }
+    moments -= sum * sum.transpose() / total;
+    const double scale = moments.cwiseAbs().maxCoeff();
+    if (!std::isnormal(scale)) return Axes::Identity();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments / scale);
+    return solver.info() == Eigen::Success ? Axes(solver.eigenvectors()) : Axes::Identity();
+  }
+
+  /// Along the longest edge of the first triangle, and across its plane.
+  Axes triangleAxes(std::uint32_t triangle) const {
+    const Triangle p = tree_.corners(triangle);
+    std::array<Eigen::Vector3d, 3> edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
+    std::sort(edges.begin(), edges.end(),
+              [](const auto& a, const auto& b) { return a.squaredNorm() > b.squaredNorm(); });
+    const Eigen::Vector3d x = edges[0].normalized();
+    const Eigen::Vector3d z = x.cross(edges[1].normalized()).normalized();
+    Axes axes;
+    axes << x, z.cross(x), z;
+    return axes;
+  }
+
+  FittedBox fit(const Range& range) const {
+    FittedBox best = along(Axes::Identity(), range);
+    const auto consider = [&](const Axes& axes) {
+      // NaN, too, where there is no direction.
+      if (!((axes.transpose() * axes - Axes::Identity()).cwiseAbs().maxCoeff() < 1e-14)) return;
+      const FittedBox box = along(axes, range);
+      if (box.surface() < best.surface()) best = box;
+    };
+    consider(principalAxes(range));
+    if (range.end - range.begin <= 4 * kTrianglesPerLeaf) {
+      for (std::uint32_t i = range.begin; i < range.end; ++i)
+        consider(triangleAxes(i));
+    }
+    return best;
+  }
+
+  void store(const FittedBox& fitted, const Range& range) {
+    TreeNode& node = tree_.nodes[range.node];
+    node.center = (fitted.axes * fitted.box.center()).cast<float>();
+    const Eigen::Vector3d center = fitted.axes.transpose() * node.center.cast<double>();
+    Eigen::Vector3d half =
+        (fitted.box.max() - center).cwiseMax(center - fitted.box.min()).cwiseMax(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d axis = fitted.axes.col(k);
+      half[k] += axis.dot(farthestOf(tree_.solid, tree_.size, axis));
+    }
+    const double radius = std::max(length(half.x(), half.y(), half.z()), kSmallestRadius);
+    half.array() += kEdgePad * radius;
+    double magnitude = 0;
+    for (int k = 0; k < 3; ++k) {
+      Eigen::Vector3f& edge = node.edges[static_cast<std::size_t>(k)];
+      edge = (fitted.axes.col(k) * half[k]).cast<float>();
+      magnitude += edge.cast<double>().cwiseAbs().maxCoeff();
+    }
+    magnitude += node.center.cast<double>().cwiseAbs().maxCoeff();
+    tree_.magnitude = std::max(tree_.magnitude, magnitude);
+    node.first = range.begin;
+    node.count = range.end - range.begin;
+  }
+
+  /// At the mean of the triangles' centres along the axis of most extent, or in the middle of the
+  /// list if that separates nothing.
+  void divide(const FittedBox& box, const Range& range, std::vector<Range>& open) {
+    int longest = 0;
+    box.box.sizes().maxCoeff(&longest);
+    const Eigen::Vector3d axis = box.axes.col(longest);
+    const auto position = [&](const std::array<std::uint32_t, 3>& t) {
+      return axis.dot(tree_.vertices[t[0]]) + axis.dot(tree_.vertices[t[1]]) +
+             axis.dot(tree_.vertices[t[2]]);
+    };
+    const auto begin = tree_.triangles.begin() + range.begin;
+    const auto end = tree_.triangles.begin() + range.end;
+    double sum = 0;
+    for (auto i = begin; i != end; ++i)
+      sum += position(*i);
+    const double mean = sum / static_cast<double>(end - begin);
+    auto middle = std::partition(begin, end, [&](const auto& t) { return position(t) < mean; });
+    if (middle == begin || middle == end) middle = begin + (end - begin) / 2;
+    const auto border = static_cast<std::uint32_t>(middle - tree_.triangles.begin());
+    const auto left = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.resize(tree_.nodes.size() + 2);
+    tree_.nodes[range.node].first = left;
+    tree_.nodes[range.node].count = 0;
+    open.push_back({left + 1, border, range.end});
+    open.push_back({left, range.begin, border});
+  }
+
+  TriangleTree& tree_;
+  std::vector<Eigen::Vector3d> centers_;
+};
+
+bool isUsable(const std::vector<Eigen::Vector3d>& vertices,
+              const std::vector<std::array<std::uint32_t, 3>>& triangles,
+              const Eigen::Vector3d& size) {
+  if (triangles.empty() || triangles.size() > (1u << 30)) return false;
+  const auto isSmall = [](const Eigen::Vector3d& v) {
+    return (v.array().abs() <= kLargestCoordinate).all();
+  };
+  if (!isSmall(size) || !std::all_of(vertices.begin(), vertices.end(), isSmall)) return false;
+  return std::all_of(triangles.begin(), triangles.end(), [&](const auto& triangle) {
+    return *std::max_element(triangle.begin(), triangle.end()) < vertices.size();
+  });
+}
+
+}  // namespace
+
+std::shared_ptr<const TriangleTree> triangleTree(
+    const std::vector<Eigen::Vector3d>& vertices,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, Solid solid,
+    const Eigen::Vector3d& size) {
+  if (!isUsable(vertices, triangles, size)) return nullptr;
+  auto tree = std::make_shared<TriangleTree>();
+  tree->vertices = vertices;
+  tree->triangles = triangles;
+  tree->solid = solid;
+  tree->size = size;
+  Builder(*tree).build();
+  tree->nodes.shrink_to_fit();
+  return tree;
+}
+
+std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh) {
+  std::vector<Eigen::Vector3d> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3f& vertex : mesh.vertices)
+    vertices.push_back(vertex.cast<double>());
+  return triangleTree(vertices, mesh.triangles);
+}
+
+std::size_t bytes(const TriangleTree& tree) {
+  return sizeof(tree) + tree.nodes.capacity() * sizeof(TreeNode) +
+         tree.triangles.capacity() * sizeof(tree.triangles[0]) +
+         tree.vertices.capacity() * sizeof(tree.vertices[0]);
+}
+
+}  // namespace link_bounds

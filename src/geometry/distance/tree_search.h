@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Branch and bound over the trees of two shapes.
+#pragma once
+
+#include "geometry/distance/placed_body.h"
+#include "link_bounds/geometry/distance/body_distance.h"
+
+namespace link_bounds {
+
+/// The two points of least distance so far, in the coordinates of the search.
+struct Witness {
+  Eigen::Vector3d on_first = Eigen::Vector3d::Zero();
+  Eigen::Vector3d on_second = Eigen::Vector3d::Zero();
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// A pair of leaves, which a later search may begin with.
+struct LeafPair {
+  std::uint32_t first = 0;
+  std::uint32_t second = 0;
+};
+
+/// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.
+struct ShapePair {
+  const BodyShape& first;
+  const BodyShape& second;
+  Placement first_at;
+  Placement second_at;
+  double rounding;  ///< what a computed lower bound may be too large by
+};
+
+struct SearchResult {
+  double lower;  ///< proven
+  LeafPair nearest;
+};
+
+/// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
+/// these two that is at least `hull_lower`. Ends when the bound is at least the limit or at least
+/// witness.distance - accuracy.
+SearchResult searchTrees(const ShapePair& pair, double hull_lower, const Eigen::Vector3d& normal,
+                         const LeafPair& begin_with, const DistanceGoal& goal,
+                         std::size_t& steps_left, Witness& witness);
+
+}  // namespace link_bounds

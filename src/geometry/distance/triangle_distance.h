@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance of two triangles.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace link_bounds {
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// A point of each of two sets.
+struct PointPair {
+  Eigen::Vector3d on_first;
+  Eigen::Vector3d on_second;
+  double squared;  ///< their distance, squared
+};
+
+/// Two points of least distance; of triangles that intersect, a common point. The triangles may be
+/// segments or points. Each point is a convex combination of corners whatever rounding does, so
+/// `squared` is never too small.
+PointPair nearestPoints(const Triangle& first, const Triangle& second);
+
+}  // namespace link_bounds

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Both bounds against a comparison of all triangles in long double.
+#include "link_bounds/geometry/distance/body_distance.h"
+
+#include <gtest/gtest.h>
+
+#include "testing/distance_bodies.h"
+
+namespace link_bounds {
+namespace {
+
+using brute_force::Random;
+
+/// `size` is that of the bodies and of their distance, which rounding is proportional to.
+void expectBounds(const MeshBody& a, const Eigen::Affine3d& world_from_a, const MeshBody& b,
+                  const Eigen::Affine3d& world_from_b, const DistanceGoal& goal, double size) {
+  const auto found = bodyDistance(a.body, world_from_a, b.body, world_from_b, goal);
+  ASSERT_TRUE(found);
+  const auto first = a.placed(world_from_a);
+  const auto second = b.placed(world_from_b);
+  const distance_oracle::Long exact = distance_oracle::distance(first, second);
+  ASSERT_LE(found->lower, exact);
+  ASSERT_GE(found->upper, exact);
+  ASSERT_GE(found->lower, 0);
+  const double world = world_from_a.translation().norm() + world_from_b.translation().norm();
+  const double rounding = 1e-12 * size + 1e-15 * world;
+  ASSERT_NEAR((found->on_second - found->on_first).norm(), found->upper, rounding);
+  ASSERT_LE(distance_oracle::distance(found->on_first, first), 1e-9 * size + rounding);
+  ASSERT_LE(distance_oracle::distance(found->on_second, second), 1e-9 * size + rounding);
+  if (found->lower < goal.limit) {
+    ASSERT_LE(found->upper - found->lower, goal.accuracy + rounding)
+        << static_cast<int>(found->level);
+  }
+  if (found->lower > 0) {
+    ASSERT_NEAR(found->normal.norm(), 1, 1e-12);
+  } else {
+    ASSERT_EQ(found->normal, Eigen::Vector3d::Zero());
+  }
+}
+
+MeshBody anyBody(Random& random, double size) {
+  MeshBody result;
+  result.add(anyMesh(random, size));
+  return result;
+}
+
+TEST(BodyDistance, OfManySmallMeshes) {
+  Random random(13);
+  for (int i = 0; i < 40000; ++i) {
+    MeshBody a, b;
+    a.add(anyMesh(random, 0.3, 4));
+    b.add(anyMesh(random, 0.3, 4));
+    for (int j = 0; j < 5; ++j)
+      expectBounds(a, random.rigid(0.5), b, random.rigid(0.5), {}, 1);
+  }
+}
+
+TEST(BodyDistance, OfRandomMeshes) {
+  Random random(1);
+  for (int i = 0; i < 500; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    for (int j = 0; j < 10; ++j)
+      expectBounds(a, random.rigid(0.5), b, random.rigid(0.5), {}, 1);
+  }
+}
+
+TEST(BodyDistance, OfMeshesThatNearlyTouch) {
+  Random random(2);
+  for (int i = 0; i < 600; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const Eigen::Affine3d pose = random.rigid(0.5);
+    Eigen::Affine3d other = random.rigid(0.5);
+    // From the nearest point to a given gap.
+    const BodyDistance apart = *bodyDistance(a.body, pose, b.body, other, {1e-9});
+    const double gap = i % 3 == 0 ? 0 : random.magnitude(-12, -2);
+    other.translation() += apart.on_first - apart.on_second + gap * apart.normal;
+    expectBounds(a, pose, b, other, {}, 1);
+    expectBounds(a, pose, b, other, {1e-7}, 1);
+  }
+}
+
+TEST(BodyDistance, OfOneBodyAndItself) {
+  Random random(3);
+  for (int i = 0; i < 500; ++i) {
+    const MeshBody body = anyBody(random, 0.3);
+    const Eigen::Affine3d pose = random.rigid(0.5);
+    expectBounds(body, pose, body, pose, {}, 1);
+    Eigen::Affine3d moved = pose;
+    moved.translation() += random.vector(random.magnitude(-9, 0));
+    expectBounds(body, pose, body, moved, {}, 1);
+  }
+}
+
+TEST(BodyDistance, OfMirroredStretchedAndSeveralMeshes) {
+  Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    MeshBody a, b;
+    for (int j = 0; j < 1 + i % 3; ++j) {
+      Eigen::Affine3d small = random.affine(0.5);
+      small.linear() *= 1e-3;
+      a.add(anyMesh(random, 300), small);
+      b.add(anyMesh(random, 0.3), random.affine(0.5));
+    }
+    for (int j = 0; j < 4; ++j)
+      expectBounds(a, random.rigid(2), b, random.rigid(2), {}, 10);
+  }
+}
+
+TEST(BodyDistance, FarFromTheOriginOfTheWorld) {
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const Eigen::Vector3d far_away = random.magnitude(3, 5) * random.vector(1);
+    Eigen::Affine3d pose = random.rigid(0.5), other = random.rigid(0.5);
+    pose.translation() += far_away;
+    other.translation() += far_away;
+    expectBounds(a, pose, b, other, {}, 1);
+  }
+}
+
+TEST(BodyDistance, OfMeshesFarFromTheirOwnOrigin) {
+  Random random(6);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d far_away = 1e3 * random.vector(1);
+    MeshBody a, b;
+    a.add(meshOf(random.points(60, 0.3, far_away)));
+    b.add(meshOf(random.points(60, 0.3)));
+    Eigen::Affine3d pose = random.rigid(0), other = random.rigid(0.5);
+    pose.translation() = -(pose.linear() * far_away);
+    expectBounds(a, pose, b, other, {}, 1e3);
+  }
+}
+
+TEST(BodyDistance, OfTinyAndHugeMeshes) {
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = random.magnitude(-12, 12);
+    const MeshBody a = anyBody(random, size), b = anyBody(random, size);
+    expectBounds(a, random.rigid(2 * size), b, random.rigid(2 * size), {1e-4 * size}, size);
+  }
+}
+
+TEST(BodyDistance, OfNestedMeshesIsThatOfTheirSurfaces) {
+  Random random(8);
+  MeshBody shell, core;
+  shell.add(boxMesh({2, 2, 2}));
+  core.add(boxMesh({1, 1, 1}));
+  for (int i = 0; i < 1000; ++i)
+    expectBounds(shell, random.rigid(0.1), core, random.rigid(0.1), {}, 1);
+  const Eigen::Affine3d still = Eigen::Affine3d::Identity();
+  EXPECT_NEAR(bodyDistance(shell.body, still, core.body, still)->upper, 0.5, 1e-9);
+}
+
+TEST(BodyDistance, OfParallelPlates) {
+  // All of one plate is equally near to the other.
+  Random random(9);
+  TriangleMesh plate;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    plate.vertices.emplace_back(0.1f * static_cast<float>(i % 10),
+                                0.1f * static_cast<float>(i / 10), 0.0f);
+    if (i % 10 == 9 || i >= 90) continue;
+    plate.triangles.push_back({i, i + 1, i + 10});
+    plate.triangles.push_back({i + 1, i + 11, i + 10});
+  }
+  MeshBody body;
+  body.add(plate);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Affine3d pose = random.rigid(1);
+    const Eigen::Affine3d other = pose * Eigen::Translation3d(0.1, 0.2, random.uniform(0.01, 1));
+    expectBounds(body, pose, body, other, {}, 1);
+  }
+}
+
+TEST(BodyDistance, EndsAtTheLimit) {
+  Random random(10);
+  for (int i = 0; i < 2000; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const double limit = random.magnitude(-3, 0);
+    expectBounds(a, random.rigid(0.5), b, random.rigid(0.5), {1e-4, limit}, 1);
+  }
+}
+
+TEST(BodyDistance, HoldsWhereStepsRunOut) {
+  Random random(11);
+  for (int i = 0; i < 500; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const Eigen::Affine3d pose = random.rigid(0.3), other = random.rigid(0.3);
+    const auto steps = static_cast<std::size_t>(random.magnitude(0, 2)) - 1;
+    const auto found = bodyDistance(a.body, pose, b.body, other,
+                                    {1e-6, std::numeric_limits<double>::infinity(), steps});
+    const auto exact = distance_oracle::distance(a.placed(pose), b.placed(other));
+    ASSERT_LE(found->lower, exact);
+    ASSERT_GE(found->upper, exact);
+  }
+}
+
+TEST(BodyDistance, WithoutTrianglesIsThatOfTheHulls) {
+  Random random(12);
+  for (int i = 0; i < 1500; ++i) {
+    MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const Eigen::Affine3d pose = random.rigid(0.5), other = random.rigid(0.5);
+    const auto first = a.placed(pose), second = b.placed(other);
+    const auto exact = distance_oracle::distance(first, second);
+    a.body.shapes[0].triangles = nullptr;
+    if (i % 2) b.body.shapes[0].triangles = nullptr;
+    const BodyDistance found = *bodyDistance(a.body, pose, b.body, other);
+    ASSERT_LE(found.lower, exact);
+    ASSERT_GE(found.upper, exact);
+    const bool is_point = a.body.shapes[0].shape.points->size() == 1;
+    ASSERT_TRUE(is_point || found.level != DistanceLevel::kMesh);
+    ASSERT_LE(distance_oracle::distance(found.on_first, first), 1e-9);
+    ASSERT_LE(distance_oracle::distance(found.on_second, second), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each box holds its triangles, each triangle is in one leaf, and meshes of any kind cost little.
+#include "geometry/distance/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "testing/distance_bodies.h"
+
+namespace link_bounds {
+namespace {
+
+using brute_force::Random;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_t node) {
+  const TreeNode& top = tree.nodes[node];
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < top.count; ++i)
+    result.push_back(top.first + i);
+  for (std::uint32_t child = top.first; !top.isLeaf() && child < top.first + 2; ++child) {
+    const auto below = trianglesBelow(tree, child);
+    result.insert(result.end(), below.begin(), below.end());
+  }
+  return result;
+}
+
+/// Along many directions, no triangle extends farther than the box, in long double.
+void expectContained(const TriangleTree& tree, std::uint32_t node, Random& random) {
+  using Long = distance_oracle::Long;
+  const Parallelepiped box = tree.nodes[node].box();
+  const auto triangles = trianglesBelow(tree, node);
+  for (int i = 0; i < 20; ++i) {
+    Eigen::Vector3d direction = random.vector(1).normalized();
+    if (i < 6) {  // across a face
+      const auto k = static_cast<std::size_t>(i % 3);
+      direction = box.edges[(k + 1) % 3].stableNormalized().cross(
+          box.edges[(k + 2) % 3].stableNormalized());
+      if (i >= 3) direction = -direction;
+    }
+    const distance_oracle::Vector d = direction.cast<Long>();
+    Long limit = d.dot(box.center.cast<Long>());
+    for (const Eigen::Vector3d& edge : box.edges)
+      limit += std::abs(d.dot(edge.cast<Long>()));
+    const Long solid = d.dot(farthestOf(tree.solid, tree.size, direction).cast<Long>());
+    for (const std::uint32_t triangle : triangles) {
+      for (const Eigen::Vector3d& corner : tree.corners(triangle))
+        ASSERT_LE(d.dot(corner.cast<Long>()) + solid, limit);
+    }
+  }
+}
+
+void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random) {
+  const auto all = trianglesBelow(tree, 0);
+  ASSERT_EQ(all.size(), triangles);
+  ASSERT_EQ(std::set<std::uint32_t>(all.begin(), all.end()).size(), triangles);
+  for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
+    ASSERT_LE(tree.nodes[i].count, kTrianglesPerLeaf);
+    expectContained(tree, i, random);
+  }
+}
+
+TEST(TriangleTree, HoldsTrianglesOfAnyKind) {
+  Random random(1);
+  for (int i = 0; i < 300; ++i) {
+    const TriangleMesh mesh = anyMesh(random, random.magnitude(-20, 20));
+    expectTree(*triangleTree(mesh), mesh.triangles.size(), random);
+  }
+}
+
+TEST(TriangleTree, HoldsTrianglesThatASolidSweeps) {
+  Random random(2);
+  for (const Solid solid : {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder}) {
+    for (int i = 0; i < 100; ++i) {
+      const TriangleMesh mesh = anyMesh(random, 1);
+      std::vector<Eigen::Vector3d> vertices;
+      for (const Eigen::Vector3f& vertex : mesh.vertices)
+        vertices.push_back(vertex.cast<double>() + 1e-9 * random.vector(1));
+      const Eigen::Vector3d size = random.vector(1).cwiseAbs();
+      expectTree(*triangleTree(vertices, mesh.triangles, solid, size), mesh.triangles.size(),
+                 random);
+    }
+  }
+}
+
+TEST(TriangleTree, IsNullForWhatCannotBeUsed) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(triangleTree(TriangleMesh{}));
+  EXPECT_FALSE(triangleTree(TriangleMesh{{{0, 0, 0}}, {}}));
+  EXPECT_FALSE(triangleTree(TriangleMesh{{{0, 0, 0}}, {{0, 0, 1}}}));
+  EXPECT_FALSE(triangleTree(TriangleMesh{{{0, infinity, 0}}, {{0, 0, 0}}}));
+  EXPECT_FALSE(triangleTree(TriangleMesh{{{std::nanf(""), 0, 0}}, {{0, 0, 0}}}));
+  EXPECT_FALSE(triangleTree(TriangleMesh{{{1e31f, 0, 0}}, {{0, 0, 0}}}));
+  EXPECT_FALSE(triangleTree({Eigen::Vector3d::Zero()}, {{0, 0, 0}}, Solid::kBox,
+                            Eigen::Vector3d(1, kInfinity, 1)));
+  EXPECT_TRUE(triangleTree(TriangleMesh{{{0, 0, 0}}, {{0, 0, 0}}}));
+}
+
+TEST(TriangleTree, TakesLittleMemoryForMeshesThatAreHardToDivide) {
+  Random random(3);
+  constexpr std::uint32_t count = 100'000;
+  TriangleMesh slivers, equal, line;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(random.uniform(0, 1e-6));
+    slivers.vertices.emplace_back(x, 0.0f, 0.0f);
+    slivers.triangles.push_back({i, (i + 1) % count, (i + 2) % count});
+    equal.triangles.push_back({0, 0, 0});
+    // Each half is a small part of the rest.
+    line.vertices.emplace_back(static_cast<float>(std::pow(0.999, i)), 0.0f, 0.0f);
+    line.triangles.push_back({i, i, i});
+  }
+  equal.vertices = {{1, 2, 3}};
+  for (const TriangleMesh& mesh : {slivers, equal, line})
+    EXPECT_LE(bytes(*triangleTree(mesh)), 130 * count);
+}
+
+TEST(BodyDistance, OfPosesThatCannotBeUsedIsNothing) {
+  MeshBody body;
+  body.add(boxMesh({1, 1, 1}));
+  const Eigen::Affine3d still = Eigen::Affine3d::Identity();
+  EXPECT_FALSE(bodyDistance(Body(), still, body.body, still));
+  for (const double bad : {std::nan(""), kInfinity, -kInfinity, 1e200}) {
+    for (int entry = 0; entry < 12; ++entry) {
+      Eigen::Affine3d pose = still;
+      pose(entry % 3, entry / 3) = bad;
+      EXPECT_FALSE(bodyDistance(body.body, pose, body.body, still));
+      EXPECT_FALSE(bodyDistance(body.body, still, body.body, pose));
+    }
+  }
+}
+
+TEST(BodyDistance, OfPosesOfAnySizeIsProven) {
+  Random random(4);
+  MeshBody body;
+  body.add(boxMesh({1, 1, 1}));
+  for (int i = 0; i < 5000; ++i) {
+    const double size = random.magnitude(i % 2 ? -300 : -20, 25);
+    Eigen::Affine3d pose = random.rigid(0), other = random.affine(0);
+    pose.linear() *= size;
+    other.linear() *= size;
+    pose.translation() = size * random.vector(random.magnitude(-3, 3));
+    other.translation() = size * random.vector(random.magnitude(-3, 3));
+    const auto found = bodyDistance(body.body, pose, body.body, other);
+    ASSERT_TRUE(found);
+    const auto exact = distance_oracle::distance(body.placed(pose), body.placed(other));
+    ASSERT_LE(found->lower, exact);
+    ASSERT_GE(found->upper, exact);
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies for tests of distances, with the triangles that an oracle needs.
+#pragma once
+
+#include "link_bounds/geometry/distance/body_distance.h"
+#include "testing/brute_force.h"
+#include "testing/distance_oracle.h"
+
+namespace link_bounds {
+
+/// A body of one or more meshes, in its own frame.
+struct MeshBody {
+  Body body;
+  std::vector<TriangleMesh> meshes;
+
+  void add(const TriangleMesh& mesh,
+           const Eigen::Affine3d& link_from_mesh = Eigen::Affine3d::Identity()) {
+    const Shape shape{std::make_shared<const PointSet>(mesh.vertices), Solid::kNone,
+                      Eigen::Vector3d::Zero(), link_from_mesh};
+    body.shapes.push_back({shape, triangleTree(mesh)});
+    meshes.push_back(mesh);
+  }
+
+  std::vector<distance_oracle::Triangle> placed(const Eigen::Affine3d& world_from_body) const {
+    std::vector<distance_oracle::Triangle> result;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const auto triangles =
+          distance_oracle::placed(meshes[i], body.shapes[i].shape.link_from_shape, world_from_body);
+      result.insert(result.end(), triangles.begin(), triangles.end());
+    }
+    return result;
+  }
+};
+
+/// Every three vertices are a triangle.
+inline TriangleMesh meshOf(const std::vector<Eigen::Vector3f>& vertices) {
+  TriangleMesh mesh{vertices, {}};
+  for (std::uint32_t i = 0; i + 2 < vertices.size(); i += 3)
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  return mesh;
+}
+
+/// The twelve triangles of a box around the origin.
+inline TriangleMesh boxMesh(const Eigen::Vector3d& size) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d corner(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+    mesh.vertices.push_back(corner.cwiseProduct(size).cast<float>());
+  }
+  for (const auto& quad : kQuads) {
+    std::array<std::uint32_t, 4> q;
+    for (std::size_t k = 0; k < 4; ++k)
+      q[k] = static_cast<std::uint32_t>(quad[k]);
+    mesh.triangles.push_back({q[0], q[1], q[2]});
+    mesh.triangles.push_back({q[0], q[2], q[3]});
+  }
+  return mesh;
+}
+
+/// Triangles of very different form in a cube of half width `size`: a soup, needles, a plate,
+/// segments, points, equal points, or a closed box.
+inline TriangleMesh anyMesh(brute_force::Random& random, double size, double max_triangles = 40) {
+  const auto count = static_cast<std::size_t>(std::pow(max_triangles, random.uniform(0, 1)));
+  const int kind = static_cast<int>(random.uniform(0, 7));
+  if (kind == 0) return boxMesh(random.vector(size).cwiseAbs());
+  std::vector<Eigen::Vector3f> vertices = random.points(3 * count, size);
+  for (std::size_t i = 0; i < vertices.size(); i += 3) {
+    const auto near = static_cast<float>(0.05 * size);
+    if (kind == 1 || kind == 2) {
+      vertices[i + 1] = vertices[i] + near * random.vector(1).cast<float>();
+      if (kind == 2) vertices[i + 2] = vertices[i] + near * random.vector(1).cast<float>();
+    }
+    if (kind == 3) vertices[i].z() = vertices[i + 1].z() = vertices[i + 2].z() = near;
+    if (kind == 4) vertices[i + 2] = vertices[i + 1];
+    if (kind == 5) vertices[i + 2] = vertices[i + 1] = vertices[i];
+  }
+  if (kind == 6 && count > 1) std::fill(vertices.begin() + 3, vertices.end(), vertices[0]);
+  return meshOf(vertices);
+}
+
+}  // namespace link_bounds
