@@ -122,8 +122,10 @@ class Search {
     LeafPair leaves = is_nearest ? before.leaves : LeafPair();
     if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
         !(isConvex(pair.first) && isConvex(pair.second))) {
-      const SearchResult found = searchTrees(pair, lower, hulls.lower > 0 ? hulls.normal : start,
-                                             leaves, goal_, steps_left_, witness_);
+      const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : start,
+                                   pair.first_at.toSearch(simplex.first()),
+                                   pair.second_at.toSearch(simplex.second())};
+      const SearchResult found = searchTrees(pair, nearest, leaves, goal_, steps_left_, witness_);
       if (found.lower > lower) level = DistanceLevel::kMesh;
       lower = found.lower;
       leaves = found.nearest;

@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kBoxSteps = 8;     ///< then the pair counts as near
+constexpr int kBoxSteps = 4;     ///< then the pair counts as near
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
 /// Half of the accuracy is left to what follows.
@@ -22,7 +22,8 @@ struct NodePair {
   std::uint32_t first;
   std::uint32_t second;
   double lower;            ///< proven
-  Eigen::Vector3d normal;  ///< the direction that proves it
+  double near;             ///< about the distance of the boxes
+  Eigen::Vector3d normal;  ///< a direction in which the nodes may be separate
 };
 
 bool isLeaf(const BodyShape& shape, std::uint32_t node) {
@@ -42,21 +43,52 @@ auto withNode(const BodyShape& shape, std::uint32_t node, const Use& use) {
   return shape.triangles ? use(shape.triangles->nodes[node].box()) : use(ShapeHull{shape.shape});
 }
 
+/// The triangles of a leaf, and how far they extend along a direction.
+class Leaf {
+ public:
+  Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
+      : count(tree.nodes[node].count), tree_(tree), first_(tree.nodes[node].first), at_(at) {}
+
+  void project(const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d d = at_.toShape(direction);
+    const double origin = at_.translation.dot(direction);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto& [a, b, c] = tree_.triangles[first_ + i];
+      farthest[i] = origin + std::max({d.dot(tree_.vertices[a]), d.dot(tree_.vertices[b]),
+                                       d.dot(tree_.vertices[c])});
+    }
+  }
+
+  Triangle placed(std::uint32_t i) const {
+    Triangle corners = tree_.corners(first_ + i);
+    for (Eigen::Vector3d& corner : corners)
+      corner = at_.toSearch(corner);
+    return corners;
+  }
+
+  std::uint32_t count;
+  std::array<double, kTrianglesPerLeaf> farthest;  ///< along the direction, from the origin
+
+ private:
+  const TriangleTree& tree_;
+  std::uint32_t first_;
+  const Placement& at_;
+};
+
 class Search {
  public:
-  Search(const ShapePair& pair, double hull_lower, const DistanceGoal& goal,
+  Search(const ShapePair& pair, const NearestOfHulls& hulls, const DistanceGoal& goal,
          std::size_t& steps_left, Witness& witness)
-      : pair_(pair),
-        hull_lower_(hull_lower),
-        goal_(goal),
-        steps_left_(steps_left),
-        witness_(witness) {}
+      : pair_(pair), hulls_(hulls), goal_(goal), steps_left_(steps_left), witness_(witness) {}
 
-  SearchResult run(const Eigen::Vector3d& normal, const LeafPair& begin_with) {
-    if (begin_with.first || begin_with.second)
-      compareLeaves({begin_with.first, begin_with.second, hull_lower_, normal}, false);
+  SearchResult run(const LeafPair& begin_with) {
+    if (begin_with.first || begin_with.second) guess(begin_with);
+    if (hulls_.lower < farEnough()) {
+      guess({leafNear(pair_.first, pair_.first_at, hulls_.on_first),
+             leafNear(pair_.second, pair_.second_at, hulls_.on_second)});
+    }
     open_.reserve(64);
-    open_.push_back({0, 0, hull_lower_, normal});
+    open_.push_back({0, 0, hulls_.lower, 0, hulls_.normal});
     while (!open_.empty()) {
       const NodePair pair = open_.back();
       open_.pop_back();
@@ -76,6 +108,28 @@ class Search {
   /// A pair that is proven to be so far apart cannot change the result.
   double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
 
+  void guess(const LeafPair& leaves) {
+    compareLeaves({leaves.first, leaves.second, hulls_.lower, 0, hulls_.normal}, false);
+  }
+
+  static PlacedBox boxOf(const BodyShape& shape, const Placement& at, std::uint32_t node) {
+    return PlacedBox(shape.triangles->nodes[node].box(), at);
+  }
+
+  /// Descends to the child that is nearer, without looking back.
+  static std::uint32_t leafNear(const BodyShape& shape, const Placement& at,
+                                const Eigen::Vector3d& point) {
+    std::uint32_t node = 0;
+    while (!isLeaf(shape, node)) {
+      const std::uint32_t left = shape.triangles->nodes[node].first;
+      const auto squaredDistance = [&](std::uint32_t child) {
+        return (boxOf(shape, at, child).near(point) - point).squaredNorm();
+      };
+      node = squaredDistance(left) <= squaredDistance(left + 1) ? left : left + 1;
+    }
+    return node;
+  }
+
   bool dividesFirst(const NodePair& pair) const {
     if (isLeaf(pair_.first, pair.first)) return false;
     if (isLeaf(pair_.second, pair.second)) return true;
@@ -83,30 +137,80 @@ class Search {
   }
 
   void divide(const NodePair& pair) {
-    NodePair left = pair, right = pair;
-    if (dividesFirst(pair)) {
-      left.first = pair_.first.triangles->nodes[pair.first].first;
-      right.first = left.first + 1;
-    } else {
-      left.second = pair_.second.triangles->nodes[pair.second].first;
-      right.second = left.second + 1;
+    const bool divides_first = dividesFirst(pair);
+    std::array<NodePair, 2> children{pair, pair};
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      if (divides_first) {
+        children[i].first = pair_.first.triangles->nodes[pair.first].first + i;
+      } else {
+        children[i].second = pair_.second.triangles->nodes[pair.second].first + i;
+      }
     }
-    bound(left);
-    bound(right);
-    const bool is_left_nearer = left.lower < right.lower;
-    open_.push_back(is_left_nearer ? right : left);
-    open_.push_back(is_left_nearer ? left : right);
+    if (pair_.first.triangles && pair_.second.triangles) {
+      boundBoxes(children, divides_first);
+    } else {
+      boundHull(children[0]);
+      boundHull(children[1]);
+    }
+    const std::size_t nearer = children[0].near < children[1].near ? 0 : 1;
+    push(children[1 - nearer]);
+    push(children[nearer]);
+  }
+
+  /// The children differ in one node and have the other one in common.
+  void boundBoxes(std::array<NodePair, 2>& children, bool first_differs) {
+    const PlacedBox a = boxOf(pair_.first, pair_.first_at, children[0].first);
+    const PlacedBox b = boxOf(pair_.second, pair_.second_at, children[0].second);
+    boundBoxes(children[0], a, b);
+    if (first_differs) {
+      boundBoxes(children[1], boxOf(pair_.first, pair_.first_at, children[1].first), b);
+    } else {
+      boundBoxes(children[1], a, boxOf(pair_.second, pair_.second_at, children[1].second));
+    }
+  }
+
+  void push(const NodePair& pair) {
+    if (pair.lower >= farEnough()) {
+      lower_ = std::min(lower_, pair.lower);
+    } else {
+      open_.push_back(pair);
+    }
   }
 
   /// Raises the pair's lower bound as far as it takes to drop it, or until that is hopeless.
-  void bound(NodePair& pair) {
+  /// Projects a point from box to box: faster than GJK, and it need not converge.
+  void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) {
     const double far_enough = farEnough();
-    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kBoxSteps};
+    const Eigen::Vector3d between = second.center - first.center;
+    const auto gap = [&](const Eigen::Vector3d& normal) {
+      return normal.dot(between) - first.extent(normal) - second.extent(normal);
+    };
+    pair.lower = std::max(pair.lower, gap(pair.normal) - pair_.rounding);
+    Eigen::Vector3d on_second = second.center;
+    for (int step = 0; step < kBoxSteps && !(pair.lower >= far_enough); ++step) {
+      const Eigen::Vector3d on_first = first.near(on_second);
+      on_second = second.near(on_first);
+      const Eigen::Vector3d apart = on_second - on_first;
+      pair.near = apart.norm();
+      if (!(pair.near > far_enough) || !(pair.near > kShortest)) return;
+      const Eigen::Vector3d normal = apart / pair.near;
+      const double lower = gap(normal) - pair_.rounding;
+      if (!(lower > pair.lower)) continue;
+      pair.lower = lower;
+      pair.normal = normal;
+    }
+  }
+
+  void boundHull(NodePair& pair) {
+    const double far_enough = farEnough();
+    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, 2 * kBoxSteps};
     withNode(pair_.first, pair.first, [&](const auto& first) {
       withNode(pair_.second, pair.second, [&](const auto& second) {
         Simplex simplex;
-        raise(pair,
-              gjk(first, pair_.first_at, second, pair_.second_at, pair.normal, gjk_goal, simplex));
+        const GjkResult result =
+            gjk(first, pair_.first_at, second, pair_.second_at, pair.normal, gjk_goal, simplex);
+        pair.near = result.upper;
+        raise(pair, result);
       });
     });
   }
@@ -159,17 +263,6 @@ class Search {
     if (counts) lower_ = std::min(lower_, sets.lower);
   }
 
-  static std::size_t place(const BodyShape& shape, const Placement& at, std::uint32_t leaf,
-                           std::array<Triangle, kTrianglesPerLeaf>& triangles) {
-    const TreeNode& node = shape.triangles->nodes[leaf];
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const Triangle corners = shape.triangles->corners(node.first + i);
-      for (std::size_t k = 0; k < 3; ++k)
-        triangles[i][k] = at.toSearch(corners[k]);
-    }
-    return node.count;
-  }
-
   /// How far b is from a along `normal`.
   static double gap(const Triangle& a, const Triangle& b, const Eigen::Vector3d& normal) {
     const double a_max = std::max({normal.dot(a[0]), normal.dot(a[1]), normal.dot(a[2])});
@@ -177,27 +270,37 @@ class Search {
     return b_min - a_max;
   }
 
+  /// Most pairs of triangles are far enough apart along the direction that decided last.
   void compareTriangles(const NodePair& pair, bool counts) {
-    std::array<Triangle, kTrianglesPerLeaf> first, second;
-    const std::size_t n = place(pair_.first, pair_.first_at, pair.first, first);
-    const std::size_t m = place(pair_.second, pair_.second_at, pair.second, second);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < m; ++j) {
-        double lower = std::max(pair.lower, gap(first[i], second[j], pair.normal) - pair_.rounding);
-        if (!(lower >= farEnough())) lower = std::max(lower, compare(pair, first[i], second[j]));
+    Leaf first(*pair_.first.triangles, pair.first, pair_.first_at);
+    Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
+    Eigen::Vector3d normal = pair.normal;
+    first.project(normal);
+    second.project(-normal);
+    for (std::uint32_t i = 0; i < first.count; ++i) {
+      for (std::uint32_t j = 0; j < second.count; ++j) {
+        const double gap = -first.farthest[i] - second.farthest[j];
+        double lower = std::max(pair.lower, gap - pair_.rounding);
+        if (!(lower >= farEnough())) {
+          lower = std::max(lower, compare(pair, first.placed(i), second.placed(j), normal));
+          first.project(normal);
+          second.project(-normal);
+        }
         if (counts) lower_ = std::min(lower_, lower);
       }
     }
   }
 
-  /// Returns the proven distance of the two triangles.
-  double compare(const NodePair& pair, const Triangle& first, const Triangle& second) {
+  /// Returns the proven distance of the two triangles, and the direction that proves it.
+  double compare(const NodePair& pair, const Triangle& first, const Triangle& second,
+                 Eigen::Vector3d& normal) {
     const PointPair nearest = nearestPoints(first, second);
     offer(pair, nearest.on_first, nearest.on_second);
     const Eigen::Vector3d between = nearest.on_second - nearest.on_first;
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
-    return gap(first, second, between / length) - pair_.rounding;
+    normal = between / length;
+    return gap(first, second, normal) - pair_.rounding;
   }
 
   void offer(const NodePair& pair, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -208,7 +311,7 @@ class Search {
   }
 
   const ShapePair& pair_;
-  double hull_lower_;
+  const NearestOfHulls& hulls_;
   const DistanceGoal& goal_;
   std::size_t& steps_left_;
   Witness& witness_;
@@ -219,10 +322,10 @@ class Search {
 
 }  // namespace
 
-SearchResult searchTrees(const ShapePair& pair, double hull_lower, const Eigen::Vector3d& normal,
+SearchResult searchTrees(const ShapePair& pair, const NearestOfHulls& hulls,
                          const LeafPair& begin_with, const DistanceGoal& goal,
                          std::size_t& steps_left, Witness& witness) {
-  return Search(pair, hull_lower, goal, steps_left, witness).run(normal, begin_with);
+  return Search(pair, hulls, goal, steps_left, witness).run(begin_with);
 }
 
 }  // namespace link_bounds

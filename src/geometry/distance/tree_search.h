@@ -35,10 +35,18 @@ struct SearchResult {
   LeafPair nearest;
 };
 
+/// Where the hulls of both shapes are nearest, as GJK found it.
+struct NearestOfHulls {
+  double lower;  ///< proven
+  Eigen::Vector3d normal;
+  Eigen::Vector3d on_first;
+  Eigen::Vector3d on_second;
+};
+
 /// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
-/// these two that is at least `hull_lower`. Ends when the bound is at least the limit or at least
+/// these two that is at least hulls.lower. Ends when the bound is at least the limit or at least
 /// witness.distance - accuracy.
-SearchResult searchTrees(const ShapePair& pair, double hull_lower, const Eigen::Vector3d& normal,
+SearchResult searchTrees(const ShapePair& pair, const NearestOfHulls& hulls,
                          const LeafPair& begin_with, const DistanceGoal& goal,
                          std::size_t& steps_left, Witness& witness);
 

@@ -40,8 +40,9 @@ struct DistanceGoal {
 };
 
 /// `lower` and `upper` differ by at most goal.accuracy if each shape has triangles or is a solid
-/// with at most one point, and neither goal.limit nor goal.max_steps ended the search. Nothing if a body has no shape, or a pose
-/// gives no finite box. Poses may be any affine transform. Throws nothing but std::bad_alloc.
+/// with at most one point, and neither goal.limit nor goal.max_steps ended the search. Nothing if a
+/// body has no shape, or a pose gives no finite box. Poses may be any affine transform. Throws
+/// nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,
                                          const Eigen::Affine3d& world_from_second,
