@@ -5,7 +5,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -54,35 +53,6 @@ struct Parallelepiped {
       point += std::copysign(1.0, edge.dot(direction)) * edge;
     return point;
   }
-};
-
-/// The same in the coordinates of a search.
-struct PlacedBox {
-  PlacedBox(const Parallelepiped& box, const Placement& at) : center(at.toSearch(box.center)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges[k] = at.linear * box.edges[k];
-      inverse[k] = 1 / edges[k].squaredNorm();
-    }
-  }
-
-  /// A point of the box: the nearest one if the edges are orthogonal, as in a rigid pose.
-  Eigen::Vector3d near(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d from = point - center;
-    Eigen::Vector3d result = center;
-    for (std::size_t k = 0; k < 3; ++k)
-      result += std::min(std::max(edges[k].dot(from) * inverse[k], -1.0), 1.0) * edges[k];
-    return result;
-  }
-
-  /// Half of the width along a unit direction.
-  double extent(const Eigen::Vector3d& direction) const {
-    return std::abs(edges[0].dot(direction)) + std::abs(edges[1].dot(direction)) +
-           std::abs(edges[2].dot(direction));
-  }
-
-  Eigen::Vector3d center;
-  std::array<Eigen::Vector3d, 3> edges;
-  std::array<double, 3> inverse;  ///< of the squared lengths of the edges
 };
 
 /// A triangle that a solid sweeps.

@@ -7,12 +7,14 @@
 #include <algorithm>
 
 #include "geometry/distance/gjk.h"
+#include "geometry/distance/leaf.h"
+#include "geometry/distance/placed_box.h"
 #include "geometry/distance/triangle_tree.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr int kBoxSteps = 4;     ///< then the pair counts as near
+constexpr int kHullSteps = 8;    ///< then the pair counts as near
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
 /// Half of the accuracy is left to what follows.
@@ -21,9 +23,7 @@ constexpr double kLeafTolerance = 0.25;
 struct NodePair {
   std::uint32_t first;
   std::uint32_t second;
-  double lower;            ///< proven
-  double near;             ///< about the distance of the boxes
-  Eigen::Vector3d normal;  ///< a direction in which the nodes may be separate
+  Separation separation;
 };
 
 bool isLeaf(const BodyShape& shape, std::uint32_t node) {
@@ -43,38 +43,6 @@ auto withNode(const BodyShape& shape, std::uint32_t node, const Use& use) {
   return shape.triangles ? use(shape.triangles->nodes[node].box()) : use(ShapeHull{shape.shape});
 }
 
-/// The triangles of a leaf, and how far they extend along a direction.
-class Leaf {
- public:
-  Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
-      : count(tree.nodes[node].count), tree_(tree), first_(tree.nodes[node].first), at_(at) {}
-
-  void project(const Eigen::Vector3d& direction) {
-    const Eigen::Vector3d d = at_.toShape(direction);
-    const double origin = at_.translation.dot(direction);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& [a, b, c] = tree_.triangles[first_ + i];
-      farthest[i] = origin + std::max({d.dot(tree_.vertices[a]), d.dot(tree_.vertices[b]),
-                                       d.dot(tree_.vertices[c])});
-    }
-  }
-
-  Triangle placed(std::uint32_t i) const {
-    Triangle corners = tree_.corners(first_ + i);
-    for (Eigen::Vector3d& corner : corners)
-      corner = at_.toSearch(corner);
-    return corners;
-  }
-
-  std::uint32_t count;
-  std::array<double, kTrianglesPerLeaf> farthest;  ///< along the direction, from the origin
-
- private:
-  const TriangleTree& tree_;
-  std::uint32_t first_;
-  const Placement& at_;
-};
-
 class Search {
  public:
   Search(const ShapePair& pair, const NearestOfHulls& hulls, const DistanceGoal& goal,
@@ -88,12 +56,12 @@ class Search {
              leafNear(pair_.second, pair_.second_at, hulls_.on_second)});
     }
     open_.reserve(64);
-    open_.push_back({0, 0, hulls_.lower, 0, hulls_.normal});
+    open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
     while (!open_.empty()) {
       const NodePair pair = open_.back();
       open_.pop_back();
-      if (pair.lower >= farEnough() || steps_left_ == 0) {
-        lower_ = std::min(lower_, pair.lower);
+      if (pair.separation.lower >= farEnough() || steps_left_ == 0) {
+        lower_ = std::min(lower_, pair.separation.lower);
       } else if (isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second)) {
         compareLeaves(pair, true);
       } else {
@@ -109,7 +77,7 @@ class Search {
   double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
 
   void guess(const LeafPair& leaves) {
-    compareLeaves({leaves.first, leaves.second, hulls_.lower, 0, hulls_.normal}, false);
+    compareLeaves({leaves.first, leaves.second, {hulls_.lower, 0, hulls_.normal}}, false);
   }
 
   static PlacedBox boxOf(const BodyShape& shape, const Placement& at, std::uint32_t node) {
@@ -152,7 +120,7 @@ class Search {
       boundHull(children[0]);
       boundHull(children[1]);
     }
-    const std::size_t nearer = children[0].near < children[1].near ? 0 : 1;
+    const std::size_t nearer = children[0].separation.near < children[1].separation.near ? 0 : 1;
     push(children[1 - nearer]);
     push(children[nearer]);
   }
@@ -170,56 +138,36 @@ class Search {
   }
 
   void push(const NodePair& pair) {
-    if (pair.lower >= farEnough()) {
-      lower_ = std::min(lower_, pair.lower);
+    if (pair.separation.lower >= farEnough()) {
+      lower_ = std::min(lower_, pair.separation.lower);
     } else {
       open_.push_back(pair);
     }
   }
 
-  /// Raises the pair's lower bound as far as it takes to drop it, or until that is hopeless.
-  /// Projects a point from box to box: faster than GJK, and it need not converge.
-  void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) {
-    const double far_enough = farEnough();
-    const Eigen::Vector3d between = second.center - first.center;
-    const auto gap = [&](const Eigen::Vector3d& normal) {
-      return normal.dot(between) - first.extent(normal) - second.extent(normal);
-    };
-    pair.lower = std::max(pair.lower, gap(pair.normal) - pair_.rounding);
-    Eigen::Vector3d on_second = second.center;
-    for (int step = 0; step < kBoxSteps && !(pair.lower >= far_enough); ++step) {
-      const Eigen::Vector3d on_first = first.near(on_second);
-      on_second = second.near(on_first);
-      const Eigen::Vector3d apart = on_second - on_first;
-      pair.near = apart.norm();
-      if (!(pair.near > far_enough) || !(pair.near > kShortest)) return;
-      const Eigen::Vector3d normal = apart / pair.near;
-      const double lower = gap(normal) - pair_.rounding;
-      if (!(lower > pair.lower)) continue;
-      pair.lower = lower;
-      pair.normal = normal;
-    }
+  void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) const {
+    separate(first, second, farEnough(), pair_.rounding, pair.separation);
   }
 
   void boundHull(NodePair& pair) {
     const double far_enough = farEnough();
-    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, 2 * kBoxSteps};
+    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kHullSteps};
     withNode(pair_.first, pair.first, [&](const auto& first) {
       withNode(pair_.second, pair.second, [&](const auto& second) {
         Simplex simplex;
-        const GjkResult result =
-            gjk(first, pair_.first_at, second, pair_.second_at, pair.normal, gjk_goal, simplex);
-        pair.near = result.upper;
-        raise(pair, result);
+        const GjkResult result = gjk(first, pair_.first_at, second, pair_.second_at,
+                                     pair.separation.normal, gjk_goal, simplex);
+        pair.separation.near = result.upper;
+        raise(pair.separation, result);
       });
     });
   }
 
-  void raise(NodePair& pair, const GjkResult& result) const {
+  void raise(Separation& known, const GjkResult& result) const {
     const double lower = result.lower - pair_.rounding;
-    if (!(lower > pair.lower)) return;
-    pair.lower = lower;
-    pair.normal = result.normal;
+    if (!(lower > known.lower)) return;
+    known.lower = lower;
+    known.normal = result.normal;
   }
 
   /// `counts`: these leaves are a part of the search, not only a first guess.
@@ -253,9 +201,9 @@ class Search {
     Simplex simplex;
     const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, kLeafTolerance * goal_.accuracy,
                            kLeafSteps};
-    NodePair sets = pair;
-    raise(sets,
-          gjk(first, pair_.first_at, second, pair_.second_at, pair.normal, gjk_goal, simplex));
+    Separation sets = pair.separation;
+    raise(sets, gjk(first, pair_.first_at, second, pair_.second_at, pair.separation.normal,
+                    gjk_goal, simplex));
     if (simplex.size() > 0) {
       offer(pair, pair_.first_at.toSearch(simplex.first()),
             pair_.second_at.toSearch(simplex.second()));
@@ -274,13 +222,13 @@ class Search {
   void compareTriangles(const NodePair& pair, bool counts) {
     Leaf first(*pair_.first.triangles, pair.first, pair_.first_at);
     Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
-    Eigen::Vector3d normal = pair.normal;
+    Eigen::Vector3d normal = pair.separation.normal;
     first.project(normal);
     second.project(-normal);
     for (std::uint32_t i = 0; i < first.count; ++i) {
       for (std::uint32_t j = 0; j < second.count; ++j) {
         const double gap = -first.farthest[i] - second.farthest[j];
-        double lower = std::max(pair.lower, gap - pair_.rounding);
+        double lower = std::max(pair.separation.lower, gap - pair_.rounding);
         if (!(lower >= farEnough())) {
           lower = std::max(lower, compare(pair, first.placed(i), second.placed(j), normal));
           first.project(normal);
