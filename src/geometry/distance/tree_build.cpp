@@ -19,6 +19,9 @@ constexpr double kLargestCoordinate = 1e30;
 /// from the one along the axes by at most 1.1e-7 of the point's distance from the centre.
 constexpr double kEdgePad = 1e-6;
 
+/// Nodes of so few triangles try the axes of each.
+constexpr std::uint32_t kFewTriangles = 16;
+
 /// Smaller boxes would lose digits to underflow [m].
 constexpr double kSmallestRadius = 1e-30;
 
@@ -36,7 +39,7 @@ struct FittedBox {
 
 class Builder {
  public:
-  explicit Builder(TriangleTree& tree) : tree_(tree) { centers_.reserve(tree.triangles.size()); }
+  explicit Builder(TriangleTree& tree) : tree_(tree) {}
 
   void build() {
     tree_.nodes.emplace_back();
@@ -112,7 +115,7 @@ class Builder {
       if (box.surface() < best.surface()) best = box;
     };
     consider(principalAxes(range));
-    if (range.end - range.begin <= 4 * kTrianglesPerLeaf) {
+    if (range.end - range.begin <= kFewTriangles) {
       for (std::uint32_t i = range.begin; i < range.end; ++i)
         consider(triangleAxes(i));
     }
@@ -141,6 +144,7 @@ class Builder {
     tree_.magnitude = std::max(tree_.magnitude, magnitude);
     node.first = range.begin;
     node.count = range.end - range.begin;
+    node.child = 0;
   }
 
   /// At the mean of the triangles' centres along the axis of most extent, or in the middle of the
@@ -164,14 +168,12 @@ class Builder {
     const auto border = static_cast<std::uint32_t>(middle - tree_.triangles.begin());
     const auto left = static_cast<std::uint32_t>(tree_.nodes.size());
     tree_.nodes.resize(tree_.nodes.size() + 2);
-    tree_.nodes[range.node].first = left;
-    tree_.nodes[range.node].count = 0;
+    tree_.nodes[range.node].child = left;
     open.push_back({left + 1, border, range.end});
     open.push_back({left, range.begin, border});
   }
 
   TriangleTree& tree_;
-  std::vector<Eigen::Vector3d> centers_;
 };
 
 bool isUsable(const std::vector<Eigen::Vector3d>& vertices,

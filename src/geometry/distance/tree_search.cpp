@@ -14,7 +14,11 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kHullSteps = 8;    ///< then the pair counts as near
+constexpr int kHullSteps = 8;  ///< then the pair counts as near
+
+/// Triangles of nodes whose hulls are compared: more take longer than they save.
+constexpr std::uint32_t kSmallNode = 64;
+
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
 /// Half of the accuracy is left to what follows.
@@ -24,6 +28,7 @@ struct NodePair {
   std::uint32_t first;
   std::uint32_t second;
   Separation separation;
+  bool has_compared_hulls = false;
 };
 
 bool isLeaf(const BodyShape& shape, std::uint32_t node) {
@@ -89,7 +94,7 @@ class Search {
                                 const Eigen::Vector3d& point) {
     std::uint32_t node = 0;
     while (!isLeaf(shape, node)) {
-      const std::uint32_t left = shape.triangles->nodes[node].first;
+      const std::uint32_t left = shape.triangles->nodes[node].child;
       const auto squaredDistance = [&](std::uint32_t child) {
         return (boxOf(shape, at, child).near(point) - point).squaredNorm();
       };
@@ -109,9 +114,9 @@ class Search {
     std::array<NodePair, 2> children{pair, pair};
     for (std::uint32_t i = 0; i < 2; ++i) {
       if (divides_first) {
-        children[i].first = pair_.first.triangles->nodes[pair.first].first + i;
+        children[i].first = pair_.first.triangles->nodes[pair.first].child + i;
       } else {
-        children[i].second = pair_.second.triangles->nodes[pair.second].first + i;
+        children[i].second = pair_.second.triangles->nodes[pair.second].child + i;
       }
     }
     if (pair_.first.triangles && pair_.second.triangles) {
@@ -147,20 +152,38 @@ class Search {
 
   void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) const {
     separate(first, second, farEnough(), pair_.rounding, pair.separation);
+    if (!(pair.separation.lower >= farEnough())) boundSmallNodes(pair);
   }
 
-  void boundHull(NodePair& pair) {
+  /// The hulls of small nodes, once on the way down. Surfaces that face each other are nearly
+  /// convex there, where a box leaves more room than the accuracy.
+  void boundSmallNodes(NodePair& pair) const {
+    const TreeNode& first = pair_.first.triangles->nodes[pair.first];
+    const TreeNode& second = pair_.second.triangles->nodes[pair.second];
+    const std::uint32_t count = std::max(first.count, second.count);
+    if (pair.has_compared_hulls || count > kSmallNode || count <= kTrianglesPerLeaf) return;
+    pair.has_compared_hulls = true;
+    boundBy(NodeHull{*pair_.first.triangles, first}, NodeHull{*pair_.second.triangles, second},
+            pair.separation);
+  }
+
+  void boundHull(NodePair& pair) const {
+    withNode(pair_.first, pair.first, [&](const auto& first) {
+      withNode(pair_.second, pair.second,
+               [&](const auto& second) { boundBy(first, second, pair.separation); });
+    });
+  }
+
+  /// Ends as soon as the sets are proven to be far enough apart, or to be nearer.
+  template <class First, class Second>
+  void boundBy(const First& first, const Second& second, Separation& known) const {
     const double far_enough = farEnough();
     const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kHullSteps};
-    withNode(pair_.first, pair.first, [&](const auto& first) {
-      withNode(pair_.second, pair.second, [&](const auto& second) {
-        Simplex simplex;
-        const GjkResult result = gjk(first, pair_.first_at, second, pair_.second_at,
-                                     pair.separation.normal, gjk_goal, simplex);
-        pair.separation.near = result.upper;
-        raise(pair.separation, result);
-      });
-    });
+    Simplex simplex;
+    const GjkResult result =
+        gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
+    known.near = result.upper;
+    raise(known, result);
   }
 
   void raise(Separation& known, const GjkResult& result) const {

@@ -14,10 +14,11 @@ namespace link_bounds {
 struct TreeNode {
   Eigen::Vector3f center;
   std::array<Eigen::Vector3f, 3> edges;
-  std::uint32_t first;  ///< the left child, or the first triangle of a leaf
-  std::uint32_t count;  ///< of a leaf's triangles; 0: the right child follows the left one
+  std::uint32_t first;  ///< triangle; those of a node follow each other
+  std::uint32_t count;  ///< of triangles
+  std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
 
-  bool isLeaf() const { return count > 0; }
+  bool isLeaf() const { return child == 0; }
 
   Parallelepiped box() const {
     return {center.cast<double>(),
@@ -26,7 +27,7 @@ struct TreeNode {
 };
 
 /// A leaf has no more triangles.
-constexpr std::size_t kTrianglesPerLeaf = 4;
+constexpr std::size_t kTrianglesPerLeaf = 8;
 
 class TriangleTree {
  public:
@@ -40,6 +41,26 @@ class TriangleTree {
   Triangle corners(std::size_t triangle) const {
     const auto& [a, b, c] = triangles[triangle];
     return {vertices[a], vertices[b], vertices[c]};
+  }
+};
+
+/// The convex hull of a node's triangles, each swept by the solid.
+struct NodeHull {
+  const TriangleTree& tree;
+  const TreeNode& node;
+
+  Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
+    const Eigen::Vector3d* best = &tree.vertices[tree.triangles[node.first][0]];
+    double best_dot = best->dot(direction);
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      for (const std::uint32_t vertex : tree.triangles[i]) {
+        const double dot = tree.vertices[vertex].dot(direction);
+        if (!(dot > best_dot)) continue;
+        best_dot = dot;
+        best = &tree.vertices[vertex];
+      }
+    }
+    return *best + farthestOf(tree.solid, tree.size, direction);
   }
 };
 

@@ -19,12 +19,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_t node) {
   const TreeNode& top = tree.nodes[node];
   std::vector<std::uint32_t> result;
-  for (std::uint32_t i = 0; i < top.count; ++i)
+  for (std::uint32_t i = 0; top.isLeaf() && i < top.count; ++i)
     result.push_back(top.first + i);
-  for (std::uint32_t child = top.first; !top.isLeaf() && child < top.first + 2; ++child) {
+  for (std::uint32_t child = top.child; !top.isLeaf() && child < top.child + 2; ++child) {
     const auto below = trianglesBelow(tree, child);
     result.insert(result.end(), below.begin(), below.end());
   }
+  EXPECT_EQ(result.size(), top.count);
+  EXPECT_EQ(result.front(), top.first);
+  EXPECT_EQ(result.back(), top.first + top.count - 1);
   return result;
 }
 
@@ -58,7 +61,7 @@ void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random)
   ASSERT_EQ(all.size(), triangles);
   ASSERT_EQ(std::set<std::uint32_t>(all.begin(), all.end()).size(), triangles);
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
-    ASSERT_LE(tree.nodes[i].count, kTrianglesPerLeaf);
+    ASSERT_TRUE(!tree.nodes[i].isLeaf() || tree.nodes[i].count <= kTrianglesPerLeaf);
     expectContained(tree, i, random);
   }
 }

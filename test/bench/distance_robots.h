@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots whose distances are measured: their bodies, pairs of links that may collide, and motions.
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/distance/body.h"
+
+namespace link_bounds::bench {
+
+struct DistanceLink {
+  Body body;
+  /// The triangles of all shapes, in the frame of the link; empty if a shape is a solid.
+  TriangleMesh mesh;
+};
+
+/// The pose of each link.
+using LinkPoses = std::vector<Eigen::Affine3d>;
+
+struct DistanceRobot {
+  std::string name;  ///< of its URDF file, and "visual" or "collision"
+  std::vector<DistanceLink> links;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of links that no joint connects
+  std::map<std::string, std::vector<LinkPoses>> motions;   ///< "random" and "coherent"
+};
+
+/// The robots in `data_folder`/robots. Without a data folder, the robot of `demo_urdf`, which is in
+/// the folder launch/demo of its package. Writes to `notes` what is left out.
+std::vector<DistanceRobot> distanceRobots(const std::string& data_folder,
+                                          const std::string& demo_urdf, std::size_t steps,
+                                          std::ostream& notes);
+
+}  // namespace link_bounds::bench
