@@ -17,6 +17,7 @@ class BodyDistances::Memories {
   void set(std::size_t index, std::shared_ptr<const Body> body) {
     if (index >= slots_.size()) slots_.resize(index + 1);
     slots_[index] = {std::move(body), std::nullopt, ++last_version_};
+    if (!slots_[index].body) forget(index);
   }
 
   void move(std::size_t index, const Eigen::Affine3d& world_from_body) {
@@ -29,15 +30,11 @@ class BodyDistances::Memories {
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
     if (!a.placed || !b.placed) return std::nullopt;
-    const auto known = pairs_.find({first, second});
-    PairMemory memory;
-    if (known != pairs_.end() && known->second.isOf(a, b)) memory = known->second.memory;
-    const BodyDistance result = placedDistance(*a.placed, *b.placed, goal, memory);
-    if (memory.is_known) {
-      pairs_[{first, second}] = {memory, a.version, b.version};
-    } else if (known != pairs_.end()) {
-      pairs_.erase(known);
-    }
+    const auto entry = pairs_.try_emplace({first, second}).first;
+    Pair& pair = entry->second;
+    if (!pair.isOf(a, b)) pair = {PairMemory(), a.version, b.version};
+    const BodyDistance result = placedDistance(*a.placed, *b.placed, goal, pair.memory);
+    if (!pair.memory.is_known) pairs_.erase(entry);
     return result;
   }
 
@@ -51,13 +48,20 @@ class BodyDistances::Memories {
   };
   struct Pair {
     PairMemory memory;
-    std::uint64_t first_version;
-    std::uint64_t second_version;
+    std::uint64_t first_version = 0;
+    std::uint64_t second_version = 0;
 
     bool isOf(const Slot& first, const Slot& second) const {
       return first_version == first.version && second_version == second.version;
     }
   };
+
+  void forget(std::size_t index) {
+    for (auto pair = pairs_.begin(); pair != pairs_.end();) {
+      const bool is_of_it = pair->first.first == index || pair->first.second == index;
+      pair = is_of_it ? pairs_.erase(pair) : std::next(pair);
+    }
+  }
 
   std::vector<Slot> slots_;
   std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
