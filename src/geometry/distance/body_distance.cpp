@@ -47,7 +47,7 @@ class Search {
          PairMemory& memory)
       : first_(first),
         second_(second),
-        goal_(goal),
+        goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps},
         memory_(memory),
         rounding_(pairRounding(first, second)),
         steps_left_(goal.max_steps) {}
@@ -117,8 +117,12 @@ class Search {
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
     offer(simplex, pair);
-    double lower = std::max(candidate.lower, hulls.lower - pair.rounding);
-    DistanceLevel level = DistanceLevel::kHull;
+    const bool do_boxes_decide = candidate.lower >= hulls.lower - pair.rounding;
+    double lower = do_boxes_decide ? candidate.lower : hulls.lower - pair.rounding;
+    const Eigen::Vector3d normal = do_boxes_decide ? boxNormalOf(candidate) : hulls.normal;
+    DistanceLevel level = do_boxes_decide ? DistanceLevel::kBox : DistanceLevel::kHull;
+    // Where nothing separates the hulls, these decide that.
+    if (!(lower > 0)) level = DistanceLevel::kHull;
     LeafPair leaves = is_nearest ? before.leaves : LeafPair();
     if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
         !(isConvex(pair.first) && isConvex(pair.second))) {
@@ -130,7 +134,7 @@ class Search {
       lower = found.lower;
       leaves = found.nearest;
     }
-    decide(lower, level, hulls.normal, candidate);
+    decide(lower, level, normal, candidate);
     if (witness_.distance < distance_before || !memory_.is_known)
       memory_ = {true, candidate.first, candidate.second, simplex, leaves};
   }
@@ -207,7 +211,7 @@ class Search {
 
   const PlacedBody& first_;
   const PlacedBody& second_;
-  const DistanceGoal& goal_;
+  DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
   double rounding_;
   std::size_t steps_left_;

@@ -181,6 +181,20 @@ TEST(BodyDistance, EndsAtTheLimit) {
   }
 }
 
+TEST(BodyDistance, AtALimitOfZeroTellsWhatMayTouch) {
+  Random random(14);
+  for (int i = 0; i < 2000; ++i) {
+    const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
+    const Eigen::Affine3d pose = random.rigid(0.3), other = random.rigid(0.3);
+    const auto exact = distance_oracle::distance(a.placed(pose), b.placed(other));
+    const BodyDistance found = *bodyDistance(a.body, pose, b.body, other, {1e-4, 0});
+    ASSERT_LE(found.lower, exact);
+    if (exact > 1e-4 + 1e-12) {
+      ASSERT_GT(found.lower, 0);
+    }
+  }
+}
+
 TEST(BodyDistance, HoldsWhereStepsRunOut) {
   Random random(11);
   for (int i = 0; i < 500; ++i) {
