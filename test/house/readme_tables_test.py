@@ -60,9 +60,9 @@ def section(text, title):
 
 
 def fields_of(path):
-    """[name, type] of each field of a message file."""
+    """[name, type] of each field of a message file; constants are left out."""
     lines = [line.split('#')[0].split() for line in path.read_text('utf-8').splitlines()]
-    return [[name, kind] for kind, name in (words for words in lines if words)]
+    return [[name, kind] for kind, name in (words for words in lines if words) if '=' not in name]
 
 
 def known_tests():
