@@ -64,7 +64,7 @@ std::size_t addIncomplete(const LiveObjects& objects, DiagnosticStatus& status) 
   for (const auto& [key, object] : objects.objects()) {
     if (!object.state.incomplete) continue;
     if (count < kMaxObjectLines)
-      addIncomplete(object.content.bounded.name, objects.reason(object), status);
+      addIncomplete(object.content->bounded.name, objects.reason(object), status);
     ++count;
   }
   return count;

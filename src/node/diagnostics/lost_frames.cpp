@@ -91,7 +91,7 @@ std::map<std::string, LostObject> lostObjects(Scene& scene) {
 
 std::string objectLine(const std::string& frame, const LostObject& lost, std::size_t count,
                        const std::string& fixed_frame) {
-  const ObjectContent& content = lost.object->content;
+  const ObjectContent& content = *lost.object->content;
   return "object " + quoted(content.bounded.name) + " from " + quoted(content.publisher) +
          andMore(count, "header frames") +
          " has had no transform for 5 s: " + describe(lost.problem, frame, fixed_frame) +

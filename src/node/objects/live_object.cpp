@@ -18,7 +18,7 @@ bool isSame(const Shape& a, const Shape& b) {
 bool isSame(const ObjectContent& a, const ObjectContent& b) {
   const std::vector<Shape>& shapes = b.bounded.shapes;
   return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
-         a.bounded.missing == b.bounded.missing &&
+         a.drawing == b.drawing && a.bounded.missing == b.bounded.missing &&
          std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
                     [](const Shape& x, const Shape& y) { return isSame(x, y); });
 }

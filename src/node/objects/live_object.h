@@ -3,16 +3,18 @@
 // One object: its content and its box.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "link_bounds/geometry/box/box_groups.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
+#include "node/objects/marker_shape.h"
 #include "node/tf/frame_tracker.h"
 
 namespace link_bounds {
 
-/// An object as its publisher describes it.
+/// An object as its publisher describes it. Shared with other threads, so it never changes.
 struct ObjectContent {
   BoundedLink bounded;  ///< its shapes, in the header frame; the name is that of the box
   std::string frame;    ///< header frame, tf name
@@ -20,6 +22,7 @@ struct ObjectContent {
       0;  ///< nanoseconds; placed once by the transform at this time. 0: follows tf
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
   std::string mesh_uri;    ///< of a mesh, whose shape has no points while it loads
+  Drawing drawing;         ///< what the marker draws with the shapes
   std::string publisher;   ///< name of the node that sent it
 
   /// A refused marker has no frame.
@@ -29,12 +32,18 @@ struct ObjectContent {
   }
 };
 
-/// True if both give the same box. Publisher and lifetime are not compared.
+/// True if both are the same body at the same place. Publisher and lifetime are not compared.
 bool isSame(const ObjectContent& a, const ObjectContent& b);
 
 /// Where an object was placed once. Another fixed frame later does not change this.
 struct Placement {
   FrameTracker::Frame fixed_frame;  ///< of that time
+  Eigen::Affine3d fixed_from_header;
+};
+
+/// What a box was computed from.
+struct BoxedObject {
+  std::shared_ptr<const ObjectContent> content;
   Eigen::Affine3d fixed_from_header;
 };
 
@@ -44,16 +53,18 @@ struct LiveObject {
   LiveObject(const LiveObject&) = delete;
   LiveObject& operator=(const LiveObject&) = delete;
 
-  ObjectContent content;
-  LinkBoxes boxes;                ///< of the one link that content.bounded is
-  FrameTracker::Frame frame = 0;  ///< content.frame
+  std::shared_ptr<const ObjectContent> content;
+  LinkBoxes boxes;                ///< of the one link that content->bounded is
+  FrameTracker::Frame frame = 0;  ///< content->frame
   FrameTracker::Handle header;    ///< the same, of an object that follows it
   std::optional<Placement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
+  ros::Duration lifetime;     ///< that of the last receipt
   std::int64_t waiting_since = 0;  ///< for the transform at its stamp
   TransformProblem problem = TransformProblem::kNone;
   BoxState state;
+  BoxedObject boxed;  ///< if there is a box: what it belongs to, maybe an earlier content
 };
 
 }  // namespace link_bounds

@@ -34,14 +34,14 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   LiveObject& object = entry->second;
   object.received = clock_.observe(now);
   object.waiting_since = object.received;
-  object.content.lifetime = content.lifetime;
+  object.lifetime = content.lifetime;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
-  if (!is_new && !was_given_up && isSame(object.content, content)) return false;
+  if (!is_new && !was_given_up && isSame(*object.content, content)) return false;
   if (!is_new) release(object);
-  object.content = std::move(content);
-  object.boxes = LinkBoxes({object.content.bounded});
+  object.content = std::make_shared<const ObjectContent>(std::move(content));
+  object.boxes = LinkBoxes({object.content->bounded});
   object.problem = TransformProblem::kNone;
-  object.stamp = clock_.stampOf(object.content, object.received);
+  object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
   follow(object);
   return refresh(object, now) || is_new;
@@ -63,9 +63,9 @@ bool LiveObjects::removeAll() {
 }
 
 void LiveObjects::follow(LiveObject& object) {
-  if (object.content.frame.empty()) return;
-  object.frame = frames_.tf().frame(object.content.frame);
-  if (!object.content.follows()) return;
+  if (object.content->frame.empty()) return;
+  object.frame = frames_.tf().frame(object.content->frame);
+  if (!object.content->follows()) return;
   object.header = frames_.follow(object.frame);
   followers_[object.frame].insert(&object);
 }
@@ -88,12 +88,14 @@ LiveObjects::Objects::iterator LiveObjects::erase(Objects::iterator object) {
 bool LiveObjects::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
   bool is_changed = false;
   for (auto& [key, object] : objects_) {
-    BoundedLink& bounded = object.content.bounded;
-    if (object.content.mesh_uri != uri) continue;
+    const BoundedLink& bounded = object.content->bounded;
+    if (object.content->mesh_uri != uri) continue;
     if (bounded.shapes.front().points == mesh.points && bounded.missing == mesh.error) continue;
-    bounded.shapes.front().points = mesh.points;
-    bounded.missing = mesh.error;
-    object.boxes = LinkBoxes({bounded});
+    auto content = std::make_shared<ObjectContent>(*object.content);
+    content->bounded.shapes.front().points = mesh.points;
+    content->bounded.missing = mesh.error;
+    object.content = std::move(content);
+    object.boxes = LinkBoxes({object.content->bounded});
     is_changed |= refresh(object, now);
   }
   return is_changed;
@@ -181,10 +183,11 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   BoxState state;
   const TransformProblem before = std::exchange(object.problem, bound(object, now, state));
   if (object.problem == TransformProblem::kWaiting) ++waiting_;
-  const bool is_loading = object.content.isLoading();
+  const bool is_loading = object.content->isLoading();
   if (object.problem == TransformProblem::kWaiting || is_loading) state = object.state;
   state.incomplete =
-      object.problem != TransformProblem::kNone || is_loading || !object.content.bounded.isWhole();
+      object.problem != TransformProblem::kNone || is_loading || !object.content->bounded.isWhole();
+  if (!state.box) object.boxed = BoxedObject();
   const bool is_changed = before != object.problem || !isSame(state, object.state);
   object.state = state;
   return is_changed;
@@ -192,12 +195,13 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
 
 TransformProblem LiveObjects::bound(LiveObject& object, ros::Time now, BoxState& state) {
   if (!fixed_frame_) return TransformProblem::kNoTransform;
-  if (!object.content.bounded.isWhole() || object.content.isLoading())
+  if (!object.content->bounded.isWhole() || object.content->isLoading())
     return TransformProblem::kNone;
   const ObjectPose pose = placer_.place(object, now);
   if (pose.problem != TransformProblem::kNone) return pose.problem;
   object.boxes.update(0, pose.fixed_from_header);
   state.box = object.boxes.box(0);
+  if (state.box) object.boxed = {object.content, pose.fixed_from_header};
   state.stamp = pose.stamp;
   return state.box ? TransformProblem::kNone : TransformProblem::kPoseNotFinite;
 }
@@ -214,12 +218,12 @@ std::vector<const LiveObject*> LiveObjects::takeGivenUp() {
 }
 
 const std::string& LiveObjects::neededFrame(const LiveObject& object) const {
-  if (object.problem != TransformProblem::kNotCarried) return object.content.frame;
+  if (object.problem != TransformProblem::kNotCarried) return object.content->frame;
   return frames_.tf().name(object.placement->fixed_frame);
 }
 
 std::string LiveObjects::reason(const LiveObject& object) const {
-  const ObjectContent& content = object.content;
+  const ObjectContent& content = *object.content;
   if (!content.bounded.isWhole()) return content.bounded.missing;
   if (content.isLoading()) return "its mesh " + content.mesh_uri + " is still loading";
   if (!fixed_frame_) return "there is no fixed frame yet";

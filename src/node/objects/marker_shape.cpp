@@ -33,10 +33,11 @@ std::shared_ptr<const PointSet> pointSet(std::vector<geometry_msgs::Point> point
                                           owner->size());
 }
 
-/// A disc around `center`, perpendicular to the third of `axes`; diameters along the first two.
-Shape disc(const Eigen::Isometry3d& pose, const Eigen::Vector3d& center,
-           const Eigen::Matrix3d& axes, double width, double height) {
-  Shape shape{nullptr, Solid::kCylinder, {width, height, 0}, pose};
+/// A cylinder around `center`, whose length is along the third of `axes`; diameters along the first
+/// two. A disc if the length is 0.
+Shape cylinder(const Eigen::Isometry3d& pose, const Eigen::Vector3d& center,
+               const Eigen::Matrix3d& axes, const Eigen::Vector3d& size) {
+  Shape shape{nullptr, Solid::kCylinder, size, pose};
   shape.link_from_shape.translate(center).rotate(axes);
   return shape;
 }
@@ -47,21 +48,31 @@ Shape point(const Eigen::Isometry3d& pose, const Eigen::Vector3d& position) {
   return shape;
 }
 
-/// The discs at both ends of a shaft have the same box as the shaft; the base and the tip of a cone
-/// have that of the cone.
-std::vector<Shape> arrowByPose(const Marker& marker, const Eigen::Isometry3d& pose) {
+/// An arrow in the frame of the marker.
+struct Arrow {
+  Eigen::Vector3d tail;
+  Eigen::Matrix3d axes;   ///< the third leads to the tip
+  Eigen::Vector2d shaft;  ///< diameters along the first two axes
+  Eigen::Vector2d head;   ///< the same of the cone
+  double shaft_length;
+  double head_length;
+};
+
+Arrow arrowByPose(const Marker& marker) {
   const Eigen::Vector3d scale = toVector(marker.scale);
   Eigen::Matrix3d axes;
   axes << Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX();
-  return {disc(pose, {0, 0, 0}, axes, scale.y(), scale.z()),
-          disc(pose, {kShaftPart * scale.x(), 0, 0}, axes, 2 * scale.y(), 2 * scale.z()),
-          point(pose, {scale.x(), 0, 0})};
+  return {{0, 0, 0},
+          axes,
+          scale.tail(2),
+          2 * scale.tail(2),
+          kShaftPart * scale.x(),
+          kHeadPart * scale.x()};
 }
 
-std::vector<Shape> arrowByPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
+Arrow arrowByPoints(const Marker& marker) {
   const Eigen::Vector3d tail = toVector(marker.points[0]);
-  const Eigen::Vector3d tip = toVector(marker.points[1]);
-  const Eigen::Vector3d shaft = tip - tail;
+  const Eigen::Vector3d shaft = toVector(marker.points[1]) - tail;
   const double total = length(shaft.x(), shaft.y(), shaft.z());
   const double head =
       marker.scale.z == 0 ? kHeadPart * total : std::min<double>(marker.scale.z, total);
@@ -71,10 +82,25 @@ std::vector<Shape> arrowByPoints(const Marker& marker, const Eigen::Isometry3d& 
     axes.col(0) = axes.col(2).unitOrthogonal();
     axes.col(1) = axes.col(2).cross(axes.col(0));
   }
-  const Eigen::Vector3d neck = tip - head * axes.col(2);
-  return {disc(pose, tail, axes, marker.scale.x, marker.scale.x),
-          disc(pose, neck, axes, marker.scale.x, marker.scale.x),
-          disc(pose, neck, axes, marker.scale.y, marker.scale.y), point(pose, tip)};
+  return {tail,
+          axes,
+          Eigen::Vector2d::Constant(marker.scale.x),
+          Eigen::Vector2d::Constant(marker.scale.y),
+          total - head,
+          head};
+}
+
+Arrow arrowOf(const Marker& marker) {
+  return marker.points.empty() ? arrowByPose(marker) : arrowByPoints(marker);
+}
+
+/// The base and the tip of a cone have the box of the cone.
+std::vector<Shape> shapesOf(const Arrow& arrow, const Eigen::Isometry3d& pose) {
+  const auto along = [&](double distance) { return arrow.tail + distance * arrow.axes.col(2); };
+  const double length = arrow.shaft_length;
+  return {cylinder(pose, along(length / 2), arrow.axes, {arrow.shaft.x(), arrow.shaft.y(), length}),
+          cylinder(pose, along(length), arrow.axes, {arrow.head.x(), arrow.head.y(), 0}),
+          point(pose, along(length + arrow.head_length))};
 }
 
 Shape scaledPoints(const Marker& marker, const Eigen::Isometry3d& pose) {
@@ -92,7 +118,7 @@ std::vector<Shape> shapesOf(const Marker& marker) {
   };
   switch (marker.type) {
     case Marker::ARROW:
-      return marker.points.empty() ? arrowByPose(marker, pose) : arrowByPoints(marker, pose);
+      return shapesOf(arrowOf(marker), pose);
     case Marker::CUBE:
     case Marker::CUBE_LIST:
       return {solid(Solid::kBox)};
@@ -109,6 +135,27 @@ std::vector<Shape> shapesOf(const Marker& marker) {
     case Marker::TRIANGLE_LIST:
     case Marker::MESH_RESOURCE:
       return {scaledPoints(marker, pose)};
+    default:
+      return {};
+  }
+}
+
+Drawing drawingOf(const Marker& marker) {
+  switch (marker.type) {
+    case Marker::ARROW:
+      return {DrawingKind::kArrow, arrowOf(marker).head_length};
+    case Marker::LINE_LIST:
+      return {DrawingKind::kSegments};
+    case Marker::LINE_STRIP:
+      return {DrawingKind::kStrip};
+    case Marker::CUBE_LIST:
+    case Marker::SPHERE_LIST:
+    case Marker::POINTS:
+      return {DrawingKind::kPoints};
+    case Marker::TRIANGLE_LIST:
+      return {DrawingKind::kTriangles};
+    case Marker::MESH_RESOURCE:
+      return {DrawingKind::kMesh};
     default:
       return {};
   }
@@ -151,7 +198,7 @@ Eigen::Isometry3d markerPose(const Marker& marker) {
 
 MarkerShape markerShape(Marker&& marker) {
   const bool is_mesh = marker.type == Marker::MESH_RESOURCE;
-  MarkerShape result{shapesOf(marker), is_mesh ? marker.mesh_resource : ""};
+  MarkerShape result{shapesOf(marker), is_mesh ? marker.mesh_resource : "", drawingOf(marker)};
   if (isList(marker)) result.shapes.front().points = pointSet(std::move(marker.points));
   return result;
 }

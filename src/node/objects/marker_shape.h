@@ -33,12 +33,32 @@
 
 namespace link_bounds {
 
-/// What a marker draws.
+/// What a marker draws with its shapes. A box needs only the shapes, a distance also this.
+enum class DrawingKind {
+  kSolids,     ///< each shape as it is
+  kPoints,     ///< the solid at each point
+  kSegments,   ///< from each even point to the next, swept by the solid
+  kStrip,      ///< from each point to the next, swept by the solid
+  kTriangles,  ///< three points each
+  kMesh,       ///< the triangles of `mesh_uri`
+  kArrow,      ///< a shaft, then the base and the tip of a cone
+};
+
+struct Drawing {
+  DrawingKind kind = DrawingKind::kSolids;
+  double cone_height = 0;  ///< of an arrow, along z of the base [m]
+  bool operator==(const Drawing& other) const {
+    return kind == other.kind && cone_height == other.cone_height;
+  }
+};
+
+/// A marker as shapes.
 struct MarkerShape {
   /// Each link_from_shape leads to the frame of the marker's header. The one shape of a
   /// MESH_RESOURCE lacks its points: they are those of `mesh_uri`.
   std::vector<Shape> shapes;
   std::string mesh_uri;  ///< of a MESH_RESOURCE, else ""
+  Drawing drawing;
 };
 
 /// Why the marker cannot be bounded, in words with the remedy; "" if it can, or is to be ignored.

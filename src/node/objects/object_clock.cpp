@@ -16,7 +16,7 @@ std::int64_t nanoseconds(ros::Time time) {
 
 /// 0 if it is for ever.
 std::int64_t lifetime(const LiveObject& object) {
-  return std::max<std::int64_t>(object.content.lifetime.toNSec(), 0);
+  return std::max<std::int64_t>(object.lifetime.toNSec(), 0);
 }
 
 /// How much of the lifetime has passed.

@@ -18,7 +18,7 @@ ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
   }
   if (!object.placement) {
     if (object.problem == TransformProblem::kGivenUp) return {TransformProblem::kGivenUp};
-    const auto pose = poseAt(object.content.stamp, object.frame);
+    const auto pose = poseAt(object.content->stamp, object.frame);
     if (!pose) {
       return {hasWaitedLong(object, now) ? TransformProblem::kGivenUp : TransformProblem::kWaiting};
     }

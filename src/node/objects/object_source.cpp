@@ -62,6 +62,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   MarkerShape shape = markerShape(std::move(marker));
   content.bounded.shapes = std::move(shape.shapes);
   content.mesh_uri = std::move(shape.mesh_uri);
+  content.drawing = shape.drawing;
   if (!content.mesh_uri.empty()) useMesh(content);
   return content;
 }
@@ -92,9 +93,9 @@ bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros:
 void ObjectSource::warnOfGivenUp() {
   for (const LiveObject* object : objects_.takeGivenUp()) {
     const auto line =
-        marker_log_.line(object->content.bounded.name,
+        marker_log_.line(object->content->bounded.name,
                          objects_.reason(*object) + "; publish that frame, or stamp 0 to follow it",
-                         object->content.publisher, ros::SteadyTime::now());
+                         object->content->publisher, ros::SteadyTime::now());
     if (line) ROS_WARN_STREAM(*line);
   }
 }
@@ -104,7 +105,7 @@ void ObjectSource::reloadMeshes() {
   mesh_log_.forget();
   std::set<std::string> uris;
   for (const auto& [key, object] : objects_.objects())
-    uris.insert(object.content.mesh_uri);
+    uris.insert(object.content->mesh_uri);
   uris.erase("");
   std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();

@@ -135,7 +135,7 @@ MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header) {
            array, labels);
   }
   for (const auto& [key, object] : scene.objects.objects()) {
-    const std::string& name = object.content.bounded.name;
+    const std::string& name = object.content->bounded.name;
     addBox(object.state, name, kObjectsNamespace + name, header, model.parameters, array, labels);
   }
   placeLabels(std::move(labels), array);

@@ -35,7 +35,7 @@ struct Scene {
     for (std::size_t i = 0; i < links.states().size(); ++i)
       visit(links.model()->links[i].name, links.states()[i]);
     for (const auto& [key, object] : objects.objects())
-      visit(object.content.bounded.name, object.state);
+      visit(object.content->bounded.name, object.state);
   }
 
   FrameTracker frames;

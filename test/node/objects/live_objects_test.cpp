@@ -170,9 +170,9 @@ ObjectContent sheet(double height) {
 
 TEST_F(LiveObjectsTest, UnchangedPointsAreNotScannedAgain) {
   EXPECT_TRUE(put(sheet(1)));
-  const PointSet* first = object().content.bounded.shapes.front().points.get();
+  const PointSet* first = object().content->bounded.shapes.front().points.get();
   EXPECT_FALSE(put(sheet(1)));
-  EXPECT_EQ(object().content.bounded.shapes.front().points.get(), first);
+  EXPECT_EQ(object().content->bounded.shapes.front().points.get(), first);
   EXPECT_TRUE(put(sheet(2)));
   EXPECT_NEAR(state().box->max().z(), 2, kTolerance);
 }

@@ -61,7 +61,7 @@ class ObjectsBesideTf2 {
     objects_.put(key(i), boxIn(frameName(frame), stamp), now_);
     // As its content has it, whose stamp was rounded.
     expected_[i].stamp.fromNSec(
-        static_cast<std::uint64_t>(objects_.objects().at(key(i)).content.stamp));
+        static_cast<std::uint64_t>(objects_.objects().at(key(i)).content->stamp));
     expectSame(i);
   }
 
@@ -105,7 +105,7 @@ class ObjectsBesideTf2 {
     EXPECT_EQ(object.problem, transform ? TransformProblem::kNone : problem_without);
     ASSERT_EQ(object.state.box.has_value(), transform.has_value());
     if (!transform) return;
-    const auto expected = linkBox(object.content.bounded, Eigen::Affine3d(toIsometry(*transform)));
+    const auto expected = linkBox(object.content->bounded, Eigen::Affine3d(toIsometry(*transform)));
     EXPECT_LT((object.state.box->min() - expected->min()).norm(), kSameBox);
     EXPECT_LT((object.state.box->max() - expected->max()).norm(), kSameBox);
     EXPECT_EQ(object.state.stamp, static_cast<std::int64_t>(transform->header.stamp.toNSec()));
