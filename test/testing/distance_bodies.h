@@ -79,4 +79,24 @@ inline TriangleMesh anyMesh(brute_force::Random& random, double size, double max
   return meshOf(vertices);
 }
 
+/// How far a placed solid, with its tip, extends along `n` from the origin of the world, in long
+/// double.
+inline distance_oracle::Long solidSupport(const BodyShape& body_shape, const Eigen::Affine3d& pose,
+                                          const Eigen::Vector3d& n) {
+  using distance_oracle::Long;
+  const Shape& shape = body_shape.shape;
+  const Eigen::Transform<Long, 3, Eigen::Affine> world =
+      pose.cast<Long>() * shape.link_from_shape.cast<Long>();
+  const distance_oracle::Vector direction = n.cast<Long>();
+  const distance_oracle::Vector row =
+      (world.linear().transpose() * direction).cwiseProduct(shape.size.cast<Long>() / 2);
+  const Long middle = direction.dot(world.translation());
+  Long half = row.head<2>().norm() + std::abs(row.z());
+  if (shape.solid == Solid::kNone) half = 0;
+  if (shape.solid == Solid::kBox) half = row.cwiseAbs().sum();
+  if (shape.solid == Solid::kEllipsoid) half = row.norm();
+  if (!body_shape.tip) return middle + half;
+  return std::max(middle + half, direction.dot(world * body_shape.tip->cast<Long>()));
+}
+
 }  // namespace link_bounds

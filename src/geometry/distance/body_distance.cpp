@@ -112,7 +112,7 @@ class Search {
     Simplex simplex = is_nearest ? placed(before.simplex, pair) : Simplex();
     const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, kHullTolerance * goal_.accuracy,
                            kHullSteps};
-    const ShapeHull a{pair.first.shape}, b{pair.second.shape};
+    const ShapeHull a{pair.first}, b{pair.second};
     const Eigen::Vector3d start = startOf(candidate);
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
@@ -189,9 +189,8 @@ class Search {
   void takeAnyPoints() {
     const ShapePair pair = shapePair(nearest_);
     const Eigen::Vector3d normal = startOf(nearest_);
-    const Eigen::Vector3d a = ShapeHull{pair.first.shape}.farthest(pair.first_at.toShape(normal));
-    const Eigen::Vector3d b =
-        ShapeHull{pair.second.shape}.farthest(-pair.second_at.toShape(normal));
+    const Eigen::Vector3d a = ShapeHull{pair.first}.farthest(pair.first_at.toShape(normal));
+    const Eigen::Vector3d b = ShapeHull{pair.second}.farthest(-pair.second_at.toShape(normal));
     offer(pair.first_at.toSearch(a), pair.second_at.toSearch(b));
   }
 

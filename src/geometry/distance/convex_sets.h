@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "link_bounds/geometry/shape/shape.h"
+#include "link_bounds/geometry/distance/body.h"
 
 namespace link_bounds {
 
@@ -33,12 +33,14 @@ Eigen::Vector3d farthestOf(Solid solid, const Eigen::Vector3d& size,
 
 /// The convex hull of a shape.
 struct ShapeHull {
-  const Shape& shape;
+  const BodyShape& body_shape;
 
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
+    const Shape& shape = body_shape.shape;
     Eigen::Vector3d point = farthestOf(shape.solid, shape.size, direction);
     if (shape.points) point += shape.points->farthest(direction);
-    return point;
+    const std::optional<Eigen::Vector3d>& tip = body_shape.tip;
+    return tip && tip->dot(direction) > point.dot(direction) ? *tip : point;
   }
 };
 

@@ -46,6 +46,7 @@ double magnitudeOf(const BodyShape& body_shape) {
   double magnitude = shape.size.cwiseAbs().maxCoeff() / 2;
   if (shape.points) magnitude += shape.points->magnitude().maxCoeff();
   if (body_shape.triangles) magnitude = std::max(magnitude, body_shape.triangles->magnitude);
+  if (body_shape.tip) magnitude = std::max(magnitude, body_shape.tip->cwiseAbs().maxCoeff());
   return magnitude;
 }
 
@@ -59,6 +60,17 @@ double roundingBound(const BodyShape& shape, const Eigen::Affine3d& world_from_b
   return length(rho.x(), rho.y(), rho.z());
 }
 
+/// In the world.
+std::optional<Aabb> boxOf(const BodyShape& shape, const Eigen::Affine3d& world_from_body) {
+  std::optional<Aabb> box = worldBox(shape.shape, world_from_body);
+  if (!box || !shape.tip) return box;
+  Shape tip;
+  tip.link_from_shape = shape.shape.link_from_shape * Eigen::Translation3d(*shape.tip);
+  const std::optional<Aabb> tip_box = worldBox(tip, world_from_body);
+  if (!tip_box) return std::nullopt;
+  return box->merged(*tip_box);
+}
+
 }  // namespace
 
 std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body) {
@@ -67,7 +79,7 @@ std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& wo
   if (!(result.origin.cwiseAbs().maxCoeff() <= kLargest)) return std::nullopt;
   result.shapes.reserve(body.shapes.size());
   for (const BodyShape& shape : body.shapes) {
-    const std::optional<Aabb> box = worldBox(shape.shape, world_from_body);
+    const std::optional<Aabb> box = boxOf(shape, world_from_body);
     const double rho = roundingBound(shape, world_from_body);
     if (!box || !(rho <= kLargest)) return std::nullopt;
     result.rounding = std::max(result.rounding, (kRounding + kTableTolerance) * rho + kUnderflow);

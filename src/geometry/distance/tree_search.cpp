@@ -45,7 +45,7 @@ double radius(const BodyShape& shape, std::uint32_t node) {
 /// Calls `use` with the convex set that stands for a node.
 template <class Use>
 auto withNode(const BodyShape& shape, std::uint32_t node, const Use& use) {
-  return shape.triangles ? use(shape.triangles->nodes[node].box()) : use(ShapeHull{shape.shape});
+  return shape.triangles ? use(shape.triangles->nodes[node].box()) : use(ShapeHull{shape});
 }
 
 class Search {
@@ -210,7 +210,7 @@ class Search {
   template <class Use>
   static void forEachSet(const BodyShape& shape, std::uint32_t leaf, const Use& use) {
     if (!shape.triangles) {
-      use(ShapeHull{shape.shape});
+      use(ShapeHull{shape});
       return;
     }
     const TriangleTree& tree = *shape.triangles;

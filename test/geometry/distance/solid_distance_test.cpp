@@ -128,22 +128,6 @@ TEST(SolidDistance, OfPointsThatASolidSweeps) {
   }
 }
 
-/// The support of a placed solid along `n` in long double.
-distance_oracle::Long support(const Shape& shape, const Eigen::Affine3d& pose,
-                              const Eigen::Vector3d& n) {
-  using Pose = Eigen::Transform<distance_oracle::Long, 3, Eigen::Affine>;
-  const Pose world =
-      pose.cast<distance_oracle::Long>() * shape.link_from_shape.cast<distance_oracle::Long>();
-  const distance_oracle::Vector direction = n.cast<distance_oracle::Long>();
-  const distance_oracle::Vector row =
-      (world.linear().transpose() * direction)
-          .cwiseProduct(shape.size.cast<distance_oracle::Long>() / 2);
-  const distance_oracle::Long middle = direction.dot(world.translation());
-  if (shape.solid == Solid::kBox) return middle + row.cwiseAbs().sum();
-  if (shape.solid == Solid::kEllipsoid) return middle + row.norm();
-  return middle + row.head<2>().norm() + std::abs(row.z());
-}
-
 TEST(SolidDistance, IsProvenByItsNormal) {
   Random random(6);
   const Solid kinds[] = {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder};
@@ -159,13 +143,13 @@ TEST(SolidDistance, IsProvenByItsNormal) {
     ASSERT_LE(found.upper - found.lower, 1e-4 + 1e-12) << i;
     const Eigen::Vector3d& n = found.normal;
     if (found.lower == 0) continue;
-    const auto gap = -support(b.shapes[0].shape, other, -n) - support(a.shapes[0].shape, pose, n);
+    const auto gap = -solidSupport(b.shapes[0], other, -n) - solidSupport(a.shapes[0], pose, n);
     ASSERT_GE(gap, found.lower * n.cast<distance_oracle::Long>().norm());
     // A point lies in its solid if no support along any direction is exceeded.
     for (int k = 0; k < 5; ++k) {
       const Eigen::Vector3d d = random.vector(1).normalized();
-      ASSERT_LE(d.dot(found.on_first), support(a.shapes[0].shape, pose, d) + 1e-12);
-      ASSERT_LE(d.dot(found.on_second), support(b.shapes[0].shape, other, d) + 1e-12);
+      ASSERT_LE(d.dot(found.on_first), solidSupport(a.shapes[0], pose, d) + 1e-12);
+      ASSERT_LE(d.dot(found.on_second), solidSupport(b.shapes[0], other, d) + 1e-12);
     }
   }
 }

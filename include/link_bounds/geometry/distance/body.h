@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
@@ -38,6 +39,9 @@ struct BodyShape {
   /// of the shape and to hold the shape's points, each swept by the solid. A solid without points,
   /// or with one, is its own convex hull and needs no triangles.
   std::shared_ptr<const TriangleTree> triangles = nullptr;
+  /// With a tip [m], in the coordinates of the shape, the shape is the convex hull of its solid and
+  /// the tip: a cylinder of height 0 becomes a cone. Only for a solid without points and triangles.
+  std::optional<Eigen::Vector3d> tip = std::nullopt;
 };
 
 /// In the frame of the link or object.
