@@ -36,6 +36,12 @@ struct Request {
   MeshFile file;
 };
 
+/// For the user.
+std::string nameOf(Purpose purpose, std::size_t number, const std::string& uri) {
+  return std::string(toText(purpose)) + " " + std::to_string(number) +
+         (uri.empty() ? "" : " (" + uri + ")");
+}
+
 struct Draft {
   BoundedRobot robot;
   std::vector<Request> requests;
@@ -43,8 +49,7 @@ struct Draft {
   /// Adds a message to the robot's problems, and to what the link misses.
   void addProblem(BoundedLink& link, Purpose purpose, std::size_t number, const std::string& uri,
                   const std::string& reason) {
-    std::string what = std::string(toText(purpose)) + " " + std::to_string(number);
-    if (!uri.empty()) what += " (" + uri + ")";
+    const std::string what = nameOf(purpose, number, uri);
     robot.problems.push_back("link \"" + link.name + "\", " + what + ": " + reason);
     link.missing += (link.missing.empty() ? "" : "; ") + what + ": " + reason;
   }
@@ -93,6 +98,7 @@ void addPoints(Draft& draft, const std::vector<LoadedMesh>& meshes) {
     link.shapes[request.shape].points = meshes[i].points;
     if (meshes[i].points) {
       draft.robot.meshes.emplace(request.file.path, meshes[i].points);
+      draft.robot.mesh_uris.emplace(request.element->mesh_uri, meshes[i].points);
       continue;
     }
     draft.addProblem(link, request.element->purpose, request.element->number,
@@ -111,35 +117,75 @@ void dropEmptyShapes(BoundedLink& link) {
                     link.shapes.end());
 }
 
-/// The shapes of each link but the empty ones, with their triangles. To be called before
-/// dropEmptyShapes, which changes the indices that requests hold.
-std::vector<std::vector<DivisibleShape>> divisibleShapes(const Draft& draft,
-                                                         const std::vector<LoadedMesh>& meshes) {
-  std::vector<std::vector<DivisibleShape>> divisible;
+/// A shape and the mesh that it came from; null for a solid.
+struct LoadedShape {
+  Shape shape;
+  const LoadedMesh* mesh = nullptr;
+};
+
+/// The shapes of each link but the empty ones. To be called before dropEmptyShapes, which changes
+/// the indices that requests hold.
+std::vector<std::vector<LoadedShape>> loadedShapes(const Draft& draft,
+                                                   const std::vector<LoadedMesh>& meshes) {
+  std::vector<std::vector<LoadedShape>> loaded;
   for (const BoundedLink& link : draft.robot.links) {
-    divisible.emplace_back();
+    loaded.emplace_back();
     for (const Shape& shape : link.shapes)
-      divisible.back().push_back({shape, nullptr});
+      loaded.back().push_back({shape});
   }
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const Request& request = draft.requests[i];
-    divisible[request.link][request.shape].mesh = meshes[i].triangles;
-  }
-  const auto is_empty = [](const DivisibleShape& shape) { return isEmpty(shape.shape); };
-  for (std::vector<DivisibleShape>& shapes : divisible)
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    loaded[draft.requests[i].link][draft.requests[i].shape].mesh = &meshes[i];
+  const auto is_empty = [](const LoadedShape& shape) { return isEmpty(shape.shape); };
+  for (std::vector<LoadedShape>& shapes : loaded)
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_empty), shapes.end());
-  return divisible;
+  return loaded;
 }
 
 /// To be called after dropEmptyShapes: the only part of a link that cannot be split is the link.
-void addParts(const std::vector<std::vector<DivisibleShape>>& divisible, std::size_t max_parts,
+void addParts(const std::vector<std::vector<LoadedShape>>& loaded, std::size_t max_parts,
               BoundedRobot& robot) {
   LinkSplitter splitter(max_parts);
-  for (std::size_t i = 0; i < divisible.size(); ++i)
-    robot.parts.push_back(splitter.split(robot.links[i], divisible[i]));
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    std::vector<DivisibleShape> divisible;
+    for (const auto& [shape, mesh] : loaded[i])
+      divisible.push_back({shape, mesh ? mesh->triangles : nullptr});
+    robot.parts.push_back(splitter.split(robot.links[i], divisible));
+  }
+}
+
+void addBodies(const std::vector<std::vector<LoadedShape>>& loaded, BoundedRobot& robot) {
+  for (const std::vector<LoadedShape>& shapes : loaded) {
+    Body body;
+    for (const auto& [shape, mesh] : shapes)
+      body.shapes.push_back({shape, mesh ? mesh->tree : nullptr});
+    robot.bodies.push_back(std::move(body));
+  }
+}
+
+/// One per mesh element that has points but no triangles.
+void addBodyProblems(const Draft& draft, const std::vector<LoadedMesh>& meshes,
+                     std::vector<std::string>& problems) {
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (meshes[i].tree_error.empty()) continue;
+    const Request& request = draft.requests[i];
+    const Element& element = *request.element;
+    problems.push_back("link \"" + draft.robot.links[request.link].name + "\", " +
+                       nameOf(element.purpose, element.number, element.mesh_uri) + ": " +
+                       treeProblem(request.file.path, meshes[i].tree_error));
+  }
+}
+
+MeshContent contentOf(const Selection& selection) {
+  const bool has_parts = selection.parts_per_link > 1;
+  if (selection.triangles) return has_parts ? MeshContent::kAll : MeshContent::kPointsAndTree;
+  return has_parts ? MeshContent::kPointsAndTriangles : MeshContent::kPoints;
 }
 
 }  // namespace
+
+std::string treeProblem(const std::string& path, const std::string& error) {
+  return "distances are those of the convex hull of " + path + ": " + error;
+}
 
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store) {
@@ -150,16 +196,18 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   std::vector<MeshFile> files;
   for (const Request& request : draft.requests)
     files.push_back(request.file);
-  const bool has_parts = selection.parts_per_link > 1;
-  const std::vector<LoadedMesh> meshes = store.load(
-      files, source.progress, has_parts ? MeshContent::kPointsAndTriangles : MeshContent::kPoints);
+  const std::vector<LoadedMesh> meshes =
+      store.load(files, source.progress, contentOf(selection), source.limits.max_bytes);
   addPoints(draft, meshes);
-  std::vector<std::vector<DivisibleShape>> divisible;
-  if (has_parts) divisible = divisibleShapes(draft, meshes);
+  const std::vector<std::vector<LoadedShape>> loaded = loadedShapes(draft, meshes);
   for (BoundedLink& link : draft.robot.links)
     dropEmptyShapes(link);
-  if (has_parts)
-    addParts(divisible, static_cast<std::size_t>(selection.parts_per_link), draft.robot);
+  if (selection.parts_per_link > 1)
+    addParts(loaded, static_cast<std::size_t>(selection.parts_per_link), draft.robot);
+  if (selection.triangles) {
+    addBodies(loaded, draft.robot);
+    addBodyProblems(draft, meshes, draft.robot.body_problems);
+  }
   return std::move(draft.robot);
 }
 

@@ -11,4 +11,7 @@ namespace link_bounds {
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store);
 
+/// For the user: why distances take the convex hull of a mesh; `error` is LoadedMesh::tree_error.
+std::string treeProblem(const std::string& path, const std::string& error);
+
 }  // namespace link_bounds

@@ -28,9 +28,22 @@ BoundedRobot RobotLoader::load(const Robot& robot, const Selection& selection,
 
 std::vector<LoadedMesh> RobotLoader::loadMeshes(const std::vector<std::string>& uris,
                                                 const MeshSource& source) {
+  return loadAll(uris, source, MeshContent::kPoints);
+}
+
+std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& uris,
+                                               const MeshSource& source) {
+  std::vector<LoadedTree> trees;
+  for (LoadedMesh& mesh : loadAll(uris, source, MeshContent::kPointsAndTree))
+    trees.push_back({std::move(mesh.points), std::move(mesh.tree), std::move(mesh.error)});
+  return trees;
+}
+
+std::vector<LoadedMesh> RobotLoader::loadAll(const std::vector<std::string>& uris,
+                                             const MeshSource& source, MeshContent content) {
   limits_ = source.limits;
   try {
-    return loadResolved(uris, source);
+    return loadResolved(uris, source, content);
   } catch (const std::exception& error) {
     return {uris.size(), LoadedMesh{nullptr, wording(error)}};
   }
@@ -38,7 +51,7 @@ std::vector<LoadedMesh> RobotLoader::loadMeshes(const std::vector<std::string>& 
 
 /// Resolves all URIs first, so that the files load side by side.
 std::vector<LoadedMesh> RobotLoader::loadResolved(const std::vector<std::string>& uris,
-                                                  const MeshSource& source) {
+                                                  const MeshSource& source, MeshContent content) {
   std::vector<LoadedMesh> results(uris.size());
   std::vector<MeshFile> files;
   std::vector<std::size_t> places;
@@ -50,11 +63,13 @@ std::vector<LoadedMesh> RobotLoader::loadResolved(const std::vector<std::string>
       results[i].error = wording(error);
     }
   }
-  const std::vector<LoadedMesh> loaded = store_.load(files, source.progress);
+  const std::vector<LoadedMesh> loaded =
+      store_.load(files, source.progress, content, source.limits.max_bytes);
   for (std::size_t i = 0; i < files.size(); ++i) {
     LoadedMesh& result = results[places[i]];
     result = loaded[i];
     if (!result.points) result.error = "cannot use " + files[i].path + ": " + result.error;
+    if (!result.tree_error.empty()) result.error = treeProblem(files[i].path, result.tree_error);
   }
   return results;
 }

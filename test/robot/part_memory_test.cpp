@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of a link where memory runs out while it is split.
+// Parts of a link, and the tree of a mesh, where memory runs out while they are made.
 #include <gtest/gtest.h>
 
 #include "link_bounds/robot/robot_loader.h"
@@ -73,6 +73,24 @@ TEST_F(PartMemory, AMeshThatFailedIsInNoPart) {
   const Aabb link = linkBox(robot.links[0], identity).value();
   EXPECT_EQ(part.min(), link.min());
   EXPECT_EQ(part.max(), link.max());
+}
+
+TEST_F(PartMemory, ATreeThatDoesNotFitLeavesThePoints) {
+  bool ends = false;
+  RobotLoader loader([&](const MeshFile&) {
+    TriangleMesh mesh = hook(60, 40);
+    if (ends) replaced_new::limit = 50'000;
+    return mesh;
+  });
+  const MeshSource source{nullptr, folder_.path().string()};
+  const auto mesh = loader.loadMeshes({"good.stl"}, source);
+  ASSERT_TRUE(mesh.at(0).points);
+  ends = true;
+  const auto tree = loader.loadTrees({"good.stl"}, source);
+  replaced_new::limit = replaced_new::kNoLimit;
+  EXPECT_FALSE(tree.at(0).triangles);
+  EXPECT_EQ(tree[0].points, mesh[0].points);
+  EXPECT_NE(tree[0].error.find("its triangles do not fit into memory"), std::string::npos);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "link_bounds/geometry/distance/body.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "link_bounds/robot/mesh/mesh_store.h"
 #include "link_bounds/robot/urdf/robot.h"
@@ -25,6 +26,7 @@ struct Selection {
   double padding = 0;                          ///< metres, >= 0
   std::map<std::string, double> link_padding;  ///< replaces padding for that link
   int parts_per_link = 1;                      ///< max number of parts of a link, >= 1
+  bool triangles = false;                      ///< whether BoundedRobot::bodies are made
 };
 
 /// Where mesh files are found, and what reading one may take.
@@ -40,10 +42,27 @@ struct BoundedRobot {
   std::vector<std::size_t> indices;   ///< of each of `links` its index in Robot::links
   std::vector<std::string> problems;  ///< one per element that is not bounded: link, element,
                                       ///< file, reason, remedy
-  std::map<std::string, std::shared_ptr<const PointSet>> meshes;  ///< those in use, by real path
+  std::map<std::string, std::shared_ptr<const PointSet>> meshes;     ///< those in use, by real path
+  std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< those in use, by URI as in
+                                                                     ///< the URDF
   /// The parts of each link, with its name, padding and missing geometry; none for a link without
   /// shapes. Empty if parts_per_link is 1.
   std::vector<std::vector<BoundedLink>> parts;
+  /// What distances are computed of: each of `links`, in its frame and without padding, with its
+  /// shapes in their order. All shapes of one mesh file share its triangles. Empty unless they were
+  /// selected.
+  std::vector<Body> bodies;
+  /// One per mesh element that `bodies` have without triangles, so that distances are those of its
+  /// convex hull: link, element, file, reason, remedy.
+  std::vector<std::string> body_problems;
+};
+
+/// A mesh file as distances need it.
+struct LoadedTree {
+  /// Those that are in use, unless the file was replaced since; null if it cannot be read.
+  std::shared_ptr<const PointSet> points;
+  std::shared_ptr<const TriangleTree> triangles;  ///< null if it cannot be read or is too large
+  std::string error;  ///< file, reason and remedy; "" if there are triangles
 };
 
 /// Loads the meshes of robots and of single objects. Owns the store of what has been read: as long
@@ -71,12 +90,19 @@ class RobotLoader {
   std::vector<LoadedMesh> loadMeshes(const std::vector<std::string>& uris,
                                      const MeshSource& source);
 
+  /// As above. Reads each file again, even if its points are in use. The triangles of one mesh take
+  /// at most source.limits.max_bytes, whatever imports it. Memory for reading does not depend on
+  /// the number of files.
+  std::vector<LoadedTree> loadTrees(const std::vector<std::string>& uris, const MeshSource& source);
+
   /// Until then, files that could not be read are not read again.
   void forgetFailures() { store_.forgetFailures(); }
 
  private:
+  std::vector<LoadedMesh> loadAll(const std::vector<std::string>& uris, const MeshSource& source,
+                                  MeshContent content);
   std::vector<LoadedMesh> loadResolved(const std::vector<std::string>& uris,
-                                       const MeshSource& source);
+                                       const MeshSource& source, MeshContent content);
   std::string wording(const std::exception& error) const;
 
   MeshLimits limits_;  ///< of the load that is under way

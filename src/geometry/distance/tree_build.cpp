@@ -220,4 +220,11 @@ std::size_t bytes(const TriangleTree& tree) {
          tree.vertices.capacity() * sizeof(tree.vertices[0]);
 }
 
+/// As if each leaf had one triangle.
+std::size_t maxTreeBytes(const TriangleMesh& mesh) {
+  return sizeof(TriangleTree) +
+         mesh.triangles.size() * (2 * sizeof(TreeNode) + sizeof(mesh.triangles[0])) +
+         mesh.vertices.size() * sizeof(Eigen::Vector3d);
+}
+
 }  // namespace link_bounds

@@ -61,6 +61,14 @@ void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) 
     helper.join();
 }
 
+bool hasTriangles(MeshContent content) {
+  return content == MeshContent::kPointsAndTriangles || content == MeshContent::kAll;
+}
+
+bool hasTree(MeshContent content) {
+  return content == MeshContent::kPointsAndTree || content == MeshContent::kAll;
+}
+
 }  // namespace
 
 bool MeshStore::Version::operator==(const Version& other) const {
@@ -94,16 +102,17 @@ LoadedMesh MeshStore::cached(const MeshFile& file) const {
   return {entry.points.lock(), ""};
 }
 
-/// If only triangles are new, the points that are in use are returned.
+/// If only triangles or the tree are new, the points that are in use are returned.
 LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
-                             MeshContent content) const {
+                             const Request& request) const {
   try {
-    auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
+    const auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
     if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
-    std::shared_ptr<const PointSet> points = cached(file).points;
-    if (!points) points = std::make_shared<const PointSet>(mesh->vertices);
-    if (content == MeshContent::kPoints) mesh = nullptr;
-    return {std::move(points), "", std::move(mesh)};
+    LoadedMesh result{cached(file).points, ""};
+    if (!result.points) result.points = std::make_shared<const PointSet>(mesh->vertices);
+    if (hasTriangles(request.content)) result.triangles = mesh;
+    if (hasTree(request.content)) addTree(*mesh, request.max_tree_bytes, result);
+    return result;
   } catch (const std::bad_alloc&) {
     return failure("it does not fit into memory", MeshFault::kComputer);
   } catch (const MeshError& error) {
@@ -113,6 +122,27 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
     return failure(error.what(), error.fault());
   } catch (const std::exception& error) {
     return failure(error.what(), MeshFault::kFile);
+  }
+}
+
+void MeshStore::addTree(const TriangleMesh& mesh, std::uint64_t max_bytes,
+                        LoadedMesh& result) const {
+  const auto fail = [&](const char* reason, MeshFault fault) {
+    result.tree_error = failure(reason, fault).error;
+  };
+  try {
+    const std::uint64_t needed = maxTreeBytes(mesh);
+    if (needed > max_bytes) {
+      const std::string reason = "its " + std::to_string(mesh.triangles.size()) +
+                                 " triangles could take " + std::to_string(needed) +
+                                 " bytes of memory, which are more than the " +
+                                 std::to_string(max_bytes) + " allowed";
+      return fail(reason.c_str(), MeshFault::kTooLarge);
+    }
+    result.tree = triangleTree(mesh);
+    if (!result.tree) fail("a coordinate exceeds 1e30 m", MeshFault::kFile);
+  } catch (const std::bad_alloc&) {
+    fail("its triangles do not fit into memory", MeshFault::kComputer);
   }
 }
 
@@ -126,8 +156,7 @@ LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcep
 }
 
 std::map<std::string, MeshStore::Imported> MeshStore::importAll(
-    const std::map<std::string, MeshFile>& files, const LoadProgress& progress,
-    MeshContent content) const {
+    const std::map<std::string, MeshFile>& files, const Request& request) const {
   std::map<std::string, Imported> results;
   std::vector<std::pair<const MeshFile*, Imported*>> jobs;
   for (const auto& [path, file] : files)
@@ -137,16 +166,17 @@ std::map<std::string, MeshStore::Imported> MeshStore::importAll(
   inParallel(jobs.size(), [&](std::size_t i) {
     const MeshFile& file = *jobs[i].first;
     const Version version = settledVersionOf(file.path);
-    *jobs[i].second = {version, import(file, version, content)};
+    *jobs[i].second = {version, import(file, version, request)};
     const std::lock_guard<std::mutex> lock(mutex);
     ++done;
-    if (progress) progress(done, jobs.size());
+    if (request.progress) request.progress(done, jobs.size());
   });
   return results;
 }
 
 std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
-                                        const LoadProgress& progress, MeshContent content) {
+                                        const LoadProgress& progress, MeshContent content,
+                                        std::uint64_t max_tree_bytes) {
   std::map<std::string, LoadedMesh> meshes;
   std::map<std::string, MeshFile> missing;
   for (const MeshFile& file : files) {
@@ -159,8 +189,10 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
       missing.emplace(file.path, file);
     }
   }
-  for (auto& [path, imported] : importAll(missing, progress, content)) {
-    entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
+  for (auto& [path, imported] : importAll(missing, {progress, content, max_tree_bytes})) {
+    const bool only_triangles_failed = !imported.mesh.points && cached(missing.at(path)).points;
+    if (!only_triangles_failed)
+      entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
     meshes.emplace(path, std::move(imported.mesh));
   }
   std::vector<LoadedMesh> results;

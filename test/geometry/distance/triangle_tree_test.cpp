@@ -8,6 +8,7 @@
 #include <set>
 
 #include "testing/distance_bodies.h"
+#include "testing/part_meshes.h"
 
 namespace link_bounds {
 namespace {
@@ -72,6 +73,26 @@ TEST(TriangleTree, HoldsTrianglesOfAnyKind) {
     const TriangleMesh mesh = anyMesh(random, random.magnitude(-20, 20));
     expectTree(*triangleTree(mesh), mesh.triangles.size(), random);
   }
+}
+
+TEST(TriangleTree, TakesNoMoreMemoryThanTheMax) {
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const TriangleMesh mesh = anyMesh(random, 1);
+    EXPECT_LE(bytes(*triangleTree(mesh)), maxTreeBytes(mesh));
+  }
+  TriangleMesh unbalanced;  // the mean of the positions separates one triangle at a time
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    const float x = std::ldexp(1.0f, 4 * static_cast<int>(i));
+    for (const Eigen::Vector3f& corner :
+         {Eigen::Vector3f(x, 0, 0), Eigen::Vector3f(x, x / 8, 0), Eigen::Vector3f(x, 0, x / 8)})
+      unbalanced.vertices.push_back(corner);
+    unbalanced.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const auto tree = triangleTree(unbalanced);
+  EXPECT_EQ(tree->nodes.size(), 17u);
+  EXPECT_LE(bytes(*tree), maxTreeBytes(unbalanced));
+  EXPECT_LT(bytes(*triangleTree(ball(40, 60))), maxTreeBytes(ball(40, 60)) / 2);
 }
 
 TEST(TriangleTree, HoldsTrianglesThatASolidSweeps) {

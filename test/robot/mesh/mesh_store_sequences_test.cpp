@@ -3,6 +3,7 @@
 // Random sequences of loads and of changes to the files, compared with reading each file anew.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <map>
 
@@ -100,7 +101,10 @@ class Sequence {
   }
 
   void load() {
-    const auto content = below(3) == 0 ? MeshContent::kPointsAndTriangles : MeshContent::kPoints;
+    constexpr std::array kContents{MeshContent::kPoints, MeshContent::kPoints,
+                                   MeshContent::kPointsAndTriangles, MeshContent::kPointsAndTree,
+                                   MeshContent::kAll};
+    const MeshContent content = kContents[below(kContents.size())];
     std::vector<MeshFile> batch;
     for (std::size_t i = 1 + below(4); i > 0; --i)
       batch.push_back(files_[below(kFiles)]);
@@ -133,7 +137,9 @@ class Sequence {
       ASSERT_TRUE(mesh.points) << mesh.error;
       EXPECT_EQ(mesh.points->magnitude(), points.magnitude());
       EXPECT_EQ(mesh.error, "");
-      EXPECT_EQ(mesh.triangles != nullptr, content != MeshContent::kPoints);
+      const bool is_all = content == MeshContent::kAll;
+      EXPECT_EQ(mesh.triangles != nullptr, is_all || content == MeshContent::kPointsAndTriangles);
+      EXPECT_EQ(mesh.tree != nullptr, is_all || content == MeshContent::kPointsAndTree);
       const auto shared = now.points.lock();
       EXPECT_TRUE(!shared || now.has_changed || mesh.points == shared) << "points are shared";
       now.points = mesh.points;

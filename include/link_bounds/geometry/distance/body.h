@@ -32,6 +32,9 @@ std::shared_ptr<const TriangleTree> triangleTree(
 /// Bytes kept in memory.
 std::size_t bytes(const TriangleTree& tree);
 
+/// No tree of such a mesh takes more. A typical one takes a third.
+std::size_t maxTreeBytes(const TriangleMesh& mesh);
+
 struct BodyShape {
   Shape shape;
   /// What the shape consists of: surfaces, for a mesh also where it encloses a volume. Its vertices

@@ -7,11 +7,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "link_bounds/geometry/distance/body.h"
 #include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "link_bounds/geometry/support/point_set.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
@@ -28,24 +30,32 @@ struct LoadedMesh {
   std::shared_ptr<const PointSet> points;  ///< null if the file cannot be used
   std::string error;                       ///< the reason and the remedy; "" if there are points
   std::shared_ptr<const TriangleMesh> triangles = nullptr;  ///< only if they were requested
+  std::shared_ptr<const TriangleTree> tree = nullptr;       ///< only if it was requested
+  /// Why there are points but not the tree that was requested, and the remedy; else "".
+  std::string tree_error = "";
 };
 
-enum class MeshContent { kPoints, kPointsAndTriangles };
+/// kAll: points, triangles and tree.
+enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
 /// are remembered until forgetFailures(), which is also where dead entries are erased. load() reads
 /// a file again if it was replaced since, and refuses one that changes while it is read. Triangles
-/// are not cached. Not thread-safe; what it returns is immutable.
+/// and trees are not cached; if reading them fails, points in use stay in use. Not thread-safe;
+/// what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
       : importer_(std::move(importer)), remedy_(std::move(remedy)) {}
 
-  /// One result per file, in order. Files are read in parallel, one thread per core.
-  std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
-                               const LoadProgress& progress = nullptr,
-                               MeshContent content = MeshContent::kPoints);
+  /// One result per file, in order. Files are read in parallel, one thread per core, and each
+  /// becomes a tree before its thread reads the next. There is no tree of a mesh for which it could
+  /// take more than `max_tree_bytes`.
+  std::vector<LoadedMesh> load(
+      const std::vector<MeshFile>& files, const LoadProgress& progress = nullptr,
+      MeshContent content = MeshContent::kPoints,
+      std::uint64_t max_tree_bytes = std::numeric_limits<std::uint64_t>::max());
 
   /// The next load() reads these files again.
   void forgetFailures();
@@ -70,15 +80,20 @@ class MeshStore {
     Version version;
     LoadedMesh mesh;
   };
+  struct Request {
+    LoadProgress progress;
+    MeshContent content;
+    std::uint64_t max_tree_bytes;
+  };
 
   static Version versionOf(const std::string& path);
   static Version settledVersionOf(const std::string& path);
   LoadedMesh cached(const MeshFile& file) const;
-  LoadedMesh import(const MeshFile& file, const Version& version, MeshContent content) const;
+  LoadedMesh import(const MeshFile& file, const Version& version, const Request& request) const;
+  void addTree(const TriangleMesh& mesh, std::uint64_t max_bytes, LoadedMesh& result) const;
   LoadedMesh failure(const char* reason, MeshFault fault) const noexcept;
   std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
-                                            const LoadProgress& progress,
-                                            MeshContent content) const;
+                                            const Request& request) const;
 
   MeshImporter importer_;
   MeshRemedy remedy_;
