@@ -3,6 +3,7 @@
 // From what arrives to a scene and its output, in the order of the functions below.
 #include "node/publisher_node.h"
 
+#include "node/distances/object_body.h"
 #include "node/log/guarded.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
@@ -23,8 +24,9 @@ void PublisherNode::guard(const std::function<void()>& body) {
 
 PublisherNode::PublisherNode()
     : object_source_(scene_.objects, [this](const std::string& uri) { loader_->requestMesh(uri); }),
-      output_(node_, private_node_, scene_,
-              [this](const std::function<void()>& body) { guard(body); }),
+      output_(
+          node_, private_node_, scene_, [this](const std::function<void()>& body) { guard(body); },
+          treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {
@@ -34,14 +36,45 @@ PublisherNode::PublisherNode()
       lost_frames_timer_(repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames)),
       diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {
   subscribeToObjects();
+  ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
-  loader_ = std::make_unique<ModelLoader>(
-      private_node_,
-      [this](const ModelLoader::ModelPtr& model) { times_.measure([&] { adopt(model); }); },
-      [this](const std::string& uri, const LoadedMesh& mesh) {
-        guard([&] { onMesh(uri, mesh); });
-      });
+  handlers.adopt = [this](const auto& model) { times_.measure([&] { adopt(model); }); };
+  handlers.on_mesh = [this](const auto& uri, const auto& mesh) {
+    guard([&] { onMesh(uri, mesh); });
+  };
+  handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
+  loader_ = std::make_unique<ModelLoader>(private_node_, std::move(handlers));
   master_watch_ = std::make_unique<MasterWatch>();
+}
+
+/// Distances request trees from the loader.
+PublisherNode::~PublisherNode() {
+  output_.distances().stop();
+}
+
+/// Called on the thread of distances, which works only after a model has come from the loader.
+TreeRequests PublisherNode::treeRequests() {
+  TreeRequests requests;
+  requests.mesh = [this](const auto& uri, const auto& points) {
+    loader_->requestTree({uri, points});
+  };
+  requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {
+    loader_->request([this, list] { output_.distances().give(listTree(*list)); });
+  };
+  return requests;
+}
+
+/// On the loader thread.
+void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree) {
+  MadeTree made{request.points, nullptr, tree.error};
+  if (tree.points == request.points) {
+    made.triangles = tree.triangles;
+  } else if (made.error.empty()) {
+    made.error = request.uri + " was replaced since it was loaded; call ~reload";
+  }
+  if (!made.error.empty())
+    ROS_WARN("distances to the convex hull only: %s", logText(made.error).c_str());
+  output_.distances().give(std::move(made));
 }
 
 ros::WallTimer PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*function)()) {
@@ -158,6 +191,7 @@ void PublisherNode::publishDiagnostics() {
   health.lag_ms = output_.takeMaxLag();
   health.footprint = output_.footprintState();
   health.intake = tf_.intake();
+  health.distances = output_.distances().takeHealth();
   diagnostics_.publish(scene_, health, times_);
 }
 

@@ -27,6 +27,7 @@ namespace link_bounds {
 class PublisherNode {
  public:
   PublisherNode();
+  ~PublisherNode();
   PublisherNode(const PublisherNode&) = delete;
   PublisherNode& operator=(const PublisherNode&) = delete;
 
@@ -43,6 +44,8 @@ class PublisherNode {
   void guard(const std::function<void()>& body);
 
   ros::WallTimer repeat(ros::WallDuration period, void (PublisherNode::*function)());
+  TreeRequests treeRequests();
+  void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
   void subscribeToObjects();
   void adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfReceiver::Event& event, bool is_static);

@@ -143,6 +143,8 @@ class DiagnosticsTest(unittest.TestCase):
     def test_levels_and_texts(self):
         code = text_of('src/node/diagnostics/diagnostics.cpp')
         code = code.replace(' " + logText(health.awaited_description)', ' robot_description"')
+        code = code.replace('logText(nearestText(*health.nearest))',
+                            '"NAME and NAME may be only N m apart"')
         raised = re.findall(r'raise\(status, DiagnosticStatus::(\w+),\s*(.*?)\);', code, re.DOTALL)
         self.assertGreater(len(raised), 5)
         in_code = {(level, re.sub(r'std::to_string\(\w+\) \+ "', '"N', text).strip('"'))
@@ -213,7 +215,7 @@ class ArchitectureTest(unittest.TestCase):
 
     def test_stops_name_functions_in_their_files(self):
         text = text_of('doc/architecture.md')
-        for title in ('A tf message', 'A marker', 'The parameter `padding`'):
+        for title in ('A tf message', 'A marker', 'A distance', 'The parameter `padding`'):
             stops = re.findall(r'^\d+\. (.*?)(?=^\d+\. |^\n|\Z)', section(text, title),
                                re.DOTALL | re.MULTILINE)
             self.assertGreater(len(stops), 4, title)

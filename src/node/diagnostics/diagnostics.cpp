@@ -100,6 +100,11 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   }
 }
 
+std::string nearestText(const Distance& nearest) {
+  return nearest.first + " and " + nearest.second + " may be only " +
+         std::to_string(nearest.distance) + " m apart";
+}
+
 void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms taken", std::to_string(intake.accepted));
   add(status, "of those late", std::to_string(intake.late));
@@ -107,6 +112,40 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms refused, too old", std::to_string(intake.too_old));
   add(status, "transforms refused, unusable", std::to_string(intake.unusable));
   add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string result;
+  for (const std::string& text : texts)
+    result += (result.empty() ? "" : "; ") + text;
+  return result.empty() ? "none" : result;
+}
+
+/// `seconds` since the last status.
+void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus& status) {
+  const auto count = static_cast<double>(health.times.count);
+  const auto text = [](bool is_known, double value) {
+    return is_known ? std::to_string(value) : "none";
+  };
+  const bool has_nearest = health.nearest && !health.nearest->first.empty();
+  add(status, "distances", health.is_wanted ? "computed" : "silent: nobody subscribes");
+  add(status, "nearest", has_nearest ? nearestText(*health.nearest) : "none");
+  add(status, "distance pairs", std::to_string(health.pairs));
+  add(status, "distance pairs decided by boxes", std::to_string(health.levels[Distance::BOX]));
+  add(status, "distance pairs decided by hulls", std::to_string(health.levels[Distance::HULL]));
+  add(status, "distance pairs decided by meshes", std::to_string(health.levels[Distance::MESH]));
+  add(status, "without triangles", joined(health.errors));
+  add(status, "distances per second", std::to_string(count / seconds));
+  add(status, "time per distances, mean of the last second [ms]",
+      text(count > 0, health.times.sum_ms / count));
+  add(status, "time per distances, maximum of the last second [ms]",
+      text(count > 0, health.times.max_ms));
+}
+
+void warnOfDistance(const DistanceHealth& health, double warning, DiagnosticStatus& status) {
+  if (!health.nearest || health.nearest->first.empty()) return;
+  if (warning > 0 && health.nearest->distance <= warning)
+    raise(status, DiagnosticStatus::WARN, logText(nearestText(*health.nearest)));
 }
 
 void addTimes(CallbackTimes& times, DiagnosticStatus& status) {
@@ -135,6 +174,8 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (!health.awaited_description.empty()) {
     raise(status, DiagnosticStatus::WARN, "waiting for " + logText(health.awaited_description));
   }
+  if (scene.model())
+    warnOfDistance(health.distances, scene.model()->parameters.distance_warning, status);
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
@@ -154,20 +195,23 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "tf messages", std::to_string(times.tf().count));
   addIntake(health.intake, status);
   add(status, "updates", std::to_string(health.updates));
-  add(status, "updates per second", std::to_string(updatesPerSecond(health.updates)));
+  const double seconds = secondsSinceLast();
+  const auto updates =
+      static_cast<double>(health.updates - std::exchange(last_updates_, health.updates));
+  add(status, "updates per second", std::to_string(updates / seconds));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
   add(status, "footprint", health.footprint);
+  addDistances(health.distances, seconds, status);
   addTimes(times, status);
   publisher_.publish(array);
 }
 
 /// Since the last status, by wall time.
-double Diagnostics::updatesPerSecond(std::uint64_t updates) {
+double Diagnostics::secondsSinceLast() {
   const ros::SteadyTime now = ros::SteadyTime::now();
-  const double seconds = (now - std::exchange(last_status_, now)).toSec();
-  return static_cast<double>(updates - std::exchange(last_updates_, updates)) / seconds;
+  return (now - std::exchange(last_status_, now)).toSec();
 }
 
 }  // namespace link_bounds

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "node/diagnostics/callback_times.h"
+#include "node/outputs/distance_output.h"
 #include "node/scene/scene.h"
 
 namespace link_bounds {
@@ -26,6 +27,7 @@ struct Health {
                                    ///< when it was published; the maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   TfIntake intake;
+  DistanceHealth distances;
 };
 
 class Diagnostics {
@@ -38,7 +40,7 @@ class Diagnostics {
   void publish(const Scene& scene, const Health& health, CallbackTimes& times);
 
  private:
-  double updatesPerSecond(std::uint64_t updates);
+  double secondsSinceLast();
 
   ros::Publisher publisher_;
   ros::SteadyTime last_status_ = ros::SteadyTime::now();

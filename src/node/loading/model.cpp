@@ -211,6 +211,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.ignored_pairs = NamePairs(ignored_pairs);
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
+  model.mesh_uris = std::move(bounded.mesh_uris);
   model.problems = std::move(bounded.problems);
   model.warnings = unknownNames(parameters, ignored_pairs, names);
   if (model.links.empty()) {
@@ -218,8 +219,19 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
         "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "
         "geometry; correct them");
   }
+  if (parameters.distance_warning > parameters.distance_limit) {
+    model.warnings.push_back(
+        "parameter ~distance_warning is larger than ~distance_limit, beyond which nothing is "
+        "measured; raise ~distance_limit");
+  }
   model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
   return model;
+}
+
+bool isPair(const Model& model, const PairMember& a, const PairMember& b) {
+  const int joints = model.parameters.adjacent_joints;
+  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link, joints)) return false;
+  return !model.ignored_pairs.contains(*a.name, *b.name);
 }
 
 }  // namespace link_bounds

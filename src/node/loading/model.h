@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,9 @@ struct Model {
   RigidBodies bodies;              ///< by index of link
   NamePairs ignored_pairs;         ///< whose overlaps are not reported
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
-  std::vector<std::string> problems;              ///< one per element that is not bounded
-  std::vector<std::string> warnings;              ///< e.g. names in parameters that fit no link
+  std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points of meshes in use
+  std::vector<std::string> problems;  ///< one per element that is not bounded
+  std::vector<std::string> warnings;  ///< e.g. names in parameters that fit no link
 };
 
 /// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
@@ -48,5 +50,14 @@ MeshSource meshSource(const Parameters& parameters);
 
 /// Parses the description and loads its meshes. Throws RobotError, ParameterError.
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader);
+
+/// A link or an object.
+struct PairMember {
+  const std::string* name;
+  std::optional<std::size_t> link;  ///< index in the model; nothing for objects
+};
+
+/// Whether overlaps and distances of the two are published: they are neither joined nor ignored.
+bool isPair(const Model& model, const PairMember& a, const PairMember& b);
 
 }  // namespace link_bounds

@@ -47,18 +47,22 @@ std::string reloadedText(const std::vector<std::string>& warnings) {
 
 }  // namespace
 
-ModelLoader::ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
-                         MeshRequests::Handler on_mesh)
-    : hand_over_(*ros::getGlobalCallbackQueue(), std::move(adopt)),
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, Handlers handlers)
+    : hand_over_(*ros::getGlobalCallbackQueue(), std::move(handlers.adopt)),
       server_([this] { return isStopping(); }),
       description_(server_),
       robot_loader_(nodeRemedy, [this] { return isStopping(); }),
       mesh_requests_(
-          queue_, *ros::getGlobalCallbackQueue(),
+          queue_,
           [this](const auto& uris) {
             return robot_loader_.loadMeshes(uris, meshSource(parameters_));
           },
-          std::move(on_mesh)) {
+          [on_mesh = std::move(handlers.on_mesh)](const std::string& uri, const LoadedMesh& mesh) {
+            enqueue(*ros::getGlobalCallbackQueue(), [=] { on_mesh(uri, mesh); });
+          }),
+      tree_requests_(
+          queue_, [this](const auto& requests) { return loadTrees(requests); },
+          std::move(handlers.on_tree)) {
   ros::NodeHandle own_queue_node(private_node);
   own_queue_node.setCallbackQueue(&queue_);
   reload_service_ =
@@ -106,6 +110,13 @@ void ModelLoader::firstLoad() {
 void ModelLoader::serveObjectsMeanwhile() {
   if (parameters_.fixed_frame.empty()) return;
   serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
+}
+
+std::vector<LoadedTree> ModelLoader::loadTrees(const std::vector<TreeRequest>& requests) {
+  std::vector<std::string> uris;
+  for (const TreeRequest& request : requests)
+    uris.push_back(request.uri);
+  return robot_loader_.loadTrees(uris, meshSource(parameters_));
 }
 
 /// Throws RobotError, ParameterError, and what `adopt` throws.

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "node/loading/mesh_requests.h"
+#include "node/loading/load_requests.h"
 #include "node/loading/model.h"
 #include "node/loading/model_hand_over.h"
 #include "node/loading/robot_description.h"
@@ -28,17 +28,33 @@ class ModelLoader {
  public:
   using ModelPtr = ModelHandOver::ModelPtr;
 
-  /// `adopt` and `on_mesh` run on the update thread. What `adopt` throws becomes the answer of
-  /// ~reload, and `adopt` is called again with the old model. Throws std::runtime_error if the
-  /// thread cannot be started.
-  ModelLoader(ros::NodeHandle& private_node, std::function<void(ModelPtr)> adopt,
-              MeshRequests::Handler on_mesh);
+  /// The triangles of a mesh file whose points are in use.
+  struct TreeRequest {
+    std::string uri;
+    std::shared_ptr<const PointSet> points;
+  };
+
+  struct Handlers {
+    /// On the update thread. What it throws becomes the answer of ~reload, and it is called again
+    /// with the old model.
+    std::function<void(ModelPtr)> adopt;
+    /// On the update thread.
+    std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
+    /// On the loader thread.
+    std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
+  };
+
+  /// Throws std::runtime_error if the thread cannot be started.
+  ModelLoader(ros::NodeHandle& private_node, Handlers handlers);
   ~ModelLoader();
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// Returns at once; the mesh of an object is loaded when the thread is free.
+  /// The mesh of an object. This and the next two return at once and may be called on any thread;
+  /// the work is done when the loader thread is free.
   void requestMesh(const std::string& uri) { mesh_requests_.add(uri); }
+  void requestTree(TreeRequest request) { tree_requests_.add(std::move(request)); }
+  void request(std::function<void()> work) { enqueue(queue_, std::move(work)); }
 
   bool waitsForDescription() const { return waits_for_description_; }
   std::string descriptionName() const { return description_.name(); }
@@ -52,6 +68,7 @@ class ModelLoader {
   ModelPtr load(XmlRpc::XmlRpcValue description);
   std::vector<std::string> reload();
   void serveObjectsMeanwhile();
+  std::vector<LoadedTree> loadTrees(const std::vector<TreeRequest>& requests);
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool handOver(ModelPtr model);
   bool isStopping() const;
@@ -68,7 +85,8 @@ class ModelLoader {
   std::atomic<bool> has_failed_{false};
   std::atomic<bool> stops_{false};
   ros::CallbackQueue queue_;
-  MeshRequests mesh_requests_;
+  LoadRequests<std::string, LoadedMesh> mesh_requests_;
+  LoadRequests<TreeRequest, LoadedTree> tree_requests_;
   ros::ServiceServer reload_service_;
   std::thread thread_;
 };

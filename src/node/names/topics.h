@@ -41,6 +41,19 @@ constexpr TopicName kOverlapsTopic{
     "~overlaps", "link_bounds/BoxOverlapArray",
     "with each ~boxes, also when empty, only while somebody listens; a new subscriber gets one at "
     "once"};
+constexpr TopicName kDistancesTopic{
+    "~distances", "link_bounds/DistanceArray",
+    "pairs of bodies with distance <= distance_limit, also when empty; with each ~boxes, or the "
+    "newest one where computing takes longer; only while somebody listens; sent at once when "
+    "somebody subscribes, and again when triangles have been loaded"};
+constexpr TopicName kNearestTopic{
+    "~nearest", "link_bounds/Distance",
+    "with each ~distances: the pair of the smallest distance; without names, and with distance = "
+    "distance_max = distance_limit, if there is none"};
+constexpr TopicName kDistanceMarkersTopic{
+    "~distance_markers", "visualization_msgs/MarkerArray",
+    "at most marker_rate, only while somebody listens: a line per pair of ~distances, and the "
+    "smallest distance as text"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
@@ -50,9 +63,10 @@ constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 11> kTopics{
+constexpr std::array<TopicName, 14> kTopics{
     {kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic, kFootprintTopic, kOverlapsTopic,
-     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic}};
+     kDistancesTopic, kNearestTopic, kDistanceMarkersTopic, kDiagnosticsTopic, kTfTopic,
+     kTfStaticTopic, kObjectsTopic, kObjectTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

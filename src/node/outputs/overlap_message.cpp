@@ -18,12 +18,6 @@ void SceneOverlaps::collect(const AxisAlignedBoxArray& boxes,
   }
 }
 
-bool SceneOverlaps::isReported(const Model& model, const Owner& a, const Owner& b) const {
-  const int joints = model.parameters.adjacent_joints;
-  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link, joints)) return false;
-  return !model.ignored_pairs.contains(*a.name, *b.name);
-}
-
 /// Entry `count` of the list; at its end, appends a spare entry or a new one.
 BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count) {
   if (count < overlaps.size()) return overlaps[count];
@@ -39,9 +33,9 @@ void SceneOverlaps::fill(const Model& model, const AxisAlignedBoxArray& boxes,
   collect(boxes, links);
   std::size_t count = 0;
   for (const BoxPair& pair : search_.find(boxes_, model.parameters.overlap_margin)) {
-    const Owner& first = owners_[pair.first];
-    const Owner& second = owners_[pair.second];
-    if (!isReported(model, first, second)) continue;
+    const PairMember& first = owners_[pair.first];
+    const PairMember& second = owners_[pair.second];
+    if (!isPair(model, first, second)) continue;
     BoxOverlap& overlap = nextOf(message.overlaps, count++);
     overlap.first = *first.name;
     overlap.second = *second.name;

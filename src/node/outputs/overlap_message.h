@@ -23,18 +23,11 @@ class SceneOverlaps {
             const std::vector<std::size_t>& links, BoxOverlapArray& message);
 
  private:
-  /// The owner of a box.
-  struct Owner {
-    const std::string* name;
-    std::optional<std::size_t> link;  ///< nothing for objects
-  };
-
   void collect(const AxisAlignedBoxArray& boxes, const std::vector<std::size_t>& links);
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
-  bool isReported(const Model& model, const Owner& a, const Owner& b) const;
 
   std::vector<Aabb> boxes_;
-  std::vector<Owner> owners_;
+  std::vector<PairMember> owners_;
   SweepAndPrune search_;
   std::vector<BoxOverlap> spare_;  ///< unused entries, whose strings have memory
 };

@@ -26,6 +26,9 @@ class PacedOutput {
 
   void request();
 
+  /// True if a request has not led to a call yet.
+  bool isWaiting() const { return is_waiting_; }
+
   /// Calls `emit` now, at any rate.
   void emitNow();
 

@@ -20,7 +20,7 @@ constexpr std::uint32_t kFootprintQueue = 10;
 }  // namespace
 
 SceneOutput::SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
-                         const Guard& guard)
+                         const Guard& guard, TreeRequests requests)
     : scene_(scene),
       boxes_publisher_(
           private_node.advertise<AxisAlignedBoxArray>(privateName(kBoxesTopic), kBoxesQueue, true)),
@@ -35,11 +35,15 @@ SceneOutput::SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, c
       overlaps_(private_node, kOverlapsTopic, kBoxesQueue, guard,
                 [this](auto& message, Audience) { return fillOverlaps(message); }),
       boxes_output_(node, guard, [this] { publishBoxes(); }),
-      markers_output_(node, guard, [this] { markers_.publish(); }) {}
+      markers_output_(node, guard, [this] { markers_.publish(); }),
+      distances_(private_node, guard, std::move(requests), [this] {
+        if (!boxes_output_.isWaiting()) giveDistances();
+      }) {}
 
 void SceneOutput::adopt() {
   const Parameters& parameters = scene_.model()->parameters;
   part_boxes_.adopt(*scene_.model());
+  distances_.adopt(parameters);
   boxes_output_.setRate(parameters.max_rate);
   markers_output_.setRate(parameters.marker_rate);
   boxes_output_.emitNow();
@@ -73,6 +77,12 @@ void SceneOutput::publishBoxes() {
   parts_.publish();
   footprint_.publish();
   overlaps_.publish();
+  if (distances_.isWanted()) giveDistances();
+}
+
+/// The scene must be that of the last ~boxes.
+void SceneOutput::giveDistances() {
+  if (publications_ > 0) distances_.give(takeSnapshot(scene_, boxes_message_));
 }
 
 /// What overlaps and parts need besides the messages.

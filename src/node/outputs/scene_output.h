@@ -14,6 +14,7 @@
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
 #include "node/outputs/box_markers.h"
+#include "node/outputs/distance_output.h"
 #include "node/outputs/on_demand.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/paced_output.h"
@@ -27,8 +28,9 @@ namespace link_bounds {
 class SceneOutput {
  public:
   /// `scene` must outlive this. `guard` runs the callbacks of roscpp.
+  /// `requests` must work until distances().stop().
   SceneOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Scene& scene,
-              const Guard& guard);
+              const Guard& guard, TreeRequests requests);
   SceneOutput(const SceneOutput&) = delete;
   SceneOutput& operator=(const SceneOutput&) = delete;
 
@@ -51,10 +53,13 @@ class SceneOutput {
   /// since the last call. Nothing if no ~boxes had a stamp.
   std::optional<double> takeMaxLag() { return std::exchange(lag_ms_, std::nullopt); }
 
+  DistanceOutput& distances() { return distances_; }
+
  private:
   void publishBoxes();
   void rememberLinks();
   void recordLag(ros::Time stamp);
+  void giveDistances();
   bool fillMarkers(visualization_msgs::MarkerArray& message, Audience audience);
   bool fillParts(AxisAlignedBoxArray& message);
   bool fillFootprint(geometry_msgs::Polygon& message) const;
@@ -77,6 +82,7 @@ class SceneOutput {
   OnDemand<BoxOverlapArray> overlaps_;
   PacedOutput boxes_output_;
   PacedOutput markers_output_;
+  DistanceOutput distances_;
 };
 
 }  // namespace link_bounds

@@ -113,11 +113,18 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("overlap_margin", p.overlap_margin, rules::notNegative,
         "metres, >= 0; pairs of boxes with distance <= it are in ~overlaps");
   visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
-        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps; * in a name is any "
+        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps and ~distances; * in a "
+        "name is any "
         "text without a slash, as in NS/*: all objects of a namespace");
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
         "links with this many movable joints between them, or fewer, are never a pair in "
-        "~overlaps; >= 0");
+        "~overlaps and ~distances; >= 0");
+  visit("distance_limit", p.distance_limit, rules::notNegative,
+        "metres, >= 0; pairs of bodies with distance <= it are in ~distances");
+  visit("distance_accuracy", p.distance_accuracy, rules::positive,
+        "metres, > 0; distances are refined until distance_max - distance <= it");
+  visit("distance_warning", p.distance_warning, rules::notNegative,
+        "metres, >= 0; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

@@ -34,6 +34,9 @@ struct Parameters {
   double overlap_margin = 0.0;
   std::vector<std::string> ignore_pairs;
   int adjacent_joints = 1;
+  double distance_limit = 0.1;
+  double distance_accuracy = 1e-4;
+  double distance_warning = 0.0;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;

@@ -26,6 +26,7 @@ class LiveBoxes {
 
   /// Null until the first adopt().
   const Model* model() const { return model_.get(); }
+  const std::shared_ptr<const Model>& sharedModel() const { return model_; }
 
   /// One per link of the model.
   const std::vector<BoxState>& states() const { return states_; }

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance thread: computes, however long that takes, while boxes go on.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "node/distances/scene_distances.h"
+
+namespace link_bounds {
+
+/// What one computation took.
+struct DistanceTimes {
+  std::size_t count = 0;  ///< computations since the last call
+  double max_ms = 0;      ///< the longest of them
+  double sum_ms = 0;
+};
+
+class DistanceThread {
+ public:
+  /// Called on the thread.
+  struct Callbacks {
+    std::function<void(const ComputedDistances&)> publish;
+    std::function<void()> tick;       ///< every 50 ms while there is a snapshot
+    std::function<bool()> is_wanted;  ///< else everything is forgotten after a while
+  };
+
+  /// Throws std::runtime_error if the thread cannot be started.
+  DistanceThread(TreeRequests requests, Callbacks callbacks);
+  ~DistanceThread() { stop(); }
+  DistanceThread(const DistanceThread&) = delete;
+  DistanceThread& operator=(const DistanceThread&) = delete;
+
+  /// The functions below may be called from any thread and return at once, but for stop().
+
+  /// Replaces a snapshot whose computation has not begun.
+  void give(std::shared_ptr<const Snapshot> snapshot);
+
+  /// A tree that was requested. Distances are computed again with it.
+  void give(MadeTree tree);
+
+  /// Ends the thread. What is given later is ignored.
+  void stop();
+
+  DistanceTimes takeTimes();
+
+  /// Why there are meshes and lists without triangles, one entry each.
+  std::vector<std::string> errors() const;
+
+ private:
+  /// What was given since the thread looked last.
+  struct Inbox {
+    std::shared_ptr<const Snapshot> snapshot;
+    std::vector<MadeTree> trees;
+    /// Replaced snapshots. Their last owner must not be the thread that gives: freeing a model
+    /// takes long.
+    std::vector<std::shared_ptr<const Model>> replaced;
+    bool isEmpty() const { return !snapshot && trees.empty() && replaced.empty(); }
+  };
+
+  void run();
+  Inbox next();
+  void work(Inbox inbox);
+  void compute();
+  void forgetIfUnwanted();
+
+  Callbacks callbacks_;
+  SceneDistances distances_;                 ///< this and the next two: of the thread alone
+  std::shared_ptr<const Snapshot> current_;  ///< the newest one
+  std::chrono::steady_clock::time_point last_wanted_;
+  TreeRequests requests_;
+  std::atomic<bool> stops_{false};
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  Inbox inbox_;                      ///< guarded by mutex_
+  DistanceTimes times_;              ///< guarded by mutex_
+  std::vector<std::string> errors_;  ///< guarded by mutex_
+  std::thread thread_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Two markers with ids that never change, so that nothing is left over in rviz.
+#include "node/outputs/distance_markers.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "node/names/topics.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
+constexpr char kNamespace[] = "link_bounds/distances";
+
+constexpr double kLineWidth = 0.006;     ///< [m]
+constexpr double kTextHeight = 0.06;     ///< [m]
+constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
+
+bool isDrawable(const Distance& distance) {
+  const auto is_below = [](const geometry_msgs::Point& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxCoordinate;
+  };
+  return is_below(distance.on_first) && is_below(distance.on_second);
+}
+
+/// Red, over yellow, to green.
+std_msgs::ColorRGBA colorOf(double distance, double red, double limit) {
+  const double share = limit > red ? std::clamp((distance - red) / (limit - red), 0.0, 1.0) : 0;
+  std_msgs::ColorRGBA color;
+  color.r = static_cast<float>(std::min(1.0, 2 - 2 * share));
+  color.g = static_cast<float>(std::min(1.0, 2 * share) * 0.8);
+  color.a = 1;
+  return color;
+}
+
+Marker marker(const std_msgs::Header& header, int id, int type) {
+  Marker result;
+  result.header = header;
+  result.ns = kNamespace;
+  result.id = id;
+  result.type = type;
+  result.action = Marker::DELETE;
+  result.pose.orientation.w = 1;
+  result.frame_locked = true;
+  return result;
+}
+
+/// Metres with two digits that say something.
+std::string textOf(double distance) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), distance < 0.1 ? "%.3f m" : "%.2f m", distance);
+  return text.data();
+}
+
+geometry_msgs::Point middleOf(const Distance& distance) {
+  geometry_msgs::Point point;
+  point.x = (distance.on_first.x + distance.on_second.x) / 2;
+  point.y = (distance.on_first.y + distance.on_second.y) / 2;
+  point.z = (distance.on_first.z + distance.on_second.z) / 2 + kTextHeight;
+  return point;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray distanceMarkers(const DistanceArray& distances,
+                                                const Distance& nearest, double red, double limit) {
+  Marker lines = marker(distances.header, 0, Marker::LINE_LIST);
+  lines.scale.x = kLineWidth;
+  for (const Distance& distance : distances.distances) {
+    if (!isDrawable(distance)) continue;
+    lines.action = Marker::ADD;
+    lines.points.push_back(distance.on_first);
+    lines.points.push_back(distance.on_second);
+    lines.colors.resize(lines.points.size(), colorOf(distance.distance, red, limit));
+  }
+  lines.color.a = 1;
+  Marker text = marker(distances.header, 1, Marker::TEXT_VIEW_FACING);
+  if (!nearest.first.empty() && isDrawable(nearest)) {
+    text.action = Marker::ADD;
+    text.text = textOf(nearest.distance);
+    text.pose.position = middleOf(nearest);
+    text.scale.z = kTextHeight;
+    text.color = colorOf(nearest.distance, red, limit);
+  }
+  visualization_msgs::MarkerArray array;
+  array.markers = {std::move(lines), std::move(text)};
+  return array;
+}
+
+}  // namespace link_bounds

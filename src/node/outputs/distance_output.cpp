@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// publish() and publishDueMarkers() run on the thread of distances.
+#include "node/outputs/distance_output.h"
+
+#include <ros/single_subscriber_publisher.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <utility>
+
+#include "node/outputs/distance_markers.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kDistancesQueue = 200;
+constexpr std::uint32_t kMarkersQueue = 10;
+
+template <class Message>
+ros::Publisher advertise(ros::NodeHandle& private_node, const TopicName& topic, std::uint32_t queue,
+                         const std::function<void()>& on_subscriber) {
+  return private_node.advertise<Message>(
+      privateName(topic), queue,
+      [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); });
+}
+
+}  // namespace
+
+DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard,
+                               TreeRequests requests, std::function<void()> send)
+    : guard_(guard),
+      send_(std::move(send)),
+      distances_publisher_(advertise<DistanceArray>(private_node, kDistancesTopic, kDistancesQueue,
+                                                    [this] { guard_(send_); })),
+      nearest_publisher_(advertise<Distance>(private_node, kNearestTopic, kDistancesQueue,
+                                             [this] { guard_(send_); })),
+      markers_publisher_(advertise<visualization_msgs::MarkerArray>(
+          private_node, kDistanceMarkersTopic, kMarkersQueue, [this] { guard_(send_); })),
+      thread_(std::move(requests),
+              {[this](const ComputedDistances& computed) { publish(computed); },
+               [this] { publishDueMarkers(); }, [this] { return isWanted(); }}) {}
+
+bool DistanceOutput::isWanted() const {
+  return warning_ > 0 || distances_publisher_.getNumSubscribers() > 0 ||
+         nearest_publisher_.getNumSubscribers() > 0 || markers_publisher_.getNumSubscribers() > 0;
+}
+
+void DistanceOutput::publish(const ComputedDistances& computed) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    health_.pairs = computed.array.distances.size();
+    health_.levels = computed.levels;
+    health_.nearest = computed.nearest;
+  }
+  distances_publisher_.publish(computed.array);
+  nearest_publisher_.publish(computed.nearest);
+  if (markers_publisher_.getNumSubscribers() > 0) unmarked_ = computed;
+}
+
+void DistanceOutput::publishDueMarkers() {
+  if (!unmarked_) return;
+  const Parameters& parameters = unmarked_->snapshot->model->parameters;
+  const Time now = std::chrono::steady_clock::now();
+  if (std::chrono::duration<double>(now - last_markers_).count() < 1 / parameters.marker_rate)
+    return;
+  last_markers_ = now;
+  markers_publisher_.publish(distanceMarkers(unmarked_->array, unmarked_->nearest,
+                                             parameters.distance_warning,
+                                             parameters.distance_limit));
+  unmarked_.reset();
+}
+
+DistanceHealth DistanceOutput::takeHealth() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  health_.is_wanted = isWanted();
+  if (!health_.is_wanted) health_ = DistanceHealth();
+  DistanceHealth health = health_;
+  health.times = thread_.takeTimes();
+  health.errors = thread_.errors();
+  return health;
+}
+
+}  // namespace link_bounds

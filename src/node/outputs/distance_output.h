@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes distances, which a thread of their own computes.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "node/distances/distance_thread.h"
+#include "node/log/guarded.h"
+#include "node/names/topics.h"
+
+namespace link_bounds {
+
+/// What /diagnostics says of distances.
+struct DistanceHealth {
+  bool is_wanted = false;  ///< somebody listens, or distance_warning is set; if not, no pairs below
+  std::size_t pairs = 0;   ///< in the last ~distances, as what follows
+  std::array<std::size_t, 3> levels{};
+  std::optional<Distance> nearest;  ///< nothing before the first ~distances
+  DistanceTimes times;              ///< since the last call
+  std::vector<std::string> errors;  ///< of meshes and lists without triangles
+};
+
+class DistanceOutput {
+ public:
+  /// `send` gives the last ~boxes to give(); it is called when somebody subscribes. `guard` runs
+  /// the callbacks of roscpp.
+  DistanceOutput(ros::NodeHandle& private_node, const Guard& guard, TreeRequests requests,
+                 std::function<void()> send);
+  DistanceOutput(const DistanceOutput&) = delete;
+  DistanceOutput& operator=(const DistanceOutput&) = delete;
+
+  /// Takes the parameters of the scene's model.
+  void adopt(const Parameters& parameters) { warning_ = parameters.distance_warning; }
+
+  /// True while distances are to be computed.
+  bool isWanted() const;
+
+  /// To be called with each ~boxes while isWanted().
+  void give(std::shared_ptr<const Snapshot> snapshot) { thread_.give(std::move(snapshot)); }
+
+  /// May be called on any thread, also after stop().
+  void give(MadeTree tree) { thread_.give(std::move(tree)); }
+
+  /// Trees are not requested any more afterwards.
+  void stop() { thread_.stop(); }
+
+  DistanceHealth takeHealth();
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+
+  void publish(const ComputedDistances& computed);
+  void publishDueMarkers();
+
+  Guard guard_;
+  std::function<void()> send_;
+  std::atomic<double> warning_{0};
+  ros::Publisher distances_publisher_;
+  ros::Publisher nearest_publisher_;
+  ros::Publisher markers_publisher_;
+  std::optional<ComputedDistances> unmarked_;  ///< of the thread: without markers so far
+  Time last_markers_{};                        ///< of the thread
+  mutable std::mutex mutex_;
+  DistanceHealth health_;  ///< guarded by mutex_
+  DistanceThread thread_;  ///< last: it ends before the rest goes
+};
+
+}  // namespace link_bounds
