@@ -53,7 +53,7 @@ void TriangleTrees::add(const MadeTree& made) {
   ++version_;
   const auto points = made.points.lock();
   const auto found = entries_.find(points.get());
-  if (!points || found == entries_.end() || found->second.points.lock() != points) return;
+  if (!points || found == entries_.end()) return;
   found->second.triangles = made.triangles;
   found->second.error = made.error;
 }
