@@ -41,6 +41,15 @@ Eigen::Vector3d boxNormal(const Aabb& first, const Aabb& second) {
   return gap.stableNormalized();
 }
 
+/// The boxes are rounded outward, but to the product of the two poses as computed.
+double boxLower(const Aabb& a, const Aabb& b, double rounding) {
+  return std::max(0.0, signedDistance(a, b) * (1 - 8 * kUnitRoundoff) - rounding);
+}
+
+double roundedUp(double distance, double rounding) {
+  return (distance + rounding) * (1 + 8 * kUnitRoundoff);
+}
+
 class Search {
  public:
   Search(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
@@ -53,7 +62,7 @@ class Search {
         steps_left_(goal.max_steps) {}
 
   BodyDistance run() {
-    const PairMemory before = memory_;
+    PairMemory before = std::move(memory_);
     memory_.is_known = false;
     for (const Candidate& candidate : candidates(before)) {
       if (candidate.lower >= farEnough()) {
@@ -69,18 +78,13 @@ class Search {
  private:
   double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
 
-  /// The boxes are rounded outward, but to the product of the two poses as computed.
-  double boxLower(const Aabb& a, const Aabb& b) const {
-    return std::max(0.0, signedDistance(a, b) * (1 - 8 * kUnitRoundoff) - rounding_);
-  }
-
   /// The pair that was nearest before comes first, then those with the nearest boxes.
   std::vector<Candidate> candidates(const PairMemory& before) const {
     std::vector<Candidate> result;
     result.reserve(first_.shapes.size() * second_.shapes.size());
     for (std::uint32_t i = 0; i < first_.shapes.size(); ++i) {
       for (std::uint32_t j = 0; j < second_.shapes.size(); ++j) {
-        result.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box)});
+        result.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box, rounding_)});
       }
     }
     const auto isNearest = [&before](const Candidate& pair) {
@@ -105,7 +109,7 @@ class Search {
     return result;
   }
 
-  void refine(const Candidate& candidate, const PairMemory& before) {
+  void refine(const Candidate& candidate, PairMemory& before) {
     const ShapePair pair = shapePair(candidate);
     const bool is_nearest = before.is_known && before.first_shape == candidate.first &&
                             before.second_shape == candidate.second;
@@ -123,20 +127,19 @@ class Search {
     DistanceLevel level = do_boxes_decide ? DistanceLevel::kBox : DistanceLevel::kHull;
     // Where nothing separates the hulls, these decide that.
     if (!(lower > 0)) level = DistanceLevel::kHull;
-    LeafPair leaves = is_nearest ? before.leaves : LeafPair();
+    TreeMemory trees = is_nearest ? std::move(before.trees) : TreeMemory();
     if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
         !(isConvex(pair.first) && isConvex(pair.second))) {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : start,
                                    pair.first_at.toSearch(simplex.first()),
                                    pair.second_at.toSearch(simplex.second())};
-      const SearchResult found = searchTrees(pair, nearest, leaves, goal_, steps_left_, witness_);
-      if (found.lower > lower) level = DistanceLevel::kMesh;
-      lower = found.lower;
-      leaves = found.nearest;
+      const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
+      if (found > lower) level = DistanceLevel::kMesh;
+      lower = found;
     }
     decide(lower, level, normal, candidate);
     if (witness_.distance < distance_before || !memory_.is_known)
-      memory_ = {true, candidate.first, candidate.second, simplex, leaves};
+      memory_ = {true, candidate.first, candidate.second, simplex, std::move(trees)};
   }
 
   /// A direction to begin with.
@@ -195,7 +198,7 @@ class Search {
   }
 
   BodyDistance result() const {
-    const double upper = (witness_.distance + rounding_) * (1 + 8 * kUnitRoundoff);
+    const double upper = roundedUp(witness_.distance, rounding_);
     BodyDistance result{std::min(lower_, upper),
                         upper,
                         first_.origin + witness_.on_first,
@@ -223,6 +226,19 @@ class Search {
 
 }  // namespace
 
+std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
+                                           const PlacedBody& second) {
+  const double rounding = pairRounding(first, second);
+  const double lower = boxLower(first.box, second.box, rounding);
+  if (!(lower > limit)) return std::nullopt;
+  const Eigen::Vector3d on_first = first.origin + first.any_point;
+  const Eigen::Vector3d on_second = second.origin + second.any_point;
+  const Eigen::Vector3d apart =
+      (second.origin - first.origin) + (second.any_point - first.any_point);
+  return BodyDistance{lower,     roundedUp(apart.norm(), rounding), on_first,
+                      on_second, boxNormal(first.box, second.box),  DistanceLevel::kBox};
+}
+
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory) {
   return Search(first, second, goal, memory).run();
@@ -235,6 +251,7 @@ std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3
   const std::optional<PlacedBody> a = placedBody(first, world_from_first);
   const std::optional<PlacedBody> b = placedBody(second, world_from_second);
   if (!a || !b) return std::nullopt;
+  if (const auto far = distanceBeyond(goal.limit, *a, *b)) return far;
   PairMemory memory;
   return placedDistance(*a, *b, goal, memory);
 }

@@ -30,6 +30,7 @@ class BodyDistances::Memories {
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
     if (!a.placed || !b.placed) return std::nullopt;
+    if (const auto far = distanceBeyond(goal.limit, *a.placed, *b.placed)) return far;
     const auto entry = pairs_.try_emplace({first, second}).first;
     Pair& pair = entry->second;
     if (!pair.isOf(a, b)) pair = {PairMemory(), a.version, b.version};

@@ -16,8 +16,13 @@ struct PairMemory {
   std::uint32_t first_shape = 0;
   std::uint32_t second_shape = 0;
   Simplex simplex;  ///< of the hulls of these shapes
-  LeafPair leaves;
+  TreeMemory trees;
 };
+
+/// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most
+/// pairs of a robot are. The points are any ones.
+std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
+                                           const PlacedBody& second);
 
 /// Only shapes of the bodies that `memory` was made with may be given, in any poses.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,

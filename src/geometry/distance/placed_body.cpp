@@ -75,7 +75,7 @@ std::optional<Aabb> boxOf(const BodyShape& shape, const Eigen::Affine3d& world_f
 
 std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body) {
   if (body.shapes.empty() || !isUsablePose(world_from_body)) return std::nullopt;
-  PlacedBody result{world_from_body.translation(), {}, 0};
+  PlacedBody result{world_from_body.translation(), {}, Aabb(), {}, 0};
   if (!(result.origin.cwiseAbs().maxCoeff() <= kLargest)) return std::nullopt;
   result.shapes.reserve(body.shapes.size());
   for (const BodyShape& shape : body.shapes) {
@@ -87,7 +87,10 @@ std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& wo
     const Placement placement{world_from_body.linear() * link_from_shape.linear(),
                               world_from_body.linear() * link_from_shape.translation()};
     result.shapes.push_back({&shape, placement, *box});
+    result.box.extend(*box);
   }
+  const Placement& at = result.shapes[0].from_body_origin;
+  result.any_point = at.toSearch(ShapeHull{body.shapes[0]}.farthest(Eigen::Vector3d::UnitX()));
   return result;
 }
 

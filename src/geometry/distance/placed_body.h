@@ -19,6 +19,8 @@ struct PlacedShape {
 struct PlacedBody {
   Eigen::Vector3d origin;  ///< in the world
   std::vector<PlacedShape> shapes;
+  Aabb box;                   ///< of all shapes, in the world
+  Eigen::Vector3d any_point;  ///< of the body, from its origin, in the axes of the world
   /// Bounds the error of a computed support of any shape along a unit direction, beyond that of
   /// the position of the origin [m].
   double rounding;

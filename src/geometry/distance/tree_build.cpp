@@ -176,6 +176,47 @@ class Builder {
   TriangleTree& tree_;
 };
 
+/// Gives each of the largest small nodes its vertices in a row. A vertex that several of them use
+/// is there several times.
+class VertexBlocks {
+ public:
+  explicit VertexBlocks(TriangleTree& tree) : tree_(tree), moved_to_(tree.vertices.size(), 0) {
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+      TreeNode& node = tree.nodes[open.back()];
+      open.pop_back();
+      if (node.count <= kSmallNode) {
+        gather(node);
+      } else {
+        open.push_back(node.child + 1);
+        open.push_back(node.child);
+      }
+    }
+    vertices_.shrink_to_fit();
+    tree.vertices = std::move(vertices_);
+  }
+
+ private:
+  void gather(TreeNode& node) {
+    node.first_vertex = static_cast<std::uint32_t>(vertices_.size());
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      for (std::uint32_t& vertex : tree_.triangles[i]) {
+        std::uint32_t& after = moved_to_[vertex];
+        if (after <= node.first_vertex) {
+          vertices_.push_back(tree_.vertices[vertex]);
+          after = static_cast<std::uint32_t>(vertices_.size());
+        }
+        vertex = after - 1;
+      }
+    }
+    node.vertex_count = static_cast<std::uint32_t>(vertices_.size()) - node.first_vertex;
+  }
+
+  TriangleTree& tree_;
+  std::vector<Eigen::Vector3d> vertices_;
+  std::vector<std::uint32_t> moved_to_;  ///< by old index, the new one plus 1
+};
+
 bool isUsable(const std::vector<Eigen::Vector3d>& vertices,
               const std::vector<std::array<std::uint32_t, 3>>& triangles,
               const Eigen::Vector3d& size) {
@@ -202,6 +243,7 @@ std::shared_ptr<const TriangleTree> triangleTree(
   tree->solid = solid;
   tree->size = size;
   Builder(*tree).build();
+  VertexBlocks{*tree};
   tree->nodes.shrink_to_fit();
   return tree;
 }

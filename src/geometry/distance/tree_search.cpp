@@ -16,9 +16,6 @@ namespace {
 
 constexpr int kHullSteps = 8;  ///< then the pair counts as near
 
-/// Triangles of nodes whose hulls are compared: more take longer than they save.
-constexpr std::uint32_t kSmallNode = 64;
-
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
 /// Half of the accuracy is left to what follows.
@@ -54,19 +51,39 @@ class Search {
          std::size_t& steps_left, Witness& witness)
       : pair_(pair), hulls_(hulls), goal_(goal), steps_left_(steps_left), witness_(witness) {}
 
-  SearchResult run(const LeafPair& begin_with) {
-    if (begin_with.first || begin_with.second) guess(begin_with);
+  double run(TreeMemory& memory) {
+    nearest_ = memory.nearest;
+    const bool is_first = nearest_.first == 0 && nearest_.second == 0;
+    if (!is_first) guess(nearest_);
     if (hulls_.lower < farEnough()) {
       guess({leafNear(pair_.first, pair_.first_at, hulls_.on_first),
              leafNear(pair_.second, pair_.second_at, hulls_.on_second)});
     }
     open_.reserve(64);
-    open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
+    front_.reserve(memory.front.pairs().size() + 64);
+    if (goOn(memory.front)) {
+      memory.front.keep(std::move(front_));
+    } else {
+      open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
+      empty();
+      // The first search divides more than is needed when its witness is known.
+      if (!is_first) memory.front.begin(std::move(front_));
+    }
+    memory.nearest = nearest_;
+    return lower_;
+  }
+
+ private:
+  /// A pair that is proven to be so far apart cannot change the result.
+  double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
+
+  /// Compares what is open, until nothing is.
+  void empty() {
     while (!open_.empty()) {
       const NodePair pair = open_.back();
       open_.pop_back();
       if (pair.separation.lower >= farEnough() || steps_left_ == 0) {
-        lower_ = std::min(lower_, pair.separation.lower);
+        drop(pair);
       } else if (isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second)) {
         compareLeaves(pair, true);
       } else {
@@ -74,12 +91,76 @@ class Search {
         divide(pair);
       }
     }
-    return {lower_, nearest_};
   }
 
- private:
-  /// A pair that is proven to be so far apart cannot change the result.
-  double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
+  /// Most pairs of the last front are still proven to be far enough apart by the direction that did
+  /// it then; the others are looked at. False, and nothing is done, if three quarters are not:
+  /// then the front is of another time.
+  bool goOn(const Front& last) {
+    std::vector<NodePair> near;
+    for (const FrontPair& known : last.pairs()) {
+      const Eigen::Vector3d normal =
+          (pair_.first_at.linear * known.normal.cast<double>()).stableNormalized();
+      NodePair pair{known.first, known.second, {hulls_.lower, 0, normal}};
+      const double lower = lowerAlong(pair, normal);
+      if (lower > pair.separation.lower) pair.separation.lower = lower;
+      if (pair.separation.lower >= farEnough()) {
+        drop(pair);
+      } else {
+        near.push_back(pair);
+      }
+    }
+    if (last.isEmpty() || near.size() > last.pairs().size() / 4 * 3) {
+      lower_ = std::numeric_limits<double>::infinity();
+      front_.clear();
+      return false;
+    }
+    for (NodePair& pair : near) {
+      lookAgain(pair);
+      push(pair);
+      empty();
+    }
+    return true;
+  }
+
+  void lookAgain(NodePair& pair) {
+    const bool are_leaves = isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second);
+    if (are_leaves || pair.separation.lower >= farEnough()) return;
+    if (!pair_.first.triangles || !pair_.second.triangles) {
+      boundHull(pair);
+      return;
+    }
+    boundSmallNodes(pair);
+    if (pair.has_compared_hulls) return;
+    boundBoxes(pair, boxOf(pair_.first, pair_.first_at, pair.first),
+               boxOf(pair_.second, pair_.second_at, pair.second));
+  }
+
+  /// How far the boxes of two nodes are proven to be apart along a unit direction.
+  double lowerAlong(const NodePair& pair, const Eigen::Vector3d& normal) const {
+    return -reach(pair_.first, pair_.first_at, pair.first, normal) -
+           reach(pair_.second, pair_.second_at, pair.second, -normal) - pair_.rounding;
+  }
+
+  /// Of a node's convex set along a direction, from the origin of the search.
+  static double reach(const BodyShape& shape, const Placement& at, std::uint32_t node,
+                      const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d d = at.toShape(direction);
+    const double origin = at.translation.dot(direction);
+    if (!shape.triangles) return origin + ShapeHull{shape}.farthest(d).dot(d);
+    const TreeNode& box = shape.triangles->nodes[node];
+    double result = box.center.cast<double>().dot(d);
+    for (const Eigen::Vector3f& edge : box.edges)
+      result += std::abs(edge.cast<double>().dot(d));
+    return origin + result;
+  }
+
+  /// Of a pair that cannot change the result, or that no steps are left for.
+  void drop(const NodePair& pair) {
+    lower_ = std::min(lower_, pair.separation.lower);
+    front_.push_back(
+        {pair.first, pair.second, pair_.first_at.toShape(pair.separation.normal).cast<float>()});
+  }
 
   void guess(const LeafPair& leaves) {
     compareLeaves({leaves.first, leaves.second, {hulls_.lower, 0, hulls_.normal}}, false);
@@ -144,7 +225,7 @@ class Search {
 
   void push(const NodePair& pair) {
     if (pair.separation.lower >= farEnough()) {
-      lower_ = std::min(lower_, pair.separation.lower);
+      drop(pair);
     } else {
       open_.push_back(pair);
     }
@@ -201,10 +282,11 @@ class Search {
       compareTriangles(pair, counts);
       return;
     }
+    Separation all{std::numeric_limits<double>::infinity(), 0, pair.separation.normal};
     forEachSet(pair_.first, pair.first, [&](const auto& a) {
-      forEachSet(pair_.second, pair.second,
-                 [&](const auto& b) { compareSets(pair, a, b, counts); });
+      forEachSet(pair_.second, pair.second, [&](const auto& b) { compareSets(pair, a, b, all); });
     });
+    if (counts) drop({pair.first, pair.second, all});
   }
 
   template <class Use>
@@ -219,8 +301,10 @@ class Search {
       use(SweptTriangle{tree.corners(i), tree.solid, tree.size});
   }
 
+  /// Lowers `all.lower` to the proven distance of these two sets.
   template <class First, class Second>
-  void compareSets(const NodePair& pair, const First& first, const Second& second, bool counts) {
+  void compareSets(const NodePair& pair, const First& first, const Second& second,
+                   Separation& all) {
     Simplex simplex;
     const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, kLeafTolerance * goal_.accuracy,
                            kLeafSteps};
@@ -231,14 +315,7 @@ class Search {
       offer(pair, pair_.first_at.toSearch(simplex.first()),
             pair_.second_at.toSearch(simplex.second()));
     }
-    if (counts) lower_ = std::min(lower_, sets.lower);
-  }
-
-  /// How far b is from a along `normal`.
-  static double gap(const Triangle& a, const Triangle& b, const Eigen::Vector3d& normal) {
-    const double a_max = std::max({normal.dot(a[0]), normal.dot(a[1]), normal.dot(a[2])});
-    const double b_min = std::min({normal.dot(b[0]), normal.dot(b[1]), normal.dot(b[2])});
-    return b_min - a_max;
+    if (sets.lower < all.lower) all = sets;
   }
 
   /// Most pairs of triangles are far enough apart along the direction that decided last.
@@ -246,6 +323,7 @@ class Search {
     Leaf first(*pair_.first.triangles, pair.first, pair_.first_at);
     Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
     Eigen::Vector3d normal = pair.separation.normal;
+    double all = std::numeric_limits<double>::infinity();
     first.project(normal);
     second.project(-normal);
     for (std::uint32_t i = 0; i < first.count; ++i) {
@@ -257,21 +335,22 @@ class Search {
           first.project(normal);
           second.project(-normal);
         }
-        if (counts) lower_ = std::min(lower_, lower);
+        all = std::min(all, lower);
       }
     }
+    if (counts) drop({pair.first, pair.second, {all, 0, normal}});
   }
 
   /// Returns the proven distance of the two triangles, and the direction that proves it.
   double compare(const NodePair& pair, const Triangle& first, const Triangle& second,
                  Eigen::Vector3d& normal) {
-    const PointPair nearest = nearestPoints(first, second);
+    const PointPair nearest = nearestPoints(first, second, farEnough() + pair_.rounding);
     offer(pair, nearest.on_first, nearest.on_second);
     const Eigen::Vector3d between = nearest.on_second - nearest.on_first;
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
     normal = between / length;
-    return gap(first, second, normal) - pair_.rounding;
+    return gapAlong(normal, first, second) - pair_.rounding;
   }
 
   void offer(const NodePair& pair, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -289,14 +368,14 @@ class Search {
   double lower_ = std::numeric_limits<double>::infinity();  ///< of all pairs that are dropped
   LeafPair nearest_;
   std::vector<NodePair> open_;
+  std::vector<FrontPair> front_;  ///< all pairs that are dropped
 };
 
 }  // namespace
 
-SearchResult searchTrees(const ShapePair& pair, const NearestOfHulls& hulls,
-                         const LeafPair& begin_with, const DistanceGoal& goal,
-                         std::size_t& steps_left, Witness& witness) {
-  return Search(pair, hulls, goal, steps_left, witness).run(begin_with);
+double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
+                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness) {
+  return Search(pair, hulls, goal, steps_left, witness).run(memory);
 }
 
 }  // namespace link_bounds

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/distance/placed_body.h"
+#include "geometry/distance/tree_front.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 
 namespace link_bounds {
@@ -15,10 +16,10 @@ struct Witness {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// A pair of leaves, which a later search may begin with.
-struct LeafPair {
-  std::uint32_t first = 0;
-  std::uint32_t second = 0;
+/// What a search leaves for the next one of the same trees.
+struct TreeMemory {
+  LeafPair nearest;
+  Front front;
 };
 
 /// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.
@@ -28,11 +29,6 @@ struct ShapePair {
   Placement first_at;
   Placement second_at;
   double rounding;  ///< what a computed lower bound may be too large by
-};
-
-struct SearchResult {
-  double lower;  ///< proven
-  LeafPair nearest;
 };
 
 /// Where the hulls of both shapes are nearest, as GJK found it.
@@ -45,9 +41,8 @@ struct NearestOfHulls {
 
 /// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
 /// these two that is at least hulls.lower. Ends when the bound is at least the limit or at least
-/// witness.distance - accuracy.
-SearchResult searchTrees(const ShapePair& pair, const NearestOfHulls& hulls,
-                         const LeafPair& begin_with, const DistanceGoal& goal,
-                         std::size_t& steps_left, Witness& witness);
+/// witness.distance - accuracy. `memory` says where to look first; no bound rests on it.
+double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
+                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness);
 
 }  // namespace link_bounds

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tries all 15 pairs of features: each corner with the other triangle (6) and each edge with each
-// edge (9), and last whether an edge pierces a triangle. No pair is left out for what another one
-// says; that is where the routine of PQP and FCL goes wrong.
+// edge (9), and last whether an edge pierces a triangle. Ends early only where the supports of the
+// triangles prove that two points are nearest. What one pair of features says never rules out
+// another; that is where the routine of PQP and FCL goes wrong.
 #include "geometry/distance/triangle_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 
 namespace link_bounds {
 namespace {
@@ -15,8 +15,14 @@ namespace {
 /// The squared sine of an angle.
 constexpr double kThin = 1e-8;
 
+/// Two points count as nearest if the triangles are so much of the points' distance apart.
+constexpr double kProven = 1 - 1e-13;
+
 class Nearest {
  public:
+  Nearest(const Triangle& first, const Triangle& second, double enough)
+      : first_(first), second_(second), enough_(enough) {}
+
   PointPair pair{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                  std::numeric_limits<double>::infinity()};
 
@@ -25,7 +31,21 @@ class Nearest {
     if (!(squared < pair.squared)) return;
     pair =
         swapped ? PointPair{on_second, on_first, squared} : PointPair{on_first, on_second, squared};
+    is_new_ = true;
   }
+
+  bool isDone() {
+    if (!is_new_) return false;
+    is_new_ = false;
+    const double gap = gapAlong(pair.on_second - pair.on_first, first_, second_);
+    return gap > 0 && (gap >= kProven * pair.squared || gap >= enough_ * std::sqrt(pair.squared));
+  }
+
+ private:
+  const Triangle& first_;
+  const Triangle& second_;
+  double enough_;
+  bool is_new_ = false;  ///< since isDone()
 };
 
 /// The point of the segment from a along `edge` that is nearest to `point`.
@@ -114,16 +134,28 @@ void tryPiercing(const Features& edges, const Features& other, bool swapped, Nea
 
 }  // namespace
 
-PointPair nearestPoints(const Triangle& first, const Triangle& second) {
+double gapAlong(const Eigen::Vector3d& normal, const Triangle& first, const Triangle& second) {
+  const double first_max =
+      std::max({normal.dot(first[0]), normal.dot(first[1]), normal.dot(first[2])});
+  const double second_min =
+      std::min({normal.dot(second[0]), normal.dot(second[1]), normal.dot(second[2])});
+  return second_min - first_max;
+}
+
+PointPair nearestPoints(const Triangle& first, const Triangle& second, double enough) {
   const Features a(first), b(second);
-  Nearest nearest;
+  Nearest nearest(first, second, enough);
   for (std::size_t i = 0; i < 3; ++i) {
     tryCorner(a.corners[i], b, false, nearest);
+    if (nearest.isDone()) return nearest.pair;
     tryCorner(b.corners[i], a, true, nearest);
+    if (nearest.isDone()) return nearest.pair;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j) {
       tryEdges(a, i, b, j, nearest);
+      if (nearest.isDone()) return nearest.pair;
+    }
   }
   tryPiercing(a, b, false, nearest);
   tryPiercing(b, a, true, nearest);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 
 namespace link_bounds {
 
@@ -19,7 +20,12 @@ struct PointPair {
 
 /// Two points of least distance; of triangles that intersect, a common point. The triangles may be
 /// segments or points. Each point is a convex combination of corners whatever rounding does, so
-/// `squared` is never too small.
-PointPair nearestPoints(const Triangle& first, const Triangle& second);
+/// `squared` is never too small. If the triangles are at least `enough` apart along the line
+/// through any two points that are tried, these may be returned.
+PointPair nearestPoints(const Triangle& first, const Triangle& second,
+                        double enough = std::numeric_limits<double>::infinity());
+
+/// How far `second` is from `first` along `normal`, times its length; negative if it is not.
+double gapAlong(const Eigen::Vector3d& normal, const Triangle& first, const Triangle& second);
 
 }  // namespace link_bounds

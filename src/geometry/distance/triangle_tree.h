@@ -17,6 +17,10 @@ struct TreeNode {
   std::uint32_t first;  ///< triangle; those of a node follow each other
   std::uint32_t count;  ///< of triangles
   std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
+  /// Of the vertices of all its triangles, which follow each other, in the largest nodes that are
+  /// small; in all others there is no such list, and the count is 0.
+  std::uint32_t first_vertex = 0;
+  std::uint32_t vertex_count = 0;
 
   bool isLeaf() const { return child == 0; }
 
@@ -28,6 +32,9 @@ struct TreeNode {
 
 /// A leaf has no more triangles.
 constexpr std::size_t kTrianglesPerLeaf = 8;
+
+/// Nodes of at most so many triangles are small: their hulls are compared.
+constexpr std::uint32_t kSmallNode = 64;
 
 class TriangleTree {
  public:
@@ -52,12 +59,19 @@ struct NodeHull {
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
     const Eigen::Vector3d* best = &tree.vertices[tree.triangles[node.first][0]];
     double best_dot = best->dot(direction);
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      for (const std::uint32_t vertex : tree.triangles[i]) {
-        const double dot = tree.vertices[vertex].dot(direction);
-        if (!(dot > best_dot)) continue;
-        best_dot = dot;
-        best = &tree.vertices[vertex];
+    const auto consider = [&](const Eigen::Vector3d& vertex) {
+      const double dot = vertex.dot(direction);
+      if (!(dot > best_dot)) return;
+      best_dot = dot;
+      best = &vertex;
+    };
+    if (node.vertex_count > 0) {
+      for (std::uint32_t i = 0; i < node.vertex_count; ++i)
+        consider(tree.vertices[node.first_vertex + i]);
+    } else {
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        for (const std::uint32_t vertex : tree.triangles[i])
+          consider(tree.vertices[vertex]);
       }
     }
     return *best + farthestOf(tree.solid, tree.size, direction);

@@ -96,6 +96,68 @@ TEST(BodyDistances, AgreeWithAComputationWithoutMemory) {
   }
 }
 
+/// A closed surface with bumps, of 2 * steps * steps triangles.
+TriangleMesh bumpyBall(std::uint32_t steps, double bump) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    for (std::uint32_t j = 0; j <= steps; ++j) {
+      const double down = M_PI * i / steps, around = 2 * M_PI * j / steps;
+      const double radius = 0.3 + bump * std::sin(5 * down) * std::sin(7 * around);
+      mesh.vertices.push_back(
+          (radius * Eigen::Vector3d(std::sin(down) * std::cos(around),
+                                    std::sin(down) * std::sin(around), std::cos(down)))
+              .cast<float>());
+      if (i == steps || j == steps) continue;
+      const std::uint32_t here = i * (steps + 1) + j, below = here + steps + 1;
+      mesh.triangles.push_back({here, below, here + 1});
+      mesh.triangles.push_back({here + 1, below, below + 1});
+    }
+  }
+  return mesh;
+}
+
+void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vector3d& at,
+                        const DistanceGoal& goal, Random& random) {
+  BodyDistances distances(goal);
+  std::vector<Twin> twins{{std::make_shared<Body>(a.body), Eigen::Affine3d::Identity()},
+                          {std::make_shared<Body>(b.body), random.rigid(0)}};
+  twins[1].pose->translation() = at;
+  for (std::size_t i = 0; i < 2; ++i)
+    distances.set(i, twins[i].body);
+  const Eigen::Vector3d axis = random.vector(1).normalized();
+  for (int step = 0; step < 100; ++step) {
+    Eigen::Affine3d& pose = *twins[1].pose;
+    pose.rotate(Eigen::AngleAxisd(random.magnitude(-4, -1.5), axis));
+    pose.translation() += random.vector(random.magnitude(-5, -2.5));
+    if (step % 60 == 59) pose.linear() = random.rotation();
+    for (std::size_t i = 0; i < 2; ++i)
+      distances.move(i, *twins[i].pose);
+    expectSame(distances.find(0, 1), twins[0], twins[1], goal);
+    if (step != 50) continue;
+    const auto exact = distance_oracle::distance(a.placed(*twins[0].pose), b.placed(pose));
+    ASSERT_LE(distances.find(0, 1)->lower, exact);
+    ASSERT_GE(distances.find(0, 1)->upper, exact);
+  }
+}
+
+TEST(BodyDistances, AgreeInTheCoherentMotionOfMeshesWithBumps) {
+  // Thousands of pairs of nodes are nearly as near as the nearest one, and are remembered.
+  Random random(2);
+  MeshBody a, b, shell;
+  a.add(bumpyBall(16, 0.01));
+  Eigen::Affine3d mirrored = random.rigid(0.1);
+  mirrored.linear() *= Eigen::Vector3d(-1, 0.5, 2).asDiagonal();
+  b.add(bumpyBall(16, 0.01), mirrored);
+  shell.add(bumpyBall(16, 0.003), Eigen::Affine3d(Eigen::Scaling(1.2)));
+  for (int i = 0; i < 2; ++i) {
+    expectSameInMotion(a, b, {0.9, 0, 0}, {1e-5}, random);
+    expectSameInMotion(a, a, {0.61, 0.1, 0}, {1e-6, 0.1}, random);
+    expectSameInMotion(shell, a, {0.05, 0, 0}, {1e-4}, random);
+    // Where steps run out, bounds are wider but hold.
+    expectSameInMotion(shell, a, {0.05, 0, 0}, {1, kInfinity, 20}, random);
+  }
+}
+
 TEST(BodyDistances, ForgetABodyThatIsReplaced) {
   MeshBody near, far;
   near.add(boxMesh({1, 1, 1}));

@@ -12,7 +12,8 @@ namespace link_bounds {
 /// Some bodies at their last poses, and the one owner of what makes distances fast: of each pair it
 /// remembers what was nearest, and the next search of that pair begins there. A memory ends when
 /// one of the two bodies is replaced. Bounds of find() and of bodyDistance() hold alike and are as
-/// near to each other, but they may differ within goal.accuracy. Throws nothing but std::bad_alloc.
+/// near to each other, but they may differ within goal.accuracy. A memory takes up to 41 KiB for a
+/// pair of meshes and less than 1 KiB for others. Throws nothing but std::bad_alloc.
 /// Not thread-safe.
 class BodyDistances {
  public:

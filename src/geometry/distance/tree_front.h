@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a search over two trees ended. A later search of the same trees, in poses that differ
+// little, looks there first.
+#pragma once
+
+#include <vector>
+
+#include "geometry/distance/convex_sets.h"
+
+namespace link_bounds {
+
+/// A pair of leaves, which a later search may begin with.
+struct LeafPair {
+  std::uint32_t first = 0;
+  std::uint32_t second = 0;
+};
+
+/// A pair of nodes that was proven to be far enough apart.
+struct FrontPair {
+  std::uint32_t first;
+  std::uint32_t second;
+  /// In the coordinates of the first shape, so that it turns with it; about unit, if not scaled.
+  Eigen::Vector3f normal;
+};
+
+/// The pairs of nodes that a search dropped. Each pair of triangles is in exactly one of them.
+class Front {
+ public:
+  bool isEmpty() const { return pairs_.empty(); }
+  const std::vector<FrontPair>& pairs() const { return pairs_; }
+
+  /// `pairs` came of the whole trees. So few are found again as fast.
+  void begin(std::vector<FrontPair> pairs) {
+    largest_ = std::min(kLargest, pairs.size() * 3 / 2);
+    searches_ = 0;
+    if (pairs.size() >= kSmallest) keep(std::move(pairs));
+  }
+
+  /// `pairs` came of this front. On the way pairs are divided but never joined, so a front that has
+  /// grown or is old is forgotten, and the next search begins with the whole trees.
+  void keep(std::vector<FrontPair> pairs) {
+    pairs_ = std::move(pairs);
+    if (pairs_.size() > largest_ || ++searches_ > kSearches) pairs_ = {};
+  }
+
+ private:
+  static constexpr std::size_t kSmallest = 32;
+  static constexpr std::size_t kLargest = 2048;  ///< 40 KiB
+  static constexpr int kSearches = 16;
+
+  std::vector<FrontPair> pairs_;
+  std::size_t largest_ = 0;
+  int searches_ = 0;
+};
+
+}  // namespace link_bounds
