@@ -108,7 +108,7 @@ DistanceRobot readRobot(const fs::path& urdf, Purpose purpose, const PackagePath
   std::ostringstream text;
   text << std::ifstream(urdf).rdbuf();
   const Robot robot = parseRobot(text.str());
-  DistanceRobot result{urdf.stem().string() + " " + toText(purpose), {}, {}, {}};
+  DistanceRobot result{urdf.stem().string() + " " + toText(purpose), {}, {}, {}, steps};
   Files files;
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -122,14 +122,16 @@ DistanceRobot readRobot(const fs::path& urdf, Purpose purpose, const PackagePath
             << error.what() << "\n";
     }
   }
+  for (const auto& file : files)
+    result.triangles += file.second.mesh.triangles.size();
   const RigidBodies bodies = rigidBodies(robot);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     for (std::size_t j = i + 1; j < indices.size(); ++j) {
       if (!areJoined(bodies, indices[i], indices[j])) result.pairs.emplace_back(i, j);
     }
   }
-  result.motions["random"] = motionOf(robot, indices, steps, false);
-  result.motions["coherent"] = motionOf(robot, indices, steps, true);
+  result.motions["random"] = motionOf(robot, indices, 12 * steps, false);
+  result.motions["coherent"] = motionOf(robot, indices, 12 * steps, true);
   return result;
 }
 

@@ -26,10 +26,13 @@ struct DistanceRobot {
   std::vector<DistanceLink> links;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of links that no joint connects
   std::map<std::string, std::vector<LinkPoses>> motions;   ///< "random" and "coherent"
+  std::size_t poses_per_peer = 0;  ///< of a motion, after the first: others take longer
+  std::size_t triangles = 0;       ///< of all mesh files, each counted once
 };
 
-/// The robots in `data_folder`/robots. Without a data folder, the robot of `demo_urdf`, which is in
-/// the folder launch/demo of its package. Writes to `notes` what is left out.
+/// Each motion has twelve times `steps` poses. The robots in `data_folder`/robots. Without a data
+/// folder, the robot of `demo_urdf`, which is in the folder launch/demo of its package. Writes to
+/// `notes` what is left out.
 std::vector<DistanceRobot> distanceRobots(const std::string& data_folder,
                                           const std::string& demo_urdf, std::size_t steps,
                                           std::ostream& notes);
