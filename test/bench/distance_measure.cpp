@@ -26,8 +26,10 @@ double nanoseconds() {
 
 double clockRead() {
   std::vector<double> times;
-  for (int i = 0; i < 1000; ++i)
-    times.push_back(-nanoseconds() + nanoseconds());
+  for (int i = 0; i < 1000; ++i) {
+    const double start = nanoseconds();
+    times.push_back(nanoseconds() - start);
+  }
   return median(times);
 }
 
