@@ -22,11 +22,13 @@ struct MeshBody {
     meshes.push_back(mesh);
   }
 
-  std::vector<distance_oracle::Triangle> placed(const Eigen::Affine3d& world_from_body) const {
-    std::vector<distance_oracle::Triangle> result;
+  template <class Real = distance_oracle::Long>
+  std::vector<distance_oracle::TriangleOf<Real>> placed(
+      const Eigen::Affine3d& world_from_body) const {
+    std::vector<distance_oracle::TriangleOf<Real>> result;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const auto triangles =
-          distance_oracle::placed(meshes[i], body.shapes[i].shape.link_from_shape, world_from_body);
+      const auto triangles = distance_oracle::placed<Real>(
+          meshes[i], body.shapes[i].shape.link_from_shape, world_from_body);
       result.insert(result.end(), triangles.begin(), triangles.end());
     }
     return result;

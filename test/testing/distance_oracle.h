@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The distance of two sets of triangles by comparing every two of them, in long double: what proven
-// bounds are checked against. Shares no code with the library.
+// The distance of two sets of triangles by comparing every two of them, in long double or quadruple
+// precision: what proven bounds are checked against. Shares no code with the library.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,79 +12,130 @@
 #include <vector>
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "testing/quad.h"
 
 namespace link_bounds::distance_oracle {
 
 using Long = long double;
-using Vector = Eigen::Matrix<Long, 3, 1>;
-using Triangle = std::array<Vector, 3>;
 
-inline Long distance(const Vector& p, const Vector& a, const Vector& b) {
-  const Vector ab = b - a;
-  const Long squared = ab.squaredNorm();
-  const Long t = squared > 0 ? std::clamp<Long>((p - a).dot(ab) / squared, 0, 1) : 0;
-  return (a + t * ab - p).norm();
+template <class Real>
+using VectorOf = Eigen::Matrix<Real, 3, 1>;
+template <class Real>
+using TriangleOf = std::array<VectorOf<Real>, 3>;
+
+using Vector = VectorOf<Long>;
+using Triangle = TriangleOf<Long>;
+
+inline Long root(Long square) {
+  return std::sqrt(square);
+}
+
+#ifdef __SIZEOF_FLOAT128__
+/// Newton's method doubles the number of right digits.
+inline Quad root(Quad square) {
+  Quad result = std::sqrt(static_cast<Long>(square));
+  if (result > 0) result = (result + square / result) / 2;
+  return result;
+}
+#endif
+
+template <class Real>
+Real length(const VectorOf<Real>& v) {
+  return root(Real(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+}
+
+template <class Real>
+Real magnitude(Real x) {
+  return x < 0 ? -x : x;
+}
+
+template <class Real>
+Real distance(const VectorOf<Real>& p, const VectorOf<Real>& a, const VectorOf<Real>& b) {
+  const VectorOf<Real> ab = b - a;
+  const Real squared = ab.dot(ab);
+  const VectorOf<Real> from = p - a;
+  const Real t = squared > 0 ? std::clamp<Real>(from.dot(ab) / squared, 0, 1) : Real(0);
+  return length<Real>(a + t * ab - p);
 }
 
 /// Inside if p is on the inner side of all three edges; else an edge is nearest.
-inline Long distance(const Vector& p, const Triangle& t) {
-  Long result =
+template <class Real>
+Real distance(const VectorOf<Real>& p, const TriangleOf<Real>& t) {
+  const Real result =
       std::min({distance(p, t[0], t[1]), distance(p, t[1], t[2]), distance(p, t[2], t[0])});
-  const Vector normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  const Long length = normal.norm();
-  if (!(length > 0)) return result;
+  const VectorOf<Real> ab = t[1] - t[0], ac = t[2] - t[0];
+  const VectorOf<Real> normal = ab.cross(ac);
+  const Real size = length(normal);
+  if (!(size > 0)) return result;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0)) return result;
+    const VectorOf<Real> edge = t[(i + 1) % 3] - t[i], from = p - t[i];
+    if (!(normal.dot(edge.cross(from)) >= 0)) return result;
   }
-  return std::min(result, std::abs(normal.dot(p - t[0])) / length);
+  const VectorOf<Real> from = p - t[0];
+  return std::min<Real>(result, magnitude<Real>(normal.dot(from)) / size);
 }
 
 /// Of two lines where both nearest points are inside their segments; the ends are points.
-inline Long distance(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
-  const Long ends =
+template <class Real>
+Real distance(const VectorOf<Real>& a, const VectorOf<Real>& b, const VectorOf<Real>& c,
+              const VectorOf<Real>& d) {
+  const Real ends =
       std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
-  const Vector across = (b - a).cross(d - c);
-  const Long squared = across.squaredNorm();
+  const VectorOf<Real> ab = b - a, cd = d - c, ac = c - a;
+  const VectorOf<Real> across = ab.cross(cd);
+  const Real squared = across.dot(across);
   if (!(squared > 0)) return ends;
-  const Long s = (c - a).cross(d - c).dot(across) / squared;
-  const Long t = (c - a).cross(b - a).dot(across) / squared;
+  const Real s = ac.cross(cd).dot(across) / squared;
+  const Real t = ac.cross(ab).dot(across) / squared;
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return ends;
-  return std::min(ends, (a + s * (b - a) - c - t * (d - c)).norm());
+  return std::min<Real>(ends, length<Real>(a + s * ab - c - t * cd));
 }
 
-inline bool pierces(const Vector& a, const Vector& b, const Triangle& t) {
-  const auto volume = [](const Vector& p, const Vector& q, const Vector& r, const Vector& s) {
-    return (q - p).cross(r - p).dot(s - p);
+template <class Real>
+bool pierces(const VectorOf<Real>& a, const VectorOf<Real>& b, const TriangleOf<Real>& t) {
+  const auto volume = [](const VectorOf<Real>& p, const VectorOf<Real>& q, const VectorOf<Real>& r,
+                         const VectorOf<Real>& s) {
+    const VectorOf<Real> pq = q - p, pr = r - p, ps = s - p;
+    return pq.cross(pr).dot(ps);
   };
-  const Long above = volume(t[0], t[1], t[2], a), below = volume(t[0], t[1], t[2], b);
+  const Real above = volume(t[0], t[1], t[2], a), below = volume(t[0], t[1], t[2], b);
   if (!((above > 0 && below < 0) || (above < 0 && below > 0))) return false;
-  const Long u = volume(a, b, t[0], t[1]), v = volume(a, b, t[1], t[2]),
+  const Real u = volume(a, b, t[0], t[1]), v = volume(a, b, t[1], t[2]),
              w = volume(a, b, t[2], t[0]);
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
-inline Long distance(const Triangle& a, const Triangle& b) {
-  Long result = std::numeric_limits<Long>::infinity();
+template <class Real>
+Real distance(const TriangleOf<Real>& a, const TriangleOf<Real>& b) {
+  Real result = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    if (pierces(a[i], a[next], b) || pierces(b[i], b[next], a)) return 0;
-    result = std::min({result, distance(a[i], b), distance(b[i], a)});
+    if (pierces<Real>(a[i], a[next], b) || pierces<Real>(b[i], b[next], a)) return 0;
+    result = std::min({result, distance<Real>(a[i], b), distance<Real>(b[i], a)});
     for (std::size_t j = 0; j < 3; ++j)
-      result = std::min(result, distance(a[i], a[next], b[j], b[(j + 1) % 3]));
+      result = std::min(result, distance<Real>(a[i], a[next], b[j], b[(j + 1) % 3]));
   }
   return result;
 }
 
-/// Each corner at the exact product of both poses and the vertex, up to long double.
-inline std::vector<Triangle> placed(const TriangleMesh& mesh, const Eigen::Affine3d& link_from_mesh,
-                                    const Eigen::Affine3d& world_from_link) {
-  using Pose = Eigen::Transform<Long, 3, Eigen::Affine>;
-  const Pose pose = world_from_link.cast<Long>() * link_from_mesh.cast<Long>();
-  std::vector<Triangle> result;
+/// Each corner at the exact product of both poses and the vertex, up to Real.
+template <class Real = Long>
+std::vector<TriangleOf<Real>> placed(const TriangleMesh& mesh,
+                                     const Eigen::Affine3d& link_from_mesh,
+                                     const Eigen::Affine3d& world_from_link) {
+  using Matrix = Eigen::Matrix<Real, 3, 3>;
+  const Matrix outer = world_from_link.linear().cast<Real>();
+  const Matrix inner = link_from_mesh.linear().cast<Real>();
+  const VectorOf<Real> outer_at = world_from_link.translation().cast<Real>();
+  const VectorOf<Real> inner_at = link_from_mesh.translation().cast<Real>();
+  std::vector<TriangleOf<Real>> result;
   for (const auto& triangle : mesh.triangles) {
-    Triangle corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = pose * mesh.vertices[triangle[k]].cast<Long>();
+    TriangleOf<Real> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VectorOf<Real> vertex = mesh.vertices[triangle[k]].cast<Real>();
+      const VectorOf<Real> in_link = inner * vertex + inner_at;
+      corners[k] = outer * in_link + outer_at;
+    }
     result.push_back(corners);
   }
   return result;
@@ -94,7 +145,22 @@ inline Long distance(const std::vector<Triangle>& a, const std::vector<Triangle>
   Long result = std::numeric_limits<Long>::infinity();
   for (const Triangle& first : a) {
     for (const Triangle& second : b)
-      result = std::min(result, distance(first, second));
+      result = std::min(result, distance<Long>(first, second));
+  }
+  return result;
+}
+
+/// In quadruple precision, which takes two hundred times as long. Only triangles count that are
+/// within `slack` of `nearest`, the distance in long double.
+inline Quad quadDistance(const std::vector<Triangle>& a, const std::vector<Triangle>& b,
+                         const std::vector<TriangleOf<Quad>>& exact_a,
+                         const std::vector<TriangleOf<Quad>>& exact_b, Long nearest, Long slack) {
+  Quad result = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (distance<Long>(a[i], b[j]) <= nearest + slack)
+        result = std::min(result, distance<Quad>(exact_a[i], exact_b[j]));
+    }
   }
   return result;
 }
@@ -103,7 +169,7 @@ inline Long distance(const Eigen::Vector3d& point, const std::vector<Triangle>& 
   Long result = std::numeric_limits<Long>::infinity();
   const Vector p = point.cast<Long>();
   for (const Triangle& triangle : triangles)
-    result = std::min(result, distance(p, triangle));
+    result = std::min(result, distance<Long>(p, triangle));
   return result;
 }
 

@@ -1,16 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Both bounds against a comparison of all triangles in long double.
+// Both bounds against a comparison of all triangles in long double, and in quadruple precision
+// where it is close and now and then.
 #include "link_bounds/geometry/distance/body_distance.h"
 
 #include <gtest/gtest.h>
 
 #include "testing/distance_bodies.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
 
 using brute_force::Random;
+
+/// Every hundredth comparison is decided in quadruple precision, besides the close ones.
+constexpr int kQuad = 100;
+
+/// A sanitizer makes all of this slow.
+constexpr int kShare = kIsSanitized ? 10 : 1;
+
+/// What long double may err by, as a part of the size; the quadruple ones hold that.
+constexpr distance_oracle::Long kLongError = 1e-16L;
+
+void expectQuad(const BodyDistance& found, const MeshBody& a, const Eigen::Affine3d& world_from_a,
+                const MeshBody& b, const Eigen::Affine3d& world_from_b,
+                distance_oracle::Long in_long_double, distance_oracle::Long error) {
+  const Quad exact = distance_oracle::quadDistance(
+      a.placed(world_from_a), b.placed(world_from_b), a.placed<Quad>(world_from_a),
+      b.placed<Quad>(world_from_b), in_long_double, 4 * error);
+  ASSERT_TRUE(static_cast<Quad>(found.lower) <= exact);
+  ASSERT_TRUE(static_cast<Quad>(found.upper) >= exact);
+  ASSERT_LE(std::abs(static_cast<distance_oracle::Long>(exact - in_long_double)), error);
+}
 
 /// `size` is that of the bodies and of their distance, which rounding is proportional to.
 void expectBounds(const MeshBody& a, const Eigen::Affine3d& world_from_a, const MeshBody& b,
@@ -22,6 +44,13 @@ void expectBounds(const MeshBody& a, const Eigen::Affine3d& world_from_a, const 
   const distance_oracle::Long exact = distance_oracle::distance(first, second);
   ASSERT_LE(found->lower, exact);
   ASSERT_GE(found->upper, exact);
+  static int comparisons = 0;
+  const distance_oracle::Long error =
+      kLongError * (size + world_from_a.translation().norm() + world_from_b.translation().norm());
+  const bool is_close =
+      (found->lower > 0 && exact - found->lower < error) || found->upper - exact < error;
+  if (++comparisons % kQuad == 0 || is_close)
+    expectQuad(*found, a, world_from_a, b, world_from_b, exact, error);
   ASSERT_GE(found->lower, 0);
   const double world = world_from_a.translation().norm() + world_from_b.translation().norm();
   const double rounding = 1e-12 * size + 1e-15 * world;
@@ -47,7 +76,7 @@ MeshBody anyBody(Random& random, double size) {
 
 TEST(BodyDistance, OfManySmallMeshes) {
   Random random(13);
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < 40000 / kShare; ++i) {
     MeshBody a, b;
     a.add(anyMesh(random, 0.3, 4));
     b.add(anyMesh(random, 0.3, 4));
@@ -58,7 +87,7 @@ TEST(BodyDistance, OfManySmallMeshes) {
 
 TEST(BodyDistance, OfRandomMeshes) {
   Random random(1);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 500 / kShare; ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     for (int j = 0; j < 10; ++j)
       expectBounds(a, random.rigid(0.5), b, random.rigid(0.5), {}, 1);

@@ -25,10 +25,11 @@ void expectRight(const Triangle& a, const Triangle& b, double size) {
   ASSERT_GE(std::sqrt(nearest.squared), exact - 1e-14 * size);
   ASSERT_NEAR((nearest.on_second - nearest.on_first).norm(), std::sqrt(nearest.squared),
               1e-14 * size);
-  ASSERT_LE(distance_oracle::distance(nearest.on_first.cast<long double>(), toLong(a)),
+  ASSERT_LE(distance_oracle::distance<long double>(nearest.on_first.cast<long double>(), toLong(a)),
             1e-9 * size);
-  ASSERT_LE(distance_oracle::distance(nearest.on_second.cast<long double>(), toLong(b)),
-            1e-9 * size);
+  ASSERT_LE(
+      distance_oracle::distance<long double>(nearest.on_second.cast<long double>(), toLong(b)),
+      1e-9 * size);
 }
 
 /// Few values, so that corners, edges and planes often coincide.
@@ -77,6 +78,18 @@ TEST(TriangleDistance, OfTouchingRightTrianglesOnOneLine) {
     expectRight(a, b, 1);
     ASSERT_LE(nearestPoints(a, b).squared, 1e-24);
   }
+}
+
+TEST(TriangleDistance, OfTheTwoTrianglesThatPqpGetsWrong) {
+  // Issue 4 of GammaUNC/PQP: a corner of one is on an edge of the other.
+  const Triangle a{{{8000.0000000000036, 6817.7672478170962, 571.00166381103077},
+                    {7500.0000000000009, 6817.7672478170962, 571.00166381103077},
+                    {7500.0000000000009, 6327.6345143037688, 571.00166381103077}}};
+  const Triangle b{{{8000.0000000000009, 6327.6345143037670, 88.336618780016408},
+                    {7500.0, 6327.6345143037670, 88.336618780016408},
+                    {7500.0, 6327.6345143037670, 1015.9309593449836}}};
+  expectRight(a, b, 1e4);
+  EXPECT_LE(nearestPoints(a, b).squared, 1e-22);
 }
 
 TEST(TriangleDistance, OfSegmentsAndPoints) {
