@@ -33,7 +33,7 @@ Row shortRow(const std::string& name, const Numbers& numbers) {
 }
 
 /// Counts characters; std::setw would count bytes.
-void writeAligned(const std::vector<Row>& rows, std::ostream& out) {
+void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {
@@ -41,9 +41,9 @@ void writeAligned(const std::vector<Row>& rows, std::ostream& out) {
     }
   }
   for (const Row& row : rows) {
-    out << row[0] << std::string(widths[0] - characterCount(row[0]), ' ');
-    for (std::size_t k = 1; k < row.size(); ++k) {
-      out << "  " << std::string(widths[k] - row[k].size(), ' ') << row[k];
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string spaces(widths[k] - characterCount(row[k]), ' ');
+      out << (k > 0 ? "  " : "") << (k < names ? row[k] + spaces : spaces + row[k]);
     }
     out << '\n';
   }

@@ -26,8 +26,9 @@ using Row = std::vector<std::string>;
 /// Rounds for people: to micrometres, and without a minus sign before a zero.
 Row shortRow(const std::string& name, const Numbers& numbers);
 
-/// Aligns names left and numbers right. All rows must be as long as the first.
-void writeAligned(const std::vector<Row>& rows, std::ostream& out);
+/// Aligns the first cells, which are names, left and the others right. All rows must be as long as
+/// the first.
+void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names = 1);
 
 /// For people; writes nothing if there are none.
 void writeIncomplete(const Reasons& incomplete, std::ostream& out);

@@ -3,6 +3,7 @@
 // Boxes are computed in the frame of the report; other volumes in that of their link, then placed.
 #include "tools/urdf_bounds/report.h"
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -36,10 +37,21 @@ std::optional<Volume> volumeOf(const PlacedLink& link, const VolumeTable& table,
   return toVolume(*box, table.representation);
 }
 
+/// Warns of each. A link keeps the reason that it has.
+void addReasons(const Reasons& reasons, Reasons& incomplete) {
+  for (const auto& [link, reason] : reasons) {
+    const auto has_name = [&name = link](const auto& known) { return known.first == name; };
+    warn("link \"" + link + "\": " + reason);
+    if (std::none_of(incomplete.begin(), incomplete.end(), has_name))
+      incomplete.emplace_back(link, reason);
+  }
+}
+
 }  // namespace
 
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
-                    const std::vector<PlacedLink>& links) {
+                    const std::vector<PlacedLink>& links,
+                    const std::optional<DistanceTable>& distances) {
   VolumeTable table;
   table.kind = options.volume;
   table.representation = options.representation.value_or(Representation::kMinMax);
@@ -52,12 +64,13 @@ Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
     if (!link.isWhole()) {
       table.incomplete.emplace_back(link.name, link.missing);
     } else if (!volume) {
-      table.incomplete.emplace_back(link.name, "its size and pose give no finite box");
-      warn("link \"" + link.name + "\": " + table.incomplete.back().second);
+      addReasons({{link.name, "its size and pose give no finite box"}}, table.incomplete);
     }
   }
   if (!robot_box.isEmpty())
     table.groups.emplace_back("robot", toVolume(robot_box, table.representation));
+  table.distances = distances;
+  if (distances) addReasons(distances->incomplete, table.incomplete);
   write(table, options.format, std::cout);
   return table.incomplete;
 }

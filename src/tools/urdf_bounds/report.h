@@ -17,8 +17,10 @@ struct PlacedLink {
 };
 
 /// Writes the volume that the options name of each link, in `frame`; of boxes also the one around
-/// all. Returns the links whose volume is missing or does not cover everything, with the reason.
+/// all. Adds `distances` if there are any. Returns the links whose volume or distance is missing or
+/// does not cover everything, with the reason.
 Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
-                    const std::vector<PlacedLink>& links);
+                    const std::vector<PlacedLink>& links,
+                    const std::optional<DistanceTable>& distances);
 
 }  // namespace link_bounds

@@ -5,10 +5,12 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <set>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
 #include "tools/urdf_bounds/input.h"
+#include "tools/urdf_bounds/link_distances.h"
 #include "tools/urdf_bounds/report.h"
 #include "tools/urdf_bounds/terminal.h"
 
@@ -19,9 +21,12 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.visual;
   selection.collision = options.collision;
+  selection.triangles = options.distances.has_value();
   BoundedRobot bounded =
       RobotLoader().load(robot, selection, {rosPackages(), folderOf(options.file), progressBar()});
   for (const std::string& problem : bounded.problems)
+    warn(problem);
+  for (const std::string& problem : bounded.body_problems)
     warn(problem);
   return bounded;
 }
@@ -36,6 +41,17 @@ void reportPeak() {
   }
 }
 
+std::size_t treeBytes(const BoundedRobot& bounded) {
+  std::set<const TriangleTree*> trees{nullptr};
+  std::size_t total = 0;
+  for (const Body& body : bounded.bodies) {
+    for (const BodyShape& shape : body.shapes) {
+      if (trees.insert(shape.triangles.get()).second) total += bytes(*shape.triangles);
+    }
+  }
+  return total;
+}
+
 /// The memory of each mesh file, and the peak of this process.
 void reportMemory(const BoundedRobot& bounded) {
   std::size_t total = 0;
@@ -45,6 +61,8 @@ void reportMemory(const BoundedRobot& bounded) {
     total += points->bytes();
   }
   say(std::to_string(total) + " bytes in " + std::to_string(bounded.meshes.size()) + " mesh files");
+  if (!bounded.bodies.empty())
+    say(std::to_string(treeBytes(bounded)) + " bytes in their triangles");
   reportPeak();
 }
 
@@ -65,7 +83,9 @@ int run(const UrdfBoundsOptions& options) {
   std::vector<PlacedLink> links;
   for (std::size_t i = 0; i < bounded.links.size(); ++i)
     links.push_back({&bounded.links[i], poses[bounded.indices[i]]});
-  const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links);
+  std::optional<DistanceTable> distances;
+  if (options.distances) distances = linkDistances(robot, bounded, poses, *options.distances);
+  const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links, distances);
   if (options.verbose) reportMemory(bounded);
   if (!finishOutput()) return 1;
   return options.strict && !incomplete.empty() ? 2 : 0;

@@ -32,6 +32,9 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       sphere: centre and radius of a bounding sphere
                       obb: centre, full widths and orientation (a quaternion) of a small box that
                       turns with the link
+  --distances LIMIT   also how far links are apart: the pairs whose proven distance is at most
+                      LIMIT [m], but none that are rigidly connected or neighbours by one joint;
+                      csv: only these, as first,second,distance,distance_max,on_first_x, ...
   --verbose           the memory that each mesh takes, on standard error
   --strict            exit with 2 if any geometry could not be used
   -h, --help          this text
@@ -47,6 +50,7 @@ enum Code {
   kRepresentation,
   kFormat,
   kVolume,
+  kDistances,
   kVerbose,
   kStrict,
   kHelp,
@@ -57,6 +61,7 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"representation", required_argument, nullptr, kRepresentation},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"volume", required_argument, nullptr, kVolume},
+                                   {"distances", required_argument, nullptr, kDistances},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"help", no_argument, nullptr, kHelp},
@@ -75,16 +80,28 @@ Value chosen(const std::string& option_name, const std::string& name,
   throw UsageError(option_name + " is \"" + name + "\", but must be one of: " + names);
 }
 
-double toNumber(const std::string& joint, const std::string& text) {
+/// Nothing if the text is no finite number to its last character.
+std::optional<double> toNumber(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double value = 0;
   in >> std::noskipws >> value;
-  if (!in || in.peek() != std::istringstream::traits_type::eof() || !std::isfinite(value)) {
-    throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
-                     "\", but must be a number, such as 0.5");
-  }
+  if (!in || in.peek() != std::istringstream::traits_type::eof() || !std::isfinite(value))
+    return std::nullopt;
   return value;
+}
+
+double jointValue(const std::string& joint, const std::string& text) {
+  if (const std::optional<double> value = toNumber(text)) return *value;
+  throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
+                   "\", but must be a number, such as 0.5");
+}
+
+double distanceLimit(const std::string& text) {
+  const std::optional<double> limit = toNumber(text);
+  if (limit && *limit >= 0) return *limit;
+  throw UsageError("--distances is \"" + text +
+                   "\", but must be a number of metres >= 0, such as 0.1");
 }
 
 /// An argument with := is a joint, another one the file.
@@ -92,7 +109,7 @@ void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
   const std::size_t sign = argument.rfind(":=");
   if (sign != std::string::npos) {
     const std::string joint = argument.substr(0, sign);
-    const double value = toNumber(joint, argument.substr(sign + 2));
+    const double value = jointValue(joint, argument.substr(sign + 2));
     if (!options.joints.emplace(joint, value).second) {
       throw UsageError("joint \"" + joint + "\" is given twice");
     }
@@ -143,6 +160,9 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
       options.volume = chosen<VolumeKind>(
           "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
       return;
+    case kDistances:
+      options.distances = distanceLimit(optarg);
+      return;
     case kVerbose:
       options.verbose = true;
       return;
@@ -181,6 +201,11 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
     throw UsageError(
         "--representation is about axis-aligned boxes, --volume asks for another one;"
         " give only one of them");
+  }
+  if (options.distances && options.volume != VolumeKind::kBox) {
+    throw UsageError(
+        "--distances come with axis-aligned boxes, --volume asks for another one; give only one of"
+        " them");
   }
   return options;
 }

@@ -25,6 +25,7 @@ struct UrdfBoundsOptions {
   bool collision = false;
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
+  std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
   Format format = Format::kTable;
   bool verbose = false;
   bool strict = false;

@@ -72,10 +72,15 @@ void writeTable(const VolumeTable& table, const Words& words, std::ostream& out)
     rows.push_back(shortRow(kGroupPrefix + name, volume.numbers));
   writeAligned(rows, out);
   if (table.volumes.empty()) out << "(no link has a " << words.none << ")\n";
+  if (table.distances) {
+    out << '\n';
+    writeTable(*table.distances, out);
+  }
   writeIncomplete(table.incomplete, out);
 }
 
 void writeCsv(const VolumeTable& table, const Words& words, std::ostream& out) {
+  if (table.distances) return writeCsv(*table.distances, out);
   out << words.csv_head << '\n';
   for (const auto& [name, volume] : table.volumes)
     writeCsvRow(name, volume.numbers, out);
@@ -89,6 +94,7 @@ void writeJson(const VolumeTable& table, const Words& words, std::ostream& out) 
       << "\": " << jsonObject(table.volumes, to_json);
   if (table.kind == VolumeKind::kBox)
     out << ",\n \"groups\": " << jsonObject(table.groups, to_json);
+  if (table.distances) out << ",\n \"distances\": " << toJson(*table.distances);
   out << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
 }
 

@@ -3,6 +3,7 @@
 // The volumes of a robot as text: a table to read, CSV or JSON.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 #include "link_bounds/geometry/volumes/oriented_box.h"
 #include "tools/text/table_text.h"
+#include "tools/urdf_bounds/distance_table.h"
 
 namespace link_bounds {
 
@@ -41,9 +43,11 @@ struct VolumeTable {
   std::string frame;
   std::vector<NamedVolume> volumes;  ///< by link
   std::vector<NamedVolume> groups;   ///< of kBox
+  std::optional<DistanceTable> distances;
   Reasons incomplete;
 };
 
+/// CSV, which has one kind of rows, is of the distances alone if there are any.
 void write(const VolumeTable& table, Format format, std::ostream& out);
 
 }  // namespace link_bounds

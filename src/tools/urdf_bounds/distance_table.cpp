@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The same numbers in the same order in each format.
+#include "tools/urdf_bounds/distance_table.h"
+
+#include <locale>
+#include <sstream>
+
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+namespace {
+
+const char* toText(DistanceLevel level) {
+  switch (level) {
+    case DistanceLevel::kBox:
+      return "BOX";
+    case DistanceLevel::kHull:
+      return "HULL";
+    case DistanceLevel::kMesh:
+      break;
+  }
+  return "MESH";
+}
+
+Numbers numbersOf(const BodyDistance& distance) {
+  Numbers numbers{distance.lower, distance.upper};
+  for (const auto* vector : {&distance.on_first, &distance.on_second, &distance.normal})
+    numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
+  return numbers;
+}
+
+std::string toJson(const LinkDistance& pair) {
+  const BodyDistance& distance = pair.distance;
+  return "{\"first\": " + jsonString(pair.first) + ", \"second\": " + jsonString(pair.second) +
+         ", \"distance\": " + exactNumber(distance.lower) +
+         ", \"distance_max\": " + exactNumber(distance.upper) +
+         ", \"on_first\": " + jsonNumbers(distance.on_first) +
+         ", \"on_second\": " + jsonNumbers(distance.on_second) +
+         ", \"normal\": " + jsonNumbers(distance.normal) + ", \"level\": \"" +
+         toText(distance.level) + "\"}";
+}
+
+}  // namespace
+
+void writeTable(const DistanceTable& distances, std::ostream& out) {
+  if (distances.pairs.empty()) {
+    std::ostringstream limit;
+    limit.imbue(std::locale::classic());
+    limit << distances.limit;
+    out << "(no two links are within " << limit.str() << " m of each other)\n";
+    return;
+  }
+  std::vector<Row> rows{{"first", "second", "distance", "distance max", "on first x", "y", "z",
+                         "on second x", "y", "z", "normal x", "y", "z", "level"}};
+  for (const LinkDistance& pair : distances.pairs) {
+    Row row = shortRow(printable(pair.first), numbersOf(pair.distance));
+    row.insert(row.begin() + 1, printable(pair.second));
+    row.emplace_back(toText(pair.distance.level));
+    rows.push_back(std::move(row));
+  }
+  writeAligned(rows, out, 2);
+}
+
+void writeCsv(const DistanceTable& distances, std::ostream& out) {
+  out << "first,second,distance,distance_max,on_first_x,on_first_y,on_first_z,on_second_x,"
+         "on_second_y,on_second_z,normal_x,normal_y,normal_z,level\n";
+  for (const LinkDistance& pair : distances.pairs) {
+    out << csvField(pair.first) << ',' << csvField(pair.second);
+    for (const double number : numbersOf(pair.distance))
+      out << ',' << exactNumber(number);
+    out << ',' << toText(pair.distance.level) << '\n';
+  }
+}
+
+std::string toJson(const DistanceTable& distances) {
+  std::string result;
+  for (const LinkDistance& pair : distances.pairs)
+    result += (result.empty() ? "\n  " : ",\n  ") + toJson(pair);
+  return "[" + result + "]";
+}
+
+}  // namespace link_bounds

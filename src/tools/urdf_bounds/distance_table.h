@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distances of near links as text: a table to read, CSV or JSON.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/distance/body_distance.h"
+#include "tools/text/table_text.h"
+
+namespace link_bounds {
+
+struct LinkDistance {
+  std::string first;
+  std::string second;
+  BodyDistance distance;
+};
+
+struct DistanceTable {
+  double limit = 0;                 ///< no pair is farther apart [m]
+  std::vector<LinkDistance> pairs;  ///< in the order of the links
+  Reasons incomplete;               ///< links without distances
+};
+
+/// For people.
+void writeTable(const DistanceTable& distances, std::ostream& out);
+
+void writeCsv(const DistanceTable& distances, std::ostream& out);
+
+/// A JSON array.
+std::string toJson(const DistanceTable& distances);
+
+}  // namespace link_bounds
