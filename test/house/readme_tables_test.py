@@ -4,7 +4,8 @@
 """README.md and doc/*.md against the code: the README is short, tables say what the programs and
 message files say, links lead somewhere, and named files, functions and tests exist.
 
-Run as: readme_tables_test.py PATH_OF_link_bounds_publisher PATH_OF_assert_box FOLDER_OF_THE_PACKAGE
+Run as: readme_tables_test.py PATH_OF_link_bounds_publisher FOLDER_OF_assert_box
+FOLDER_OF_THE_PACKAGE
 """
 import os
 import pathlib
@@ -17,7 +18,8 @@ from help_testing import help_rows
 from page_testing import rows_below, tables
 from three_hosts_testing import NEIGHBOURS
 
-PUBLISHER, ASSERT_BOX, PACKAGE = '', '', pathlib.Path()
+PUBLISHER, PROGRAMS, PACKAGE = '', pathlib.Path(), pathlib.Path()
+ASSERTIONS = ('assert_box', 'assert_distance')
 MAX_README_LINES = 250
 MAX_PICTURE_BYTES = 3000000
 MAX_STOPS = 10
@@ -82,30 +84,33 @@ def needs_data(name):
 class ReadmeTablesTest(unittest.TestCase):
     """The tables that the programs and the message files hold."""
 
-    def check(self, page, help_section, header, program=None):
-        text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
-                              stdout=subprocess.PIPE).stdout.decode('utf-8')
-        expected = help_rows(help_section, text)
+    def check(self, text, help_section, header, program=None):
+        help_text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
+                                   stdout=subprocess.PIPE).stdout.decode('utf-8')
+        expected = help_rows(help_section, help_text)
         self.assertGreater(len(expected), 0)
-        self.assertEqual(rows_below(text_of(page), header), expected)
+        self.assertEqual(rows_below(text, header), expected)
 
     def test_topics(self):
-        self.check('README.md', 'Topics', ['topic', 'type', 'when'])
+        self.check(text_of('README.md'), 'Topics', ['topic', 'type', 'when'])
 
     def test_services(self):
-        self.check('README.md', 'Services', ['service', 'type', 'what'])
+        self.check(text_of('README.md'), 'Services', ['service', 'type', 'what'])
 
     def test_parameters(self):
-        self.check('README.md', 'Parameters', ['name', 'type', 'default', 'meaning'])
+        self.check(text_of('README.md'), 'Parameters', ['name', 'type', 'default', 'meaning'])
 
-    def test_parameters_of_assert_box(self):
-        self.check('doc/tools.md', 'Parameters', ['parameter', 'type', 'default', 'meaning'],
-                   ASSERT_BOX)
+    def test_parameters_of_assertions(self):
+        for name in ASSERTIONS:
+            self.check(section(text_of('doc/tools.md'), name), 'Parameters',
+                       ['parameter', 'type', 'default', 'meaning'], PROGRAMS / name)
 
-    def test_example_of_assert_box_is_one_that_runs(self):
-        example = re.search(r'^  <test .*?^  </test>$', text_of('doc/tools.md'),
-                            re.DOTALL | re.MULTILINE)
-        self.assertIn(example.group(0), text_of('test', 'tools', 'assert_box', 'assert_box.test'))
+    def test_examples_of_assertions_are_some_that_run(self):
+        for name in ASSERTIONS:
+            example = re.search(r'^  <test .*?^  </test>$', section(text_of('doc/tools.md'), name),
+                                re.DOTALL | re.MULTILINE)
+            self.assertIn('type="%s"' % name, example.group(0))
+            self.assertIn(example.group(0), text_of('test/tools/assertions', name + '.test'))
 
     def test_messages(self):
         messages = sorted((PACKAGE / 'msg').iterdir())
@@ -270,5 +275,6 @@ class PaperTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    PACKAGE, ASSERT_BOX, PUBLISHER = pathlib.Path(sys.argv.pop()), sys.argv.pop(), sys.argv.pop()
+    PACKAGE, PROGRAMS = pathlib.Path(sys.argv.pop()), pathlib.Path(sys.argv.pop())
+    PUBLISHER = sys.argv.pop()
     unittest.main()

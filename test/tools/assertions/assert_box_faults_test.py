@@ -3,29 +3,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """assert_box fails where it must: exit status, a report that rostest understands, the last box."""
 import os
-import shutil
 import signal
 import subprocess
-import tempfile
-import unittest
-from xml.etree import ElementTree
 
 import rospy
 import rostest
-from bounds_testing import DEADLINE, Pose, executable, turn, wait_for
+from assertion_testing import EXPIRES, AssertionTest, Talker
+from bounds_testing import DEADLINE, Pose, executable, turn
 from catkin.test_results import read_junit
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
-from node_testing import SANITIZED
-from rosunit import junitxml
 from std_msgs.msg import Header
 
 TOPIC = "/link_bounds_publisher/boxes"  # the default of assert_box
 FRAME = 'cell <1> & "2"'
 INFINITE = float("inf")
-# Wall seconds, for what has to fail and until then has to have seen a message.
-EXPIRES = 15.0 if SANITIZED else 5.0
-AT_ONCE = 3.0  # s; the default deadline is 10
 
 
 def turned_box(name, xyz, xyzw):
@@ -43,43 +35,15 @@ AROUND_PALM = {"name": "palm", "min": [0, -1, 0], "max": [2, 1, 1]}
 EXACT_PALM = {"name": "palm", "min": PALM_MIN, "max": PALM_MAX}
 
 
-class Talker:
+class BoxTalker(Talker):
     """Boxes as a node publishes them."""
 
     def __init__(self, topic):
-        self._publisher = rospy.Publisher(topic, AxisAlignedBoxArray, queue_size=10, latch=True)
+        super().__init__(topic, AxisAlignedBoxArray)
 
     def send(self, *boxes, incomplete=()):
-        self._publisher.publish(AxisAlignedBoxArray(
+        super().send(AxisAlignedBoxArray(
             header=Header(frame_id=FRAME), boxes=list(boxes), incomplete=list(incomplete)))
-
-    def wait_for_listener(self):
-        wait_for(lambda: self._publisher.get_num_connections() > 0, "assert_box listens")
-
-    def end(self):
-        self._publisher.unregister()
-
-
-class Run:
-    """An assert_box with these parameters."""
-
-    def __init__(self, folder, name, parameters, *arguments):
-        self.name = name
-        self.path = os.path.join(folder, "results", name + ".xml")
-        rospy.set_param("/" + name, dict({"deadline": EXPIRES}, **parameters))
-        self.process = subprocess.Popen(
-            [executable("link_bounds", "assert_box"), "__name:=" + name,
-             "--gtest_output=xml:" + self.path, *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-
-    def finish(self):
-        """Exit status and output."""
-        try:
-            output, _ = self.process.communicate(timeout=DEADLINE + EXPIRES)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            raise
-        return self.process.returncode, output.decode()
 
 
 MISSING = {"name": "finger", "min": [0, 0, 0], "max": [1, 1, 1]}
@@ -120,64 +84,25 @@ INVALID = {
     "misspelt": (dict(AROUND_PALM, tolerence=0.1), "~tolerence is unknown")}
 
 
-class AssertBoxFaults(unittest.TestCase):
+class AssertBoxFaults(AssertionTest):
+    PROGRAM = "assert_box"
+
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.mkdtemp()
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.talker = Talker(TOPIC)
+        super().setUpClass()
+        cls.talker = BoxTalker(TOPIC)
         cls.talker.send(PALM, THUMB)
-        cls.half = Talker("/half/boxes")
+        cls.half = BoxTalker("/half/boxes")
         cls.half.send(PALM, THUMB, incomplete=["thumb"])
 
-    def start(self, name, parameters, *arguments):
-        run = Run(self.folder, name, parameters, *arguments)
-        self.addCleanup(run.process.stdout.close)
-        self.addCleanup(run.process.wait)
-        self.addCleanup(run.process.kill)
-        return run
-
-    def check_failure(self, run, *texts):
-        status, output = run.finish()
-        self.assertEqual(status, 1, output)
-        result = junitxml.read(run.path, run.name)
-        self.assertEqual((result.num_tests, result.num_errors, result.num_failures), (1, 0, 1))
-        failure = result.test_case_results[0].failures[0].text
-        for text in texts:
-            self.assertIn(text, output)
-            self.assertIn(text, failure)
-        self.assertEqual(read_junit(run.path), (1, 0, 1))
-
-    def check_passed(self, run):
-        status, output = run.finish()
-        self.assertEqual(status, 0, output)
-        self.assertEqual(read_junit(run.path), (1, 0, 0))
-        self.assertEqual(len(junitxml.read(run.path, run.name).test_case_results), 1)
-
     def test_conditions_that_are_true(self):
-        runs = [self.start(name, dict(parameters, deadline=DEADLINE))
-                for name, parameters in PASSING.items()]
-        for run in runs:
-            with self.subTest(run.name):
-                self.check_passed(run)
+        self.check_all_pass(PASSING)
 
     def test_conditions_that_are_not_true(self):
-        runs = [self.start(name, parameters) for name, (parameters, _) in FAILING.items()]
-        for run in runs:
-            with self.subTest(run.name):
-                self.check_failure(run, *FAILING[run.name][1])
+        self.check_all_fail(FAILING)
 
     def test_parameters_that_mean_nothing_fail_at_once(self):
-        for name, (parameters, text) in INVALID.items():
-            with self.subTest(name):
-                run = self.start(name, dict({"deadline": 1000}, **parameters))
-                self.check_failure(run, text)
-                self.check_at_once(run.path)
-
-    def check_at_once(self, path):
-        """By the test's own clock, which knows nothing of how long the process took to start."""
-        seconds = float(ElementTree.parse(path).getroot().find("testcase").get("time"))
-        self.assertLess(seconds, AT_ONCE)
+        self.check_all_fail_at_once(INVALID)
 
     def test_an_unknown_argument_fails(self):
         self.check_failure(self.start("argument", AROUND_PALM, "--gtest_filter=palm"),
@@ -195,7 +120,7 @@ class AssertBoxFaults(unittest.TestCase):
     def start_held(self, name):
         """Waits for the end of its hold, and listens to a talker of its own."""
         topic = "/%s/boxes" % name
-        talker = Talker(topic)
+        talker = BoxTalker(topic)
         talker.send(PALM)
         run = self.start(name, dict(AROUND_PALM, topic=topic, check="inside", hold=EXPIRES / 2))
         run.talker = talker

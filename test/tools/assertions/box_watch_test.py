@@ -2,13 +2,12 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The checks and reports of assert_box, without a ROS master: box_watch_test.py ASSERT_BOX"""
-import importlib.util
 import math
 import sys
 import unittest
-from importlib.machinery import SourceFileLoader
 from xml.etree import ElementTree
 
+from assertion_testing import load_script
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from std_msgs.msg import Header
@@ -18,16 +17,8 @@ TOLERANCE = 1e-3  # m
 ROUNDING = 1e-12  # m
 
 
-def load_script(path):
-    """A program whose name does not end in .py, as a module."""
-    sys.dont_write_bytecode = True
-    loader = SourceFileLoader('assert_box', path)
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader('assert_box', loader))
-    loader.exec_module(module)
-    return module
-
-
 assert_box = load_script(sys.argv.pop())
+topic_assertion = sys.modules['topic_assertion']
 Box = assert_box.Box
 WANTED = Box((-1, -2, 0), (1, 2, 3))
 HALF = (math.cos(math.pi / 6) + math.sin(math.pi / 6)) / 2
@@ -132,7 +123,7 @@ class Checks(unittest.TestCase):
 
 class Hold(unittest.TestCase):
     def test_begins_anew_after_a_break(self):
-        hold = assert_box.Hold(2.0)
+        hold = topic_assertion.Hold(2.0)
         self.assertFalse(hold.is_kept(0.0))
         hold.update(True, 1.0)
         hold.update(True, 2.0)
@@ -145,17 +136,17 @@ class Hold(unittest.TestCase):
         self.assertTrue(hold.is_kept(7.0))
 
     def test_of_no_length_is_kept_at_once(self):
-        hold = assert_box.Hold(0.0)
+        hold = topic_assertion.Hold(0.0)
         self.assertFalse(hold.is_kept(1.0))
         hold.update(True, 1.0)
         self.assertTrue(hold.is_kept(1.0))
 
     def test_stays_kept_whatever_comes_later(self):
-        at_once = assert_box.Hold(0.0)
+        at_once = topic_assertion.Hold(0.0)
         at_once.update(True, 1.0)
         at_once.update(False, 1.0)
         self.assertTrue(at_once.is_kept(1.0))
-        hold = assert_box.Hold(2.0)
+        hold = topic_assertion.Hold(2.0)
         hold.update(True, 1.0)
         hold.update(False, 3.0)
         hold.update(True, 3.5)
@@ -178,13 +169,13 @@ class Parameters(unittest.TestCase):
                   ({'tolerence': 0.1}, '~tolerence is unknown'))
         for change, text in faults:
             with self.subTest(change):
-                with self.assertRaisesRegex(assert_box.ParameterError, text):
+                with self.assertRaisesRegex(topic_assertion.ParameterError, text):
                     assert_box.assertion_from(dict(PALM_INSIDE, **change))
 
     def test_name_and_corners_are_required(self):
         for name in ('name', 'min', 'max'):
             without = {key: value for key, value in PALM_INSIDE.items() if key != name}
-            with self.assertRaisesRegex(assert_box.ParameterError, f'~{name} is required'):
+            with self.assertRaisesRegex(topic_assertion.ParameterError, f'~{name} is required'):
                 assert_box.assertion_from(without)
 
 
@@ -267,7 +258,7 @@ class Watch(unittest.TestCase):
 class Report(unittest.TestCase):
     def test_has_only_characters_of_xml(self):
         failure = 'first\x01 <line>\nsecond \ufffe \udcff \x1b[2J'
-        root = ElementTree.fromstring(assert_box.junit_xml('a<b\x02', '"c" & d', 0.5, failure))
+        root = ElementTree.fromstring(topic_assertion.junit_xml('a<b\x02', '"c" & d', 0.5, failure))
         case = root.find('testcase')
         self.assertEqual((root.get('name'), case.get('classname'), case.get('name')),
                          ('a<b ', 'a<b ', '"c" & d'))
@@ -277,12 +268,12 @@ class Report(unittest.TestCase):
                          ('1', '1', '0.500'))
 
     def test_has_no_failure_when_all_is_well(self):
-        root = ElementTree.fromstring(assert_box.junit_xml('suite', 'test', 0.5, ''))
+        root = ElementTree.fromstring(topic_assertion.junit_xml('suite', 'test', 0.5, ''))
         self.assertEqual(root.get('failures'), '0')
         self.assertEqual(list(root.find('testcase')), [])
 
     def test_an_exception_that_nobody_expects_is_a_failure(self):
-        verdict = assert_box.Verdict()
+        verdict = topic_assertion.Verdict()
         unittest.FunctionTestCase(lambda: 1 / 0).run(verdict)
         self.assertIn('ZeroDivisionError', verdict.failure)
 

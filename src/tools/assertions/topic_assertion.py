@@ -1,0 +1,291 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of published topics share: parameters, the time of a hold, and the report."""
+import json
+import math
+import os
+import sys
+import threading
+import time
+import traceback
+import unittest
+from typing import Any, Callable, NamedTuple
+from xml.etree import ElementTree
+
+import rosgraph
+import rospkg
+import rospy
+
+PERIOD = 0.01  # wall s between two looks at the deadline
+REQUIRED = None  # the default of a parameter that has none
+
+
+class ParameterError(AssertionError):
+    """A fault of the test itself: its parameters mean nothing."""
+
+
+def is_number(value):
+    return type(value) in (int, float)  # bool is a subclass of int
+
+
+def is_triple(value):
+    return isinstance(value, list) and len(value) == 3 and all(map(is_number, value))
+
+
+KINDS = {  # which values are of the kind, and what such a value is called
+    'string': (lambda value: isinstance(value, str), 'a string'),
+    'double': (is_number, 'a number'),
+    'double[3]': (is_triple, 'a list of 3 numbers')}
+
+
+class Parameter(NamedTuple):
+    """One row of the table: the reader and --help go by it."""
+    name: str
+    kind: str
+    default: Any
+    is_valid: Callable
+    rule: str  # the end of the message about a value that is not valid
+    meaning: str
+
+    def row(self):
+        default = ('(required)' if self.default is REQUIRED else
+                   '.inf' if self.default == math.inf else json.dumps(self.default))
+        return f'  {self.name} | {self.kind} | {default} | {self.meaning}'
+
+    def wrong(self, value, fault):
+        return f'parameter ~{self.name} is {json.dumps(value)}, but {fault}'
+
+    def value_in(self, values):
+        """The value, or the default; throws ParameterError."""
+        if self.name not in values:
+            return self.default
+        value = values[self.name]
+        is_of_kind, kind = KINDS[self.kind]
+        if not is_of_kind(value):
+            raise ParameterError(self.wrong(value, f'must be {kind}'))
+        if not self.is_valid(value):
+            raise ParameterError(self.wrong(value, self.rule))
+        return value
+
+
+def deadline_and_hold(check):
+    """The two parameters that every test has."""
+    return (
+        Parameter('deadline', 'double', 10.0, lambda seconds: 0 < seconds < math.inf,
+                  'must be a finite number > 0',
+                  'wall seconds, > 0, until the test has passed or failed'),
+        Parameter('hold', 'double', 0.0, lambda seconds: 0 <= seconds < math.inf,
+                  'must be a finite number >= 0',
+                  f'wall seconds, >= 0 and less than deadline, for which {check} must stay true '
+                  'without a break; 0 = once is enough'))
+
+
+def read_parameters(table, values):
+    """{name: value} of each parameter. Throws ParameterError, also for an unknown name: a test that
+    overlooks a misspelt tolerance would be worse than none."""
+    values = values if isinstance(values, dict) else {}
+    read = {parameter.name: parameter.value_in(values) for parameter in table}
+    for name in sorted(set(values) - set(read)):
+        raise ParameterError(f'parameter ~{name} is unknown; see --help')
+    for name, value in read.items():
+        if value is REQUIRED:
+            raise ParameterError(f'parameter ~{name} is required')
+    if read['hold'] >= read['deadline']:
+        raise ParameterError('parameter ~hold must be less than ~deadline')
+    return read
+
+
+OUTPUT = '--gtest_output=xml:'
+USAGE = """usage, in a .test file:
+  <test test-name="NAME" pkg="link_bounds" type="%s">
+    <rosparam>%s</rosparam>
+  </test>
+
+%s
+A deadline of about a minute and more needs a time-limit of the <test>.
+
+Parameters, private (name | type | default | meaning):
+%s
+
+Options:
+  --gtest_output=xml:FILE   where the result is written; rostest gives it
+  --text                    accepted and without effect; rostest gives it, too
+  --version                 prints the version
+
+Exit status: 0 passed, 1 failed.
+"""
+
+
+class Hold:
+    """Whether something stayed true for long enough, once; times are seconds of a steady clock."""
+
+    def __init__(self, seconds):
+        self._seconds = seconds
+        self._since = None  # None while it is not true
+        self._longest = 0.0  # s, before _since
+        self._was_kept = False  # before _since
+
+    def update(self, is_true, now):
+        self._longest, self._was_kept = self.longest(now), self.is_kept(now)
+        if not is_true:
+            self._since = None
+        elif self._since is None:
+            self._since = now
+
+    def is_kept(self, now):
+        return self._was_kept or (self._since is not None and now - self._since >= self._seconds)
+
+    def longest(self, now):
+        """The longest time so far for which it stayed true."""
+        return self._longest if self._since is None else max(self._longest, now - self._since)
+
+    def told(self, now):
+        """For the report of a failure."""
+        return (f' for {self._seconds:.3g} s without a break, at most for {self.longest(now):.3g} s,'
+                if self._seconds > 0 else '')
+
+
+class Topic(NamedTuple):
+    """What a watch listens to."""
+    name: str
+    kind: type
+    see: Callable  # called with a message and the time [s]
+    is_needed: bool = True  # without its publisher, nothing holds
+
+
+class Program(NamedTuple):
+    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `fault` ('', or why it cannot
+    pass at all), is_passed(now), lose_publisher(now) and failure(now); times are in seconds."""
+    name: str
+    example: str  # parameters
+    about: str
+    parameters: tuple
+    watch: Callable  # from a dictionary of private parameters; throws ParameterError
+
+    def usage(self):
+        return USAGE % (self.name, self.example, self.about,
+                        '\n'.join(parameter.row() for parameter in self.parameters))
+
+
+class TopicTest(unittest.TestCase):
+    """The one test: passes as soon as what it watches has held."""
+
+    def __init__(self, program, start):
+        super().__init__()
+        self.title = 'parameters'  # what the report calls the test; then what it asserts
+        self._program = program
+        self._start = start
+
+    def runTest(self):
+        unknown = [argument for argument in rospy.myargv()[1:]
+                   if argument != '--text' and not argument.startswith(OUTPUT)]
+        if unknown:
+            self.fail(f'unknown argument: {unknown[-1]}; see --help')
+        if not rosgraph.is_master_online():
+            self.fail(f'no ROS master answers at {rosgraph.get_master_uri()}; start it by rostest')
+        # All times are of the wall's clock.
+        rospy.init_node(self._program.name, disable_rostime=True)
+        watch = self._program.watch(rospy.get_param(rospy.get_name(), {}))
+        self.title = watch.title
+        self._await(watch)
+
+    def _now(self):
+        return time.monotonic() - self._start
+
+    def _await(self, watch):
+        lock = threading.Lock()
+
+        def see(message, topic):
+            with lock:
+                topic.see(message, self._now())
+
+        subscribers = [(topic, rospy.Subscriber(topic.name, topic.kind, see, topic,
+                                                tcp_nodelay=True)) for topic in watch.topics]
+        while not rospy.is_shutdown():
+            time.sleep(PERIOD)
+            with lock:
+                now = self._now()
+                if watch.fault:
+                    self.fail(watch.fault)
+                if watch.is_passed(now):
+                    return
+                if now > watch.deadline:
+                    self.fail(watch.failure(now))
+                # Each time: the last message may be handled after its connection has ended.
+                if any(topic.is_needed and subscriber.get_num_connections() == 0
+                       for topic, subscriber in subscribers):
+                    watch.lose_publisher(now)
+        self.fail('interrupted\n' + watch.failure(self._now()))
+
+
+class Verdict(unittest.TestResult):
+    """Keeps why the test failed: the text of an assertion, or the traceback of an exception."""
+
+    failure = ''  # '' = passed
+
+    def addFailure(self, test, err):
+        self.failure = printable(str(err[1]))
+
+    def addError(self, test, err):
+        self.failure = printable(''.join(traceback.format_exception(*err)))
+
+
+def printable(text):
+    """Control characters, which XML does not allow and which could move the cursor, become spaces.
+    Line breaks stay."""
+    return ''.join(c if c == '\n' or c.isprintable() else ' ' for c in text)
+
+
+def junit_xml(suite, test, seconds, failure):
+    """A report in JUnit's format, with the attributes that gtest writes, as bytes."""
+    duration = f'{seconds:.3f}'
+    root = ElementTree.Element('testsuite', name=printable(suite), tests='1', errors='0',
+                               failures='1' if failure else '0', time=duration)
+    case = ElementTree.SubElement(root, 'testcase', classname=printable(suite),
+                                  name=printable(test), status='run', time=duration)
+    if failure:
+        text = printable(failure)
+        ElementTree.SubElement(case, 'failure', type='', message=text.split('\n')[0]).text = text
+    return ElementTree.tostring(root, encoding='utf-8', xml_declaration=True)
+
+
+def write_file(path, content):
+    """Makes the folder if it is missing. A reader finds the complete file or none."""
+    os.makedirs(os.path.dirname(path) or '.', exist_ok=True)
+    unfinished = f'{path}.{os.getpid()}'
+    with open(unfinished, 'wb') as file:
+        file.write(content)
+    os.replace(unfinished, path)
+
+
+def node_name(default):
+    """The name that the command line gives this node, also where there is no master."""
+    names = rosgraph.names
+    name = names.load_mappings(sys.argv).get('__name', default)
+    return names.ns_join(names.get_ros_namespace(), name)
+
+
+def run(program):
+    """The exit status of the program."""
+    start = time.monotonic()
+    arguments = rospy.myargv()[1:]
+    if '--help' in arguments or '-h' in arguments:
+        print(program.usage(), end='')
+        return 0
+    if '--version' in arguments:
+        print(program.name, rospkg.RosPack().get_manifest('link_bounds').version)
+        return 0
+    test, verdict = TopicTest(program, start), Verdict()
+    test.run(verdict)
+    if verdict.failure:
+        print('failed:', verdict.failure, file=sys.stderr)
+    else:
+        print('passed:', printable(test.title))
+    for path in [argument[len(OUTPUT):] for argument in arguments if argument.startswith(OUTPUT)]:
+        try:
+            write_file(path, junit_xml(node_name(program.name)[1:], test.title,
+                                       time.monotonic() - start, verdict.failure))
+        except OSError:
+            print('failed: cannot write', path, file=sys.stderr)
+            return 1
+    return 1 if verdict.failure else 0
