@@ -124,7 +124,7 @@ void PublisherNode::onTick() {
   const ros::Time now = ros::Time::now();
   observeClock(now);
   const bool is_changed = scene_.expire(now);
-  object_source_.warnOfGivenUp();
+  object_source_.warnOfGivenUp(now);
   freeMemory();
   if (is_changed) onNews();
   if (clock_.isMissing()) {

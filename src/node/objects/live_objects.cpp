@@ -14,7 +14,7 @@ void LiveObjects::adopt(ros::Time now) {
   fixed_frame_ = fixed_frame;
   const std::int64_t start = clock_.observe(now);
   for (auto& [key, object] : objects_)
-    object.waiting_since = start;
+    object.waiting_since = object.unplaced_since = start;
   refreshAll(now);
 }
 
@@ -35,6 +35,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.received = clock_.observe(now);
   object.waiting_since = object.received;
   object.lifetime = content.lifetime;
+  if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
   if (!is_new && !was_given_up && isSame(*object.content, content)) return false;
   if (!is_new) release(object);
@@ -116,7 +117,7 @@ bool LiveObjects::restart(ros::Time now) {
     object.received = clock_.receivedAfterJump(object, now);
   const std::int64_t start = clock_.restart(now);
   for (auto& [key, object] : objects_) {
-    object.waiting_since = start;
+    object.waiting_since = object.unplaced_since = start;
     object.stamp = std::min(object.stamp, start);
     is_changed |= object.state.stamp > start;
     object.state.stamp = std::min(object.state.stamp, start);
@@ -214,6 +215,20 @@ std::vector<const LiveObject*> LiveObjects::takeGivenUp() {
     if (found->second.problem == TransformProblem::kGivenUp) result.push_back(&found->second);
   }
   given_up_.clear();
+  return result;
+}
+
+std::vector<LiveObjects::NeverPlaced> LiveObjects::neverPlaced(ros::Time now) {
+  std::vector<NeverPlaced> result;
+  if (waiting_ == 0) return result;
+  for (const auto& [key, object] : objects_) {
+    if (object.problem != TransformProblem::kWaiting) continue;
+    if (!placer_.hasWaitedLong(object.unplaced_since, now)) continue;
+    const FrameTracker::Handle header = frames_.follow(object.frame);
+    const std::int64_t ahead = object.content->stamp - header.pose().stamp;
+    if (header.pose().problem == TransformProblem::kNone)
+      result.push_back({&object, static_cast<double>(ahead) * 1e-9});
+  }
   return result;
 }
 

@@ -55,6 +55,15 @@ class LiveObjects {
   /// The objects that were given up since the last call and still are.
   std::vector<const LiveObject*> takeGivenUp();
 
+  /// An object that is sent again and again before there is a transform at its stamp.
+  struct NeverPlaced {
+    const LiveObject* object;
+    double ahead;  ///< its stamp, of the newest transform [s]; negative: behind
+  };
+
+  /// Those that wait for longer than others until they are given up, in frames that tf connects.
+  std::vector<NeverPlaced> neverPlaced(ros::Time now);
+
   /// The frame whose transform places the object: its header frame, or the fixed frame in which it
   /// was placed, while that one is not carried over.
   const std::string& neededFrame(const LiveObject& object) const;

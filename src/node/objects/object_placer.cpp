@@ -20,7 +20,8 @@ ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
     if (object.problem == TransformProblem::kGivenUp) return {TransformProblem::kGivenUp};
     const auto pose = poseAt(object.content->stamp, object.frame);
     if (!pose) {
-      return {hasWaitedLong(object, now) ? TransformProblem::kGivenUp : TransformProblem::kWaiting};
+      return {hasWaitedLong(object.waiting_since, now) ? TransformProblem::kGivenUp
+                                                       : TransformProblem::kWaiting};
     }
     object.placement = Placement{*frames_.fixedFrame(), *pose};
   }
@@ -43,9 +44,9 @@ std::optional<Eigen::Affine3d> ObjectPlacer::poseAt(std::int64_t stamp, Frame fr
   return past_pose_->fixed_from_frame;
 }
 
-bool ObjectPlacer::hasWaitedLong(const LiveObject& object, ros::Time now) const {
+bool ObjectPlacer::hasWaitedLong(std::int64_t since, ros::Time now) const {
   const double patience = frames_.timeout() > 0 ? frames_.timeout() : kPatience;
-  const auto waited = static_cast<std::int64_t>(now.toNSec()) - object.waiting_since;
+  const auto waited = static_cast<std::int64_t>(now.toNSec()) - since;
   return static_cast<double>(waited) > patience * 1e9;
 }
 

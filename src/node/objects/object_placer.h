@@ -38,6 +38,9 @@ class ObjectPlacer {
   /// To be called after each update of the poses. True if there is a new transform for carrying.
   bool findCarries();
 
+  /// True if this is too long to wait for the transform at a stamp.
+  bool hasWaitedLong(std::int64_t since, ros::Time now) const;
+
  private:
   /// From an old fixed frame; followed until there is a pose, which then stays.
   struct Carry {
@@ -56,7 +59,6 @@ class ObjectPlacer {
   };
 
   std::optional<Eigen::Affine3d> poseAt(std::int64_t stamp, Frame frame);
-  bool hasWaitedLong(const LiveObject& object, ros::Time now) const;
   std::optional<Eigen::Affine3d> carried(const Placement& placement) const;
 
   FrameTracker& frames_;

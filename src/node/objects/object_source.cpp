@@ -5,7 +5,10 @@
 
 #include <ros/console.h>
 
+#include <cmath>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 #include "node/loading/model.h"
 #include "node/objects/marker_shape.h"
@@ -27,6 +30,15 @@ bool isOurs(const Marker& marker) {
 
 std::int64_t placementStamp(const Marker& marker) {
   return marker.frame_locked ? 0 : static_cast<std::int64_t>(marker.header.stamp.toNSec());
+}
+
+std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
+  std::ostringstream text;
+  text << "it is sent again and again, and its stamp is " << std::setprecision(3)
+       << std::abs(object.ahead) << " s " << (object.ahead > 0 ? "ahead of" : "behind")
+       << " the newest transform from \"" << object.object->content->frame
+       << "\"; synchronize the clocks of both publishers, or stamp 0 to follow that frame";
+  return text.str();
 }
 
 }  // namespace
@@ -90,14 +102,17 @@ bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros:
   return objects_.fillMesh(uri, mesh, now);
 }
 
-void ObjectSource::warnOfGivenUp() {
-  for (const LiveObject* object : objects_.takeGivenUp()) {
-    const auto line =
-        marker_log_.line(object->content->bounded.name,
-                         objects_.reason(*object) + "; publish that frame, or stamp 0 to follow it",
-                         object->content->publisher, ros::SteadyTime::now());
-    if (line) ROS_WARN_STREAM(*line);
-  }
+void ObjectSource::warnOfGivenUp(ros::Time now) {
+  for (const LiveObject* object : objects_.takeGivenUp())
+    warn(*object, objects_.reason(*object) + "; publish that frame, or stamp 0 to follow it");
+  for (const LiveObjects::NeverPlaced& object : objects_.neverPlaced(now))
+    warn(*object.object, whyNeverPlaced(object));
+}
+
+void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
+  const auto line = marker_log_.line(object.content->bounded.name, reason,
+                                     object.content->publisher, ros::SteadyTime::now());
+  if (line) ROS_WARN_STREAM(*line);
 }
 
 void ObjectSource::reloadMeshes() {

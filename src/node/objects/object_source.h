@@ -27,8 +27,8 @@ class ObjectSource {
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
-  /// Logs which objects waited for a transform that did not come.
-  void warnOfGivenUp();
+  /// Logs which objects waited for a transform that did not come, or wait again and again.
+  void warnOfGivenUp(ros::Time now);
 
   /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
   /// logged may be logged again.
@@ -45,6 +45,7 @@ class ObjectSource {
   ObjectContent contentOf(const ObjectKey& key, visualization_msgs::Marker&& marker,
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
+  void warn(const LiveObject& object, const std::string& reason);
   void request(const std::string& uri);
 
   LiveObjects& objects_;

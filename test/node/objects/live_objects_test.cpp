@@ -135,6 +135,39 @@ TEST_F(LiveObjectsTest, WaitingLastsTenSecondsWhereNothingBecomesStale) {
   EXPECT_EQ(object().problem, TransformProblem::kGivenUp);
 }
 
+TEST_F(LiveObjectsTest, IsNeverPlacedIfItsStampsStayAheadOfTf) {
+  hear("map", "camera", 100, 30, 1);
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ(objects_.neverPlaced(now_).size(), i > 20 ? 1u : 0u) << i;
+    put(boxIn("camera", now_.toSec() + 5));
+    hear("map", "camera", now_.toSec(), 30, 1);
+    pass(0.1);
+  }
+  EXPECT_EQ(object().problem, TransformProblem::kWaiting);
+  EXPECT_EQ(objects_.neverPlaced(now_).front().object, &object());
+  EXPECT_NEAR(objects_.neverPlaced(now_).front().ahead, 5, 1e-6);
+  hear("map", "camera", now_.toSec() + 6, 30, 1);
+  EXPECT_TRUE(objects_.neverPlaced(now_).empty()) << "it has been placed";
+}
+
+TEST_F(LiveObjectsTest, IsPlacedIfTfOvertakesItsStampsNowAndThen) {
+  for (int i = 0; i < 50; ++i) {
+    put(boxIn("camera", now_.toSec()));
+    EXPECT_EQ(object().problem, TransformProblem::kWaiting);
+    EXPECT_TRUE(objects_.neverPlaced(now_).empty()) << i;
+    pass(0.1);
+    if (i % 5 == 4) hear("map", "camera", now_.toSec() - 0.05, 30, 1);
+  }
+}
+
+TEST_F(LiveObjectsTest, SaysNothingOfStampsInAFrameThatTfDoesNotConnect) {
+  for (int i = 0; i < 50; ++i) {
+    put(boxIn("nowhere", now_.toSec() + 5));
+    EXPECT_TRUE(objects_.neverPlaced(now_).empty());
+    pass(0.1);
+  }
+}
+
 TEST_F(LiveObjectsTest, LifetimeCountsFromTheLastReceipt) {
   ObjectContent content = boxIn("map");
   content.lifetime = ros::Duration(1);

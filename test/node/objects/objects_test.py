@@ -11,7 +11,8 @@ import rostest
 from bounds_testing import (NodeLog, Pose, Recorder, box_of, latched, load, names_of, transform,
                             turn, union, wait_for)
 from link_bounds.msg import BoxOverlapArray
-from node_testing import (ALL, ARMS, NODE, ArmsTf, Diagnostics, arm_bounds, joint_pose, value_of)
+from node_testing import (ALL, ARMS, NODE, ArmsTf, Diagnostics, Repeater, arm_bounds, joint_pose,
+                          value_of)
 from object_testing import ObjectSender, deletion, ellipsoid_bounds, marker, shows_box
 from rosgraph_msgs.msg import Log
 from visualization_msgs.msg import Marker, MarkerArray
@@ -251,6 +252,24 @@ class Objects(unittest.TestCase):
                  "a warning")
         self.assertIn("lost/1", latched(NODE + "/boxes").incomplete)
         self.assertEqual(len([m for m in log.messages[:log.settle()] if "lost/1" in m.msg]), 1)
+
+    def test_stamps_that_stay_ahead_of_tf_are_warned_of(self):
+        log = NodeLog(NODE)
+        log.connect()
+        load(NODE, ARMS, fixed_frame="base", timeout=0.5)
+
+        sender = Repeater(20, lambda: self.objects.send(marker(
+            "early/1", frame="right", stamp=self.move(30) + rospy.Duration(5))))
+        try:
+            log.wait(lambda m: "early/1" in m.msg and m.level == Log.WARN and all(
+                text in m.msg for text in (rospy.get_name(), "clocks", "stamp 0",
+                                           '5 s ahead of the newest transform from "right"')),
+                     "a warning")
+        finally:
+            sender.stop()
+        self.expect_incomplete("early/1")
+        self.objects.clear()
+        self.assertEqual(len([m for m in log.messages[:log.settle()] if "early/1" in m.msg]), 1)
 
     def test_lifetime(self):
         self.objects.send(marker("brief/1", lifetime=rospy.Duration(0.3)), marker("stays/1"))
