@@ -18,9 +18,11 @@ with_reports() {
 
 # configure_sanitized FOLDER FLAGS: with our assertions, Eigen's and the standard library's. Only
 # the tested code is checked for undefined behaviour; checking the tests, too, would double the time
-# that they take to compile.
+# that they take to compile. As no program runs on after a report, the compiler need not prepare for
+# that, which saves a quarter of its time.
 configure_sanitized() {
   configure "$1" -DCATKIN_ENABLE_TESTING=ON -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer $2" \
+    -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer $2 \
+      -fno-sanitize-recover=all" \
     -DLINK_BOUNDS_TEST_FLAGS=-fno-sanitize=undefined,float-cast-overflow
 }
