@@ -21,10 +21,6 @@ constexpr double kMinSize = 1e-4;        ///< rviz cannot draw a box of zero siz
 constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
 constexpr double kEdgeWidth = 0.002;     ///< [m]
 
-/// Magenta of a medium luminance, 0.19: contrast 4 to white, 3 to rviz's dark grey, 5 to black. Few
-/// robots have this color.
-constexpr std::array<double, 4> kLabelColor{{0.85, 0.2, 0.55, 1}};
-
 bool isDrawable(const Aabb& box) {
   return box.min().cwiseAbs().maxCoeff() <= kMaxCoordinate &&
          box.max().cwiseAbs().maxCoeff() <= kMaxCoordinate;
@@ -85,7 +81,7 @@ void addEdges(Marker marker, const Eigen::Vector3d& radius, std_msgs::ColorRGBA 
 /// Without size and place.
 void addLabel(Marker marker, const std::string& text, MarkerArray& array) {
   marker.text = text;
-  marker.color = toColor(kLabelColor);
+  marker.color = labelColor();
   array.markers.push_back(std::move(marker));
 }
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two markers with ids that never change, so that nothing is left over in rviz.
+// Three markers with ids that never change, so that nothing is left over in rviz.
 #include "node/outputs/distance_markers.h"
 
 #include <algorithm>
 #include <cstdio>
 
 #include "node/names/topics.h"
+#include "node/outputs/label_layout.h"
 
 namespace link_bounds {
 namespace {
@@ -16,7 +17,8 @@ using visualization_msgs::Marker;
 /// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
 constexpr char kNamespace[] = "link_bounds/distances";
 
-constexpr double kLineWidth = 0.006;     ///< [m]
+constexpr double kLineWidth = 0.004;     ///< [m]
+constexpr double kNearestWidth = 0.014;  ///< told from the others without colors, too [m]
 constexpr double kTextHeight = 0.06;     ///< [m]
 constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
 
@@ -37,6 +39,13 @@ std_msgs::ColorRGBA colorOf(double distance, double red, double limit) {
   return color;
 }
 
+void addLine(const Distance& distance, const std_msgs::ColorRGBA& color, Marker& lines) {
+  lines.action = Marker::ADD;
+  lines.points.push_back(distance.on_first);
+  lines.points.push_back(distance.on_second);
+  lines.colors.resize(lines.points.size(), color);
+}
+
 Marker marker(const std_msgs::Header& header, int id, int type) {
   Marker result;
   result.header = header;
@@ -45,6 +54,7 @@ Marker marker(const std_msgs::Header& header, int id, int type) {
   result.type = type;
   result.action = Marker::DELETE;
   result.pose.orientation.w = 1;
+  result.color.a = 1;
   result.frame_locked = true;
   return result;
 }
@@ -70,24 +80,21 @@ visualization_msgs::MarkerArray distanceMarkers(const DistanceArray& distances,
                                                 const Distance& nearest, double red, double limit) {
   Marker lines = marker(distances.header, 0, Marker::LINE_LIST);
   lines.scale.x = kLineWidth;
-  for (const Distance& distance : distances.distances) {
-    if (!isDrawable(distance)) continue;
-    lines.action = Marker::ADD;
-    lines.points.push_back(distance.on_first);
-    lines.points.push_back(distance.on_second);
-    lines.colors.resize(lines.points.size(), colorOf(distance.distance, red, limit));
-  }
-  lines.color.a = 1;
+  for (const Distance& distance : distances.distances)
+    if (isDrawable(distance)) addLine(distance, colorOf(distance.distance, red, limit), lines);
   Marker text = marker(distances.header, 1, Marker::TEXT_VIEW_FACING);
+  Marker line = marker(distances.header, 2, Marker::LINE_LIST);
+  line.scale.x = kNearestWidth;
   if (!nearest.first.empty() && isDrawable(nearest)) {
+    addLine(nearest, colorOf(nearest.distance, red, limit), line);
     text.action = Marker::ADD;
     text.text = textOf(nearest.distance);
     text.pose.position = middleOf(nearest);
     text.scale.z = kTextHeight;
-    text.color = colorOf(nearest.distance, red, limit);
+    text.color = labelColor();
   }
   visualization_msgs::MarkerArray array;
-  array.markers = {std::move(lines), std::move(text)};
+  array.markers = {std::move(lines), std::move(text), std::move(line)};
   return array;
 }
 

@@ -9,8 +9,8 @@
 
 namespace link_bounds {
 
-/// One LINE_LIST, a line per pair between its two points, from red at `red` metres and below to
-/// green at `limit`; and the smallest distance as text. What is not there is deleted.
+/// A line per pair between its two points, from red at `red` metres and below to green at `limit`.
+/// The smallest distance has a thicker line and is there as text. What is not there is deleted.
 visualization_msgs::MarkerArray distanceMarkers(const DistanceArray& distances,
                                                 const Distance& nearest, double red, double limit);
 

@@ -41,6 +41,15 @@ void putOnTop(const std::vector<Label>& neighbours, Label& label) {
 
 }  // namespace
 
+std_msgs::ColorRGBA labelColor() {
+  std_msgs::ColorRGBA color;
+  color.r = 0.85F;
+  color.g = 0.2F;
+  color.b = 0.55F;
+  color.a = 1;
+  return color;
+}
+
 /// The square root keeps small boxes readable beside large ones.
 Label labelOf(const Aabb& box, const std::string& text) {
   const double diagonal = (box.max() - box.min()).norm();

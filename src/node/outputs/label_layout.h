@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Size and place of the names of boxes in rviz.
+// Size, place and color of text in rviz.
 #pragma once
+
+#include <std_msgs/ColorRGBA.h>
 
 #include <string>
 #include <vector>
@@ -9,6 +11,10 @@
 #include "link_bounds/geometry/box/aabb.h"
 
 namespace link_bounds {
+
+/// Magenta of a medium luminance, 0.19: contrast 4 to white, 3 to rviz's dark grey, 5 to black. Few
+/// robots have this color.
+std_msgs::ColorRGBA labelColor();
 
 /// A line of text that faces the camera, so it takes its width along x and along y.
 struct Label {

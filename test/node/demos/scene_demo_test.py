@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's scene moves and deforms; what overlaps is drawn in the second colour."""
+"""The demo's scene moves and deforms; what overlaps is drawn in the second colour; lines show
+distances."""
+import math
 import unittest
 
+import rospkg
 import rospy
 import rostest
+import yaml
 from bounds_testing import Recorder, box_of, names_of
 from link_bounds.msg import BoxOverlapArray
 from node_testing import NODE
@@ -18,12 +22,20 @@ LINKS = ["base", "shoulder", "upper_arm", "elbow", "forearm", "wrist", "flange",
 MESSAGES = 500  # ten seconds of the joints
 TOUCH = 60.0  # wall seconds within which the arm touches an object
 POINTS_PER_BOX = 24  # of its twelve edges
+LIMIT = 0.3  # m, distance_limit of scene_demo.launch
+SCENE = rospkg.RosPack().get_path("link_bounds") + "/launch/scene_demo.rviz"
 
 
 def drawn_boxes(message, state):
     """How many boxes are drawn with edges of a colour."""
     edges = next(m for m in message.markers if m.ns == state and m.type == Marker.LINE_LIST)
     return len(edges.points) / POINTS_PER_BOX
+
+
+def lengths(message):
+    """Of the lines between near things."""
+    points = message.markers[0].points
+    return [math.dist((a.x, a.y, a.z), (b.x, b.y, b.z)) for a, b in zip(points[::2], points[1::2])]
 
 
 class SceneDemo(unittest.TestCase):
@@ -51,6 +63,22 @@ class SceneDemo(unittest.TestCase):
                 pair.first in LINKS for pair in m.overlaps), "the arm touches an object", TOUCH)
         self.assertFalse([(pair.first, pair.second) for message in overlaps.messages
                           for pair in message.overlaps if pair.second in LINKS])
+
+    def test_lines_join_what_is_near(self):
+        drawings = Recorder(NODE + "/distance_markers", MarkerArray)
+        message = drawings.wait(lambda m: m.markers[0].points, "lines", TOUCH)
+        self.assertEqual(message.markers[0].type, Marker.LINE_LIST)
+        # Far more than the default distance_limit joins.
+        drawings.wait(lambda m: any(LIMIT / 2 < length <= LIMIT for length in lengths(m)), "far")
+
+    def test_rviz_shows_topics_that_exist(self):
+        published = dict(rospy.get_published_topics())
+        with open(SCENE, encoding="utf-8") as file:
+            displays = yaml.safe_load(file)["Visualization Manager"]["Displays"]
+        topics = {display.get("Marker Topic") for display in displays if display["Enabled"]}
+        self.assertIn(NODE + "/distance_markers", topics)
+        for topic in topics - {None}:
+            self.assertEqual(published[topic], "visualization_msgs/MarkerArray")
 
     def test_the_mesh_has_its_own_size(self):
         objects = Recorder(NODE + "/objects", MarkerArray)

@@ -178,10 +178,12 @@ class RosTools(unittest.TestCase):
         for name in ("link_bounds.rviz", "demo.rviz"):
             with open(LAUNCH + name, encoding="utf-8") as file:
                 displays = yaml.safe_load(file)["Visualization Manager"]["Displays"]
-            kinds = {display["Class"]: display for display in displays}
-            self.assertIn("rviz/RobotModel", kinds)
-            topic = kinds["rviz/MarkerArray"]["Marker Topic"]
-            self.assertEqual(published[topic], "visualization_msgs/MarkerArray", name)
+            self.assertIn("rviz/RobotModel", [display["Class"] for display in displays])
+            topics = [display["Marker Topic"] for display in displays
+                      if display["Class"] == "rviz/MarkerArray"]
+            self.assertTrue(topics)
+            for topic in topics:
+                self.assertEqual(published[topic], "visualization_msgs/MarkerArray", name)
 
 
 if __name__ == "__main__":

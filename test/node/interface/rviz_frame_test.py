@@ -73,7 +73,8 @@ class RvizFrame(unittest.TestCase):
             "name:=other", "tf_prefix:=left", "robot_description:=/cell/urdf")
         self.check(arguments, "left/base")
         self.assertIn("robot_description:=/cell/urdf", arguments)
-        self.assertIn("/link_bounds_publisher/markers:=other/markers", arguments)
+        for topic in ("markers", "distance_markers"):
+            self.assertIn("/link_bounds_publisher/%s:=other/%s" % (topic, topic), arguments)
 
 
 if __name__ == "__main__":
