@@ -150,6 +150,27 @@ inline Long distance(const std::vector<Triangle>& a, const std::vector<Triangle>
   return result;
 }
 
+/// As above where it is less than `start`, else `start`. Two triangles whose axis-aligned boxes are
+/// farther apart than two others are not compared further.
+inline Long distance(const std::vector<Triangle>& a, const std::vector<Triangle>& b, Long start) {
+  using Box = Eigen::AlignedBox<Long, 3>;
+  const auto boxOf = [](const Triangle& triangle) {
+    return Box(triangle[0]).extend(triangle[1]).extend(triangle[2]);
+  };
+  std::vector<Box> boxes;
+  for (const Triangle& triangle : b)
+    boxes.push_back(boxOf(triangle));
+  Long result = start;
+  for (const Triangle& first : a) {
+    const Box box = boxOf(first);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (box.squaredExteriorDistance(boxes[j]) <= result * result)
+        result = std::min(result, distance<Long>(first, b[j]));
+    }
+  }
+  return result;
+}
+
 /// In quadruple precision, which takes two hundred times as long. Only triangles count that are
 /// within `slack` of `nearest`, the distance in long double.
 inline Quad quadDistance(const std::vector<Triangle>& a, const std::vector<Triangle>& b,
