@@ -50,6 +50,14 @@ TARGETS = {
     'overlaps_10000': 'overlaps / faster peer, 10000 boxes  ',
     'slowest_1000': 'overlaps / faster peer, 1000 boxes, slowest',
     'slowest_10000': 'overlaps / faster peer, 10000 boxes, slowest',
+    'distance_near': 'fcl BVH / ours, mesh level, pairs within 0.1 m  ',
+    'distance_all': 'fcl BVH / ours, mesh level, all pairs',
+    'distance_worst': 'fcl BVH / ours, mesh level, pairs within 0.1 m, worst',
+    'distance_random': 'us per pair, hull level, random',
+    'distance_coherent': 'us per pair, hull level, coherent',
+    'distance_panda': 'us per update, mesh level, all pairs of the panda',
+    'distance_pr2': 'us per update, mesh level, all pairs of the pr2',
+    'distance_growth': 'us per pair, hull level, longest', 'distance_bytes': 'bytes per triangle',
     'relay': 'p50, ours / relay', 'usual_tf2_p50': 'p50, ours / usual_tf2',
     'answered': 'answered / sent'}
 
@@ -148,6 +156,21 @@ def of_overlaps(rows):
     return figures
 
 
+def of_distances(rows):
+    figures = {}
+    for row in rows:
+        robot, motion = row['robot'].replace(' ', '_'), row['motion']
+        method = {'fcl BVH': 'fcl', 'bullet convex': 'bullet'}.get(row['method'], row['method'])
+        key = 'distances/%s/%s/%s/' % (robot, motion, row['which'])
+        if row['which'] == 'update':
+            figures['%s%s' % (key, row['level'])] = row['us_per_update']
+        elif row['which'] == 'generated':
+            figures['%s%s/%d' % (key, method, row['triangles'])] = row['ns_per_pair'] / 1e3
+        else:
+            figures['%s%s/%s' % (key, method, row['level'])] = row['ns_per_pair'] / 1e3
+    return figures
+
+
 def of_parts(rows):
     whole = {row['model']: row for row in rows if row['parts_per_link'] == 1}
     return {'parts/%s/%d/%s' % (row['model'], row['parts_per_link'], name):
@@ -188,5 +211,5 @@ def of_volumes(rows):
 
 
 PARTS = {'core': of_core, 'pipeline': of_pipeline, 'end-to-end': of_end_to_end,
-         'objects': of_objects, 'many-objects': of_many_objects, 'overlaps': of_overlaps,
+         'objects': of_objects, 'many-objects': of_many_objects, 'overlaps': of_overlaps, 'distances': of_distances,
          'parts': of_parts, 'start-up': of_start_up, 'volumes': of_volumes}
