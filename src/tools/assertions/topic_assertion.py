@@ -141,8 +141,10 @@ class Hold:
 
     def told(self, now):
         """For the report of a failure."""
-        return (f' for {self._seconds:.3g} s without a break, at most for {self.longest(now):.3g} s,'
-                if self._seconds > 0 else '')
+        if self._seconds == 0:
+            return ''
+        return (f' for {self._seconds:.3g} s without a break, '
+                f'at most for {self.longest(now):.3g} s,')
 
 
 class Topic(NamedTuple):
@@ -154,8 +156,8 @@ class Topic(NamedTuple):
 
 
 class Program(NamedTuple):
-    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `fault` ('', or why it cannot
-    pass at all), is_passed(now), lose_publisher(now) and failure(now); times are in seconds."""
+    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `fault` ('', or why it
+    cannot pass at all), is_passed(now), lose_publisher(now), failure(now); times are in seconds."""
     name: str
     example: str  # parameters
     about: str

@@ -138,8 +138,8 @@ class AtLeast(WatchTest):
                        distances(pair('a', 'b', distance, distance_max)))
 
     def test_beyond_the_limit_of_the_publisher_it_can_never_be_known(self):
-        for limit, text in ((.0499, '~at_least is 0.05 m, but pairs farther apart than 0.0499 m are '
-                                    'not in /link_bounds_publisher/distances; raise /node/'
+        for limit, text in ((.0499, '~at_least is 0.05 m, but pairs farther apart than 0.0499 m '
+                                    'are not in /link_bounds_publisher/distances; raise /node/'
                                     'distance_limit and call /node/reload'),
                             (None, '~distance_limit of /node is not known')):
             watch = self.check(False, self.watch(limit, **ARM_AND_TABLE), boxes('arm', 'table'),
@@ -193,8 +193,9 @@ class Unpublished(WatchTest):
             watch = self.watch(**ARM_AND_TABLE)
             self.check(False, watch, boxes('arm', 'table'), distances(pair('arm', 'table', .01)))
             self.check(False, watch, boxes(*names, 'lamp', stamp=1), distances(stamp=1))
-            self.check_failure(watch, '"%s" has no box in /link_bounds_publisher/boxes. Boxes: %s' % (
-                missing, ', '.join(sorted(names + ('lamp',)))))
+            self.check_failure(
+                watch, '"%s" has no box in /link_bounds_publisher/boxes. Boxes: %s'
+                % (missing, ', '.join(sorted(names + ('lamp',)))))
         self.check(False, self.watch(first='arm', at_least=.05), boxes('table'), distances())
 
     def test_is_not_near_enough(self):

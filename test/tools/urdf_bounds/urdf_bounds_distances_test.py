@@ -118,8 +118,8 @@ class DistancesTest(UrdfBoundsTest):
         self.check_pair(pair, ('a', 'b'), 3.5 - math.sqrt(.5))
 
     def test_meshes(self):
-        low, high = (json.loads(run('-', '--format=json', urdf=robot(('m', mesh(CUBE), '0 0 0')))[1])
-                     ['boxes']['m'][key] for key in ('min', 'max'))
+        box = boxes(urdf=robot(('m', mesh(CUBE), '0 0 0')))['boxes']['m']
+        low, high = box['min'], box['max']
         away = 2 * (high[0] - low[0])
         pair, = distances(away, urdf=robot(('a', mesh(CUBE), '0 0 0'),
                                            ('b', mesh(CUBE), '%.17g 0 0' % away)))
