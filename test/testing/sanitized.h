@@ -11,4 +11,9 @@ constexpr bool kIsSanitized = true;
 constexpr bool kIsSanitized = false;
 #endif
 
+/// How often a long random test repeats: builds with a sanitizer are about ten times slower.
+constexpr int repetitions(int count) {
+  return kIsSanitized ? count / 10 : count;
+}
+
 }  // namespace link_bounds

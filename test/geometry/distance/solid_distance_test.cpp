@@ -6,6 +6,7 @@
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
 #include "testing/quad.h"
+#include "testing/sanitized.h"
 #include "testing/solid_samples.h"
 
 namespace link_bounds {
@@ -31,7 +32,7 @@ void expectDistance(const Body& a, const Eigen::Affine3d& pose, const Body& b,
 
 TEST(SolidDistance, OfBalls) {
   Random random(1);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < repetitions(20000); ++i) {
     const double a = random.magnitude(-3, 0), b = random.magnitude(-3, 0);
     const Eigen::Affine3d pose = random.rigid(2), other = random.rigid(2);
     const double between = (pose.translation() - other.translation()).norm();
@@ -44,7 +45,7 @@ TEST(SolidDistance, OfBalls) {
 TEST(SolidDistance, OfBoxesOfEqualOrientation) {
   // FCL 0.7 is wrong by up to 0.58 m, on the side that is not safe.
   Random random(2);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < repetitions(20000); ++i) {
     const Eigen::Vector3d a = random.vector(1).cwiseAbs(), b = random.vector(1).cwiseAbs();
     const Eigen::Affine3d pose = i % 2 ? random.rigid(1) : kIdentity;
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
@@ -131,7 +132,7 @@ TEST(SolidDistance, OfPointsThatASolidSweeps) {
 TEST(SolidDistance, IsProvenByItsNormal) {
   Random random(6);
   const Solid kinds[] = {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder};
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     const Body a = solidBody(kinds[i % 3], random.vector(1).cwiseAbs(), random.affine(0.3));
     const bool is_aligned = i % 5 == 0;
     const Body b = solidBody(kinds[i / 3 % 3], random.vector(1).cwiseAbs(),

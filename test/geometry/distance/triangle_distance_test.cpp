@@ -7,6 +7,7 @@
 
 #include "testing/brute_force.h"
 #include "testing/distance_oracle.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -52,7 +53,7 @@ Triangle randomTriangle(brute_force::Random& random, double size) {
 
 TEST(TriangleDistance, OfRandomTriangles) {
   brute_force::Random random(1);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     const double size = random.magnitude(-6, 6);
     expectRight(randomTriangle(random, size), randomTriangle(random, size), size);
   }
@@ -60,14 +61,14 @@ TEST(TriangleDistance, OfRandomTriangles) {
 
 TEST(TriangleDistance, OfTrianglesThatShareCornersEdgesAndPlanes) {
   brute_force::Random random(2);
-  for (int i = 0; i < 200000; ++i)
+  for (int i = 0; i < repetitions(200000); ++i)
     expectRight(coarseTriangle(random), coarseTriangle(random), 1);
 }
 
 TEST(TriangleDistance, OfTouchingRightTrianglesOnOneLine) {
   // FCL's routine is off by up to 0.28 m for some of these.
   brute_force::Random random(3);
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < repetitions(50000); ++i) {
     const Eigen::Affine3d pose = random.rigid(1);
     const double along = random.uniform(0, 1);
     const Triangle a{pose * Eigen::Vector3d(0, 0, 0), pose * Eigen::Vector3d(1, 0, 0),
@@ -94,7 +95,7 @@ TEST(TriangleDistance, OfTheTwoTrianglesThatPqpGetsWrong) {
 
 TEST(TriangleDistance, OfSegmentsAndPoints) {
   brute_force::Random random(4);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     Triangle a = randomTriangle(random, 1), b = randomTriangle(random, 1);
     a[2] = i % 2 ? a[1] : Eigen::Vector3d(a[0] + random.uniform(-1, 2) * (a[1] - a[0]));
     if (i % 3 == 0) a[1] = a[2] = a[0];
@@ -107,7 +108,7 @@ TEST(TriangleDistance, OfSegmentsAndPoints) {
 
 TEST(TriangleDistance, OfNeedles) {
   brute_force::Random random(5);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     Triangle a = randomTriangle(random, 1), b = randomTriangle(random, 1);
     a[2] = a[0] + random.uniform(0, 1) * (a[1] - a[0]) + random.vector(random.magnitude(-14, -3));
     b[2] = b[1] + random.vector(random.magnitude(-14, -3));
@@ -117,7 +118,7 @@ TEST(TriangleDistance, OfNeedles) {
 
 TEST(TriangleDistance, OfNearlyParallelTriangles) {
   brute_force::Random random(6);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     const Triangle a = randomTriangle(random, 1);
     const Eigen::Vector3d shift = random.vector(random.magnitude(-9, 0));
     const double tilt = random.magnitude(-16, -3);

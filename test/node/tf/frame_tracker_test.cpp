@@ -8,11 +8,12 @@
 #include <memory>
 
 #include "testing/beside_tf2.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr int kHistories = 250;
+constexpr int kHistories = repetitions(250);
 constexpr int kMessages = 120;
 constexpr std::size_t kFollowed = 6;
 constexpr std::size_t kKept = 3;
