@@ -61,7 +61,7 @@ TEST(SolidDistance, OfBoxesOfEqualOrientation) {
 
 TEST(SolidDistance, OfABoxIsThatOfItsTrianglesOutside) {
   Random random(3);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < repetitions(5000); ++i) {
     const Eigen::Vector3d size = random.vector(1).cwiseAbs();
     MeshBody mesh, other;
     mesh.add(boxMesh(size));
@@ -85,7 +85,7 @@ TEST(SolidDistance, OfABoxIsThatOfItsTrianglesOutside) {
 
 TEST(SolidDistance, OfABallIsThatOfItsCentreLessTheRadius) {
   Random random(4);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < repetitions(5000); ++i) {
     const double radius = random.magnitude(-3, 0);
     MeshBody mesh;
     mesh.add(anyMesh(random, 0.3));
