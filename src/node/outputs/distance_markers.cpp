@@ -18,8 +18,8 @@ using visualization_msgs::Marker;
 constexpr char kNamespace[] = "link_bounds/distances";
 
 constexpr double kLineWidth = 0.004;     ///< [m]
-constexpr double kNearestWidth = 0.014;  ///< told from the others without colors, too [m]
-constexpr double kTextHeight = 0.06;     ///< [m]
+constexpr double kNearestWidth = 0.01;  ///< told from the others without colors, too [m]
+constexpr double kTextHeight = 0.05;     ///< [m]
 constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
 
 bool isDrawable(const Distance& distance) {
@@ -70,7 +70,7 @@ geometry_msgs::Point middleOf(const Distance& distance) {
   geometry_msgs::Point point;
   point.x = (distance.on_first.x + distance.on_second.x) / 2;
   point.y = (distance.on_first.y + distance.on_second.y) / 2;
-  point.z = (distance.on_first.z + distance.on_second.z) / 2 + kTextHeight;
+  point.z = (distance.on_first.z + distance.on_second.z) / 2 + 2 * kTextHeight;
   return point;
 }
 
