@@ -3,29 +3,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The consumers in README.md and doc/deployment.md work as they are."""
 import os
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 
-import rospkg
 import rostest
 from bounds_testing import wait_for
+from page_testing import code_block
 
-PACKAGE = rospkg.RosPack().get_path("link_bounds")
 BUILD_LIMIT = 240  # wall seconds for compiling thirty lines on a busy machine
 CPP = ("doc/deployment.md", "## A consumer in C++")
 PRINTED = "post up to 1"  # the post is 1 m high, and boxes are rounded outward
-
-
-def code_block(page, title, language):
-    """The first block of a language below a line of a page."""
-    with open(os.path.join(PACKAGE, page), encoding="utf-8") as file:
-        text = file.read()
-    below = text[text.index("\n" + title + "\n"):]
-    return re.search(r"^```%s\n(.*?)^```$" % language, below, re.DOTALL | re.MULTILINE).group(1)
 
 
 class ReadmeConsumers(unittest.TestCase):

@@ -1,7 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of README.md and doc/*.md."""
+"""The tables and the code of README.md and doc/*.md."""
+import pathlib
 import re
+
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+def code_block(page, title, language):
+    """The first block of a language below a line of a page."""
+    text = (PACKAGE / page).read_text('utf-8')
+    below = text[text.index('\n' + title + '\n'):]
+    return re.search(r'^```%s\n(.*?)^```$' % language, below, re.DOTALL | re.MULTILINE).group(1)
 
 
 def tables(text):
