@@ -116,7 +116,10 @@ class Search {
       return false;
     }
     for (NodePair& pair : near) {
-      lookAgain(pair);
+      if (steps_left_ > 0) {
+        --steps_left_;
+        lookAgain(pair);
+      }
       push(pair);
       empty();
     }
