@@ -7,6 +7,7 @@ Starts rviz with the fixed frame of a link_bounds_publisher, when its first mess
 link_bounds_publisher/boxes is there.
 """
 
+import contextlib
 import os
 import shutil
 import sys
@@ -27,7 +28,9 @@ def main():
         boxes = rospy.wait_for_message('link_bounds_publisher/boxes', AxisAlignedBoxArray)
     except rospy.ROSInterruptException:
         return  # a signal
-    rospy.signal_shutdown('rviz takes the place of this node')
+    # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks, after it has ended all.
+    with contextlib.suppress(AttributeError):
+        rospy.signal_shutdown('rviz takes the place of this node')
     os.execvp('rviz', ['rviz', *sys.argv[1:], '--fixed-frame', boxes.header.frame_id])
 
 
