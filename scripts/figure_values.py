@@ -58,6 +58,7 @@ TARGETS = {
     'distance_panda': 'us per update, mesh level, all pairs of the panda',
     'distance_pr2': 'us per update, mesh level, all pairs of the pr2',
     'distance_growth': 'us per pair, hull level, longest', 'distance_bytes': 'bytes per triangle',
+    'with_distances': 'p50, ours with ~distances / without',
     'relay': 'p50, ours / relay', 'usual_tf2_p50': 'p50, ours / usual_tf2',
     'answered': 'answered / sent'}
 

@@ -10,9 +10,9 @@
 namespace link_bounds {
 namespace {
 
-/// Pairs of tree nodes that one search may compare, 0.3 us each. Few pairs of two robot links need
-/// more than 2000.
-constexpr std::size_t kMaxSteps = 10'000;
+/// Pairs of tree nodes that one search may compare, about 1 us each. Links of public robots need
+/// fewer than 10,000; the limit bounds the time that hostile meshes take.
+constexpr std::size_t kMaxSteps = 100'000;
 
 const std::string& nameOf(const Snapshot& snapshot, const SnapshotBody& body) {
   return body.link ? snapshot.model->links[*body.link].name : body.object->bounded.name;

@@ -175,18 +175,19 @@ class Distances(unittest.TestCase):
         self.addCleanup(markers.subscriber.unregister)
         stamp = self.place(1.3)
         message = markers.wait(lambda m: m.markers[0].header.stamp == stamp, "a line")
-        lines, text = message.markers
-        self.assertEqual((lines.type, lines.action), (Marker.LINE_LIST, Marker.ADD))
+        lines, text, nearest = message.markers
         found = self.distances_at(stamp).distances[0]
-        self.assertEqual(lines.points, [found.on_first, found.on_second])
-        self.assertEqual(len(lines.colors), 2)
+        for line in (lines, nearest):
+            self.assertEqual((line.type, line.action), (Marker.LINE_LIST, Marker.ADD))
+            self.assertEqual(line.points, [found.on_first, found.on_second])
+            self.assertEqual(len(line.colors), 2)
         self.assertEqual(text.action, Marker.ADD)
         self.assertIn("0.30", text.text)
         stamp = self.place(3)
         message = markers.wait(lambda m: m.markers[0].header.stamp == stamp, "no line")
-        self.assertEqual([m.action for m in message.markers], [Marker.DELETE, Marker.DELETE])
+        self.assertEqual([m.action for m in message.markers], [Marker.DELETE] * 3)
         self.assertEqual([(m.ns, m.id) for m in message.markers],
-                         [(m.ns, m.id) for m in (lines, text)])
+                         [(m.ns, m.id) for m in (lines, text, nearest)])
 
     def test_diagnostics_and_warning(self):
         load(NODE, THREE, distance_limit=0.5, distance_warning=0.35)
