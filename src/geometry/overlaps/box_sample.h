@@ -26,7 +26,7 @@ class BoxSample {
   /// far away.
   template <class ValueOf>
   double median(ValueOf value_of) const {
-    std::array<double, kMaxSize> values;
+    std::array<double, kMaxSize> values{};
     std::transform(begin(), end(), values.begin(), [&](const Aabb* box) { return value_of(*box); });
     const auto middle = values.begin() + size_ / 2;
     std::nth_element(values.begin(), middle, values.begin() + size_);
