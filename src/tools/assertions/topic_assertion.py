@@ -19,6 +19,10 @@ import rospy
 PERIOD = 0.01  # wall s between two looks at the deadline
 REQUIRED = None  # the default of a parameter that has none
 
+# On Debian 11 rospy calls isAlive() of threads when it shuts down, which Python 3.9 lacks.
+if not hasattr(threading.Thread, 'isAlive'):
+    threading.Thread.isAlive = threading.Thread.is_alive
+
 
 class ParameterError(AssertionError):
     """A fault of the test itself: its parameters mean nothing."""
