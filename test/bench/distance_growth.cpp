@@ -11,7 +11,8 @@ namespace {
 
 /// Closed, of about `count` triangles.
 TriangleMesh ellipsoid(std::size_t count) {
-  const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / 4)));
+  const auto rows =
+      static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / 4)));
   const std::uint32_t columns = 2 * rows;
   TriangleMesh mesh;
   for (std::uint32_t i = 0; i <= rows; ++i) {

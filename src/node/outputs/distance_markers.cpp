@@ -18,7 +18,7 @@ using visualization_msgs::Marker;
 constexpr char kNamespace[] = "link_bounds/distances";
 
 constexpr double kLineWidth = 0.004;     ///< [m]
-constexpr double kNearestWidth = 0.01;  ///< told from the others without colors, too [m]
+constexpr double kNearestWidth = 0.01;   ///< told from the others without colors, too [m]
 constexpr double kTextHeight = 0.05;     ///< [m]
 constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
 
