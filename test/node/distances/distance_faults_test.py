@@ -95,6 +95,25 @@ class DistanceFaults(unittest.TestCase):
         self.assertGreater(found.distance, 0.45)
         self.assertEqual(node.output.count("max_mesh_bytes"), 1, node.output)
 
+    def test_a_mesh_that_was_replaced_counts_as_its_hull_until_a_reload(self):
+        path = self.folder / "slivers.stl"
+        write_slivers(path, 1000)
+        node = self.start(mesh_robot(path), distance_limit=1.0)
+        diagnostics = Diagnostics(node.name)
+        write_slivers(path, 1000, size=0.9)
+        distances = self.listen(node)
+        self.place(2.5)
+        diagnostics.wait_for_new(
+            lambda _, s: "was replaced" in value_of(s, "without triangles"), "a reason")
+        found = distances.wait_newest(lambda m: m.distances, "a pair").distances[0]
+        self.assertEqual(found.level, Distance.HULL)
+        self.assertAlmostEqual(found.distance, 0.5, delta=0.05)
+        load(node.name, distance_limit=1.0)
+        diagnostics.wait_for_new(lambda _, s: value_of(s, "without triangles") == "none", "no reason")
+        found = distances.wait_newest(lambda m: m.distances and m.distances[0].distance > 0.65,
+                                      "the new mesh").distances[0]
+        self.assertLessEqual(found.distance, 0.75)
+
     def test_boxes_go_on_beside_slivers(self):
         """While their trees are made, and while their distances are computed."""
         path = self.folder / "slivers.stl"

@@ -8,7 +8,8 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Pose, Recorder, TfSender, box_link, load, robot, transform, turn, wait_for
+from bounds_testing import (Pose, Recorder, TfSender, box_link, load, robot, transform, turn,
+                            wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
 from link_bounds.msg import Distance, DistanceArray
 from node_testing import NODE, Diagnostics, value_of
@@ -71,7 +72,7 @@ class Distances(unittest.TestCase):
                                distance.distance_max, delta=1e-9)
 
     def test_two_boxes(self):
-        for x, degrees, y, expected in ((1.3, 0, 0, 0.3), (1.25, 45, 0, 1.25 - 0.5 - 0.5 * 2 ** 0.5),
+        for x, degrees, y, expected in ((1.3, 0, 0, 0.3), (1.25, 45, 0, 0.75 - 0.5 ** 0.5),
                                         (1.3, 0, 1.4, 0.5), (1.0, 0, 0, 0), (0.2, 10, 0, 0)):
             stamp = self.place(x, degrees, y)
             message = self.distances_at(stamp)
@@ -217,7 +218,8 @@ class Distances(unittest.TestCase):
             self.distances.clear()
             self.objects.send(*(
                 marker("row/%d" % i,
-                       scale=(0.45, 0.45, 0.45), pose=Pose((0.5 * i, 5, 0), turn((0, 0, 1), turned)))
+                       scale=(0.45, 0.45, 0.45),
+                       pose=Pose((0.5 * i, 5, 0), turn((0, 0, 1), turned)))
                 for i in range(MANY)))
             message = self.distances.wait(lambda m: len(m.distances) == MANY - 1, "all")
             for i, found in enumerate(message.distances):
