@@ -109,7 +109,7 @@ class DistanceFaults(unittest.TestCase):
         self.assertEqual(found.level, Distance.HULL)
         self.assertAlmostEqual(found.distance, 0.5, delta=0.05)
         load(node.name, distance_limit=1.0)
-        diagnostics.wait_for_new(lambda _, s: value_of(s, "without triangles") == "none", "no reason")
+        diagnostics.wait_for_new(lambda _, s: value_of(s, "without triangles") == "none", "none")
         found = distances.wait_newest(lambda m: m.distances and m.distances[0].distance > 0.65,
                                       "the new mesh").distances[0]
         self.assertLessEqual(found.distance, 0.75)
