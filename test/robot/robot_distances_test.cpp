@@ -100,7 +100,7 @@ void compareModel(const Model& model, Tally& tally) {
       counts.back() += static_cast<double>(mesh.triangles.size());
     if (counts.back() > 0) distances.set(i, std::make_shared<Body>(model.links[i].body));
   }
-  const double most = tally.triangles + kComparisons / (kIsSanitized ? 10 : 1);
+  const double most = tally.triangles + kComparisons / (kIsSanitized ? 100 : 1);
   for (int k = 0; k < kPoses && tally.triangles < most; ++k) {
     const auto poses = randomPoses(model.robot, random);
     for (std::size_t i = 0; i < poses.size(); ++i)

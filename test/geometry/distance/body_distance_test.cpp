@@ -96,7 +96,7 @@ TEST(BodyDistance, OfRandomMeshes) {
 
 TEST(BodyDistance, OfMeshesThatNearlyTouch) {
   Random random(2);
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < repetitions(600); ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const Eigen::Affine3d pose = random.rigid(0.5);
     Eigen::Affine3d other = random.rigid(0.5);
@@ -111,7 +111,7 @@ TEST(BodyDistance, OfMeshesThatNearlyTouch) {
 
 TEST(BodyDistance, OfOneBodyAndItself) {
   Random random(3);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < repetitions(500); ++i) {
     const MeshBody body = anyBody(random, 0.3);
     const Eigen::Affine3d pose = random.rigid(0.5);
     expectBounds(body, pose, body, pose, {}, 1);
@@ -123,7 +123,7 @@ TEST(BodyDistance, OfOneBodyAndItself) {
 
 TEST(BodyDistance, OfMirroredStretchedAndSeveralMeshes) {
   Random random(4);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < repetitions(200); ++i) {
     MeshBody a, b;
     for (int j = 0; j < 1 + i % 3; ++j) {
       Eigen::Affine3d small = random.affine(0.5);
@@ -138,7 +138,7 @@ TEST(BodyDistance, OfMirroredStretchedAndSeveralMeshes) {
 
 TEST(BodyDistance, FarFromTheOriginOfTheWorld) {
   Random random(5);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < repetitions(500); ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const Eigen::Vector3d far_away = random.magnitude(3, 5) * random.vector(1);
     Eigen::Affine3d pose = random.rigid(0.5), other = random.rigid(0.5);
@@ -150,7 +150,7 @@ TEST(BodyDistance, FarFromTheOriginOfTheWorld) {
 
 TEST(BodyDistance, OfMeshesFarFromTheirOwnOrigin) {
   Random random(6);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < repetitions(500); ++i) {
     const Eigen::Vector3d far_away = 1e3 * random.vector(1);
     MeshBody a, b;
     a.add(meshOf(random.points(60, 0.3, far_away)));
@@ -163,7 +163,7 @@ TEST(BodyDistance, OfMeshesFarFromTheirOwnOrigin) {
 
 TEST(BodyDistance, OfTinyAndHugeMeshes) {
   Random random(7);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < repetitions(2000); ++i) {
     const double size = random.magnitude(-12, 12);
     const MeshBody a = anyBody(random, size), b = anyBody(random, size);
     expectBounds(a, random.rigid(2 * size), b, random.rigid(2 * size), {1e-4 * size}, size);
@@ -175,7 +175,7 @@ TEST(BodyDistance, OfNestedMeshesIsThatOfTheirSurfaces) {
   MeshBody shell, core;
   shell.add(boxMesh({2, 2, 2}));
   core.add(boxMesh({1, 1, 1}));
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < repetitions(1000); ++i)
     expectBounds(shell, random.rigid(0.1), core, random.rigid(0.1), {}, 1);
   const Eigen::Affine3d still = Eigen::Affine3d::Identity();
   EXPECT_NEAR(bodyDistance(shell.body, still, core.body, still)->upper, 0.5, 1e-9);
@@ -203,7 +203,7 @@ TEST(BodyDistance, OfParallelPlates) {
 
 TEST(BodyDistance, EndsAtTheLimit) {
   Random random(10);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < repetitions(2000); ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const double limit = random.magnitude(-3, 0);
     expectBounds(a, random.rigid(0.5), b, random.rigid(0.5), {1e-4, limit}, 1);
@@ -212,7 +212,7 @@ TEST(BodyDistance, EndsAtTheLimit) {
 
 TEST(BodyDistance, AtALimitOfZeroTellsWhatMayTouch) {
   Random random(14);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < repetitions(2000); ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const Eigen::Affine3d pose = random.rigid(0.3), other = random.rigid(0.3);
     const auto exact = distance_oracle::distance(a.placed(pose), b.placed(other));
@@ -226,7 +226,7 @@ TEST(BodyDistance, AtALimitOfZeroTellsWhatMayTouch) {
 
 TEST(BodyDistance, HoldsWhereStepsRunOut) {
   Random random(11);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < repetitions(500); ++i) {
     const MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const Eigen::Affine3d pose = random.rigid(0.3), other = random.rigid(0.3);
     const auto steps = static_cast<std::size_t>(random.magnitude(0, 2)) - 1;
@@ -240,7 +240,7 @@ TEST(BodyDistance, HoldsWhereStepsRunOut) {
 
 TEST(BodyDistance, WithoutTrianglesIsThatOfTheHulls) {
   Random random(12);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < repetitions(1500); ++i) {
     MeshBody a = anyBody(random, 0.3), b = anyBody(random, 0.3);
     const Eigen::Affine3d pose = random.rigid(0.5), other = random.rigid(0.5);
     const auto first = a.placed(pose), second = b.placed(other);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "testing/distance_bodies.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -71,7 +72,7 @@ void change(Twin& twin, std::size_t i, Random& random, BodyDistances& distances)
 
 TEST(BodyDistances, AgreeWithAComputationWithoutMemory) {
   Random random(1);
-  for (int sequence = 0; sequence < 10; ++sequence) {
+  for (int sequence = 0; sequence < repetitions(10); ++sequence) {
     DistanceGoal goal{random.magnitude(-5, -2),
                       random.sign() > 0 ? kInfinity : random.magnitude(-2, 0)};
     BodyDistances distances(goal);
@@ -125,7 +126,7 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
   for (std::size_t i = 0; i < 2; ++i)
     distances.set(i, twins[i].body);
   const Eigen::Vector3d axis = random.vector(1).normalized();
-  for (int step = 0; step < 100; ++step) {
+  for (int step = 0; step < (kIsSanitized ? 70 : 100); ++step) {
     Eigen::Affine3d& pose = *twins[1].pose;
     pose.rotate(Eigen::AngleAxisd(random.magnitude(-4, -1.5), axis));
     pose.translation() += random.vector(random.magnitude(-5, -2.5));

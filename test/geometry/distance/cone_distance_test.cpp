@@ -5,6 +5,7 @@
 
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -40,7 +41,7 @@ constexpr int kKinds = 10;
 
 TEST(ConeDistance, IsProvenByItsNormal) {
   Random random(1);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < repetitions(100000); ++i) {
     const Body cone = anyCone(random, i % kKinds, i % 3 ? random.rigid(0.3) : random.affine(0.3));
     const Solid kinds[] = {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder};
     Body other = anyCone(random, i / kKinds % kKinds, random.rigid(0.3));
@@ -91,7 +92,7 @@ TEST(ConeDistance, OfAConeAndAMeshIsThatOfPyramidsInAndAroundTheCone) {
   constexpr std::uint32_t kSides = 128;
   constexpr double kFloat = 1e-6;  // the pyramids are rounded to float
   Random random(2);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < repetitions(200); ++i) {
     const double radius = random.magnitude(-2, 0);
     Eigen::Vector3d tip(0, 0, random.sign() * random.magnitude(-2, 0));
     if (i % 2) tip.head<2>() = random.vector(1).head<2>();
@@ -122,7 +123,7 @@ TEST(ConeDistance, IsProvenWhereTheTipIsFarAway) {
   // Rounding grows with the distance of the tip, also for what is near the disc.
   Random random(3);
   const Body ball{{{{nullptr, Solid::kEllipsoid, {0.1, 0.1, 0.1}}}}};
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < repetitions(2000); ++i) {
     const Eigen::Vector3d tip = random.vector(1e6);
     const Body cone = withTip(Solid::kCylinder, {0.1, 0.1, 0}, tip);
     const Eigen::Affine3d pose = random.rigid(1);

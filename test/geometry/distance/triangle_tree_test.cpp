@@ -9,6 +9,7 @@
 
 #include "testing/distance_bodies.h"
 #include "testing/part_meshes.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -69,7 +70,7 @@ void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random)
 
 TEST(TriangleTree, HoldsTrianglesOfAnyKind) {
   Random random(1);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < repetitions(300); ++i) {
     const TriangleMesh mesh = anyMesh(random, random.magnitude(-20, 20));
     expectTree(*triangleTree(mesh), mesh.triangles.size(), random);
   }
@@ -77,7 +78,7 @@ TEST(TriangleTree, HoldsTrianglesOfAnyKind) {
 
 TEST(TriangleTree, TakesNoMoreMemoryThanTheMax) {
   Random random(3);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < repetitions(100); ++i) {
     const TriangleMesh mesh = anyMesh(random, 1);
     EXPECT_LE(bytes(*triangleTree(mesh)), maxTreeBytes(mesh));
   }
@@ -98,7 +99,7 @@ TEST(TriangleTree, TakesNoMoreMemoryThanTheMax) {
 TEST(TriangleTree, HoldsTrianglesThatASolidSweeps) {
   Random random(2);
   for (const Solid solid : {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder}) {
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < repetitions(100); ++i) {
       const TriangleMesh mesh = anyMesh(random, 1);
       std::vector<Eigen::Vector3d> vertices;
       for (const Eigen::Vector3f& vertex : mesh.vertices)
@@ -160,7 +161,7 @@ TEST(BodyDistance, OfPosesOfAnySizeIsProven) {
   Random random(4);
   MeshBody body;
   body.add(boxMesh({1, 1, 1}));
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < repetitions(5000); ++i) {
     const double size = random.magnitude(i % 2 ? -300 : -20, 25);
     Eigen::Affine3d pose = random.rigid(0), other = random.affine(0);
     pose.linear() *= size;
