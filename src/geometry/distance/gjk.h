@@ -31,7 +31,7 @@ struct GjkResult {
 constexpr double kShortest = 1e-140;
 
 /// A step that does not bring the simplex nearer by this part has met the limit of rounding.
-constexpr double kLeastProgress = 1e-13;
+constexpr double kMinProgress = 1e-13;
 
 /// Every direction that the iteration tries bounds the distance from below, whatever becomes of the
 /// iteration: the sets cannot be nearer than their supports along that direction are. The best
@@ -67,7 +67,7 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
     const double before = result.upper;
     result.upper = std::min(before, nearest.norm());
     if (result.upper <= goal.too_near || simplex.size() == 4) break;
-    if (!(result.upper < before * (1 - kLeastProgress))) break;
+    if (!(result.upper < before * (1 - kMinProgress))) break;
   }
   return result;
 }

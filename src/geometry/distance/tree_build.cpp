@@ -67,7 +67,7 @@ class Builder {
     return result;
   }
 
-  /// The axes of least and most variance of the area, as Gottschalk, Lin and Manocha (1996) take
+  /// The axes of min and max variance of the area, as Gottschalk, Lin and Manocha (1996) take
   /// them.
   Axes principalAxes(const Range& range) const {
     const Eigen::Vector3d origin = tree_.corners(range.begin)[0];

@@ -33,7 +33,7 @@ struct TreeNode {
 /// A leaf has no more triangles.
 constexpr std::size_t kTrianglesPerLeaf = 8;
 
-/// Nodes of at most so many triangles are small: their hulls are compared.
+/// A node with up to this many triangles is small: the search also compares the hulls of two.
 constexpr std::uint32_t kSmallNode = 64;
 
 class TriangleTree {

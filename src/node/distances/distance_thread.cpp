@@ -20,9 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kTick(50);
 
-/// How long trees are kept without a subscriber: rostopic echo -n1 may come back.
-constexpr std::chrono::seconds kKeep(10);
-
 /// Where cores are scarce, the scheduler prefers the other threads, which publish boxes.
 constexpr int kNiceness = 10;
 
@@ -33,8 +30,10 @@ void becomeNice() {
 
 }  // namespace
 
-DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks)
+DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks,
+                               std::chrono::milliseconds keep)
     : callbacks_(std::move(callbacks)),
+      keep_(keep),
       distances_(requests),
       requests_(std::move(requests)),
       thread_(startThread("distances", [this] { run(); })) {}
@@ -79,7 +78,17 @@ std::vector<std::string> DistanceThread::errors() const {
 void DistanceThread::run() {
   becomeNice();
   while (!stops_) {
-    guarded([this] { work(next()); });
+    guarded([this] { workSafely(); });
+  }
+}
+
+/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted.
+void DistanceThread::workSafely() {
+  try {
+    work(next());
+  } catch (...) {
+    forget();
+    throw;
   }
 }
 
@@ -124,7 +133,10 @@ void DistanceThread::compute() {
 
 void DistanceThread::forgetIfUnwanted() {
   if (callbacks_.is_wanted()) last_wanted_ = Clock::now();
-  if (!current_ || Clock::now() - last_wanted_ < kKeep) return;
+  if (current_ && Clock::now() - last_wanted_ >= keep_) forget();
+}
+
+void DistanceThread::forget() {
   distances_ = SceneDistances(requests_);
   current_ = nullptr;
 }

@@ -29,11 +29,13 @@ class DistanceThread {
   struct Callbacks {
     std::function<void(const ComputedDistances&)> publish;
     std::function<void()> tick;       ///< every 50 ms while there is a snapshot
-    std::function<bool()> is_wanted;  ///< else everything is forgotten after a while
+    std::function<bool()> is_wanted;  ///< else everything is forgotten after `keep`
   };
 
-  /// Throws std::runtime_error if the thread cannot be started.
-  DistanceThread(TreeRequests requests, Callbacks callbacks);
+  /// `keep` is long enough for the next rostopic echo -n1 to find the trees. Throws
+  /// std::runtime_error if the thread cannot be started.
+  DistanceThread(TreeRequests requests, Callbacks callbacks,
+                 std::chrono::milliseconds keep = std::chrono::seconds(10));
   ~DistanceThread() { stop(); }
   DistanceThread(const DistanceThread&) = delete;
   DistanceThread& operator=(const DistanceThread&) = delete;
@@ -66,12 +68,15 @@ class DistanceThread {
   };
 
   void run();
+  void workSafely();
   Inbox next();
   void work(Inbox inbox);
   void compute();
   void forgetIfUnwanted();
+  void forget();
 
   Callbacks callbacks_;
+  std::chrono::milliseconds keep_;
   SceneDistances distances_;                 ///< this and the next two: of the thread alone
   std::shared_ptr<const Snapshot> current_;  ///< the newest one
   std::chrono::steady_clock::time_point last_wanted_;

@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// A tree takes about 1.5 us per triangle to build, a message at 100 Hz comes every 10 ms.
+/// Building a tree takes about 1.5 us per triangle, so only a list that stays gets one.
 constexpr std::chrono::milliseconds kSettled(500);
 
 }  // namespace
