@@ -3,7 +3,6 @@
 // Loads robots with the triangles of their meshes, and moves their joints.
 #include "distance_robots.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
+#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -154,13 +154,7 @@ std::vector<DistanceRobot> distanceRobots(const std::string& data_folder,
     return result;
   }
   const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
-  std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const bool is_model = fs::relative(entry.path(), folder).string().rfind("stanford", 0) == 0;
-    if (entry.path().extension() == ".urdf" && !is_model) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  for (const fs::path& path : paths)
+  for (const fs::path& path : robotFiles(folder))
     read(path, [&folder](const std::string& name) { return (folder / name).string(); });
   return result;
 }

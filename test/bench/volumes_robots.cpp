@@ -3,11 +3,12 @@
 // Loaded as the node loads them.
 #include "volumes_robots.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <sstream>
+
+#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -53,14 +54,8 @@ std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
         demo, [&package](const std::string&) { return package.string(); }, notes)};
   }
   const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
-  std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const bool is_model = fs::relative(entry.path(), folder).string().rfind("stanford", 0) == 0;
-    if (entry.path().extension() == ".urdf" && !is_model) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
   std::vector<MeasuredRobot> result;
-  for (const fs::path& path : paths) {
+  for (const fs::path& path : robotFiles(folder)) {
     const auto package_path = [&folder](const std::string& name) {
       return (folder / name).string();
     };

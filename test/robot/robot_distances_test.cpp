@@ -16,6 +16,7 @@
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/distance_bodies.h"
+#include "testing/robot_files.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -145,10 +146,8 @@ TEST(RobotDistances, OfPublicRobots) {
   const char* data = std::getenv("LINK_BOUNDS_DATA");
   if (!data) GTEST_SKIP() << "skipped: links of public robots: LINK_BOUNDS_DATA is not set";
   const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const bool is_model = fs::relative(entry.path(), folder).string().rfind("stanford", 0) == 0;
-    if (entry.path().extension() != ".urdf" || is_model) continue;
-    compareRobot(entry.path(), [&](const std::string& name) { return (folder / name).string(); });
+  for (const fs::path& path : robotFiles(folder)) {
+    compareRobot(path, [&](const std::string& name) { return (folder / name).string(); });
     if (HasFatalFailure()) return;
   }
 }
