@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """After meshes, reloads and listeners only ports and files that ROS needs are open in the node."""
+import contextlib
 import os
 import pathlib
 import re
@@ -49,8 +50,13 @@ class Process:
         self._folder = "/proc/%d/" % pid
 
     def open_files(self):
+        """Without those that the process closes while this reads."""
+        files = []
         folder = self._folder + "fd/"
-        return [os.readlink(folder + number) for number in os.listdir(folder)]
+        for number in os.listdir(folder):
+            with contextlib.suppress(FileNotFoundError):
+                files.append(os.readlink(folder + number))
+        return files
 
     def _sockets(self, kind, inode_column):
         with open(self._folder + "net/" + kind, encoding="utf-8") as file:
