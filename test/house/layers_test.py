@@ -16,7 +16,7 @@ ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes
          'packages', 'ros', 'text',
          'node/names', 'node/log', 'node/clock', 'node/threads', 'node/memory', 'node/master',
          'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/distances',
-         'node/outputs', 'node/diagnostics', 'node/interface', 'node',
+         'node/history', 'node/outputs', 'node/diagnostics', 'node/interface', 'node',
          'tools/text', 'tools/urdf_bounds', 'tools/mesh_worker']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Folders of test that are no rooms, and folders of tests that look at the node as a whole.

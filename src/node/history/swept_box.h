@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The box that a link never leaves during its motion.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "link_bounds/geometry/shape/bounded_link.h"
+#include "node/tf/transform_buffer.h"
+
+namespace link_bounds {
+
+/// Both ends count [ns of ROS time], begin <= end.
+struct MotionSpan {
+  std::int64_t begin;
+  std::int64_t end;
+};
+
+struct SweptBox {
+  std::optional<Aabb> box;  ///< in the target frame, padded as linkBox() does it
+  std::string problem;      ///< why there is no box, in words; "" if there is one
+};
+
+/// A box that contains the link's box in each pose that tf2 gives for the frame `source` in the
+/// frame `target` at a time of the span, interpolated or not. Its size exceeds the union of those
+/// boxes by at most 1 mm + 1 %.
+///
+/// There is no box if tf does not know the whole motion: if a history does not cover the span, if
+/// an edge between the frames changes its parent meanwhile, if two samples that follow each other
+/// are further apart than `timeout` (seconds; 0: they may be), or if a pose is not finite.
+SweptBox sweptBox(const TransformBuffer& tf, TransformBuffer::Frame target,
+                  TransformBuffer::Frame source, MotionSpan span, const BoundedLink& link,
+                  double timeout);
+
+}  // namespace link_bounds
