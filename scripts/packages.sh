@@ -8,7 +8,8 @@ packages_of() {
   case $1 in
     build)
       echo g++ make cmake pkg-config catkin \
-        libassimp-dev libconsole-bridge-dev libeigen3-dev libtinyxml2-dev liburdfdom-dev \
+        libassimp-dev libbz2-dev libconsole-bridge-dev libeigen3-dev liblz4-dev libtinyxml2-dev \
+        liburdfdom-dev \
         libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
         libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \

@@ -9,7 +9,7 @@ import sys
 from xml.etree import ElementTree
 
 # Debian's names for a key of rosdep, and a package whose name follows none of these forms.
-OTHER_NAMES = {'eigen': 'libeigen3-dev'}
+OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev'}
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
 GROUPS = 'build run test display link'
 

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/bag_bounds/bag/bag_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "tools/bag_bounds/bag/chunk.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::string_view kVersionLine = "#ROSBAG V2.0\n";
+constexpr int kMaxLosses = 20;                   // lines for one file
+constexpr std::size_t kMaxNamesSize = 16 << 20;  // bytes
+constexpr std::uint64_t kNextHeaderSize = 512;   // bytes, typical
+const char* const kCopyAgain = "; copy it again from where it was recorded";
+
+std::string bytesText(std::uint64_t begin, std::uint64_t end) {
+  return "bytes " + std::to_string(begin) + " to " + std::to_string(end);
+}
+
+// Whether a record can begin here. If not, the one before may have a wrong length.
+bool canFollow(Bytes& bytes, std::uint64_t position) {
+  Record ignored;
+  return position == bytes.size() || readRecord(bytes, position, ignored) != RecordState::kDamaged;
+}
+
+}  // namespace
+
+BagFile::BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
+                 const std::set<std::string>& topics, std::vector<std::string>& losses)
+    : name_(name), bytes_(std::move(bytes)), topics_(topics), losses_(losses) {
+  readVersion();
+  readBagHeader();
+}
+
+void BagFile::readVersion() {
+  if (bytes_->size() == 0) throw std::runtime_error(name_ + ": is empty; record it again");
+  const std::size_t size = std::min<std::uint64_t>(kVersionLine.size(), bytes_->size());
+  const std::uint8_t* const begin = bytes_->at(0, size);
+  if (!begin) throw std::runtime_error(name_ + ": cannot be read");
+  const std::string_view line(reinterpret_cast<const char*>(begin), size);
+  if (line.substr(0, 9) == "#ROSBAG V" && line != kVersionLine && size == kVersionLine.size())
+    throw std::runtime_error(name_ + ": is a bag of version " + std::string(line.substr(9, 3)) +
+                             ", not 2.0; convert it: rosbag filter OLD.bag NEW.bag True");
+  if (line != kVersionLine)
+    throw std::runtime_error(name_ + ": is not a bag: its first line is not #ROSBAG V2.0");
+  position_ = size;
+}
+
+void BagFile::readBagHeader() {
+  Record record;
+  if (readRecord(*bytes_, position_, record) != RecordState::kGood ||
+      record.op != RecordOp::kBagHeader) {
+    return;
+  }
+  if (!record.encryptor.empty() && record.encryptor != "rosbag/NoEncryptor")
+    throw std::runtime_error(name_ + ": is encrypted; decrypt it: rosbag decrypt FILE.bag");
+  has_header_ = true;
+  index_position_ = record.index_position;
+  chunk_count_ = record.chunk_count;
+  position_ = record.end();
+}
+
+bool BagFile::next(BagMessage& message) {
+  while (!is_at_end_)
+    if (step(message)) return true;
+  return false;
+}
+
+// Reads one record. Whether it is a message that is wanted.
+bool BagFile::step(BagMessage& message) {
+  const bool in_chunk = !chunk_.data.empty();
+  Bytes& bytes = in_chunk ? static_cast<Bytes&>(chunk_) : *bytes_;
+  std::uint64_t& position = in_chunk ? chunk_position_ : position_;
+  Record record;
+  bool is_message = false;
+  if (position >= bytes.size()) {
+    if (in_chunk) {
+      chunk_.data.clear();
+    } else {
+      endOfFile();
+    }
+  } else {
+    const RecordState state = readRecord(bytes, position, record);
+    if (state != RecordState::kGood || !handle(bytes, record, message, is_message))
+      in_chunk ? leaveDamagedChunk() : skipDamage("are damaged", state == RecordState::kCut);
+  }
+  return is_message;
+}
+
+// Goes on to the next record. False if this one is damaged.
+bool BagFile::handle(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message) {
+  const bool in_chunk = &bytes == &chunk_;
+  if (record.op == RecordOp::kChunk) {
+    if (in_chunk) return false;
+    openChunk(record);
+    return true;
+  }
+  if (record.op == RecordOp::kMessage && !handleMessage(bytes, record, message, is_message))
+    return false;
+  if (record.op == RecordOp::kConnection && !announce(bytes, record)) return false;
+  (in_chunk ? chunk_position_ : position_) = record.end();
+  return true;
+}
+
+bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& message,
+                            bool& is_message) {
+  const Connection* const connection = findConnection(record.connection);
+  if (!connection) ++unannounced_;
+  if (!connection || !connection->is_wanted) return true;
+  if (record.data_size > kMaxChunkSize) {
+    lose(bytesText(position_, record.end()) + " are one message that is too large to be read");
+    return true;
+  }
+  // One block for both, because a file has only one in memory.
+  bytes.at(record.data,
+           std::min<std::uint64_t>(record.data_size + kNextHeaderSize, bytes.size() - record.data));
+  if (!canFollow(bytes, record.end())) return false;
+  message.data = bytes.at(record.data, record.data_size);
+  if (!message.data) return false;
+  message.size = record.data_size;
+  message.time = record.time;
+  message.topic = &connection->topic;
+  message.type = &connection->type;
+  message.publisher = &connection->publisher;
+  is_message = true;
+  return true;
+}
+
+const BagFile::Connection* BagFile::findConnection(std::uint32_t number) {
+  auto found = connections_.find(number);
+  if (found == connections_.end()) {
+    announceFromIndex();
+    found = connections_.find(number);
+  }
+  return found == connections_.end() ? nullptr : &found->second;
+}
+
+// The index at the end of the file announces all connections again.
+void BagFile::announceFromIndex() {
+  if (has_read_index_ || index_position_ == 0) return;
+  has_read_index_ = true;
+  Record record;
+  std::uint64_t position = index_position_;
+  while (readRecord(*bytes_, position, record) == RecordState::kGood &&
+         record.op == RecordOp::kConnection && announce(*bytes_, record)) {
+    position = record.end();
+  }
+}
+
+// False if the record is damaged. Where a number is announced again, it is the same connection.
+bool BagFile::announce(Bytes& bytes, const Record& record) {
+  if (connections_.count(record.connection)) return true;
+  Connection connection;
+  connection.topic = record.topic;
+  connection.is_wanted = topics_.empty() || topics_.count(connection.topic);
+  if (record.data_size > kMaxChunkSize) return false;
+  const std::uint8_t* const data = bytes.at(record.data, record.data_size);
+  ConnectionHeader header;
+  if (!data || !readConnectionHeader(data, record.data_size, header)) return false;
+  connection.type = header.type;
+  connection.publisher = header.publisher;
+  names_size_ += sizeof connection + connection.topic.size() + connection.type.size() +
+                 connection.publisher.size();
+  if (names_size_ > kMaxNamesSize) return false;
+  connections_.emplace(record.connection, std::move(connection));
+  return true;
+}
+
+// Lengths in the header of the chunk are not used: its recorder writes them last, and compressed
+// data says itself where it ends.
+void BagFile::openChunk(const Record& record) {
+  ++chunks_;
+  is_compressed_ = record.compression != "none";
+  if (!is_compressed_) {
+    position_ = record.data;
+    return;
+  }
+  const std::string compression(record.compression);
+  const ChunkData chunk = decompress(compression, *bytes_, record.data, chunk_.data);
+  chunk_position_ = 0;
+  is_chunk_cut_ = false;
+  switch (chunk.state) {
+    case ChunkState::kGood:
+      position_ = record.data + chunk.consumed;
+      return;
+    case ChunkState::kCut:
+      skipDamage("are a damaged chunk", true);
+      is_chunk_cut_ = position_ == bytes_->size();
+      if (!is_chunk_cut_) chunk_.data.clear();
+      return;
+    case ChunkState::kDamaged:
+      return skipDamage("are a chunk with damaged " + compression + " data", false);
+    case ChunkState::kTooLarge:
+      return skipDamage("are a chunk that is too large", false);
+    case ChunkState::kUnknownCompression:
+      return skipDamage("are a chunk of an unknown compression", false);
+  }
+}
+
+void BagFile::leaveDamagedChunk() {
+  chunk_.data.clear();
+  if (!is_chunk_cut_)
+    lose("the chunk before byte " + std::to_string(position_) +
+         " is damaged: messages are missing" + kCopyAgain);
+}
+
+// A record that does not fit into the file has a wrong length if another one comes after it.
+void BagFile::skipDamage(const std::string& what, bool is_cut) {
+  const std::uint64_t begin = position_;
+  position_ = findRecord(*bytes_, begin + 1, is_compressed_);
+  if (is_cut && position_ == bytes_->size()) {
+    loseRest(begin);
+  } else {
+    lose(bytesText(begin, position_) + " " + what + ": messages are missing" + kCopyAgain);
+  }
+}
+
+// The index needs not be complete: no message is missing then.
+void BagFile::loseRest(std::uint64_t begin) {
+  position_ = bytes_->size();
+  if (index_position_ == 0 || begin < index_position_)
+    lose("was cut at byte " + std::to_string(position_) + ": messages are missing" + kCopyAgain);
+}
+
+void BagFile::endOfFile() {
+  is_at_end_ = true;
+  if (unannounced_ > 0)
+    lose(std::to_string(unannounced_) + " messages have no topic, because its record is lost" +
+         kCopyAgain);
+  if (loss_count_ > 0 || !has_header_) return;
+  if (index_position_ == 0)
+    lose(
+        "was not closed by its recorder: its last messages may be missing; end rosbag record with "
+        "Ctrl-C and wait for it");
+  else if (index_position_ > bytes_->size() || chunks_ < chunk_count_)
+    lose("was cut at byte " + std::to_string(bytes_->size()) + ": messages are missing" +
+         kCopyAgain);
+}
+
+void BagFile::lose(const std::string& what) {
+  if (++loss_count_ <= kMaxLosses) losses_.push_back(name_ + ": " + what);
+  if (loss_count_ == kMaxLosses + 1) losses_.push_back(name_ + ": has more damage; not listed");
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The messages of one bag, read from its begin to its end.
+//
+// Of uncompressed chunks only the records inside are read: their own header is not needed, so that
+// one that was never completed does not matter. A compressed chunk is decompressed into memory.
+// After damage, reading goes on at the next record.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "tools/bag_bounds/bag/bag_reader.h"
+#include "tools/bag_bounds/bag/bytes.h"
+#include "tools/bag_bounds/bag/record.h"
+
+namespace link_bounds {
+
+class BagFile {
+ public:
+  /// `name` is for messages. Throws std::runtime_error if these are not the bytes of a bag that can
+  /// be read. What it refers to must outlive it.
+  BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
+          const std::set<std::string>& topics, std::vector<std::string>& losses);
+
+  /// The next message; false after the last one.
+  bool next(BagMessage& message);
+
+  std::uint64_t position() const { return position_; }
+  std::uint64_t size() const { return bytes_->size(); }
+
+ private:
+  struct Connection {
+    std::string topic;
+    std::string type;
+    std::string publisher;
+    bool is_wanted;
+  };
+
+  void readVersion();
+  void readBagHeader();
+  bool step(BagMessage& message);
+  bool handle(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
+  bool handleMessage(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
+  const Connection* findConnection(std::uint32_t number);
+  bool announce(Bytes& bytes, const Record& record);
+  void announceFromIndex();
+  void openChunk(const Record& record);
+  void leaveDamagedChunk();
+  void skipDamage(const std::string& what, bool is_cut);
+  void loseRest(std::uint64_t begin);
+  void endOfFile();
+  void lose(const std::string& what);
+
+  std::string name_;
+  std::unique_ptr<Bytes> bytes_;
+  const std::set<std::string>& topics_;
+  std::vector<std::string>& losses_;
+  int loss_count_ = 0;
+  std::uint64_t position_ = 0;  ///< in the file
+  bool is_at_end_ = false;
+  MemoryBytes chunk_;  ///< the current one, decompressed; empty if there is none
+  std::uint64_t chunk_position_ = 0;
+  bool is_chunk_cut_ = false;
+  bool is_compressed_ = true;  ///< the last chunk was, or there was none yet
+  std::unordered_map<std::uint32_t, Connection> connections_;
+  std::size_t names_size_ = 0;        ///< of all connections [bytes]
+  std::uint64_t unannounced_ = 0;     ///< messages of connections that the bag does not announce
+  bool has_header_ = false;           ///< the next two are known
+  std::uint64_t index_position_ = 0;  ///< 0: the recorder did not close the file
+  std::uint32_t chunk_count_ = 0;
+  std::uint32_t chunks_ = 0;  ///< read so far
+  bool has_read_index_ = false;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/bag_bounds/bag/bag_reader.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "tools/bag_bounds/bag/bag_file.h"
+#include "tools/bag_bounds/bag/bytes.h"
+
+namespace link_bounds {
+
+struct BagReader::Source {
+  std::unique_ptr<BagFile> file;
+  BagMessage message;  ///< the next one
+  bool has_message;
+};
+
+BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics)
+    : topics_(topics) {
+  std::vector<const FileBytes*> opened;
+  for (const std::string& name : files) {
+    auto bytes = std::make_unique<FileBytes>(name);
+    for (const FileBytes* other : opened)
+      if (bytes->isSame(*other))
+        throw std::runtime_error(name + ": is given twice; give each bag once");
+    opened.push_back(bytes.get());
+    sources_.push_back(
+        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_), {}, false});
+  }
+}
+
+BagReader::~BagReader() = default;
+
+bool BagReader::next(BagMessage& message) {
+  if (!has_begun_) {
+    for (Source& source : sources_)
+      source.has_message = source.file->next(source.message);
+    has_begun_ = true;
+  } else if (last_) {
+    last_->has_message = last_->file->next(last_->message);
+  }
+  last_ = nullptr;
+  for (Source& source : sources_)
+    if (source.has_message && (!last_ || source.message.time < last_->message.time))
+      last_ = &source;
+  if (last_) message = last_->message;
+  return last_;
+}
+
+double BagReader::progress() const {
+  double read = 0.0;
+  double size = 0.0;
+  for (const Source& source : sources_) {
+    read += static_cast<double>(source.file->position());
+    size += static_cast<double>(source.file->size());
+  }
+  return size > 0.0 ? read / size : 1.0;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages of bags, in the order of their record times.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+
+/// One message as it was recorded. What it points to is valid until the next call of the reader.
+struct BagMessage {
+  const std::string* topic;
+  const std::string* type;       ///< such as tf2_msgs/TFMessage; "" if the bag does not say it
+  const std::string* publisher;  ///< name of the node that sent it; "" if the bag does not say it
+  std::int64_t time;             ///< when it was recorded [ns]
+  const std::uint8_t* data;      ///< serialised
+  std::uint32_t size;            ///< [bytes]
+};
+
+class BagFile;
+
+/// Reads each file once, from its begin to its end, without its index. Its memory does not depend
+/// on the length of the files, and a file that was cut, damaged or never closed is read as far as
+/// possible.
+class BagReader {
+ public:
+  /// Only messages of these topics; of all topics if there are none. Throws std::runtime_error if a
+  /// file cannot be read at all, or is given twice.
+  BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics);
+  ~BagReader();
+  BagReader(const BagReader&) = delete;
+  BagReader& operator=(const BagReader&) = delete;
+
+  /// The next message; false after the last one. The messages of one file come in its own order:
+  /// where their times go back, the clock has jumped. Those of several files are merged by time.
+  bool next(BagMessage& message);
+
+  /// How much has been read, 0 to 1, by bytes.
+  double progress() const;
+
+  /// What could not be read so far, a line each: file, place, loss, remedy.
+  const std::vector<std::string>& losses() const { return losses_; }
+
+ private:
+  struct Source;
+
+  const std::set<std::string> topics_;
+  std::vector<std::string> losses_;
+  std::vector<Source> sources_;
+  Source* last_ = nullptr;  ///< gave the last message
+  bool has_begun_ = false;
+};
+
+}  // namespace link_bounds
