@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kObjectsQueue = 1000;
-const ros::WallDuration kTick(0.05);
+const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
@@ -23,7 +23,7 @@ void PublisherNode::guard(const std::function<void()>& body) {
 }
 
 PublisherNode::PublisherNode()
-    : object_source_(scene_.objects, [this](const std::string& uri) { loader_->requestMesh(uri); }),
+    : feed_({[this](const std::string& uri) { loader_->requestMesh(uri); }, [this] { onNews(); }}),
       output_(
           node_, private_node_, scene_, [this](const std::function<void()>& body) { guard(body); },
           treeRequests()),
@@ -105,29 +105,20 @@ void PublisherNode::subscribeToObjects() {
 
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   model_ = std::move(model);
-  const ros::Time now = ros::Time::now();
-  tf_.distrustStampsAhead(now);
-  tf_receiver_.forgetLog();
-  scene_.adopt(model_, now);
-  object_source_.reloadMeshes();
+  feed_.adopt(model_, ros::Time::now());
   output_.adopt();
 }
 
 void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static) {
-  const ros::Time now = ros::Time::now();
-  observeClock(now);
-  tf_receiver_.add(event, is_static, clock_, now, tf_);
-  if (scene_.update(now)) onNews();
+  feed_.onTransforms(
+      event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },
+      ros::Time::now());
 }
 
 void PublisherNode::onTick() {
-  const ros::Time now = ros::Time::now();
-  observeClock(now);
-  const bool is_changed = scene_.expire(now);
-  object_source_.warnOfGivenUp(now);
+  feed_.onTick(ros::Time::now());
   freeMemory();
-  if (is_changed) onNews();
-  if (clock_.isMissing()) {
+  if (feed_.clock().isMissing()) {
     ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
   }
 }
@@ -139,39 +130,15 @@ void PublisherNode::freeMemory() {
   returnFreeMemory();
 }
 
-void PublisherNode::observeClock(ros::Time now) {
-  switch (clock_.observe(now)) {
-    case ClockWatch::Event::kNone:
-      return;
-    case ClockWatch::Event::kStarted:
-      tf_.startClock(now);
-      if (scene_.restart(now)) onNews();
-      return;
-    case ClockWatch::Event::kJumpedBack:
-      ROS_WARN("the clock jumped back; forgetting all transforms that are not static");
-      tf_.clear();
-      if (scene_.restart(now)) onNews();
-      return;
-  }
-}
-
-/// All markers of one message lead to one publication.
 void PublisherNode::onMarkers(Marker* markers, std::size_t count, const std::string& publisher) {
-  const ros::Time now = ros::Time::now();
-  observeClock(now);
-  bool is_changed = false;
-  for (std::size_t i = 0; i < count; ++i)
-    is_changed |= object_source_.take(std::move(markers[i]), publisher, now);
-  if (is_changed) onNews();
+  feed_.onMarkers(markers, count, publisher, ros::Time::now());
 }
 
 void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
-  if (object_source_.fillMesh(uri, mesh, ros::Time::now())) onNews();
+  feed_.onMesh(uri, mesh, ros::Time::now());
 }
 
-/// Nothing is published before the first model.
 void PublisherNode::onNews() {
-  if (!scene_.model()) return;
   ++updates_;
   output_.request();
 }
@@ -184,13 +151,13 @@ void PublisherNode::warnOfLostFrames() {
 void PublisherNode::publishDiagnostics() {
   Health health;
   if (loader_->waitsForDescription()) health.awaited_description = loader_->descriptionName();
-  health.waits_for_clock = clock_.isMissing();
-  health.clock_jumped = clock_.hasJustJumped();
+  health.waits_for_clock = feed_.clock().isMissing();
+  health.clock_jumped = feed_.clock().hasJustJumped();
   health.updates = updates_;
   health.publications = output_.publications();
   health.lag_ms = output_.takeMaxLag();
   health.footprint = output_.footprintState();
-  health.intake = tf_.intake();
+  health.intake = feed_.tf().intake();
   health.distances = output_.distances().takeHealth();
   diagnostics_.publish(scene_, health, times_);
 }

@@ -9,16 +9,14 @@
 
 #include <memory>
 
-#include "node/clock/clock_watch.h"
 #include "node/diagnostics/callback_times.h"
 #include "node/diagnostics/diagnostics.h"
 #include "node/diagnostics/lost_frames.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/memory/heap.h"
-#include "node/objects/object_source.h"
 #include "node/outputs/scene_output.h"
-#include "node/scene/scene.h"
+#include "node/scene/scene_feed.h"
 #include "node/tf/tf_receiver.h"
 
 namespace link_bounds {
@@ -52,7 +50,6 @@ class PublisherNode {
   void onMarkers(Marker* markers, std::size_t count, const std::string& publisher);
   void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
-  void observeClock(ros::Time now);
   void freeMemory();
   void onNews();
   void warnOfLostFrames();
@@ -60,12 +57,10 @@ class PublisherNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
-  TransformBuffer tf_;
-  Scene scene_{tf_};
-  ObjectSource object_source_;
+  SceneFeed feed_;
+  Scene& scene_ = feed_.scene();
   ObjectMemory object_memory_;
   ModelLoader::ModelPtr model_;
-  ClockWatch clock_;
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
   SceneOutput output_;

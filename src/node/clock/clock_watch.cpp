@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Wall time is measured by the steady clock.
+// Intervals are measured by the steady clock.
 #include "node/clock/clock_watch.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -23,7 +24,8 @@ double since(ros::Time earlier, ros::Time later) {
 
 }  // namespace
 
-ClockWatch::ClockWatch() : start_(ros::SteadyTime::now()) {}
+ClockWatch::ClockWatch(std::function<ros::SteadyTime()> steady_now)
+    : steady_now_(std::move(steady_now)), start_(steady_now_()) {}
 
 ClockWatch::Event ClockWatch::observe(ros::Time now) {
   const ros::Time last = last_;
@@ -33,22 +35,21 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
     return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
   }
   last_ = now;
-  jump_ = ros::SteadyTime::now();
+  jump_ = steady_now_();
   return Event::kJumpedBack;
 }
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
   if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
-  return ros::SteadyTime::now() - jump_ <= kLateArrivals;
+  return steady_now_() - jump_ <= kLateArrivals;
 }
 
 bool ClockWatch::hasJustJumped() const {
-  return !jump_.isZero() && ros::SteadyTime::now() - jump_ < kReportJump;
+  return !jump_.isZero() && steady_now_() - jump_ < kReportJump;
 }
 
 bool ClockWatch::isMissing() const {
-  return ros::Time::isSimTime() && last_.isZero() &&
-         ros::SteadyTime::now() - start_ > kClockTimeout;
+  return ros::Time::isSimTime() && last_.isZero() && steady_now_() - start_ > kClockTimeout;
 }
 
 }  // namespace link_bounds

@@ -5,28 +5,32 @@
 
 #include <ros/time.h>
 
+#include <functional>
+
 namespace link_bounds {
 
 class ClockWatch {
  public:
   enum class Event { kNone, kStarted, kJumpedBack };
 
-  ClockWatch();
+  /// `steady_now` never goes back: wall time, or the recorded time of a bag that has passed.
+  explicit ClockWatch(std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
 
   /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump.
   Event observe(ros::Time now);
 
-  /// True for stamps more than 0.5 s ahead of ROS time, during half a second of wall time after a
-  /// jump: such transforms were sent before the jump.
+  /// True for stamps more than 0.5 s ahead of ROS time, during half a second of steady time after
+  /// a jump: such transforms were sent before the jump.
   bool isFromBeforeJump(ros::Time stamp, ros::Time now) const;
 
-  /// True for five seconds of wall time after a jump.
+  /// True for five seconds of steady time after a jump.
   bool hasJustJumped() const;
 
   /// True if simulated time is in use and has not begun five seconds after construction.
   bool isMissing() const;
 
  private:
+  std::function<ros::SteadyTime()> steady_now_;
   ros::Time last_;  ///< the newest time since the last jump
   ros::SteadyTime start_;
   ros::SteadyTime jump_;  ///< zero if there was none

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene with what feeds it: tf, markers, meshes and the clock. The node and bag_bounds share it,
+// so that the same messages give the same boxes.
+#pragma once
+
+#include <visualization_msgs/Marker.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "node/clock/clock_watch.h"
+#include "node/objects/object_source.h"
+#include "node/scene/scene.h"
+#include "node/tf/transform_input.h"
+
+namespace link_bounds {
+
+/// Not copyable: it hands out references to itself.
+class SceneFeed {
+ public:
+  struct Handlers {
+    /// Requests the mesh of an object; returns at once. The mesh comes back through onMesh().
+    std::function<void(const std::string& uri)> request_mesh;
+    /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
+    /// once for each message, tick and jump of the clock.
+    std::function<void()> on_news;
+  };
+
+  /// See ClockWatch of `steady_now`.
+  explicit SceneFeed(Handlers handlers,
+                     std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
+  SceneFeed(const SceneFeed&) = delete;
+  SceneFeed& operator=(const SceneFeed&) = delete;
+
+  /// Starts over with a model. Objects and transforms stay. Is no news.
+  void adopt(std::shared_ptr<const Model> model, ros::Time now);
+
+  void onTransforms(const std::vector<TransformView>& transforms, bool is_static,
+                    const TransformInput::Publisher& publisher, ros::Time now);
+
+  /// The markers of one message, which are moved from.
+  void onMarkers(visualization_msgs::Marker* markers, std::size_t count,
+                 const std::string& publisher, ros::Time now);
+
+  void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+
+  /// To be called every kTick [s]: finds what has become too old.
+  void onTick(ros::Time now);
+  static constexpr double kTick = 0.05;
+
+  Scene& scene() { return scene_; }
+  TransformBuffer& tf() { return tf_; }
+  const ClockWatch& clock() const { return clock_; }
+
+ private:
+  void observeClock(ros::Time now);
+  void onNews();
+
+  Handlers handlers_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
+  TransformInput input_;
+  ObjectSource object_source_;
+  ClockWatch clock_;
+};
+
+}  // namespace link_bounds
