@@ -17,7 +17,7 @@ ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes
          'node/names', 'node/log', 'node/clock', 'node/threads', 'node/memory', 'node/master',
          'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/distances',
          'node/history', 'node/outputs', 'node/diagnostics', 'node/interface', 'node',
-         'tools/text', 'tools/urdf_bounds', 'tools/mesh_worker',
+         'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
          'tools/bag_bounds/bag']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Folders of test that are no rooms, and folders of tests that look at the node as a whole.

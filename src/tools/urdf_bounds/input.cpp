@@ -3,23 +3,15 @@
 // Each refusal says what could be given instead.
 #include "tools/urdf_bounds/input.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <locale>
-#include <memory>
 #include <sstream>
 
 #include "link_bounds/robot/urdf/kinematics.h"
-#include "tools/urdf_bounds/terminal.h"
-#include "tools/urdf_bounds/urdf_bounds_options.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
 
 namespace link_bounds {
 namespace {
-
-/// Far above any real URDF; keeps an endless input from filling the memory.
-constexpr std::size_t kMaxUrdfBytes = std::size_t{1} << 28;
 
 void checkNames(const Robot& robot, const std::map<std::string, double>& given) {
   std::map<std::string, const Joint*> movable;
@@ -60,27 +52,6 @@ void checkLimits(const Robot& robot, const std::map<std::string, double>& given)
 }
 
 }  // namespace
-
-std::string readText(const std::string& file) {
-  const bool is_stdin = file == "-";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(
-      is_stdin ? stdin : std::fopen(file.c_str(), "rb"), std::fclose);
-  const std::string name = is_stdin ? "standard input" : file;
-  if (!in) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
-  std::string text;
-  char buffer[1 << 16];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof(buffer), in.get())) {
-    text.append(buffer, count);
-    if (text.size() > kMaxUrdfBytes) throw UsageError(name + " is too large for a URDF");
-  }
-  if (std::ferror(in.get())) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
-  return text;
-}
-
-std::string folderOf(const std::string& file) {
-  const std::string folder = std::filesystem::path(file).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
 
 std::vector<Eigen::Isometry3d> posesFor(const Robot& robot,
                                         const std::map<std::string, double>& given) {

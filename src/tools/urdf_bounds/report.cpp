@@ -7,7 +7,7 @@
 #include <iostream>
 #include <optional>
 
-#include "tools/urdf_bounds/terminal.h"
+#include "tools/command_line/terminal.h"
 
 namespace link_bounds {
 namespace {

@@ -9,12 +9,17 @@
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/input.h"
 #include "tools/urdf_bounds/link_distances.h"
 #include "tools/urdf_bounds/report.h"
-#include "tools/urdf_bounds/terminal.h"
 
 namespace link_bounds {
+
+const char* const kProgram = "urdf_bounds";
+
 namespace {
 
 BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
@@ -66,15 +71,8 @@ void reportMemory(const BoundedRobot& bounded) {
   reportPeak();
 }
 
-/// Fails on a full disk or a closed pipe.
-bool finishOutput() {
-  if (std::cout.flush()) return true;
-  say("error: cannot write to standard output");
-  return false;
-}
-
 int run(const UrdfBoundsOptions& options) {
-  const Robot robot = parseRobot(readText(options.file));
+  const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
   // Before the meshes, which take longest, so that a wrong name is refused at once.

@@ -5,9 +5,7 @@
 
 #include <getopt.h>
 
-#include <cmath>
-#include <locale>
-#include <sstream>
+#include "tools/command_line/options.h"
 
 namespace link_bounds {
 
@@ -68,40 +66,10 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
 
-/// The value called `name`. Throws UsageError with all names if there is none.
-template <class Value>
-Value chosen(const std::string& option_name, const std::string& name,
-             const std::map<std::string, Value>& choices) {
-  const auto found = choices.find(name);
-  if (found != choices.end()) return found->second;
-  std::string names;
-  for (const auto& choice : choices)
-    names += (names.empty() ? "" : ", ") + choice.first;
-  throw UsageError(option_name + " is \"" + name + "\", but must be one of: " + names);
-}
-
-/// Nothing if the text is no finite number to its last character.
-std::optional<double> toNumber(const std::string& text) {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  double value = 0;
-  in >> std::noskipws >> value;
-  if (!in || in.peek() != std::istringstream::traits_type::eof() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 double jointValue(const std::string& joint, const std::string& text) {
   if (const std::optional<double> value = toNumber(text)) return *value;
   throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
                    "\", but must be a number, such as 0.5");
-}
-
-double distanceLimit(const std::string& text) {
-  const std::optional<double> limit = toNumber(text);
-  if (limit && *limit >= 0) return *limit;
-  throw UsageError("--distances is \"" + text +
-                   "\", but must be a number of metres >= 0, such as 0.1");
 }
 
 /// An argument with := is a joint, another one the file.
@@ -130,13 +98,6 @@ void addGeometry(const std::string& name, UrdfBoundsOptions& options) {
   options.collision = (kind & kCollision) != 0;
 }
 
-/// Why getopt_long returned '?'; it leaves the letter or code in optopt where it knows one.
-std::string badOption(const char* const* argv) {
-  if (optopt >= kGeometry) return std::string(argv[optind - 1]) + ": this option takes no value";
-  if (optopt > 0) return std::string("there is no option -") + static_cast<char>(optopt);
-  return std::string("there is no option ") + argv[optind - 1];
-}
-
 /// `code` is what getopt_long returned.
 void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
   switch (code) {
@@ -161,7 +122,7 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
           "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
       return;
     case kDistances:
-      options.distances = distanceLimit(optarg);
+      options.distances = limitOption("--distances", optarg);
       return;
     case kVerbose:
       options.verbose = true;
@@ -179,7 +140,7 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case ':':
       throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
     default:
-      throw UsageError(badOption(argv));
+      throw UsageError(badOption(argv, kGeometry));
   }
 }
 

@@ -5,18 +5,11 @@
 
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
-
-/// The command line cannot be used; what() is the reason, in words for the user.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct UrdfBoundsOptions {
   std::string file;                      ///< "-" is standard input

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines with the name of the program, and a bar of plain characters.
+#include "tools/command_line/terminal.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kBarWidth = 30;
+
+void drawMeshes(std::size_t done, std::size_t total) {
+  drawBar(done, total, "meshes");
+  if (done == total) eraseBar();
+}
+
+}  // namespace
+
+void say(const std::string& text) {
+  std::cerr << kProgram << ": " << printable(text) << '\n';
+}
+
+void warn(const std::string& text) {
+  say("warning: " + text);
+}
+
+void drawBar(std::size_t done, std::size_t total, const std::string& unit) {
+  const std::size_t filled = kBarWidth * done / total;
+  std::cerr << "\r[" << std::string(filled, '#') << std::string(kBarWidth - filled, ' ') << "] "
+            << done << '/' << total << ' ' << unit << std::flush;
+}
+
+void eraseBar() {
+  std::cerr << "\r\033[K" << std::flush;
+}
+
+bool hasTerminal() {
+  return isatty(STDERR_FILENO) != 0;
+}
+
+LoadProgress progressBar() {
+  return hasTerminal() ? drawMeshes : LoadProgress();
+}
+
+bool finishOutput() {
+  if (std::cout.flush()) return true;
+  say("error: cannot write to standard output");
+  return false;
+}
+
+}  // namespace link_bounds

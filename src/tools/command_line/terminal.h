@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs say on standard error, and the end of standard output.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "link_bounds/robot/mesh/mesh_store.h"
+
+namespace link_bounds {
+
+/// The name of the program, which begins each line. Each program defines it.
+extern const char* const kProgram;
+
+/// One line, even if the text contains line breaks.
+void say(const std::string& text);
+
+void warn(const std::string& text);
+
+/// Draws a bar over the line; `done` <= `total`, which is not 0. `unit` comes after the numbers.
+void drawBar(std::size_t done, std::size_t total, const std::string& unit);
+
+void eraseBar();
+
+bool hasTerminal();
+
+/// A bar that erases itself at the end; null if standard error is no terminal.
+LoadProgress progressBar();
+
+/// Flushes standard output. False, with a message, on a full disk or a closed pipe.
+bool finishOutput();
+
+}  // namespace link_bounds

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads to the end or to a limit.
+#include "tools/command_line/text_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "tools/command_line/options.h"
+
+namespace link_bounds {
+namespace {
+
+/// Far above any real file; keeps an endless input from filling the memory.
+constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
+
+}  // namespace
+
+std::string readText(const std::string& file, const std::string& what) {
+  const bool is_stdin = file == "-";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(
+      is_stdin ? stdin : std::fopen(file.c_str(), "rb"), std::fclose);
+  const std::string name = is_stdin ? "standard input" : file;
+  if (!in) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
+  std::string text;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof(buffer), in.get())) {
+    text.append(buffer, count);
+    if (text.size() > kMaxBytes) throw UsageError(name + " is too large for " + what);
+  }
+  if (std::ferror(in.get())) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
+  return text;
+}
+
+std::string folderOf(const std::string& file) {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+}  // namespace link_bounds
