@@ -32,6 +32,14 @@ class EdgeHistory {
   /// Static edges stay.
   void clear();
 
+  /// In order; those before oldestKept() count no more.
+  const SampleRing& samples() const { return samples_; }
+
+  /// The stamp before which tf2 would have forgotten samples; 0 if there are none.
+  std::int64_t oldestKept() const {
+    return samples_.isEmpty() ? 0 : samples_.newest().stamp - kLength;
+  }
+
   /// The transform at that time; at time 0 the newest. Between two samples of one parent it is
   /// interpolated, between two parents it is the older sample. Null if the history does not reach
   /// the time. The result may be in `scratch`.
@@ -47,11 +55,6 @@ class EdgeHistory {
   bool isRefused(std::int64_t stamp) const;
   bool reachesBefore(std::int64_t stamp) const;
   const EdgeSample* before(std::int64_t stamp, EdgeSample& scratch) const;
-
-  /// The stamp before which tf2 would have forgotten samples.
-  std::int64_t oldestKept() const {
-    return samples_.isEmpty() ? 0 : samples_.newest().stamp - kLength;
-  }
 
   bool is_static_;
   SampleRing samples_;  ///< some may be older than oldestKept()

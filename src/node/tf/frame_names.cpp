@@ -16,6 +16,12 @@ FrameNames::Frame FrameNames::frame(std::string_view name) {
   return frame;
 }
 
+std::optional<FrameNames::Frame> FrameNames::known(std::string_view name) const {
+  const auto found = frames_.find(name);
+  if (found == frames_.end()) return std::nullopt;
+  return found->second;
+}
+
 FrameNames::Edge FrameNames::find(std::string_view parent, std::string_view child,
                                   std::string_view key) {
   const Edge edge{frame(child), frame(parent)};

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -26,6 +27,9 @@ class FrameNames {
 
   /// The number of a name, the same for ever: 0 for the first name, then 1, ...
   Frame frame(std::string_view name);
+
+  /// Nothing if no frame has this name.
+  std::optional<Frame> known(std::string_view name) const;
 
   /// Before the first next() of a message.
   void beginMessage() { last_ = 0; }

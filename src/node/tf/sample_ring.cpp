@@ -3,58 +3,62 @@
 // The oldest block is reused once all its samples may be dropped.
 #include "node/tf/sample_ring.h"
 
-#include <iterator>
+#include <algorithm>
 
 namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kBlocksPerRelease = 16;
-constexpr int kMaxReleased = 64;  // blocks at once: a thousand edges may release in one message
+constexpr std::size_t kMaxReleased = 64;  // blocks at once: many edges may release in one message
 
 }  // namespace
 
-/// Calls visit(sample) from the newest one on until it returns false.
-template <class Blocks, class Visit>
-void SampleRing::walkBack(Blocks& blocks, const EdgeSample* newest, Visit visit) {
-  auto count = static_cast<std::size_t>(newest - blocks.back().data()) + 1;
-  for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
-    while (count > 0) {
-      if (!visit((*block)[--count])) return;
+/// Looks at the newest samples first, because nearly every call asks for one of those; in a history
+/// of 10,000 samples it looks at some 25.
+std::size_t SampleRing::countUntil(std::int64_t stamp) const {
+  std::size_t low = 0;
+  std::size_t high = size();
+  for (std::size_t step = 1; step <= high; step *= 2) {
+    if (at(high - step).stamp <= stamp) {
+      low = high - step + 1;
+      break;
     }
-    count = block->size();
+    high -= step;
   }
-}
-
-SampleRing::Neighbours SampleRing::neighbours(std::int64_t stamp) const {
-  Neighbours found{nullptr, nullptr};
-  walkBack(blocks_, newest_, [&](const EdgeSample& sample) {
-    const bool is_later = sample.stamp > stamp;
-    (is_later ? found.newer : found.older) = &sample;
-    return is_later;
-  });
-  return found;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (at(middle).stamp <= stamp) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
 }
 
 EdgeSample& SampleRing::insert(std::int64_t stamp, std::int64_t dropped_before) {
-  EdgeSample* place = &push(dropped_before);
-  walkBack(blocks_, newest_, [&](EdgeSample& sample) {
-    if (&sample == newest_) return true;
-    if (sample.stamp <= stamp) return false;
-    *place = sample;
-    place = &sample;
-    return true;
-  });
-  return *place;
+  std::size_t later = isEmpty() ? 0 : size() - countUntil(stamp);
+  push(dropped_before);
+  std::size_t place = size() - 1;
+  for (; later > 0; --later, --place)
+    at(place) = at(place - 1);
+  return at(place);
 }
 
 void SampleRing::pushBlock(std::int64_t dropped_before) {
-  if (blocks_.empty() || blocks_.front().back().stamp >= dropped_before) {
-    blocks_.emplace_back();
+  if (isEmpty() || oldest_->back().stamp >= dropped_before) {
+    const auto end = oldest_place_ == 0
+                         ? blocks_.end()
+                         : blocks_.begin() + static_cast<std::ptrdiff_t>(oldest_place_);
+    blocks_.insert(end, std::make_unique<Block>());
+    if (oldest_place_ > 0) ++oldest_place_;
   } else {
-    blocks_.splice(blocks_.end(), blocks_, blocks_.begin());
+    oldest_place_ = oldest_place_ + 1 < blocks_.size() ? oldest_place_ + 1 : 0;
   }
-  newest_ = blocks_.back().data();
-  end_of_block_ = &blocks_.back().back();
+  oldest_ = blocks_[oldest_place_].get();
+  Block& newest = block(blocks_.size() - 1);
+  newest_ = newest.data();
+  end_of_block_ = &newest.back();
   if (++blocks_begun_ == kBlocksPerRelease) release(dropped_before);
 }
 
@@ -63,10 +67,16 @@ void SampleRing::pushBlock(std::int64_t dropped_before) {
 void SampleRing::release(std::int64_t dropped_before) {
   constexpr std::size_t kSpared = 2;
   blocks_begun_ = 0;
-  for (int i = 0; i < kMaxReleased && blocks_.size() > kSpared + 1; ++i) {
-    if (std::next(blocks_.begin(), kSpared)->back().stamp >= dropped_before) return;
-    blocks_.pop_front();
-  }
+  std::size_t count = 0;
+  while (count < kMaxReleased && count + kSpared + 1 < blocks_.size() &&
+         block(count + kSpared).back().stamp < dropped_before)
+    ++count;
+  if (count == 0) return;
+  std::rotate(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(oldest_place_),
+              blocks_.end());
+  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(count));
+  oldest_place_ = 0;
+  oldest_ = blocks_.front().get();
 }
 
 }  // namespace link_bounds

@@ -9,7 +9,8 @@
 
 #include <array>
 #include <cstdint>
-#include <list>
+#include <memory>
+#include <vector>
 
 #include "node/tf/tf2_pose.h"
 
@@ -29,14 +30,28 @@ class SampleRing {
   const EdgeSample& newest() const { return *newest_; }
 
   /// The number of samples that the memory holds.
-  std::size_t capacity() const { return blocks_.size() * Block().size(); }
+  std::size_t capacity() const { return blocks_.size() * kPerBlock; }
+
+  /// The number of samples, with those that are only waiting to be overwritten.
+  std::size_t size() const {
+    return capacity() - static_cast<std::size_t>(end_of_block_ - newest_);
+  }
+
+  /// In the order of the stamps: 0 is the oldest one.
+  const EdgeSample& operator[](std::size_t i) const { return at(i); }
+
+  /// How many samples have this stamp or an older one.
+  std::size_t countUntil(std::int64_t stamp) const;
 
   /// The samples before and after a stamp that is older than the newest one.
   struct Neighbours {
     const EdgeSample* older;  ///< at the stamp or before it; null if there is none
     const EdgeSample* newer;  ///< after it
   };
-  Neighbours neighbours(std::int64_t stamp) const;
+  Neighbours neighbours(std::int64_t stamp) const {
+    const std::size_t count = countUntil(stamp);
+    return {count == 0 ? nullptr : &at(count - 1), &at(count)};
+  }
 
   /// The place of a new sample, whose stamp must be after the newest one. Samples with a stamp
   /// before `dropped_before` may be overwritten.
@@ -56,13 +71,21 @@ class SampleRing {
   void clear() { *this = SampleRing(); }
 
  private:
-  using Block = std::array<EdgeSample, 7>;
+  static constexpr std::size_t kPerBlock = 7;
+  using Block = std::array<EdgeSample, kPerBlock>;
+
+  /// The blocks by age: 0 is the oldest one.
+  Block& block(std::size_t i) const {
+    const std::size_t place = oldest_place_ + i;
+    return *blocks_[place < blocks_.size() ? place : place - blocks_.size()];
+  }
+  EdgeSample& at(std::size_t i) const { return block(i / kPerBlock)[i % kPerBlock]; }
 
   /// The place of the next sample.
   void prefetchNext() const {
     if (newest_ == end_of_block_) {
-      __builtin_prefetch(&blocks_.front().front(), 1);
-      __builtin_prefetch(&blocks_.front().back().stamp);
+      __builtin_prefetch(&oldest_->front(), 1);
+      __builtin_prefetch(&oldest_->back().stamp);
     } else {
       __builtin_prefetch(&newest_[1].stamp, 1);
     }
@@ -71,10 +94,9 @@ class SampleRing {
   void pushBlock(std::int64_t dropped_before);
   void release(std::int64_t dropped_before);
 
-  template <class Blocks, class Visit>
-  static void walkBack(Blocks& blocks, const EdgeSample* newest, Visit visit);
-
-  std::list<Block> blocks_;  ///< the newest sample is in the last block
+  std::vector<std::unique_ptr<Block>> blocks_;  ///< a circle: after the last comes the first
+  std::size_t oldest_place_ = 0;                ///< in blocks_; the newest one is before it
+  Block* oldest_ = nullptr;                     ///< the block there
   EdgeSample* newest_ = nullptr;
   EdgeSample* end_of_block_ = nullptr;  ///< the last place of that block
   std::uint32_t blocks_begun_ = 0;      ///< since the last release()

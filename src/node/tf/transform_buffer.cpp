@@ -143,6 +143,7 @@ void TransformBuffer::clear() {
     edge.clear();
   ++message_;
   ++structure_;
+  ++epoch_;
 }
 
 void TransformBuffer::distrustStampsAhead(ros::Time now) {

@@ -50,6 +50,10 @@ class TransformBuffer {
 
   /// A number for the name, which never changes.
   Frame frame(std::string_view name);
+
+  /// The same, but nothing for a name that was never met; the buffer stays as it is.
+  std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
+
   const std::string& name(Frame frame) const { return names_.name(frame); }
 
   /// The number of frames.
@@ -104,16 +108,26 @@ class TransformBuffer {
     return edges_[child].history ? edges_[child].history->at(stamp, scratch) : nullptr;
   }
 
+  /// Null before the first transform of the edge.
+  const EdgeHistory* history(Frame child) const {
+    return edges_[child].history ? &*edges_[child].history : nullptr;
+  }
+
   /// Changes with each message and each clear().
   std::uint64_t version() const { return message_; }
 
   /// Changes whenever an edge may lead to another parent, now or in the past.
   std::uint64_t structure() const { return structure_; }
 
+  /// Changes with each clear().
+  std::uint64_t epoch() const { return epoch_; }
+
   /// From this stamp on each edge had the parent that it has now.
   std::int64_t settled() const { return settled_; }
 
  private:
+  friend class TfExcerpt;  // fills a buffer edge by edge
+
   struct Edge {
     std::uint64_t message = 0;  ///< the last one with this edge
     std::int64_t received = 0;
@@ -144,6 +158,7 @@ class TransformBuffer {
   TfIntake intake_;
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;
+  std::uint64_t epoch_ = 1;
   std::int64_t settled_ = 0;
   mutable std::vector<Step> steps_;  ///< the last climb, from the source upwards
   mutable WalkMarks marks_;          ///< places in steps_

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The frames of the excerpt are the queue of what is to be copied: parents join at its end.
+#include "node/tf/tf_excerpt.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kChunk = 256;  // samples between two looks at the clock, some microseconds
+
+}  // namespace
+
+TfExcerpt::Frame TfExcerpt::add(const TransformBuffer& tf, Frame frame) {
+  added_.push_back(frame);
+  return include(tf, frame);
+}
+
+TfExcerpt::Frame TfExcerpt::include(const TransformBuffer& tf, Frame frame) {
+  const Frame copy = buffer_->frame(tf.name(frame));
+  if (copy == originals_.size()) originals_.push_back(frame);
+  return copy;
+}
+
+bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget) {
+  const Clock::time_point end = Clock::now() + budget;
+  if (!epoch_ || *epoch_ != tf.epoch()) restart(tf);
+  while (complete_ < originals_.size()) {
+    if (heads_ < originals_.size()) {
+      copyHead(tf, heads_++);
+    } else if (copySamples(tf, complete_)) {
+      ++complete_;
+    }
+    if (Clock::now() >= end && complete_ < originals_.size()) return false;
+  }
+  buffer_->settled_ = tf.settled();
+  return true;
+}
+
+/// The frames that were added keep their numbers.
+void TfExcerpt::restart(const TransformBuffer& tf) {
+  buffer_ = std::make_unique<TransformBuffer>();
+  originals_.clear();
+  oldest_.clear();
+  for (const Frame frame : added_)
+    include(tf, frame);
+  epoch_ = tf.epoch();
+  heads_ = complete_ = 0;
+  common_ = kEnd;
+  begin_.reset();
+  copied_until_.reset();
+  last_parent_.reset();
+}
+
+/// All but the samples.
+void TfExcerpt::copyHead(const TransformBuffer& tf, Frame child) {
+  const TransformBuffer::Edge& original = tf.edges_[originals_[child]];
+  const Frame parent = original.has_parent ? include(tf, original.parent) : 0;
+  TransformBuffer::Edge& edge = buffer_->edges_[child];
+  edge.parent = parent;
+  edge.has_parent = original.has_parent;
+  edge.is_static = original.is_static;
+  edge.newest = original.newest;
+  edge.received = original.received;
+  const bool moves = original.has_parent && !original.is_static;
+  oldest_.push_back(0);
+  if (original.history) edge.history.emplace(original.is_static);
+  if (!moves) return;
+  const EdgeHistory& history = *original.history;
+  oldest_.back() = std::max(history.samples()[0].stamp, history.oldestKept());
+  if (!begin_ && original.received >= stale_before_) common_ = std::min(common_, original.newest);
+}
+
+/// True if the edge has all its samples; otherwise the next call goes on.
+bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
+  if (!begin_) begin_ = (stamp_ == 0 ? common_ : stamp_) - span_;
+  const EdgeHistory* const history = tf.history(originals_[child]);
+  if (!history || !buffer_->history(child)) return true;
+  const SampleRing& samples = history->samples();
+  std::size_t i = copied_until_ ? samples.countUntil(*copied_until_) : firstNeeded(*history);
+  bool is_complete = i == samples.size();
+  for (const std::size_t end = i + kChunk; i < end && !is_complete; ++i) {
+    const Frame parent = parentOf(tf, samples[i]);
+    buffer_->edges_[child].history->insert(samples[i].stamp, parent, samples[i].parent_from_child);
+    copied_until_ = samples[i].stamp;
+    is_complete = i + 1 == samples.size() || (stamp_ != 0 && samples[i].stamp > stamp_);
+  }
+  if (is_complete) copied_until_.reset();
+  return is_complete;
+}
+
+/// The last sample until the first of the times, and the one before it, which tells whether tf2
+/// interpolates at the stamp of that one.
+std::size_t TfExcerpt::firstNeeded(const EdgeHistory& history) const {
+  const SampleRing& samples = history.samples();
+  const std::size_t count = samples.countUntil(std::max(*begin_, history.oldestKept()));
+  std::size_t first = count - std::min<std::size_t>(count, 2);
+  while (first < samples.size() && samples[first].stamp < history.oldestKept())
+    ++first;
+  return first;
+}
+
+TfExcerpt::Frame TfExcerpt::parentOf(const TransformBuffer& tf, const EdgeSample& sample) {
+  if (!last_parent_ || last_parent_->first != sample.parent)
+    last_parent_ = {sample.parent, include(tf, sample.parent)};
+  return last_parent_->second;
+}
+
+}  // namespace link_bounds
