@@ -9,24 +9,31 @@
 #include <utility>
 
 #include "tools/bag_bounds/bag/chunk.h"
+#include "tools/bag_bounds/bag/record_bytes.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr std::string_view kVersionLine = "#ROSBAG V2.0\n";
+constexpr std::string_view kVersionLine = kBagVersionLine;
 constexpr int kMaxLosses = 20;                   // lines for one file
 constexpr std::size_t kMaxNamesSize = 16 << 20;  // bytes
 constexpr std::uint64_t kNextHeaderSize = 512;   // bytes, typical
+constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;
 const char* const kCopyAgain = "; copy it again from where it was recorded";
 
 std::string bytesText(std::uint64_t begin, std::uint64_t end) {
   return "bytes " + std::to_string(begin) + " to " + std::to_string(end);
 }
 
-// Whether a record can begin here. If not, the one before may have a wrong length.
-bool canFollow(Bytes& bytes, std::uint64_t position) {
-  Record ignored;
-  return position == bytes.size() || readRecord(bytes, position, ignored) != RecordState::kDamaged;
+// Whether another record can begin after this one. If not, its length may be wrong.
+bool canFollow(Bytes& bytes, const Record& record) {
+  // Both at once, if not large: a file has one block in memory.
+  const std::uint64_t size =
+      std::min(record.data_size + kNextHeaderSize, bytes.size() - record.data);
+  if (size <= kMaxSizeAtOnce) bytes.at(record.data, size);
+  Record next;
+  return record.end() == bytes.size() ||
+         readRecord(bytes, record.end(), next) != RecordState::kDamaged;
 }
 
 }  // namespace
@@ -101,9 +108,10 @@ bool BagFile::handle(Bytes& bytes, const Record& record, BagMessage& message, bo
     openChunk(record);
     return true;
   }
+  if (record.op == RecordOp::kConnection && !announce(bytes, record)) return false;
+  if (!canFollow(bytes, record)) return false;  // takes the texts of the record
   if (record.op == RecordOp::kMessage && !handleMessage(bytes, record, message, is_message))
     return false;
-  if (record.op == RecordOp::kConnection && !announce(bytes, record)) return false;
   (in_chunk ? chunk_position_ : position_) = record.end();
   return true;
 }
@@ -117,10 +125,6 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
     lose(bytesText(position_, record.end()) + " are one message that is too large to be read");
     return true;
   }
-  // One block for both, because a file has only one in memory.
-  bytes.at(record.data,
-           std::min<std::uint64_t>(record.data_size + kNextHeaderSize, bytes.size() - record.data));
-  if (!canFollow(bytes, record.end())) return false;
   message.data = bytes.at(record.data, record.data_size);
   if (!message.data) return false;
   message.size = record.data_size;
@@ -176,8 +180,8 @@ bool BagFile::announce(Bytes& bytes, const Record& record) {
 // data says itself where it ends.
 void BagFile::openChunk(const Record& record) {
   ++chunks_;
-  is_compressed_ = record.compression != "none";
-  if (!is_compressed_) {
+  if (record.compression == "none") {
+    is_compressed_ = false;
     position_ = record.data;
     return;
   }
@@ -185,6 +189,7 @@ void BagFile::openChunk(const Record& record) {
   const ChunkData chunk = decompress(compression, *bytes_, record.data, chunk_.data);
   chunk_position_ = 0;
   is_chunk_cut_ = false;
+  if (chunk.state != ChunkState::kUnknownCompression) is_compressed_ = true;
   switch (chunk.state) {
     case ChunkState::kGood:
       position_ = record.data + chunk.consumed;
@@ -233,14 +238,13 @@ void BagFile::endOfFile() {
   if (unannounced_ > 0)
     lose(std::to_string(unannounced_) + " messages have no topic, because its record is lost" +
          kCopyAgain);
-  if (loss_count_ > 0 || !has_header_) return;
-  if (index_position_ == 0)
+  if (loss_count_ > 0) return;
+  if (has_header_ && index_position_ == 0)
     lose(
         "was not closed by its recorder: its last messages may be missing; end rosbag record with "
         "Ctrl-C and wait for it");
-  else if (index_position_ > bytes_->size() || chunks_ < chunk_count_)
-    lose("was cut at byte " + std::to_string(bytes_->size()) + ": messages are missing" +
-         kCopyAgain);
+  else if (!has_header_ || index_position_ > bytes_->size() || chunks_ < chunk_count_)
+    loseRest(bytes_->size());
 }
 
 void BagFile::lose(const std::string& what) {

@@ -6,19 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
-namespace link_bounds {
+#include "tools/bag_bounds/bag/record_bytes.h"
 
-struct BagTopic {
-  std::string topic;
-  std::string type;  ///< such as tf2_msgs/TFMessage
-  std::string md5sum;
-  std::string definition;
-  std::string publisher;  ///< name of a node; "" for none
-  bool is_latched = false;
-};
+namespace link_bounds {
 
 /// Unlike rosbag's own writer it keeps an index entry for each chunk, not for each message: 10
 /// hours of 100 messages of 5 kB a second need 2 MB.
@@ -26,7 +20,6 @@ class BagWriter {
  public:
   /// Replaces a file of that name. All functions throw std::runtime_error where writing fails.
   explicit BagWriter(const std::string& file);
-  ~BagWriter();
   BagWriter(const BagWriter&) = delete;
   BagWriter& operator=(const BagWriter&) = delete;
 
@@ -55,9 +48,10 @@ class BagWriter {
   void writeChunk();
   void writeChunkInfo(const ChunkInfo& info);
   void put(const std::string& bytes);
+  [[noreturn]] void fail();
 
   std::string file_name_;
-  std::FILE* file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::uint64_t position_ = 0;
   std::vector<std::string> connections_;  ///< the record of each topic
   std::string chunk_;                     ///< the records of the one that is being filled

@@ -67,6 +67,13 @@ class Lz4 {
   LZ4F_dctx* context_ = nullptr;
 };
 
+// A vector would double its memory up to twice the limit.
+void makeRoom(std::vector<std::uint8_t>& output, std::size_t size) {
+  if (size <= output.size()) return;
+  if (size > kMaxChunkSize / 2) output.reserve(kMaxChunkSize + 2 * kOutputSize);
+  output.resize(size);
+}
+
 template <class Decompressor>
 ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& output) {
   Decompressor decompressor;
@@ -80,7 +87,7 @@ ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& outp
     const std::uint8_t* const input = bytes.at(offset, input_size);
     if (!input) return finish(ChunkState::kCut, offset - begin);
     if (filled > kMaxChunkSize) return finish(ChunkState::kTooLarge, 0);
-    output.resize(std::max(output.size(), filled + kOutputSize));
+    makeRoom(output, filled + kOutputSize);
     const Step step =
         decompressor.run(input, input_size, output.data() + filled, output.size() - filled);
     if (!step.is_good) return finish(ChunkState::kDamaged, 0);

@@ -100,12 +100,21 @@ bool takeField(std::string_view name, std::string_view value, Record& record, un
   if (name == "time") return take(kTime, isTime(value, record.time));
   if (name == "size") return take(kSize, isNumber(value, ignored));
   if (name == "ver") return take(kVersion, isNumber(value, ignored));
-  if (name == "count") return take(kCount, isNumber(value, ignored));
+  if (name == "count") return take(kCount, isNumber(value, record.count));
   if (name == "chunk_count") return take(kChunkCount, isNumber(value, record.chunk_count));
   if (name == "index_pos") return take(kIndexPosition, isNumber(value, record.index_position));
   if (name == "topic") record.topic = value, seen |= kTopic;
   if (name == "compression") record.compression = value, seen |= kCompression;
   if (name == "encryptor") record.encryptor = value;
+  return true;
+}
+
+bool fitsCount(const Record& record) {
+  constexpr std::uint64_t kIndexEntrySize = 12;     // a time and where the message is in the chunk
+  constexpr std::uint64_t kChunkInfoEntrySize = 8;  // a connection and how many messages it has
+  if (record.op == RecordOp::kIndex) return record.data_size == record.count * kIndexEntrySize;
+  if (record.op == RecordOp::kChunkInfo)
+    return record.data_size == record.count * kChunkInfoEntrySize;
   return true;
 }
 
@@ -131,6 +140,7 @@ RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record) {
   if (!is_good || (seen & all) != all) return RecordState::kDamaged;
   record.data_size = sizeAt(header + header_size);
   record.data = offset + 4 + header_size + 4;
+  if (!fitsCount(record)) return RecordState::kDamaged;
   const bool is_there = record.op == RecordOp::kChunk || record.end() <= bytes.size();
   return is_there ? RecordState::kGood : RecordState::kCut;
 }

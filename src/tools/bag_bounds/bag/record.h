@@ -27,6 +27,7 @@ struct Record {
   std::int64_t time = 0;  ///< [ns]
   std::uint64_t index_position = 0;
   std::uint32_t chunk_count = 0;
+  std::uint32_t count = 0;  ///< entries of an index or of a chunk info
   std::string_view topic;
   std::string_view compression;
   std::string_view encryptor;
