@@ -1,18 +1,166 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
+// Boxes at all samples of all edges of the path, and between them as often as the bound of
+// motion_bound.h needs it.
 #include "node/history/swept_box.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace link_bounds {
+namespace {
+
+/// By how much a face may lie outside [m]; the box is longer by two of them.
+constexpr double kTolerance = 4e-4;
+
+/// No more poses than this between samples: half a second. Beyond it the box is larger.
+constexpr int kMaxPoses = 1000000;
+
+constexpr const char* kNotFinite = "a pose is not finite, or too large for a box";
+
+/// One link on its way.
+class Sweep {
+ public:
+  Sweep(MotionPath& path, const BoundedLink& link, MotionSpan span)
+      : path_(path), link_(link), radius_(std::sqrt(3) * magnitude(link)) {
+    times_ = {span.begin};
+    if (isMoving()) times_.push_back(span.end);
+    for (const auto* edges : {&path.from_source, &path.from_target}) {
+      for (const EdgeMotion& edge : *edges)
+        addTimes(edge, span);
+    }
+    std::sort(times_.begin(), times_.end());
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+  }
+
+  /// Nothing if a pose is not finite. First the boxes at all samples: most motions between them
+  /// are inside.
+  std::optional<Aabb> box() {
+    std::vector<Placed> placed;
+    for (const std::int64_t time : times_) {
+      seek(time);
+      placed.push_back(place(time));
+      if (!isUsable(placed.back())) return std::nullopt;
+    }
+    for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
+      seek(times_[i]);
+      if (!coverStep(placed[i], placed[i + 1])) return std::nullopt;
+    }
+    // The last pose needs the margin of rounding, too. A link at rest has the box of its pose.
+    if (times_.size() > 1 && !cover(placed.back(), placed.back())) return std::nullopt;
+    return hull_;
+  }
+
+ private:
+  /// The link at one time.
+  struct Placed {
+    std::int64_t time;
+    std::optional<Aabb> box;
+    double distance;  ///< of its origin from that of the target
+  };
+
+  void addTimes(const EdgeMotion& edge, MotionSpan span) {
+    for (const EdgeSample* sample : edge.samples()) {
+      if (sample->stamp > span.begin && sample->stamp < span.end) times_.push_back(sample->stamp);
+    }
+  }
+
+  /// Otherwise each edge has one transform for the whole span.
+  bool isMoving() const {
+    return anyEdge([](const EdgeMotion& edge) { return edge.samples().size() > 1; });
+  }
+
+  template <class Test>
+  bool anyEdge(Test test) const {
+    return std::any_of(path_.from_source.begin(), path_.from_source.end(), test) ||
+           std::any_of(path_.from_target.begin(), path_.from_target.end(), test);
+  }
+
+  void seek(std::int64_t time) {
+    for (auto* edges : {&path_.from_source, &path_.from_target}) {
+      for (EdgeMotion& edge : *edges)
+        edge.seek(time);
+    }
+  }
+
+  /// The products are those of TransformBuffer::pose.
+  Placed place(std::int64_t time) {
+    Tf2Pose top_from_source, top_from_target;
+    for (const EdgeMotion& edge : path_.from_source)
+      top_from_source = edge.at(time) * top_from_source;
+    for (const EdgeMotion& edge : path_.from_target)
+      top_from_target = edge.at(time) * top_from_target;
+    const Tf2Pose pose =
+        path_.from_target.empty() ? top_from_source : inverse(top_from_target) * top_from_source;
+    Placed placed{time, linkBox(link_, MatrixPose(pose).affine), pose.translation().length()};
+    if (placed.box) hull_.extend(*placed.box);
+    return placed;
+  }
+
+  static bool isUsable(const Placed& placed) {
+    return placed.box && std::isfinite(placed.distance);
+  }
+
+  /// From one sample to the next.
+  bool coverStep(const Placed& from, Placed to) {
+    if (isSudden()) {
+      to = place(to.time - 1);
+      if (!isUsable(to)) return false;
+    }
+    return cover(from, to);
+  }
+
+  /// True if an edge jumps at the next sample: its motion ends one nanosecond before.
+  bool isSudden() const {
+    return anyEdge([](const EdgeMotion& edge) { return edge.isSudden(); });
+  }
+
+  /// False if something is not finite.
+  bool cover(const Placed& from, const Placed& to) {
+    const std::int64_t duration = to.time - from.time;
+    const double margin = marginOf(from, to);
+    if (!std::isfinite(margin)) return false;
+    const Aabb bound = padded(from.box->merged(*to.box), margin);
+    if (margin <= kTolerance || hull_.contains(bound) || duration < 2 || poses_ == kMaxPoses) {
+      hull_.extend(bound);
+      return true;
+    }
+    ++poses_;
+    const Placed middle = place(from.time + duration / 2);
+    return isUsable(middle) && cover(from, middle) && cover(middle, to);
+  }
+
+  double marginOf(const Placed& from, const Placed& to) {
+    const auto fill = [&](const std::vector<EdgeMotion>& edges, std::vector<EdgeStep>& steps) {
+      steps.clear();
+      for (const EdgeMotion& edge : edges)
+        steps.push_back(edge.stepIn(to.time - from.time));
+    };
+    fill(path_.from_source, steps_.from_link);
+    fill(path_.from_target, steps_.from_target);
+    return bulge(steps_, radius_, std::max(from.distance, to.distance));
+  }
+
+  MotionPath& path_;
+  const BoundedLink& link_;
+  double radius_;
+  std::vector<std::int64_t> times_;
+  PathSteps steps_;  ///< memory that is reused
+  Aabb hull_;
+  int poses_ = 0;
+};
+
+}  // namespace
 
 SweptBox sweptBox(const TransformBuffer& tf, TransformBuffer::Frame target,
                   TransformBuffer::Frame source, MotionSpan span, const BoundedLink& link,
-                  double /*timeout*/) {
-  if (span.begin != span.end) return {{}, "the box of a motion cannot be computed yet"};
-  const auto pose = tf.pose(target, source, span.begin);
-  if (!pose) {
-    return {{}, "no transform from \"" + tf.name(source) + "\" to \"" + tf.name(target) + "\""};
-  }
-  return {linkBox(link, MatrixPose(*pose).affine), ""};
+                  double timeout) {
+  if (link.shapes.empty()) return {std::nullopt, "the link has no geometry"};
+  MotionPath path = pathBetween(tf, target, source, span, timeout);
+  if (!path.problem.empty()) return {std::nullopt, path.problem};
+  const std::optional<Aabb> box = Sweep(path, link, span).box();
+  if (!box) return {std::nullopt, kNotFinite};
+  return {box, ""};
 }
 
 }  // namespace link_bounds

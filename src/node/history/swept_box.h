@@ -3,20 +3,13 @@
 // The box that a link never leaves during its motion.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "link_bounds/geometry/shape/bounded_link.h"
-#include "node/tf/transform_buffer.h"
+#include "node/history/motion_path.h"
 
 namespace link_bounds {
-
-/// Both ends count [ns of ROS time], begin <= end.
-struct MotionSpan {
-  std::int64_t begin;
-  std::int64_t end;
-};
 
 struct SweptBox {
   std::optional<Aabb> box;  ///< in the target frame, padded as linkBox() does it
@@ -24,8 +17,9 @@ struct SweptBox {
 };
 
 /// A box that contains the link's box in each pose that tf2 gives for the frame `source` in the
-/// frame `target` at a time of the span, interpolated or not. Its size exceeds the union of those
-/// boxes by at most 1 mm + 1 %.
+/// frame `target` at a time of the span, interpolated or not. Along no axis is it longer than the
+/// box around all of those by more than 1 mm + 1 %, unless a motion is so wild that a million
+/// poses do not suffice.
 ///
 /// There is no box if tf does not know the whole motion: if a history does not cover the span, if
 /// an edge between the frames changes its parent meanwhile, if two samples that follow each other

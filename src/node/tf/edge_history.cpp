@@ -4,7 +4,6 @@
 #include "node/tf/edge_history.h"
 
 namespace link_bounds {
-namespace {
 
 Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int64_t stamp) {
   const double ratio =
@@ -15,8 +14,6 @@ Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int6
   translation.setInterpolate3(from.translation(), to.translation(), ratio);
   return {tf2::slerp(from.rotation(), to.rotation(), ratio), translation};
 }
-
-}  // namespace
 
 bool EdgeHistory::insertElsewhere(const EdgeSample& sample) {
   if (is_static_ && !samples_.isEmpty()) {
@@ -52,6 +49,18 @@ const EdgeSample* EdgeHistory::before(std::int64_t stamp, EdgeSample& scratch) c
   if (older->stamp == stamp && !reachesBefore(stamp)) return older;
   scratch = {interpolated(*older, *newer, stamp), older->parent, stamp};
   return &scratch;
+}
+
+std::vector<const EdgeSample*> EdgeHistory::between(std::int64_t begin, std::int64_t end) const {
+  if (samples_.isEmpty()) return {};
+  if (is_static_) return {&samples_.newest()};
+  if (samples_.newest().stamp < end) return {};
+  const std::size_t count = samples_.countUntil(begin);
+  if (count == 0 || samples_[count - 1].stamp < oldestKept()) return {};
+  std::vector<const EdgeSample*> found{&samples_[count - 1]};
+  for (std::size_t i = count; found.back()->stamp < end; ++i)
+    found.push_back(&samples_[i]);
+  return found;
 }
 
 }  // namespace link_bounds

@@ -8,9 +8,14 @@
 // and copies what is read.
 #pragma once
 
+#include <vector>
+
 #include "node/tf/sample_ring.h"
 
 namespace link_bounds {
+
+/// What tf2 gives for a time between two samples of one parent, or at one of them.
+Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int64_t stamp);
 
 class EdgeHistory {
  public:
@@ -49,6 +54,11 @@ class EdgeHistory {
     if (is_static_ || stamp == 0 || stamp == newest.stamp) return &newest;
     return stamp < newest.stamp ? before(stamp, scratch) : nullptr;
   }
+
+  /// The samples that decide the transforms at all times from `begin` to `end`, the oldest first:
+  /// the last one up to `begin`, all between, and the first one from `end` on. None if the history
+  /// does not cover that time. A static edge has one.
+  std::vector<const EdgeSample*> between(std::int64_t begin, std::int64_t end) const;
 
  private:
   bool insertElsewhere(const EdgeSample& sample);
