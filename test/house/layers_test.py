@@ -18,7 +18,7 @@ ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes
          'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/distances',
          'node/history', 'node/outputs', 'node/diagnostics', 'node/interface', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
-         'tools/bag_bounds/bag']
+         'tools/bag_bounds/bag', 'tools/bag_bounds']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Folders of test that are no rooms, and folders of tests that look at the node as a whole.
 WITHOUT_RULES = ['test/bench', 'test/consumer', 'test/fuzz', 'test/house', 'test/sanitizers',

@@ -188,6 +188,11 @@ MeshSource meshSource(const Parameters& parameters) {
 }
 
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader) {
+  return makeModel(description, parameters, loader, meshSource(parameters));
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,
+                const MeshSource& source) {
   const Robot robot = parseRobot(description);
   std::set<std::string> names;
   for (const Link& link : robot.links)
@@ -195,7 +200,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   checkIgnoredPairs(parameters, names);
   const std::vector<NamePair> ignored_pairs = ignoredPairs(parameters, names);
   const Selection selection = selectionOf(parameters);
-  BoundedRobot bounded = loader.load(robot, selection, meshSource(parameters));
+  BoundedRobot bounded = loader.load(robot, selection, source);
   Model model;
   model.parameters = parameters;
   model.fixed_frame = parameters.fixed_frame.empty()

@@ -48,7 +48,11 @@ Model modelWithoutRobot(const Parameters& parameters);
 /// Meshes of packages and of file URIs, within the limits that the parameters set.
 MeshSource meshSource(const Parameters& parameters);
 
-/// Parses the description and loads its meshes. Throws RobotError, ParameterError.
+/// Parses the description and loads its meshes from `source`. Throws RobotError, ParameterError.
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,
+                const MeshSource& source);
+
+/// The same with the meshes of meshSource().
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader);
 
 /// A link or an object.

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From recorded transforms to extremes, entries and distances on standard output.
+#include <ros/console.h>
+
+#include <csignal>
+#include <iostream>
+#include <new>
+
+#include "tools/bag_bounds/bag_run.h"
+#include "tools/command_line/terminal.h"
+
+namespace link_bounds {
+
+const char* const kProgram = "bag_bounds";
+
+namespace {
+
+/// What the node would log becomes a line of this program.
+void printLog(void*, ros::console::Level level, const char* text, const char*, const char*, int) {
+  if (level >= ros::console::levels::Warn) warn(text);
+}
+
+int run(const BagBoundsOptions& options) {
+  ros::console::initialize();
+  ros::console::backend::function_print = printLog;
+  catchInterrupts();
+  BagRun run(options);
+  run.read();
+  const BagReport report = run.report();
+  write(report, options.format, std::cout);
+  const int code = run.exitCode(report);
+  return finishOutput() ? code : 1;
+}
+
+int runGuarded(int argc, char** argv) {
+  try {
+    const BagBoundsOptions options = parseOptions(argc, argv);
+    if (!options.help && !options.version) return run(options);
+    std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
+    return finishOutput() ? 0 : 1;
+  } catch (const std::bad_alloc&) {
+    say("error: out of memory");
+  } catch (const std::exception& error) {
+    say(std::string("error: ") + error.what() + "; see bag_bounds --help");
+  }
+  return 1;
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+int main(int argc, char** argv) {
+  // Without the signal, writing to a closed pipe is an error that finishOutput reports.
+  std::signal(SIGPIPE, SIG_IGN);
+  return link_bounds::runGuarded(argc, argv);
+}

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// By getopt_long.
+#include "tools/bag_bounds/bag_bounds_options.h"
+
+#include <getopt.h>
+
+#include "tools/command_line/options.h"
+
+namespace link_bounds {
+
+const char* const kUsage =
+    R"(usage: bag_bounds FILE.bag ... --urdf FILE.urdf [options]
+
+Reads the recorded transforms of a robot and prints how far each of its links reached and when, who
+entered which zone, and how near pairs of links came. The boxes are those that the node would have
+published. Needs no ROS master. Bags may be compressed, cut or without an index; several are read
+as one, by their record times.
+
+  FILE.bag            bags (format 2.0) with /tf and /tf_static
+  --urdf FILE         the robot, - is standard input; relative mesh names start at its folder
+  --geometry G        visual (default), collision or both
+  --fixed-frame F     frame of the report; default: the root link
+  --zones FILE        a YAML file of boxes: NAME: {frame: F, min: [x, y, z], max: [x, y, z]};
+                      without frame they are in the fixed frame
+  --distances LIMIT   also the pairs whose proven distance was ever at most LIMIT [m], but none that
+                      are rigidly connected or neighbours by one joint
+  --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
+  --start S           reports from S seconds after the first message on, as rosbag play -s
+  --end S             reads no further than S seconds after the first message
+  --format F          table (default): rounded to micrometres
+                      csv: kind,name,other,value,time,stamp
+                      json: also says what is incomplete and why
+  --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
+  --strict            exit with 2 if any geometry could not be used
+  -h, --help          this text
+  --version           the version of link_bounds
+
+Lengths are metres, times are seconds. Exit code, the first that applies:
+  1  unusable arguments, robot or bags; or no link ever had a box
+  3  a zone was entered, or a distance was less than LIMIT
+  4  a part of the bags was not read: damage, or interrupted
+  2  see --strict
+  0  all good
+)";
+
+namespace {
+
+enum Code {
+  kUrdf = 256,
+  kGeometry,
+  kFixedFrame,
+  kZones,
+  kDistances,
+  kObjects,
+  kStart,
+  kEnd,
+  kFormat,
+  kOut,
+  kStrict,
+  kHelp,
+  kVersion
+};
+
+constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
+                                   {"geometry", required_argument, nullptr, kGeometry},
+                                   {"fixed-frame", required_argument, nullptr, kFixedFrame},
+                                   {"zones", required_argument, nullptr, kZones},
+                                   {"distances", required_argument, nullptr, kDistances},
+                                   {"objects", required_argument, nullptr, kObjects},
+                                   {"start", required_argument, nullptr, kStart},
+                                   {"end", required_argument, nullptr, kEnd},
+                                   {"format", required_argument, nullptr, kFormat},
+                                   {"out", required_argument, nullptr, kOut},
+                                   {"strict", no_argument, nullptr, kStrict},
+                                   {"help", no_argument, nullptr, kHelp},
+                                   {"version", no_argument, nullptr, kVersion},
+                                   {nullptr, 0, nullptr, 0}};
+
+/// Throws UsageError if there is no text.
+std::string nonEmpty(const std::string& option_name, const std::string& text) {
+  if (text.empty()) throw UsageError(option_name + " is empty");
+  return text;
+}
+
+/// In tf and in bags, names of topics begin with a slash.
+std::string topicName(const std::string& text) {
+  const std::string name = nonEmpty("--objects", text);
+  return name.front() == '/' ? name : "/" + name;
+}
+
+/// `code` is what getopt_long returned.
+void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
+  switch (code) {
+    case 1:
+      options.bags.push_back(nonEmpty("the name of a bag", optarg));
+      return;
+    case kUrdf:
+      options.urdf = nonEmpty("--urdf", optarg);
+      return;
+    case kGeometry:
+      options.geometry =
+          chosen<std::string>("--geometry", optarg,
+                              {{"visual", "visual"}, {"collision", "collision"}, {"both", "both"}});
+      return;
+    case kFixedFrame:
+      options.fixed_frame = nonEmpty("--fixed-frame", optarg);
+      return;
+    case kZones:
+      options.zones = nonEmpty("--zones", optarg);
+      return;
+    case kDistances:
+      options.distances = limitOption("--distances", optarg);
+      return;
+    case kObjects:
+      options.objects.insert(topicName(optarg));
+      return;
+    case kStart:
+      options.start = limitOption("--start", optarg, "seconds");
+      return;
+    case kEnd:
+      options.end = limitOption("--end", optarg, "seconds");
+      return;
+    case kFormat:
+      options.format = chosen<Format>(
+          "--format", optarg,
+          {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
+      return;
+    case kOut:
+      options.out = nonEmpty("--out", optarg);
+      return;
+    case kStrict:
+      options.strict = true;
+      return;
+    case 'h':
+    case kHelp:
+      options.help = true;
+      return;
+    case kVersion:
+      options.version = true;
+      return;
+    case ':':
+      throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
+    default:
+      throw UsageError(badOption(argv, kUrdf));
+  }
+}
+
+void check(const BagBoundsOptions& options) {
+  if (options.bags.empty()) throw UsageError("no bag is given");
+  if (options.urdf.empty()) throw UsageError("no robot is given; add --urdf FILE");
+  if (options.end && *options.end < options.start)
+    throw UsageError("--end is before --start; nothing would be reported");
+}
+
+}  // namespace
+
+BagBoundsOptions parseOptions(int argc, char** argv) {
+  BagBoundsOptions options;
+  opterr = 0;
+  int code = 0;
+  // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
+  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
+    addOption(code, argv, options);
+    if (options.help || options.version) return options;
+  }
+  for (; optind < argc; ++optind)
+    options.bags.push_back(nonEmpty("the name of a bag", argv[optind]));
+  check(options);
+  return options;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of bag_bounds.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/text/table_text.h"
+
+namespace link_bounds {
+
+struct BagBoundsOptions {
+  std::vector<std::string> bags;
+  std::string urdf;                 ///< "-" is standard input
+  std::string geometry = "visual";  ///< as the node's parameter
+  std::string fixed_frame;          ///< "": that of the root link
+  std::string zones;                ///< a file; "": none
+  std::optional<double> distances;  ///< limit [m], finite, >= 0; none: not computed
+  double start = 0;                 ///< s after the first message
+  std::optional<double> end;        ///< s after the first message
+  Format format = Format::kTable;
+  std::string out;                ///< a file; "": none
+  std::set<std::string> objects;  ///< topics
+  bool strict = false;
+  bool help = false;     ///< the other members are then undefined
+  bool version = false;  ///< likewise
+};
+
+/// Throws UsageError. Call it once: getopt keeps state.
+BagBoundsOptions parseOptions(int argc, char** argv);
+
+/// What --help prints.
+extern const char* const kUsage;
+
+}  // namespace link_bounds

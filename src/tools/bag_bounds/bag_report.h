@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is printed of a bag: a table to read, CSV or JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tools/bag_bounds/box_records.h"
+#include "tools/bag_bounds/nearest_pairs.h"
+#include "tools/bag_bounds/zone_watch.h"
+#include "tools/text/table_text.h"
+
+namespace link_bounds {
+
+/// Times are nanoseconds of record time.
+struct BagReport {
+  std::string frame;       ///< the fixed frame
+  std::int64_t begin = 0;  ///< of the first message; other times are printed from here on
+  std::int64_t from = 0;   ///< the report covers from here ...
+  std::int64_t to = 0;     ///< ... to here
+  std::uint64_t messages = 0;
+  std::vector<BoxRecord> boxes;
+  std::vector<ZoneRecord> zones;
+  std::optional<std::vector<NearestPair>> distances;
+  double distance_limit = 0;  ///< [m]
+  std::vector<std::string> losses;
+};
+
+/// What is incomplete, and why.
+Reasons incompleteOf(const BagReport& report);
+
+void write(const BagReport& report, Format format, std::ostream& out);
+
+/// Seconds from `begin` to `time` for people.
+std::string shortSeconds(std::int64_t time, std::int64_t begin);
+
+}  // namespace link_bounds

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The order of time: before --start transforms are taken, but nothing is recorded.
+#include "tools/bag_bounds/bag_run.h"
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <limits>
+
+#include "node/names/topics.h"
+#include "packages/package_path.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint64_t kMessagesPerGlance = 256;  // at the progress
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void onInterrupt(int) {
+  interrupted = 1;
+}
+
+std::vector<Zone> readZones(const std::string& file) {
+  return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
+}
+
+std::set<std::string> topicsOf(const BagBoundsOptions& options) {
+  std::set<std::string> topics = options.objects;
+  topics.insert({kTfTopic.name, kTfStaticTopic.name});
+  return topics;
+}
+
+Parameters parametersOf(const BagBoundsOptions& options) {
+  Parameters parameters;
+  parameters.fixed_frame = options.fixed_frame;
+  parameters.geometry = options.geometry;
+  parameters.distance_limit = options.distances.value_or(0);
+  return parameters;
+}
+
+/// Nanoseconds, of any number of seconds.
+std::int64_t after(std::int64_t begin, double seconds) {
+  constexpr double kFar = 4e9;  // s
+  return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
+}
+
+void refuseToOverwrite(const BagBoundsOptions& options) {
+  for (const std::string& bag : options.bags) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(bag, options.out, ignored))
+      throw UsageError("--out is " + bag + ", which is read; name another file");
+  }
+}
+
+}  // namespace
+
+void catchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onInterrupt;
+  action.sa_flags = SA_RESETHAND;
+  for (const int signal : {SIGINT, SIGTERM})
+    sigaction(signal, &action, nullptr);
+}
+
+BagRun::BagRun(const BagBoundsOptions& options)
+    : options_(options),
+      mesh_source_{rosPackages(), folderOf(options.urdf), progressBar()},
+      loader_(plainRemedy, [] { return interrupted != 0; }),
+      zones_(readZones(options.zones)),
+      reader_(options.bags, topicsOf(options)),
+      model_(std::make_shared<const Model>(loadModel())),
+      scene_(
+          [this](const std::string& uri) {
+            return loader_.loadMeshes({uri}, mesh_source_).front();
+          },
+          [this](std::int64_t now) { onNews(now); },
+          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }),
+      unused_topics_(options.objects) {
+  mesh_source_.progress = nullptr;
+  if (options.distances) {
+    pairs_.emplace(
+        [this](const std::string& uri) { return loader_.loadTrees({uri}, mesh_source_).front(); });
+  }
+  if (options.out.empty()) return;
+  refuseToOverwrite(options);
+  out_.emplace(options.out);
+}
+
+Model BagRun::loadModel() {
+  Model model =
+      makeModel(readText(options_.urdf, "a URDF"), parametersOf(options_), loader_, mesh_source_);
+  if (model.links.empty())
+    throw UsageError("no link of the robot has geometry of the kind " + options_.geometry +
+                     "; choose another --geometry");
+  for (const std::string& problem : model.problems)
+    warn(problem);
+  for (const std::string& warning : model.warnings)
+    warn(warning);
+  return model;
+}
+
+/// The first message may be of any topic, as for rosbag play.
+void BagRun::begin() {
+  BagMessage first;
+  BagReader all(options_.bags, {});
+  if (!all.next(first)) {
+    const auto& losses = all.losses();
+    throw std::runtime_error("there is no message to read" +
+                             (losses.empty() ? "; the bags are empty" : ": " + losses.front()));
+  }
+  begin_ = first.time;
+  from_ = after(begin_, options_.start);
+  to_ = options_.end ? after(begin_, *options_.end) : std::numeric_limits<std::int64_t>::max();
+  if (options_.start == 0) from_ = std::numeric_limits<std::int64_t>::min();
+  last_ = begin_;
+  scene_.adopt(model_, begin_);
+  zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  onStep(begin_, false);
+}
+
+void BagRun::read() {
+  begin();
+  readMessages();
+  if (shown_percent_) eraseBar();
+  boxes_.finish(last_);
+  zones_.finish(last_);
+  if (out_) out_->close();
+  for (const std::string& topic : unused_topics_)
+    warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
+  if (was_interrupted_) {
+    say("interrupted " + shortSeconds(scene_.now(), begin_) + " s after the begin, " +
+        std::to_string(static_cast<int>(100 * reader_.progress())) +
+        " % of the bags were read; the report ends there");
+  }
+}
+
+void BagRun::readMessages() {
+  BagMessage message;
+  while (reader_.next(message)) {
+    if (message.time > to_) {
+      scene_.passTo(to_);
+      return;
+    }
+    if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
+    scene_.take(message);
+    ++messages_;
+    if (interrupted) {
+      was_interrupted_ = true;
+      return;
+    }
+    if (messages_ % kMessagesPerGlance == 0) showProgress();
+  }
+}
+
+void BagRun::showProgress() {
+  if (!hasTerminal()) return;
+  const auto percent = static_cast<std::size_t>(100 * reader_.progress());
+  if (shown_percent_ == percent) return;
+  shown_percent_ = percent;
+  drawBar(percent, 100, "% of the bags");
+}
+
+void BagRun::onNews(std::int64_t now) {
+  zones_.onNews(now, isReported(now));
+  if (isReported(now)) record(now);
+}
+
+/// What is there when the report begins is recorded, too.
+void BagRun::onStep(std::int64_t now, bool is_tick) {
+  zones_.onStep(now, is_tick, isReported(now));
+  if (!isReported(now)) return;
+  last_ = now;
+  if (has_recorded_) return;
+  zones_.onNews(now, true);
+  record(now);
+}
+
+void BagRun::record(std::int64_t now) {
+  has_recorded_ = true;
+  last_ = now;
+  boxes_.add(scene_.scene(), now);
+  if (pairs_) pairs_->add(scene_.scene(), now);
+  if (out_) out_->write(scene_.scene(), now);
+}
+
+BagReport BagRun::report() const {
+  BagReport report;
+  report.frame = model_->fixed_frame;
+  report.begin = begin_;
+  report.from = std::max(from_, begin_);
+  report.to = last_;
+  report.messages = messages_;
+  report.boxes = boxes_.records();
+  report.zones = zones_.records();
+  if (pairs_) report.distances = pairs_->pairs();
+  report.distance_limit = options_.distances.value_or(0);
+  report.losses = reader_.losses();
+  if (scene_.damaged() > 0) {
+    report.losses.push_back(std::to_string(scene_.damaged()) +
+                            " messages are too short for their type and were left out; record "
+                            "them again");
+  }
+  if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
+  return report;
+}
+
+int BagRun::exitCode(const BagReport& report) const {
+  for (const std::string& loss : report.losses)
+    warn(loss);
+  if (pairs_) {
+    for (const std::string& problem : pairs_->problems())
+      warn("distances to the convex hull only: " + problem);
+  }
+  if (scene_.transforms() == 0) {
+    say("error: there is no message on /tf or /tf_static; record them, or name the bags that have "
+        "them");
+    return 1;
+  }
+  if (!boxes_.hasLinkBox()) {
+    say(!has_recorded_ ? "error: nothing was recorded between --start and --end; the bags end " +
+                             shortSeconds(scene_.now(), begin_) + " s after their begin"
+                       : "error: no link ever had a box: " + report.boxes.front().reason +
+                             "; is it the bag of this robot, and does --fixed-frame exist in it?");
+    return 1;
+  }
+  if (zones_.wasEntered() || (pairs_ && pairs_->wasUndercut())) return 3;
+  if (!report.losses.empty()) return 4;
+  return options_.strict && !model_->problems.empty() ? 2 : 0;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From bags to a report: reads, moves the scene, and records what is to be reported.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "link_bounds/robot/robot_loader.h"
+#include "tools/bag_bounds/bag_bounds_options.h"
+#include "tools/bag_bounds/bag_report.h"
+#include "tools/bag_bounds/boxes_bag.h"
+#include "tools/bag_bounds/recorded_scene.h"
+
+namespace link_bounds {
+
+class BagRun {
+ public:
+  /// Reads the zones and the robot, and opens all files. Throws std::exception.
+  explicit BagRun(const BagBoundsOptions& options);
+  BagRun(const BagRun&) = delete;
+  BagRun& operator=(const BagRun&) = delete;
+
+  /// Reads the bags to the end of what is to be reported. Throws std::exception.
+  void read();
+
+  /// After read().
+  BagReport report() const;
+
+  /// The exit code that the report deserves; see kUsage. Says why if it is 1.
+  int exitCode(const BagReport& report) const;
+
+ private:
+  Model loadModel();
+  void begin();
+  void readMessages();
+  bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
+  void onNews(std::int64_t now);
+  void onStep(std::int64_t now, bool is_tick);
+  void record(std::int64_t now);
+  void showProgress();
+  void warnOfUnused(const std::string& topic);
+
+  const BagBoundsOptions& options_;
+  MeshSource mesh_source_;
+  RobotLoader loader_;
+  ZoneWatch zones_;
+  BagReader reader_;
+  std::shared_ptr<const Model> model_;
+  RecordedScene scene_;
+  BoxRecords boxes_;
+  std::optional<NearestPairs> pairs_;
+  std::optional<BoxesBag> out_;
+  std::int64_t begin_ = 0;  ///< record time of the first message [ns]
+  std::int64_t from_ = 0;   ///< what is reported, likewise
+  std::int64_t to_ = 0;
+  std::int64_t last_ = 0;  ///< the newest that is reported, likewise
+  bool has_recorded_ = false;
+  bool was_interrupted_ = false;
+  std::uint64_t messages_ = 0;
+  std::set<std::string> unused_topics_;
+  std::optional<std::size_t> shown_percent_;
+};
+
+/// Lets Ctrl-C end the reading; a second one ends the program.
+void catchInterrupts();
+
+}  // namespace link_bounds

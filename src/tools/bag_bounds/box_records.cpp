@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares each box with what is recorded of its name.
+#include "tools/bag_bounds/box_records.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+void extend(BoxRecord& record, const Aabb& box, const Moment& now) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    if (!record.has_box || box.min()[k] < record.min[axis].value)
+      record.min[axis] = {box.min()[k], now};
+    if (!record.has_box || box.max()[k] > record.max[axis].value)
+      record.max[axis] = {box.max()[k], now};
+  }
+  record.has_box = true;
+}
+
+void endGap(BoxRecord& record, std::int64_t now) {
+  if (record.gap) record.gaps_length += std::max<std::int64_t>(now - *record.gap, 0);
+  record.gap.reset();
+}
+
+/// Before its first box a name has no gap.
+template <class GetReason>
+void add(BoxRecord& record, const BoxState& state, std::int64_t now, const GetReason& reason) {
+  if (state.box) {
+    endGap(record, now);
+    if (state.incomplete && record.partial.empty()) record.partial = reason();
+    extend(record, *state.box, {now, state.stamp});
+  } else if (!record.has_box) {
+    record.reason = reason();
+  } else if (!record.gap) {
+    if (record.gaps++ == 0) {
+      record.first_gap = now;
+      record.reason = reason();
+    }
+    record.gap = now;
+  }
+}
+
+}  // namespace
+
+void BoxRecords::add(const Scene& scene, std::int64_t now) {
+  const std::vector<BoxState>& states = scene.links.states();
+  links_.resize(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (links_[i].name.empty()) links_[i].name = scene.model()->links[i].name;
+    link_bounds::add(links_[i], states[i], now, [&] { return scene.links.reason(i); });
+  }
+  for (const auto& [key, object] : scene.objects.objects()) {
+    auto found = objects_.find(key);
+    if (found == objects_.end()) {
+      if (objects_.size() == kMaxObjects) {
+        ++left_out_;
+        continue;
+      }
+      found = objects_.emplace(key, BoxRecord()).first;
+      found->second.name = object.content->bounded.name;
+    }
+    link_bounds::add(found->second, object.state, now,
+                     [&scene, &live = object] { return scene.objects.reason(live); });
+  }
+}
+
+void BoxRecords::finish(std::int64_t now) {
+  for (BoxRecord& link : links_)
+    endGap(link, now);
+  for (auto& [key, record] : objects_)
+    endGap(record, now);
+}
+
+std::vector<BoxRecord> BoxRecords::records() const {
+  std::vector<BoxRecord> result = links_;
+  for (const auto& [key, record] : objects_)
+    result.push_back(record);
+  return result;
+}
+
+bool BoxRecords::hasLinkBox() const {
+  return std::any_of(links_.begin(), links_.end(), [](const auto& link) { return link.has_box; });
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How far each link and object reached, and when it had no box.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "node/scene/scene.h"
+#include "tools/bag_bounds/moment.h"
+
+namespace link_bounds {
+
+struct Extreme {
+  double value = 0;  ///< [m]
+  Moment when;
+};
+
+struct BoxRecord {
+  std::string name;
+  bool has_box = false;        ///< at any time; the next two are then defined
+  std::array<Extreme, 3> min;  ///< smallest x, y, z
+  std::array<Extreme, 3> max;
+  std::uint64_t gaps = 0;           ///< how often the box was lost
+  std::optional<std::int64_t> gap;  ///< begin of the present gap [ns]
+  std::int64_t first_gap = 0;       ///< record time of its begin [ns]
+  std::int64_t gaps_length = 0;     ///< of those that have ended [ns]
+  std::string reason;               ///< of the first gap; without any box: the newest
+  std::string partial;              ///< why the box does not cover everything; "" if it does
+};
+
+class BoxRecords {
+ public:
+  /// Objects of further names are only counted, so that memory has a limit.
+  static constexpr std::size_t kMaxObjects = 10'000;
+
+  /// Takes all boxes of a scene that has a model.
+  void add(const Scene& scene, std::int64_t now);
+
+  /// Ends the gaps.
+  void finish(std::int64_t now);
+
+  /// In the order of ~boxes.
+  std::vector<BoxRecord> records() const;
+
+  /// Whether a link ever had a box.
+  bool hasLinkBox() const;
+
+  std::uint64_t objectsLeftOut() const { return left_out_; }
+
+ private:
+  std::vector<BoxRecord> links_;
+  std::map<ObjectKey, BoxRecord> objects_;
+  std::uint64_t left_out_ = 0;  ///< boxes of objects
+};
+
+}  // namespace link_bounds

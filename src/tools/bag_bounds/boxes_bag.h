@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The bag of ~boxes that --out names.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "node/scene/scene.h"
+#include "tools/bag_bounds/bag/bag_writer.h"
+
+namespace link_bounds {
+
+class BoxesBag {
+ public:
+  /// Functions throw std::runtime_error where writing fails.
+  explicit BoxesBag(const std::string& file);
+
+  /// The message that the node would publish of this scene, at its record time [ns].
+  void write(const Scene& scene, std::int64_t now);
+
+  void close() { writer_.close(); }
+
+ private:
+  BagWriter writer_;
+  std::uint32_t topic_;
+  AxisAlignedBoxArray message_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace link_bounds

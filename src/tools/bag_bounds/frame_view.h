@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of a scene with the axes of another frame.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "node/scene/scene.h"
+
+namespace link_bounds {
+
+/// Each box is that of the body itself, not a box around the scene's box. Links, and objects that
+/// follow a frame, are where tf has them in this frame; objects that were placed once move with the
+/// scene's fixed frame.
+class FrameView {
+ public:
+  /// Both must outlive this; the scene has a model.
+  FrameView(const std::string& frame, Scene& scene, TransformBuffer& tf, ros::Time now);
+
+  /// To be called after each message. True if a box of a link changed.
+  bool update(ros::Time now);
+
+  /// To be called with each tick. Likewise.
+  bool expire(ros::Time now);
+
+  /// Calls visit(name, state) as Scene::forEach.
+  template <class Visit>
+  void forEach(Visit&& visit) {
+    for (std::size_t i = 0; i < links_.states().size(); ++i)
+      visit(links_.model()->links[i].name, links_.states()[i]);
+    for (const auto& [key, object] : scene_.objects.objects())
+      visit(object.content->bounded.name, stateOf(object));
+  }
+
+ private:
+  BoxState stateOf(const LiveObject& object);
+  const FramePose& poseOf(const std::string& frame);
+
+  Scene& scene_;
+  FrameTracker frames_;
+  LiveBoxes links_;
+  std::map<std::string, FrameTracker::Handle> followed_;  ///< of objects, and the fixed frame
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Trees come back within the request, so that nothing waits for them.
+#include "tools/bag_bounds/nearest_pairs.h"
+
+#include "node/distances/object_body.h"
+
+namespace link_bounds {
+namespace {
+
+/// Time stands still: lists of markers settle at once.
+constexpr TriangleTrees::Time kNow{};
+constexpr TriangleTrees::Time kSettled = kNow + std::chrono::hours(1);
+
+}  // namespace
+
+NearestPairs::NearestPairs(LoadTree load_tree)
+    : load_tree_(std::move(load_tree)), distances_(requests()) {}
+
+TreeRequests NearestPairs::requests() {
+  TreeRequests requests;
+  requests.mesh = [this](const auto& uri, const auto& points) {
+    const LoadedTree tree = load_tree_(uri);
+    MadeTree made{points, nullptr, tree.error};
+    if (tree.points == points) {
+      made.triangles = tree.triangles;
+    } else if (made.error.empty()) {
+      made.error = uri + " was replaced meanwhile; run this again";
+    }
+    if (!made.error.empty()) problems_.push_back(made.error);
+    distances_.trees().add(made);
+  };
+  requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {
+    distances_.trees().add(listTree(*list));
+  };
+  return requests;
+}
+
+void NearestPairs::add(const Scene& scene, std::int64_t now) {
+  const auto snapshot = takeSnapshot(scene, AxisAlignedBoxArray());
+  const auto is_cancelled = [] { return false; };
+  auto computed = distances_.compute(snapshot, kNow, is_cancelled);
+  const std::uint64_t version = distances_.trees().version();
+  distances_.trees().requestSettled(kSettled);
+  if (distances_.trees().version() != version)
+    computed = distances_.compute(snapshot, kNow, is_cancelled);
+  const double limit = scene.model()->parameters.distance_limit;
+  for (const Distance& distance : computed->array.distances) {
+    was_undercut_ |= distance.distance < limit;
+    keep(distance, now);
+  }
+}
+
+void NearestPairs::keep(const Distance& distance, std::int64_t now) {
+  const std::pair<std::string, std::string> names{distance.first, distance.second};
+  const auto found = pairs_.find(names);
+  const Moment when{now, static_cast<std::int64_t>(distance.stamp.toNSec())};
+  if (found != pairs_.end()) {
+    if (distance.distance < found->second.distance.distance) found->second = {distance, when};
+  } else if (pairs_.size() < kMaxPairs) {
+    pairs_[names] = {distance, when};
+  } else {
+    ++left_out_;
+  }
+}
+
+std::vector<NearestPair> NearestPairs::pairs() const {
+  std::vector<NearestPair> result;
+  for (const auto& [names, pair] : pairs_)
+    result.push_back(pair);
+  return result;
+}
+
+}  // namespace link_bounds

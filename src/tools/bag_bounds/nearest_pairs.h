@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How near each pair of bodies came, by proven distances.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/Distance.h"
+#include "link_bounds/robot/robot_loader.h"
+#include "node/distances/scene_distances.h"
+#include "tools/bag_bounds/moment.h"
+
+namespace link_bounds {
+
+struct NearestPair {
+  Distance distance;  ///< that of the smallest lower bound
+  Moment when;
+};
+
+/// Pairs, limit and accuracy are those of the model. Triangles are loaded when they are first
+/// needed, before the distance is computed.
+class NearestPairs {
+ public:
+  static constexpr std::size_t kMaxPairs = 10'000;  ///< further ones are only counted
+
+  using LoadTree = std::function<LoadedTree(const std::string& uri)>;
+
+  explicit NearestPairs(LoadTree load_tree);
+  NearestPairs(const NearestPairs&) = delete;
+  NearestPairs& operator=(const NearestPairs&) = delete;
+
+  /// The scene must have a model.
+  void add(const Scene& scene, std::int64_t now);
+
+  /// In alphabetical order.
+  std::vector<NearestPair> pairs() const;
+
+  std::uint64_t pairsLeftOut() const { return left_out_; }
+
+  /// Whether a distance was below the limit of the model.
+  bool wasUndercut() const { return was_undercut_; }
+
+  /// Meshes that count as their convex hull, with the reason.
+  const std::vector<std::string>& problems() const { return problems_; }
+
+ private:
+  TreeRequests requests();
+  void keep(const Distance& distance, std::int64_t now);
+
+  LoadTree load_tree_;
+  SceneDistances distances_;
+  std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
+  std::vector<std::string> problems_;
+  std::uint64_t left_out_ = 0;  ///< distances of further pairs
+  bool was_undercut_ = false;
+};
+
+}  // namespace link_bounds

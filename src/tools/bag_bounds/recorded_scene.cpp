@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps of the node, in record time.
+#include "tools/bag_bounds/recorded_scene.h"
+
+#include <ros/serialization.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "node/names/topics.h"
+#include "tools/bag_bounds/marker_bytes.h"
+#include "tools/bag_bounds/moment.h"
+#include "tools/command_line/options.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::int64_t kTick = static_cast<std::int64_t>(SceneFeed::kTick * 1e9);
+
+/// In a gap between two messages, ticks are apart by at least its length so far over this. So a
+/// recorder whose clock was set by thirty years costs two thousand ticks.
+constexpr std::int64_t kTicksPerGap = 100;
+
+constexpr std::int64_t kSecond = 1'000'000'000;  // ns
+constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
+
+bool isTransforms(const BagMessage& message) {
+  return *message.topic == kTfTopic.name || *message.topic == kTfStaticTopic.name;
+}
+
+void checkType(const BagMessage& message, std::initializer_list<const char*> types) {
+  for (const char* type : types) {
+    if (*message.type == type) return;
+  }
+  throw UsageError("the messages on " + *message.topic + " are of type " + *message.type +
+                   ", not " + *types.begin() + "; name another topic or another bag");
+}
+
+/// Throws what ros::serialization throws.
+template <class Message>
+Message deserialized(const BagMessage& message) {
+  // The stream only reads.
+  ros::serialization::IStream stream(const_cast<std::uint8_t*>(message.data), message.size);
+  Message result;
+  ros::serialization::deserialize(stream, result);
+  return result;
+}
+
+}  // namespace
+
+RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step)
+    : load_mesh_(std::move(load_mesh)),
+      on_news_(std::move(on_news)),
+      on_step_(std::move(on_step)),
+      feed_({[this](const std::string& uri) { wanted_meshes_.push_back(uri); },
+             [this] { on_news_(now_); }},
+            // Not 0, which stands for no jump.
+            [this] {
+              return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kSecond + passed_));
+            }) {}
+
+void RecordedScene::adopt(std::shared_ptr<const Model> model, std::int64_t now) {
+  now_ = now;
+  next_tick_ = now + kTick;
+  feed_.adopt(std::move(model), toRosTime(now));
+}
+
+void RecordedScene::take(const BagMessage& message) {
+  passTo(message.time);
+  try {
+    if (isTransforms(message)) {
+      takeTransforms(message);
+    } else {
+      takeMarkers(message);
+    }
+  } catch (const ros::Exception&) {
+    ++damaged_;
+  }
+  on_step_(now_, false);
+}
+
+/// Where time goes back, no tick is due before the message.
+void RecordedScene::passTo(std::int64_t time) {
+  const std::int64_t begin = now_;
+  if (time < begin) next_tick_ = time + kTick;
+  while (next_tick_ < time) {
+    tick(next_tick_);
+    next_tick_ += std::max(kTick, (next_tick_ - begin) / kTicksPerGap);
+  }
+  passed_ = std::min(passed_ + std::max<std::int64_t>(time - begin, 0), kMaxTime);
+  now_ = time;
+}
+
+void RecordedScene::tick(std::int64_t time) {
+  now_ = time;
+  feed_.onTick(toRosTime(time));
+  on_step_(time, true);
+}
+
+void RecordedScene::takeTransforms(const BagMessage& message) {
+  checkType(message, {"tf2_msgs/TFMessage", "tf/tfMessage", ""});
+  tf_message_.read(message.data, message.size);
+  ++transforms_;
+  feed_.onTransforms(
+      tf_message_.transforms, *message.topic == kTfStaticTopic.name,
+      [&message] { return *message.publisher; }, toRosTime(now_));
+}
+
+void RecordedScene::takeMarkers(const BagMessage& message) {
+  checkType(message, {"visualization_msgs/Marker", kMarkerArray});
+  const bool is_array = *message.type == kMarkerArray;
+  checkMarkerBytes(message.data, message.size, is_array);
+  visualization_msgs::MarkerArray array;
+  if (is_array) {
+    array = deserialized<visualization_msgs::MarkerArray>(message);
+  } else {
+    array.markers.push_back(deserialized<visualization_msgs::Marker>(message));
+  }
+  ++markers_;
+  feed_.onMarkers(array.markers.data(), array.markers.size(), *message.publisher, toRosTime(now_));
+  loadMeshes();
+}
+
+void RecordedScene::loadMeshes() {
+  for (const std::string& uri : std::exchange(wanted_meshes_, {}))
+    feed_.onMesh(uri, load_mesh_(uri), toRosTime(now_));
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene that recorded messages move. Time is that of their recording.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "node/loading/model.h"
+#include "node/scene/scene_feed.h"
+#include "tools/bag_bounds/bag/bag_reader.h"
+
+namespace link_bounds {
+
+class RecordedScene {
+ public:
+  /// Loads the mesh of an object.
+  using LoadMesh = std::function<LoadedMesh(const std::string& uri)>;
+  /// Called as SceneFeed::Handlers::on_news, at the record time [ns].
+  using OnNews = std::function<void(std::int64_t now)>;
+  /// Called after each message and tick, at the record time [ns].
+  using OnStep = std::function<void(std::int64_t now, bool is_tick)>;
+
+  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step);
+
+  /// To be called before the first message, at the time of that one.
+  void adopt(std::shared_ptr<const Model> model, std::int64_t now);
+
+  /// Lets time pass to that of the message, with the ticks on the way, then takes the message.
+  /// Throws UsageError if the topic has messages of another type than transforms or markers.
+  void take(const BagMessage& message);
+
+  /// Lets time pass, with its ticks, without a message.
+  void passTo(std::int64_t time);
+
+  std::int64_t now() const { return now_; }
+
+  Scene& scene() { return feed_.scene(); }
+  TransformBuffer& tf() { return feed_.tf(); }
+
+  /// Messages that were taken.
+  std::uint64_t transforms() const { return transforms_; }
+  std::uint64_t markers() const { return markers_; }
+
+  /// Messages that could not be read.
+  std::uint64_t damaged() const { return damaged_; }
+
+ private:
+  void tick(std::int64_t time);
+  void takeTransforms(const BagMessage& message);
+  void takeMarkers(const BagMessage& message);
+  void loadMeshes();
+
+  LoadMesh load_mesh_;
+  OnNews on_news_;
+  OnStep on_step_;
+  std::int64_t now_ = 0;        ///< record time [ns]
+  std::int64_t next_tick_ = 0;  ///< likewise
+  std::int64_t passed_ = 0;     ///< time that has passed, where record time goes forward [ns]
+  SceneFeed feed_;
+  TfMessage tf_message_;
+  std::vector<std::string> wanted_meshes_;
+  std::uint64_t transforms_ = 0;
+  std::uint64_t markers_ = 0;
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Who was in which zone, and how near the nearest body came.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/bag_bounds/frame_view.h"
+#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/zones.h"
+
+namespace link_bounds {
+
+/// How a stay in a zone ended: the box left, there was no box any more, or the report ended.
+enum class StayEnd { kLeft, kLost, kReportEnded };
+
+struct Stay {
+  std::string name;
+  Moment entered;
+  StayEnd end = StayEnd::kReportEnded;
+  Moment left;  ///< when it ended
+};
+
+struct NearestToZone {
+  std::string name;
+  double distance;  ///< of the two boxes [m], see signedDistance: no point of the body is nearer
+  Moment when;
+};
+
+struct ZoneRecord {
+  Zone zone;
+  std::uint64_t entries = 0;
+  std::vector<Stay> stays;  ///< the first kMaxStays of the entries
+  std::optional<NearestToZone> nearest;
+};
+
+/// A body is in a zone while its box, with padding, and the zone overlap or touch.
+class ZoneWatch {
+ public:
+  /// A body at the edge of a zone may enter it without end; further entries are only counted.
+  static constexpr std::size_t kMaxStays = 1000;
+
+  explicit ZoneWatch(const std::vector<Zone>& zones);
+
+  /// To be called when the scene has a model. Both must outlive this.
+  void watch(Scene& scene, TransformBuffer& tf, ros::Time now);
+
+  /// To be called when a box of the scene changed, at the record time [ns]; `is_reported`: compares
+  /// all boxes with the zones.
+  void onNews(std::int64_t now, bool is_reported);
+
+  /// To be called after each message or tick, after onNews().
+  void onStep(std::int64_t now, bool is_tick, bool is_reported);
+
+  /// Ends the stays of those that are in a zone.
+  void finish(std::int64_t now);
+
+  std::vector<ZoneRecord> records() const;
+  bool wasEntered() const;
+
+ private:
+  /// A body in a zone.
+  struct Inside {
+    std::size_t stay;  ///< in ZoneRecord::stays; beyond the last if it is only counted
+    std::uint64_t seen;
+    std::int64_t stamp;
+  };
+
+  struct Watched {
+    ZoneRecord record;
+    FrameView* view = nullptr;  ///< null: that of the scene
+    std::map<std::string, Inside> inside;
+  };
+
+  void updateViews(ros::Time now);
+  void compare(Watched& watched, std::int64_t now);
+  void visit(Watched& watched, const std::string& name, const BoxState& state, std::int64_t now);
+  void enter(Watched& watched, const std::string& name, const Moment& now) const;
+  static void end(Watched& watched, std::map<std::string, Inside>::iterator body, StayEnd how,
+                  const Moment& now);
+
+  Scene* scene_ = nullptr;
+  TransformBuffer* tf_ = nullptr;
+  std::vector<Watched> zones_;
+  std::map<std::string, FrameView> views_;  ///< by frame, without the fixed one
+  std::uint64_t tf_version_ = 0;            ///< of which the views are
+  bool have_views_changed_ = false;         ///< since they were compared
+  std::uint64_t comparisons_ = 0;
+};
+
+}  // namespace link_bounds
