@@ -9,7 +9,7 @@ packages_of() {
     build)
       echo g++ make cmake pkg-config catkin \
         libassimp-dev libbz2-dev libconsole-bridge-dev libeigen3-dev liblz4-dev libtinyxml2-dev \
-        liburdfdom-dev \
+        liburdfdom-dev libyaml-cpp-dev \
         libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
         libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
