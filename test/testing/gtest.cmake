@@ -19,6 +19,7 @@ function(bounds_gtest name)
   target_include_directories(${target} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
   target_compile_options(${target} PRIVATE ${LINK_BOUNDS_TEST_FLAGS})
   target_link_libraries(${target} ${PROJECT_NAME}_flags ${room_libraries} ${CMAKE_DL_LIBS})
+  target_precompile_headers(${target} REUSE_FROM ${PROJECT_NAME}_gtest_main)
   # catkin gives the test a longer name. The code is that of gtest_main.cpp.
   foreach(test ${target} _ctest_${PROJECT_NAME}_gtest_${target})
     if(TEST ${test})
