@@ -21,6 +21,9 @@ class EdgeMotion {
 
   const std::vector<const EdgeSample*>& samples() const { return samples_; }
 
+  /// Otherwise it has one transform for the whole span.
+  bool isMoving() const { return samples_.size() > 1; }
+
   /// Goes to the two samples that decide the transforms from this time on, until the next sample.
   void seek(std::int64_t time);
 

@@ -24,11 +24,11 @@ class Sweep {
   Sweep(MotionPath& path, const BoundedLink& link, MotionSpan span)
       : path_(path), link_(link), radius_(std::sqrt(3) * magnitude(link)) {
     times_ = {span.begin};
-    if (isMoving()) times_.push_back(span.end);
     for (const auto* edges : {&path.from_source, &path.from_target}) {
       for (const EdgeMotion& edge : *edges)
         addTimes(edge, span);
     }
+    if (isMoving()) times_.push_back(span.end);
     std::sort(times_.begin(), times_.end());
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
   }
@@ -60,14 +60,14 @@ class Sweep {
   };
 
   void addTimes(const EdgeMotion& edge, MotionSpan span) {
+    if (!edge.isMoving()) return;
     for (const EdgeSample* sample : edge.samples()) {
       if (sample->stamp > span.begin && sample->stamp < span.end) times_.push_back(sample->stamp);
     }
   }
 
-  /// Otherwise each edge has one transform for the whole span.
   bool isMoving() const {
-    return anyEdge([](const EdgeMotion& edge) { return edge.samples().size() > 1; });
+    return anyEdge([](const EdgeMotion& edge) { return edge.isMoving(); });
   }
 
   template <class Test>
