@@ -254,7 +254,8 @@ Reasons incompleteOf(const BagReport& report) {
     }
     if (!box.partial.empty()) reasons.emplace_back(box.name, box.partial);
     if (box.gaps > 0) {
-      reasons.emplace_back(box.name, "had no box " + std::to_string(box.gaps) + " times, " +
+      reasons.emplace_back(box.name, "had no box " + std::to_string(box.gaps) +
+                                         (box.gaps == 1 ? " time, " : " times, ") +
                                          shortSeconds(box.gaps_length, 0) + " s in all, first at " +
                                          shortSeconds(box.first_gap, report.begin) +
                                          " s: " + box.reason);

@@ -62,7 +62,7 @@ void refuseToOverwrite(const BagBoundsOptions& options) {
 void catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onInterrupt;
-  action.sa_flags = SA_RESETHAND;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM})
     sigaction(signal, &action, nullptr);
 }

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What bag_bounds prints of a bag: extremes, distances, every format.
+
+Run as: bag_bounds_test.py PATH_OF_bag_bounds
+"""
+import csv
+import io
+import itertools
+import json
+import signal
+import subprocess
+
+import bag_bounds_testing
+from bag_bounds_testing import (BEGIN, COUNT, ENTERED, PERIOD, UNDERCUT, BagBoundsTest, arms,
+                                degrees_at, main, moving_arms, run, seconds, static_arms,
+                                zone_text)
+from bounds_testing import wait_for
+from node_testing import ALL, SIZES, arm_bounds
+
+
+class ExtremesTest(BagBoundsTest):
+    def extremes(self, *arguments, **options):
+        found = self.report(self.bag(arms(COUNT)), *arguments, **options)
+        self.assertEqual([box['name'] for box in found['extremes']], ALL)
+        return {box['name']: box for box in found['extremes']}
+
+    def check(self, found, indices):
+        """Each extreme is that of one of the boxes, which was there at the time that is printed."""
+        for name, axis, side in itertools.product(ALL, range(3), ('min', 'max')):
+            values = {seconds(i): arm_bounds(name, degrees_at(i))[axis + 3 * (side == 'max')]
+                      for i in indices}
+            expected = min(values.values()) if side == 'min' else max(values.values())
+            self.assertAlmostEqual(found[name][side][axis], expected, delta=1e-12)
+            time = found[name][side + '_time'][axis]
+            self.assertAlmostEqual(values[round(time, 9)], expected, delta=1e-12)
+            stamp = 0 if name in ('base', 'mast') else BEGIN + time
+            self.assertAlmostEqual(found[name][side + '_stamp'][axis], stamp, delta=1e-6)
+
+    def test_extremes_and_their_times(self):
+        self.check(self.extremes(), range(COUNT))
+
+    def test_start_and_end(self):
+        """Boxes of the time before are there when the report begins."""
+        self.check(self.extremes('--start', '0.5', '--end', '1.01'), range(25, 51))
+        found = self.report(self.bag([static_arms(), moving_arms(0), moving_arms(100)]),
+                            '--start', '1')
+        self.assertEqual(found['from'], 1.0)
+        self.assertAlmostEqual(found['extremes'][0]['min_time'][0], 1.0, delta=0.06)
+
+    def test_the_start_is_that_of_rosbag_play(self):
+        """It counts from the first message of any topic."""
+        early = ('/other', static_arms()[1], static_arms(BEGIN - 1)[2])
+        found = self.report(self.bag([early] + arms(3)))
+        self.assertEqual(found['begin'], BEGIN - 1)
+        self.assertEqual(found['extremes'][2]['min_time'][2], 1.0)
+
+    def test_another_fixed_frame(self):
+        found = self.report(self.bag(arms(3)), '--fixed-frame', 'mast')
+        self.assertEqual(found['frame'], 'mast')
+        mast = next(box for box in found['extremes'] if box['name'] == 'mast')
+        self.assertAlmostEqual(mast['max'][1], SIZES['mast'][1] / 2, delta=1e-12)
+
+    def test_a_gap_is_incomplete(self):
+        """The box is lost two seconds after the last transform, and back with the next one."""
+        found = self.report(self.bag(arms(10) + [moving_arms(210)]))
+        for name in ('left', 'left_tip', 'right'):
+            self.assertRegex(found['incomplete'][name],
+                             r'had no box 1 time, (1\.9\d\d|2\.000) s in all, first at 2\.2\d\d s: ')
+        self.assertEqual(set(found['incomplete']), {'left', 'left_tip', 'right'})
+
+    def test_a_link_without_transform_is_incomplete(self):
+        bag = self.bag([static_arms()] + [moving_arms(i, links=('right',)) for i in range(5)])
+        found = self.report(bag)
+        self.assertEqual([box['name'] for box in found['extremes'] if 'min' not in box],
+                         ['left', 'left_tip'])
+        self.assertRegex(found['incomplete']['left'], 'never had a box: no transform')
+
+
+class DistancesTest(BagBoundsTest):
+    def test_the_nearest_pair_and_its_time(self):
+        bag = self.bag(arms(COUNT))
+        pairs = self.report(bag, '--distances', '0.3', code=UNDERCUT)['distances']
+        pair = next(p for p in pairs if (p['first'], p['second']) == ('left', 'right'))
+        gaps = {i: arm_bounds('left', degrees_at(i))[1] - arm_bounds('right', degrees_at(i))[4]
+                for i in range(COUNT)}
+        self.assertAlmostEqual(pair['distance'], min(gaps.values()), delta=1e-4)
+        self.assertLessEqual(pair['distance'], min(gaps.values()) + 1e-12)
+        self.assertAlmostEqual(gaps[round(pair['time'] / PERIOD)], min(gaps.values()), delta=1e-4)
+
+    def test_far_pairs(self):
+        bag = self.bag(arms(COUNT))
+        self.assertEqual(self.report(bag, '--distances', '0.05')['distances'], [])
+        code, out, _ = run(bag, '--urdf', self.urdf, '--distances', '0.05')
+        self.assertEqual(code, 0)
+        self.assertIn('(no pair was ever within 0.050000 m)', out)
+
+
+class FormatsTest(BagBoundsTest):
+    def test_csv_has_the_numbers_of_json(self):
+        bag = self.bag(arms(COUNT))
+        zones = self.write('zones.yaml', zone_text('door', [0.6, 0.45, -1], [1, 1, 1]))
+        arguments = ('--zones', zones, '--distances', '0.3')
+        found = self.report(bag, *arguments, code=ENTERED)
+        code, out, err = run(bag, '--urdf', self.urdf, '--format', 'csv', *arguments)
+        self.assertEqual((code, err), (ENTERED, ''))
+        rows = list(csv.reader(io.StringIO(out)))
+        self.assertEqual(rows[0], ['kind', 'name', 'other', 'value', 'time', 'stamp'])
+
+        def of_kind(kind):
+            return [row[1:] for row in rows[1:] if row[0] == kind]
+        for box, (k, axis), side in itertools.product(found['extremes'], enumerate('xyz'),
+                                                      ('min', 'max')):
+            row = next(r for r in of_kind('%s_%s' % (side, axis)) if r[0] == box['name'])
+            self.assertEqual([float(x) for x in row[2:]],
+                             [box[side][k], box[side + '_time'][k], box[side + '_stamp'][k]])
+        zone = found['zones'][0]
+        self.assertEqual([(r[0], float(r[3])) for r in of_kind('zone_entered')],
+                         [(s['name'], s['entered']['time']) for s in zone['stays']])
+        self.assertEqual(sum(len(of_kind('zone_' + how)) for how in ('left', 'report_ended')),
+                         len(zone['stays']))
+        self.assertEqual([float(r[2]) for r in of_kind('zone_nearest')],
+                         [zone['nearest']['distance']])
+        self.assertEqual([(r[0], r[1], float(r[2])) for r in of_kind('distance')],
+                         [(p['first'], p['second'], p['distance']) for p in found['distances']])
+
+    def test_table(self):
+        code, out, err = run(self.bag(arms(3)), '--urdf', self.urdf)
+        self.assertEqual((code, err), (0, ''))
+        self.assertRegex(out, r'^frame: base    unit: m    times: s after 1000\.000000000, '
+                         r'from 0\.000 to 0\.040\n')
+        self.assertRegex(out, r'\nmast +x +-0\.106066 +0\.000 +0\.106066 +0\.000\n')
+
+    def test_interrupt_reports_what_was_read(self):
+        """The signal comes while the program waits for the robot."""
+        process = subprocess.Popen([bag_bounds_testing.BAG_BOUNDS, self.bag(arms(50)), '--urdf', '-',
+                                    '--format', 'json'], stdin=subprocess.PIPE, encoding='utf-8',
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        wait_for(lambda: self.catches(process.pid, signal.SIGINT), 'the program catches Ctrl-C')
+        process.send_signal(signal.SIGINT)
+        with open(self.urdf, encoding='utf-8') as file:
+            out, err = process.communicate(file.read(), timeout=60)
+        self.assertEqual(process.returncode, 4, err)
+        self.assertRegex(err, 'interrupted 0.000 s after the begin, .* % of the bags were read')
+        self.assertLess(json.loads(out)['messages'], 50)
+
+    @staticmethod
+    def catches(pid, number):
+        with open('/proc/%d/status' % pid, encoding='ascii') as file:
+            mask = next(line for line in file if line.startswith('SigCgt:')).split()[1]
+        return int(mask, 16) >> (number - 1) & 1
+
+
+if __name__ == '__main__':
+    main()
