@@ -32,6 +32,8 @@ PublisherNode::PublisherNode()
                    [this](const TfReceiver::Event& event, bool is_static) {
                      times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
                    }),
+      history_(scene_, [this](const std::function<void()>& body) { guard(body); }),
+      box_service_(private_node_, history_),
       tick_timer_(repeat(kTick, &PublisherNode::onTick)),
       lost_frames_timer_(repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames)),
       diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {
@@ -50,6 +52,7 @@ PublisherNode::PublisherNode()
 /// Distances request trees from the loader.
 PublisherNode::~PublisherNode() {
   output_.distances().stop();
+  history_.stop();
 }
 
 /// Called on the thread of distances, which works only after a model has come from the loader.
@@ -107,6 +110,7 @@ void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   model_ = std::move(model);
   feed_.adopt(model_, ros::Time::now());
   output_.adopt();
+  history_.adopt(model_);
 }
 
 void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static) {

@@ -12,9 +12,11 @@
 #include "node/diagnostics/callback_times.h"
 #include "node/diagnostics/diagnostics.h"
 #include "node/diagnostics/lost_frames.h"
+#include "node/history/history_thread.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/memory/heap.h"
+#include "node/outputs/box_service.h"
 #include "node/outputs/scene_output.h"
 #include "node/scene/scene_feed.h"
 #include "node/tf/tf_receiver.h"
@@ -67,6 +69,8 @@ class PublisherNode {
   LostFrames lost_frames_;
   Diagnostics diagnostics_;
   TfReceiver tf_receiver_;
+  HistoryThread history_;
+  BoxService box_service_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::WallTimer tick_timer_;

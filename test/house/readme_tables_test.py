@@ -23,7 +23,7 @@ ASSERTIONS = ('assert_box', 'assert_distance')
 MAX_README_LINES = 250
 MAX_PICTURE_BYTES = 3000000
 MAX_STOPS = 10
-FOLDERS = ('doc/', 'include/', 'launch/', 'msg/', 'scripts/', 'src/', 'test/')
+FOLDERS = ('doc/', 'include/', 'launch/', 'msg/', 'scripts/', 'src/', 'srv/', 'test/')
 
 
 def text_of(*path):

@@ -3,14 +3,11 @@
 // Waits for a snapshot or a tree, computes, publishes.
 #include "node/distances/distance_thread.h"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "node/log/guarded.h"
+#include "node/threads/be_nice.h"
 #include "node/threads/start_thread.h"
 
 namespace link_bounds {
@@ -19,14 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kTick(50);
-
-/// Where cores are scarce, the scheduler prefers the other threads, which publish boxes.
-constexpr int kNiceness = 10;
-
-void becomeNice() {
-  const auto thread = static_cast<id_t>(syscall(SYS_gettid));
-  setpriority(PRIO_PROCESS, thread, kNiceness);  // if it is refused, nothing is lost
-}
 
 }  // namespace
 
@@ -76,7 +65,7 @@ std::vector<std::string> DistanceThread::errors() const {
 }
 
 void DistanceThread::run() {
-  becomeNice();
+  beNice();
   while (!stops_) {
     guarded([this] { workSafely(); });
   }

@@ -23,8 +23,10 @@ std::string usage() {
   for (const TopicName& topic : kTopics) {
     text << "  " << topic.name << " | " << topic.type << " | " << topic.when << "\n";
   }
-  text << "\nServices (name | type | what):\n  " << kReloadService.name << " | "
-       << kReloadService.type << " | " << kReloadService.when << "\n";
+  text << "\nServices (name | type | what):\n";
+  for (const TopicName& service : kServices) {
+    text << "  " << service.name << " | " << service.type << " | " << service.when << "\n";
+  }
   text << "\nParameters, private unless said (name | type | default | meaning):\n"
           "  robot_description | string | (public, found upwards) | the URDF; waited for while "
           "absent\n";

@@ -18,8 +18,8 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 /// roscpp does not list the services of a node; these are all that this node has.
-constexpr std::array<const char*, 3> kServices{
-    {kReloadService.name, "~get_loggers", "~set_logger_level"}};
+constexpr std::array<const char*, 4> kOwnServices{
+    {kReloadService.name, kGetBoxesService.name, "~get_loggers", "~set_logger_level"}};
 
 std::string ownUri() {
   return ros::XMLRPCManager::instance()->getServerURI();
@@ -77,7 +77,7 @@ bool registerSubscribers(const XmlRpcCall& master, const XmlRpcCall& node) {
 }
 
 bool registerServices(const XmlRpcCall& master) {
-  for (const char* name : kServices) {
+  for (const char* name : kOwnServices) {
     const std::string service = ros::names::resolve(name);
     if (!ros::ServiceManager::instance()->lookupServicePublication(service)) continue;
     if (!request(master, "registerService", arguments(service, serviceUri(), ownUri()))) {

@@ -72,5 +72,11 @@ constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",
     "reads robot_description and all parameters again and answers after the swap, with the "
     "warnings that it logs; on failure keeps the old model and says why"};
+constexpr TopicName kGetBoxesService{
+    "~get_boxes", "link_bounds/GetBoxes",
+    "boxes at a time within tf's 10 s of history, or around everything between two times, in any "
+    "frame; of all links and objects, or of some"};
+
+constexpr std::array<TopicName, 2> kServices{{kReloadService, kGetBoxesService}};
 
 }  // namespace link_bounds
