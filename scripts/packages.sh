@@ -40,7 +40,7 @@ packages_of() {
     bench)
       echo libbenchmark-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
-      echo libbullet-dev libfcl-dev libgeometric-shapes-dev ;;
+      echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
     fuzz)  # Debian 11 has libFuzzer in a package that clang depends on
       echo clang libclang-rt-dev ;;
     plot)

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and
+deserialise its messages; and the memory of each, of a short and of a long bag.
+bag.py [--quick] [--json FILE] [--minutes M]"""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import tempfile
+
+from node_process import PROGRAMS, print_target, random_mesh
+
+LINKS = 50
+FEW_LINKS = 10  # of the long bag, which then takes 700 MB on the disk
+TIMES_LONGER = 12
+# zones.yaml: one that the links are in now and then, and one that follows a link
+ZONES = """
+ahead: {min: [0.5, -1, 0], max: [3, 1, 3]}
+around: {frame: branch_100_joint_10_link, min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5]}
+"""
+READERS = {"rosbag": "bag_peer", "ours": "bag_ours", "bag_bounds": "bag_bounds"}
+
+
+class Bag:
+    """A bag with the URDF of its robot, whose links share a mesh."""
+
+    def __init__(self, folder, name, links, minutes):
+        self.seconds = round(60 * minutes)
+        self.path = os.path.join(folder, name + ".bag")
+        self.urdf = os.path.join(folder, name + ".urdf")
+        self.zones = os.path.join(folder, "zones.yaml")
+        mesh = os.path.join(folder, "mesh.stl")
+        random_mesh(mesh, 1)
+        with open(self.zones, "w", encoding="utf-8") as file:
+            file.write(ZONES)
+        subprocess.run([os.path.join(PROGRAMS, "bag_made"), self.path, self.urdf, mesh, str(links),
+                        str(self.seconds)], check=True)
+
+    def command(self, reader):
+        options = ["--urdf", self.urdf, "--zones", self.zones] if reader == "bag_bounds" else []
+        return [os.path.join(PROGRAMS, READERS[reader]), self.path, *options]
+
+    def read(self, reader):
+        """Runs the program. Returns the seconds it took and its peak of memory [MB]."""
+        output = subprocess.run([os.path.join(PROGRAMS, "bag_run"), *self.command(reader)],
+                                check=True, stdout=subprocess.PIPE).stdout
+        seconds, peak, status = output.split()
+        if int(status) not in (0, 3):  # 3: a zone was entered
+            raise RuntimeError("%s ended with %d" % (reader, int(status)))
+        return float(seconds), int(peak) / 1e6
+
+    def counts(self, reader):
+        return subprocess.run(self.command(reader), check=True, stdout=subprocess.PIPE).stdout
+
+
+def measure_speed(bag, readers, repetitions):
+    """A row for each reader. They take turns, so that each has the same share of disturbance."""
+    if len({bag.counts(reader) for reader in readers if reader != "bag_bounds"}) > 1:
+        raise RuntimeError("the readers disagree on what is in the bag")
+    runs = {reader: [] for reader in readers}
+    for _ in range(repetitions):
+        for reader in readers:
+            runs[reader].append(bag.read(reader))
+    rows = []
+    for reader in readers:
+        seconds = [run[0] for run in runs[reader]]
+        ratios = [mine / rosbag[0] for mine, rosbag in zip(seconds, runs.get("rosbag", []))]
+        rows.append({"kind": "speed", "reader": reader, "links": LINKS, "bag_s": bag.seconds,
+                     "median_s": statistics.median(seconds), "repetitions": repetitions,
+                     "times_real_time": [bag.seconds / s for s in seconds], "ratios": ratios,
+                     "peak_mb": max(run[1] for run in runs[reader])})
+        print("%-10s %8.3f s for %d s of %d links, %6.0f times real time%s, %4.0f MB at the peak" % (
+            reader, rows[-1]["median_s"], bag.seconds, LINKS,
+            statistics.median(rows[-1]["times_real_time"]),
+            ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else "",
+            rows[-1]["peak_mb"]), flush=True)
+    return rows
+
+
+def measure_memory(short, long, readers):
+    """A row for each reader: its peak for a bag, and for one that is longer."""
+    rows = []
+    for reader in readers:
+        peaks = [bag.read(reader)[1] for bag in (short, long)]
+        rows.append({"kind": "memory", "reader": reader, "links": FEW_LINKS,
+                     "bags_s": [short.seconds, long.seconds], "peaks_mb": peaks})
+        print("%-10s %6.1f MB at the peak for %d s of %d links, %6.1f MB for %d s" % (
+            reader, peaks[0], short.seconds, FEW_LINKS, peaks[1], long.seconds), flush=True)
+    return rows
+
+
+def print_targets(rows):
+    for row in rows:
+        if row["reader"] != "bag_bounds":
+            continue
+        if row["kind"] == "memory":
+            print_target("bag_bounds, memory, %d times longer / short bag" % TIMES_LONGER, 1.1,
+                         [row["peaks_mb"][1] / row["peaks_mb"][0]])
+        else:
+            print_target("bag_bounds, times real time", 200, row["times_real_time"], False)
+            if row["ratios"]:
+                print_target("bag_bounds / rosbag that only reads and deserialises", 3,
+                             row["ratios"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a tenth of the length, 3 repetitions")
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    parser.add_argument("--minutes", type=float, help="length of the bag, default 10; the long one "
+                        "is %d times as long" % TIMES_LONGER)
+    options = parser.parse_args()
+    minutes = options.minutes or (1 if options.quick else 10)
+    readers = [reader for reader, program in READERS.items()
+               if os.path.exists(os.path.join(PROGRAMS, program))]
+    if "rosbag" not in readers:
+        print("left out, because this system lacks it: librosbag-storage")
+    with tempfile.TemporaryDirectory(prefix="link_bounds_") as folder:
+        rows = measure_speed(Bag(folder, "bag", LINKS, minutes), readers,
+                             3 if options.quick else 7)
+        os.remove(os.path.join(folder, "bag.bag"))
+        rows += measure_memory(Bag(folder, "short", FEW_LINKS, minutes),
+                               Bag(folder, "long", FEW_LINKS, TIMES_LONGER * minutes), readers)
+    print_targets(rows)
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()
