@@ -23,9 +23,14 @@ struct BagMessage {
 
 class BagFile;
 
-/// Reads each file once, from its begin to its end, without its index. Its memory does not depend
-/// on the length of the files, and a file that was cut, damaged or never closed is read as far as
-/// possible.
+/// Reads each file once, from its begin to its end, without its index, so that its memory does not
+/// depend on the length of the files, and a file that was cut, damaged or never closed is read as
+/// far as possible.
+///
+/// rosbag's own reader, rosbag::View, needs the index: a bag that was cut or not closed it refuses,
+/// at a damaged chunk it ends, and it remembers each message: for 10 minutes at 100 Hz it takes
+/// 17 MB and for 2 hours 60 MB, this one 4 MB. It takes 4 times as long to read and deserialise
+/// such a bag (scripts/bench bag, Debian 12).
 class BagReader {
  public:
   /// Only messages of these topics; of all topics if there are none. Throws std::runtime_error if a
