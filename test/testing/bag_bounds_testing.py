@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of bag_bounds: bags of the arms, and running the program."""
+import io
 import json
 import os
 import subprocess
@@ -67,7 +68,7 @@ def write_bag(path, messages, compression=rosbag.Compression.NONE):
 
 def raw(message):
     """The bytes of a message with its type, for Bag.write(raw=True)."""
-    buffer = genpy.message.BytesIO()
+    buffer = io.BytesIO()
     message.serialize(buffer)
     return message._type, buffer.getvalue(), message._md5sum, type(message)
 

@@ -201,9 +201,10 @@ BagReport BagRun::report() const {
   report.distance_limit = options_.distances.value_or(0);
   report.losses = reader_.losses();
   if (scene_.damaged() > 0) {
+    const bool is_one = scene_.damaged() == 1;
     report.losses.push_back(std::to_string(scene_.damaged()) +
-                            " messages are too short for their type and were left out; record "
-                            "them again");
+                            (is_one ? " message is" : " messages are") +
+                            " too short and left out; the bag is damaged, record it again");
   }
   if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
   return report;

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What bag_bounds says of bags, robots and arguments that it cannot use, or not entirely.
+
+Run as: bag_bounds_faults_test.py PATH_OF_bag_bounds
+"""
+import os
+import shutil
+import struct
+
+import genpy
+import rosbag
+from bag_bounds_testing import (BEGIN, COUNT, ENTERED, PARTLY_READ, BagBoundsTest, arms, main,
+                                moving_arms, raw, run, seconds, static_arms, time_of, zone_text)
+from bounds_testing import robot
+from node_testing import ARMS
+from std_msgs.msg import String
+
+YEARS = 1e9  # s
+
+
+def without_index(source, target):
+    """As a recorder leaves it that was killed: the index is missing, and nothing says where."""
+    with open(source, 'rb') as file:
+        data = bytearray(file.read())
+    place = data.index(b'index_pos=') + len(b'index_pos=')
+    index = struct.unpack_from('<Q', data, place)[0]
+    data[place:place + 8] = bytes(8)
+    with open(target, 'wb') as file:
+        file.write(data[:index])
+
+
+class ArgumentsTest(BagBoundsTest):
+    def test_refused_arguments(self):
+        bag = self.bag(arms(3))
+        good = (bag, '--urdf', self.urdf)
+        for reason, *arguments in (
+                ('no bag is given', '--urdf', self.urdf),
+                ('no robot is given; add --urdf', bag),
+                ('--urdf is empty', bag, '--urdf', ''),
+                ('there is no option --hepl', '--hepl'),
+                ('option --zones needs a value', '--zones'),
+                ('--help=3: this option takes no value', '--help=3'),
+                ('--geometry is "all", but must be one of: both, collision, visual', *good,
+                 '--geometry', 'all'),
+                ('--format is "xml"', *good, '--format', 'xml'),
+                ('--start is "-1", but must be a number of seconds >= 0', *good, '--start', '-1'),
+                ('--end is "nan"', *good, '--end', 'nan'),
+                ('--end is before --start', *good, '--start', '2', '--end', '1'),
+                ('--distances is "near"', *good, '--distances', 'near'),
+                ('cannot read .*none.urdf: No such file', bag, '--urdf', self.path('none.urdf')),
+                ('cannot read .*none.yaml: No such file', *good, '--zones', self.path('none.yaml')),
+                ('--out is .*arms.bag, which is read', *good, '--out', bag),
+                ('none/out.bag: cannot be written', *good, '--out', self.path('none/out.bag'))):
+            with self.subTest(reason):
+                self.check_refused(reason, *arguments)
+        self.assertEqual(self.report(bag)['messages'], 4)  # nothing was overwritten
+
+    def test_refused_robots(self):
+        bag = self.bag(arms(3))
+        self.check_refused('is no URDF|not a URDF|URDF', bag, '--urdf', self.write('a.urdf', 'text'))
+        bare = self.write('bare.urdf', robot(['<link name="base"/>'], []))
+        self.check_refused('no link of the robot has geometry of the kind collision', bag, '--urdf',
+                           bare, '--geometry', 'collision')
+
+    def test_another_robot(self):
+        other = self.write('other.urdf', robot(
+            ['<link name="a"/>', '<link name="b"><visual><geometry><box size="1 1 1"/></geometry>'
+             '</visual></link>'], [('a', 'b')]))
+        code, _, err = run(self.bag(arms(3)), '--urdf', other)
+        self.assertEqual(code, 1)
+        self.assertRegex(err, 'error: no link ever had a box: no transform from "b" to "a"')
+
+    def test_a_mesh_that_is_lost(self):
+        broken = self.write('broken.urdf', ARMS.replace(
+            '<link name="bare"/>', '<link name="bare"><visual><geometry><mesh filename="none.stl"/>'
+            '</geometry></visual></link>'))
+        arguments = (self.bag(arms(3)), '--urdf', broken, '--format', 'json')
+        code, out, err = run(*arguments)
+        self.assertEqual(code, 0)
+        self.assertIn('none.stl', err)
+        self.assertIn('none.stl', out)
+        self.assertEqual(run(*arguments, '--strict')[0], 2)
+
+    def test_output_that_cannot_be_written(self):
+        bag = self.bag(arms(COUNT))
+        code, _, err = run(bag, '--urdf', self.urdf, '--out', '/dev/full')
+        self.assertEqual(code, 1)
+        self.assertIn('/dev/full', err)
+
+
+class BagsTest(BagBoundsTest):
+    def test_refused_bags(self):
+        urdf = ('--urdf', self.urdf)
+        self.check_refused('none.bag', self.path('none.bag'), *urdf)
+        self.check_refused('text.bag', self.write('text.bag', 'no bag\n' * 100), *urdf)
+        self.check_refused('v1.bag', self.write('v1.bag', '#ROSBAG V1.2\n' + 'x' * 100), *urdf)
+        self.check_refused('there is no message to read', self.bag([], name='empty.bag'), *urdf)
+        bag = self.bag(arms(1))
+        self.check_refused('arms.bag', bag, bag, *urdf)
+
+    def test_no_transforms(self):
+        bag = self.bag([('/chatter', String('tf'), time_of(BEGIN))])
+        code, _, err = run(bag, '--urdf', self.urdf)
+        self.assertEqual(code, 1)
+        self.assertIn('error: there is no message on /tf or /tf_static', err)
+
+    def test_nothing_between_start_and_end(self):
+        code, _, err = run(self.bag(arms(10)), '--urdf', self.urdf, '--start', '100')
+        self.assertEqual(code, 1)
+        self.assertRegex(err, 'nothing was recorded between --start and --end; the bags end 0.180 s')
+
+    def test_compressed_bags_are_read_alike(self):
+        expected = self.report(self.bag(arms(COUNT)))
+        for compression in (rosbag.Compression.BZ2, rosbag.Compression.LZ4):
+            bag = self.bag(arms(COUNT), name='small.bag', compression=compression)
+            self.assertEqual(self.report(bag), expected)
+
+    def test_several_bags_are_read_as_one(self):
+        messages = arms(COUNT)
+        bags = [self.bag(messages[i::3], name='%d.bag' % i) for i in range(3)]
+        self.assertEqual(self.report(bags), self.report(self.bag(messages)))
+
+    def test_a_bag_that_was_never_closed(self):
+        without_index(self.bag(arms(COUNT)), self.path('open.bag'))
+        found = self.report(self.path('open.bag'), code=PARTLY_READ, err='warning: .*open.bag')
+        self.assertEqual(found['messages'], COUNT + 1)
+        self.assertEqual(len(found['losses']), 1)
+
+    def test_a_cut_bag(self):
+        bag = self.bag(arms(1000))
+        os.truncate(bag, os.path.getsize(bag) // 2)
+        found = self.report(bag, code=PARTLY_READ, err='warning: .*arms.bag')
+        self.assertTrue(300 < found['messages'] < 1000, found['messages'])
+        self.assertGreater(len(found['losses']), 0)
+
+    def test_an_entry_counts_more_than_a_loss(self):
+        bag = self.bag(arms(1000))
+        os.truncate(bag, os.path.getsize(bag) // 2)
+        zones = self.write('zones.yaml', zone_text('all', [-9] * 3, [9] * 3))
+        self.report(bag, '--zones', zones, code=ENTERED, err='warning: .*arms.bag')
+
+    def test_a_message_that_is_too_short(self):
+        path = self.path('short.bag')
+        with rosbag.Bag(path, 'w') as bag:
+            for index, (topic, message, time) in enumerate(arms(10)):
+                kind, data, md5, python = raw(message)
+                short = data[:-1] if index == 5 else data
+                bag.write(topic, (kind, short, md5, python), time, raw=True)
+        found = self.report(path, code=PARTLY_READ, err='1 message is too short')
+        self.assertEqual(found['extremes'][2]['max_time'][2], 0.0)
+
+    def far_left(self, index, value):
+        topic, message, time = moving_arms(index)
+        message.transforms[0].transform.translation.x = value
+        return topic, message, time
+
+    def test_numbers_that_are_none(self):
+        """tf refuses them, so no box changes."""
+        bad = [self.far_left(20, float('nan')), self.far_left(21, float('inf'))]
+        found = self.report(self.bag(arms(20) + bad + [moving_arms(22)]), err='is refused')
+        expected = self.report(self.bag(arms(23)))
+        self.assertEqual(found['extremes'][0], expected['extremes'][0])
+        self.assertLess(found['extremes'][2]['max'][0], 1)
+
+    def test_huge_numbers(self):
+        """A box that is finite counts; a pose that overflows gives none."""
+        found = self.report(self.bag(arms(20) + [self.far_left(20, 1e300)]), '--distances', '0.01')
+        self.assertAlmostEqual(found['extremes'][2]['max'][0] / 1e300, 1)
+        self.report(self.bag(arms(20) + [self.far_left(20, 1.7e308), moving_arms(21)]),
+                    '--distances', '0.01')
+
+    def test_a_recorder_whose_clock_was_set(self):
+        """Years without a message take no time; back by years is a clock that jumped."""
+        messages = arms(5) + [moving_arms(5, BEGIN + YEARS), moving_arms(6)]
+        found = self.report(self.bag(messages), err='the clock jumped back')
+        self.assertEqual(found['messages'], 8)
+        self.assertRegex(found['incomplete']['left'], 'had no box 2 times, 999999')
+
+    def test_record_times_of_zero(self):
+        """As rosbag record has them before the first /clock."""
+        zero = [(topic, message, genpy.Time(0, 1)) for topic, message, _ in arms(2)]
+        found = self.report(self.bag(zero + [moving_arms(i) for i in range(2, 10)]), err='')
+        self.assertEqual(found['messages'], 11)
+
+    def test_the_boxes_do_not_depend_on_the_file_name(self):
+        shutil.copy(self.bag(arms(3)), self.path('a name with blanks.bag'))
+        self.assertEqual(self.report(self.path('a name with blanks.bag'))['to'], seconds(2))
+
+    def test_only_static_transforms(self):
+        found = self.report(self.bag([static_arms()]))
+        self.assertEqual([box['name'] for box in found['extremes'] if 'min' in box],
+                         ['base', 'mast'])
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recorded markers as objects of bag_bounds.
+
+Run as: bag_objects_test.py PATH_OF_bag_bounds
+"""
+import pathlib
+
+import genpy
+import rosbag
+from bag_bounds_testing import (BEGIN, ENTERED, PARTLY_READ, PERIOD, UNDERCUT, BagBoundsTest, arms,
+                                degrees_at, main, raw, run, time_of, zone_text)
+from bounds_testing import Pose, difference, union
+from node_testing import joint_pose
+from object_testing import deletion, marker
+from std_msgs.msg import String
+from visualization_msgs.msg import Marker, MarkerArray
+
+MESHES = pathlib.Path(__file__).resolve().parents[3] / 'launch/demo/meshes'
+
+
+def recorded(index, *markers, topic='/objects'):
+    return topic, MarkerArray(list(markers)), time_of(BEGIN + PERIOD * index)
+
+
+class ObjectsTest(BagBoundsTest):
+    def objects(self, messages, *arguments, **options):
+        bag = self.bag(sorted(messages, key=lambda message: message[2]))
+        return self.report(bag, '--objects', '/objects', *arguments, **options)
+
+    def box(self, found, name):
+        box = next(box for box in found['extremes'] if box['name'] == name)
+        return box['min'] + box['max']
+
+    def test_an_object_on_a_link(self):
+        cube = marker('part/1', frame='left_tip', scale=(0.1, 0.2, 0.3))
+        found = self.objects(arms(20) + [recorded(0, cube)])
+        bounds = union([(joint_pose('left', degrees_at(i)) * joint_pose('left_tip', degrees_at(i)))
+                        .box_bounds((0.1, 0.2, 0.3)) for i in range(20)])
+        self.assertLess(difference(self.box(found, 'part/1'), bounds), 1e-9)
+
+    def test_single_markers(self):
+        cube = '/object', marker('part/1'), time_of(BEGIN)
+        found = self.objects(arms(3) + [cube], '--objects', '/object', err='no message on /objects')
+        self.assertLess(difference(self.box(found, 'part/1'), [-.5] * 3 + [.5] * 3), 1e-9)
+
+    def test_an_object_in_a_zone(self):
+        """It appears, goes, and comes again with another pose."""
+        near, far = (marker('part/1', scale=(.1, .1, .1), pose=Pose((x, 5, 0))) for x in (5, 9))
+        zones = self.write('zones.yaml', zone_text('cell', [4, 4, -1], [6, 6, 1]) +
+                           zone_text('moving', [4, 4, -1], [6, 6, 1], 'mast'))
+        found = self.objects(arms(10) + [recorded(2, near), recorded(4, deletion('part/1')),
+                                         recorded(6, near), recorded(8, far)],
+                             '--zones', zones, code=ENTERED)
+        stays = [(stay['entered']['time'], stay['end']['time'], stay['how'])
+                 for stay in found['zones'][0]['stays']]
+        self.assertEqual(stays, [(.04, .08, 'lost'), (.12, .16, 'left')])
+        self.assertEqual(found['zones'][1]['entries'], 0)
+
+    def test_a_placed_object_in_a_zone_that_moves(self):
+        """It stays where it was placed while the frame of the zone turns."""
+        cube = marker('part/1', scale=(.01, .01, .01), pose=Pose((1, 0, 0)), frame='base',
+                      stamp=genpy.Time(BEGIN))
+        pose = joint_pose('left', degrees_at(5)).inverse() * Pose((1, 0, 0))
+        low, high = [c - 1e-3 for c in pose.xyz], [c + 1e-3 for c in pose.xyz]
+        zones = self.write('zones.yaml', zone_text('hand', low, high, 'left'))
+        stays = self.objects(arms(20) + [recorded(0, cube)], '--zones', zones,
+                             code=ENTERED)['zones'][0]['stays']
+        self.assertEqual([stay['name'] for stay in stays], ['part/1'])
+        self.assertTrue(stays[0]['entered']['time'] <= 5 * PERIOD <= stays[0]['end']['time'])
+
+    def test_a_mesh_is_there_at_once(self):
+        mesh = marker('part/1', Marker.MESH_RESOURCE, pose=Pose((0, 0, 2)),
+                      mesh_resource=(MESHES / 'wrist.stl').as_uri())
+        found = self.objects(arms(5) + [recorded(2, mesh)])
+        self.assertEqual(found['incomplete'], {})
+        self.assertEqual(found['extremes'][-1]['min_time'], [2 * PERIOD] * 3)
+
+    def test_a_mesh_that_cannot_be_read(self):
+        mesh = marker('part/1', Marker.MESH_RESOURCE, mesh_resource='file:///none.stl')
+        found = self.objects(arms(5) + [recorded(2, mesh)], err='none.stl')
+        self.assertIn('none.stl', found['incomplete']['part/1'])
+
+    def test_the_distance_of_a_mesh_is_that_of_its_triangles(self):
+        """They are loaded before the first distance is computed. The hull of the strip would touch."""
+        mesh = marker('part/1', Marker.MESH_RESOURCE, pose=Pose((0, 0, 1)),
+                      mesh_resource=(MESHES / 'wrist.stl').as_uri())
+        strip = marker('part/2', Marker.LINE_STRIP, scale=(.01, 0, 0), pose=Pose((0, 0, 1)),
+                       points=[(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+        found = self.objects(arms(5) + [recorded(2, mesh, strip)], '--distances', '2',
+                             code=UNDERCUT)
+        pair = next(p for p in found['distances'] if p['first'] == 'part/1')
+        self.assertEqual((pair['second'], pair['level'], pair['time']), ('part/2', 'MESH', .04))
+        self.assertLess(pair['distance_max'] - pair['distance'], 2e-4)
+
+    def test_another_type(self):
+        bag = self.bag(arms(3) + [('/objects', String(), time_of(BEGIN + 1))])
+        self.check_refused('the messages on /objects are of type std_msgs/String, not '
+                           'visualization_msgs/Marker', bag, '--urdf', self.urdf, '--objects',
+                           '/objects')
+
+    def test_a_topic_without_messages(self):
+        code, _, err = run(self.bag(arms(3)), '--urdf', self.urdf, '--objects', 'none')
+        self.assertEqual(code, 0)
+        self.assertIn('warning: no message on /none was read', err)
+
+    def test_markers_that_announce_too_much(self):
+        """A damaged count must not take the memory that it announces."""
+        path = self.path('damaged.bag')
+        kind, data, md5, python = raw(MarkerArray([marker('part/1', points=[(0, 0, 0)] * 2)]))
+        points = data.index(b'\x02\x00\x00\x00' + bytes(48))
+        damaged = [b'\xff\xff\xff\xff' + data[4:],
+                   data[:points] + b'\xff\xff\xff\x7f' + data[points + 4:]]
+        with rosbag.Bag(path, 'w') as bag:
+            for message in arms(3):
+                bag.write(*message)
+            for bytes_ in damaged:
+                bag.write('/objects', (kind, bytes_, md5, python), time_of(BEGIN + 1), raw=True)
+        found = self.report(path, '--objects', '/objects', code=PARTLY_READ,
+                            err='2 messages are too short')
+        self.assertEqual(len(found['losses']), 1)
+
+
+if __name__ == '__main__':
+    main()
