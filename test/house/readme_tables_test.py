@@ -62,9 +62,10 @@ def section(text, title):
 
 
 def fields_of(path):
-    """[name, type] of each field of a message file; constants are left out."""
+    """[name, type] of each field of a message or service file; constants are left out."""
     lines = [line.split('#')[0].split() for line in path.read_text('utf-8').splitlines()]
-    return [[name, kind] for kind, name in (words for words in lines if words) if '=' not in name]
+    return [[name, kind] for kind, name in (words for words in lines if len(words) > 1)
+            if '=' not in name]
 
 
 def known_tests():
@@ -113,7 +114,7 @@ class ReadmeTablesTest(unittest.TestCase):
             self.assertIn(example.group(0), text_of('test/tools/assertions', name + '.test'))
 
     def test_messages(self):
-        messages = sorted((PACKAGE / 'msg').iterdir())
+        messages = sorted((PACKAGE / 'msg').iterdir()) + sorted((PACKAGE / 'srv').iterdir())
         self.assertGreater(len(messages), 0)
         for message in messages:
             title = '`link_bounds/%s`\n' % message.stem
@@ -220,7 +221,8 @@ class ArchitectureTest(unittest.TestCase):
 
     def test_stops_name_functions_in_their_files(self):
         text = text_of('doc/architecture.md')
-        for title in ('A tf message', 'A marker', 'A distance', 'The parameter `padding`'):
+        for title in ('A tf message', 'A marker', 'A distance', 'A box of the past',
+                      'The parameter `padding`'):
             stops = re.findall(r'^\d+\. (.*?)(?=^\d+\. |^\n|\Z)', section(text, title),
                                re.DOTALL | re.MULTILINE)
             self.assertGreater(len(stops), 4, title)

@@ -153,8 +153,8 @@ std::string whyRefused(const PastScene& scene) {
            "\"";
   }
   if (scene.unknown_names.empty()) return "";
-  return "no link and no object is named " + quotedList(scene.unknown_names) +
-         "; ~boxes shows the names that there are";
+  return "~boxes has no link and no object with the name " + quotedList(scene.unknown_names) +
+         "; links without geometry, and those left out by links or ignore_links, have no box";
 }
 
 }  // namespace link_bounds

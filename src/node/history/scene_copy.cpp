@@ -71,7 +71,7 @@ void SceneCopy::begin(const Scene& scene, ros::Time now) {
   past_->bodies.reserve(links_.size() + keys_.size());
   const TransformBuffer& tf = scene.frames.tf();
   const auto target = tf.find(request_.frame);
-  if (target) {
+  if (target && (tf.isMet(*target) || request_.frame == model_->fixed_frame)) {
     past_->target = past_->excerpt.add(tf, *target);
   } else {
     past_->unknown_frame = request_.frame;

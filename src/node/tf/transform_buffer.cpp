@@ -71,7 +71,10 @@ const char* TransformBuffer::insert(const TransformView& transform, bool is_stat
 void TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp) {
   const bool is_new = !edge.has_parent;
   const bool is_other = !is_new && edge.parent != parent;
-  if (is_new || is_other) ++structure_;
+  if (is_new || is_other) {
+    ++structure_;
+    edge.is_met = edges_[parent].is_met = true;
+  }
   if (is_other) settled_ = std::max({settled_, stamp, edge.newest});
   if (stamp < edge.newest) {
     ++intake_.late;

@@ -88,6 +88,9 @@ class TransformBuffer {
   /// True if the last message had this edge.
   bool isNews(Frame child) const { return edges_[child].message == message_; }
 
+  /// True once an accepted transform had the frame, as child or as parent.
+  bool isMet(Frame frame) const { return edges_[frame].is_met; }
+
   /// False at the top of a tree.
   bool hasParent(Frame child) const { return edges_[child].has_parent; }
 
@@ -133,6 +136,7 @@ class TransformBuffer {
     std::int64_t received = 0;
     std::int64_t newest = 0;
     Frame parent = 0;
+    bool is_met = false;  ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
     bool is_distrusted = false;          ///< see distrustStampsAhead()

@@ -6,13 +6,17 @@
 import rospy
 import rostest
 from arms_testing import ArmsTest
-from bounds_testing import (DEADLINE, Pose, box_of, corners_of, difference, load, names_of,
-                            wait_for)
+from bounds_testing import DEADLINE, Pose, box_of, corners_of, difference, load, names_of
 from link_bounds.srv import GetBoxes, GetBoxesRequest
 from node_testing import ALL, DYNAMIC, NODE, SIZES, STATIC, arm_bounds, joint_pose, shows
 from object_testing import ObjectSender, marker, shows_box
 
 NEAR = 1e-9  # m: tf2 interpolates an angle, the test computes it
+
+
+def time_of(seconds):
+    """To the nanosecond."""
+    return rospy.Time(0, round(seconds * 1e9))
 
 
 class GetBoxesTest(ArmsTest):
@@ -23,14 +27,19 @@ class GetBoxesTest(ArmsTest):
         cls.call = rospy.ServiceProxy(NODE + "/get_boxes", GetBoxes, persistent=True)
         cls.objects = ObjectSender(NODE)
 
-    def setUp(self):
-        super().setUp()
-        self.objects.clear()
-        self.boxes.wait_newest(lambda m: names_of(m) == ALL, "no objects")
+    def send_objects(self, *markers):
+        """They are gone after the test. Returns when ~boxes names all of them."""
+        self.addCleanup(self.boxes.wait_newest, lambda m: names_of(m) == ALL and not m.incomplete,
+                        "no objects")
+        self.addCleanup(self.objects.clear)
+        self.objects.send(*markers)
+        names = {"%s/%d" % (m.ns, m.id) for m in markers}
+        return self.boxes.wait_newest(
+            lambda m: names <= set(names_of(m)) | set(m.incomplete), "objects")
 
     def ask(self, stamp=0, span=0, frame="", names=()):
         return self.call(GetBoxesRequest(
-            stamp=rospy.Time.from_sec(stamp), span=rospy.Duration.from_sec(span), frame=frame,
+            stamp=time_of(stamp), span=rospy.Duration.from_sec(span), frame=frame,
             names=list(names)))
 
     def answer(self, *args, **kwargs):
@@ -57,8 +66,8 @@ class GetBoxesTest(ArmsTest):
     def test_between_two_stamps(self):
         first, second = self.turn_arms()
         for part in (0.0, 0.25, 0.5, 0.9, 1.0):
-            stamp = rospy.Time.from_sec(first + part)
-            boxes = self.answer(stamp.to_sec())
+            stamp = time_of(first + part)
+            boxes = self.answer(first + part)
             self.assertEqual(names_of(boxes), ALL)
             self.assertEqual((boxes.header.stamp, boxes.header.frame_id), (stamp, "base"))
             for box in boxes.boxes:
@@ -112,40 +121,36 @@ class GetBoxesTest(ArmsTest):
                          [0, 0, self.now - 1, self.now - 1, self.now])
 
     def test_names(self):
-        self.objects.send(marker("crate/2"), marker("crate/10"))
-        self.boxes.wait_newest(lambda m: box_of(m, "crate/10"), "objects")
+        self.send_objects(marker("crate/2"), marker("crate/10"))
         boxes = self.answer(names=["right", "crate/10", "base", "right", "crate/2"])
         self.assertEqual(names_of(boxes), ["base", "right", "crate/2", "crate/10"])
-        self.assertEqual(names_of(self.answer(names=["bare"])), [])
 
     def test_objects_of_the_past(self):
         first, second = self.turn_arms()
         size = (0.1, 0.2, 0.3)
-        self.objects.send(
+        latest = self.send_objects(
             marker("held/1", scale=size, frame="left"),
-            marker("fixed/1", scale=size, frame="left", stamp=rospy.Time.from_sec(first)))
-        self.boxes.wait_newest(lambda m: box_of(m, "held/1") and box_of(m, "fixed/1"), "objects")
+            marker("fixed/1", scale=size, frame="left", stamp=time_of(first)))
         boxes = self.answer(first + 0.5)
         self.assertTrue(shows_box(boxes, "held/1", joint_pose("left", 45).box_bounds(size)))
         placed = joint_pose("left", 30)
         self.assertTrue(shows_box(boxes, "fixed/1", placed.box_bounds(size)))
-        self.assertEqual(box_of(boxes, "fixed/1").stamp, rospy.Time.from_sec(first))
-        latest = self.boxes.messages[-1]
+        self.assertEqual(box_of(boxes, "fixed/1").stamp, time_of(first))
         self.assertEqual(self.answer().boxes, latest.boxes)
         in_left = self.answer(second, frame="left")
         self.assertTrue(shows_box(in_left, "held/1", Pose().box_bounds(size)))
         moved = joint_pose("left", 60).inverse() * placed
         self.assertTrue(shows_box(in_left, "fixed/1", moved.box_bounds(size)))
-        self.assertEqual(box_of(in_left, "fixed/1").stamp, rospy.Time.from_sec(second))
+        self.assertEqual(box_of(in_left, "fixed/1").stamp, time_of(second))
 
     def test_objects_without_a_box(self):
-        self.objects.send(marker("far/1", frame="nowhere"), marker("bad/1", kind=77))
-        self.boxes.wait_newest(lambda m: m.incomplete == ["bad/1", "far/1"], "incomplete")
+        self.send_objects(marker("far/1", frame="nowhere"), marker("bad/1", kind=77))
         for stamp in (0, self.now):
             answer = self.ask(stamp)
             self.assertEqual(answer.boxes.incomplete, ["bad/1", "far/1"])
             self.assertEqual(names_of(answer.boxes), ALL)
             self.assertIn("bad/1: ", answer.message)
+        self.refuse('"nowhere"', frame="nowhere")
 
     def test_padding(self):
         load(NODE, padding=0.5)
@@ -183,6 +188,7 @@ class GetBoxesTest(ArmsTest):
     def test_what_is_refused(self):
         self.refuse("span", "-0.5", "0 or more", span=-0.5)
         self.refuse('"nowhere"', "frame", '"base"', frame="nowhere")
+        self.refuse('"bare"', "without geometry", names=["bare"])
         self.refuse('"lefty"', '"crate/7"', "~boxes", names=["left", "lefty", "crate/7"])
 
     def test_hostile_names_are_one_line(self):

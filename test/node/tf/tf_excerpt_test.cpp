@@ -270,6 +270,10 @@ TEST(FindFrame, LeavesTheBufferAsItIs) {
   EXPECT_EQ(tf.size(), 0u);
   const Frame frame = tf.frame("a");
   EXPECT_EQ(tf.find("a"), frame);
+  EXPECT_FALSE(tf.isMet(frame));
+  tf.add({edge("b", "a", 1, Eigen::Quaterniond::Identity(), {0, 0, 0})}, false, ros::Time(1));
+  EXPECT_TRUE(tf.isMet(frame));
+  EXPECT_TRUE(tf.isMet(*tf.find("b")));
 }
 
 }  // namespace
