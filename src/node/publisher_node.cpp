@@ -34,10 +34,14 @@ PublisherNode::PublisherNode()
                    }),
       history_(scene_, [this](const std::function<void()>& body) { guard(body); }),
       box_service_(private_node_, history_),
+      swept_output_(
+          node_, private_node_, [this](const std::function<void()>& body) { guard(body); },
+          history_),
       tick_timer_(repeat(kTick, &PublisherNode::onTick)),
       lost_frames_timer_(repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames)),
       diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {
   subscribeToObjects();
+  output_.onBoxes([this] { swept_output_.request(); });
   ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
   handlers.adopt = [this](const auto& model) { times_.measure([&] { adopt(model); }); };
@@ -109,8 +113,9 @@ void PublisherNode::subscribeToObjects() {
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   model_ = std::move(model);
   feed_.adopt(model_, ros::Time::now());
-  output_.adopt();
   history_.adopt(model_);
+  swept_output_.adopt(model_->parameters);
+  output_.adopt();
 }
 
 void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static) {

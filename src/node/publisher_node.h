@@ -18,6 +18,7 @@
 #include "node/memory/heap.h"
 #include "node/outputs/box_service.h"
 #include "node/outputs/scene_output.h"
+#include "node/outputs/swept_output.h"
 #include "node/scene/scene_feed.h"
 #include "node/tf/tf_receiver.h"
 
@@ -71,6 +72,7 @@ class PublisherNode {
   TfReceiver tf_receiver_;
   HistoryThread history_;
   BoxService box_service_;
+  SweptOutput swept_output_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::WallTimer tick_timer_;

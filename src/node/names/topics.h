@@ -54,6 +54,14 @@ constexpr TopicName kDistanceMarkersTopic{
     "~distance_markers", "visualization_msgs/MarkerArray",
     "at most marker_rate, only while somebody listens: a line per pair of ~distances, and the "
     "smallest distance as text"};
+constexpr TopicName kSweptTopic{
+    "~swept", "link_bounds/AxisAlignedBoxArray",
+    "what ~get_boxes gives for the last swept_span seconds; with each ~boxes, or the newest one "
+    "where computing takes longer; only while somebody listens and swept_span > 0; sent at once "
+    "when somebody subscribes"};
+constexpr TopicName kSweptMarkersTopic{"~swept_markers", "visualization_msgs/MarkerArray",
+                                       "the boxes of ~swept, at most marker_rate, only while "
+                                       "somebody listens and swept_span > 0"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
@@ -63,10 +71,10 @@ constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 14> kTopics{
+constexpr std::array<TopicName, 16> kTopics{
     {kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic, kFootprintTopic, kOverlapsTopic,
-     kDistancesTopic, kNearestTopic, kDistanceMarkersTopic, kDiagnosticsTopic, kTfTopic,
-     kTfStaticTopic, kObjectsTopic, kObjectTopic}};
+     kDistancesTopic, kNearestTopic, kDistanceMarkersTopic, kSweptTopic, kSweptMarkersTopic,
+     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

@@ -4,6 +4,7 @@
 #include "node/outputs/box_markers.h"
 
 #include "link_bounds/ros/messages.h"
+#include "node/outputs/drawable.h"
 #include "node/outputs/label_layout.h"
 
 namespace link_bounds {
@@ -17,14 +18,8 @@ constexpr char kObjectsNamespace[] = "link_bounds/objects/";
 
 enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
 
-constexpr double kMinSize = 1e-4;        ///< rviz cannot draw a box of zero size [m]
-constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
-constexpr double kEdgeWidth = 0.002;     ///< [m]
-
-bool isDrawable(const Aabb& box) {
-  return box.min().cwiseAbs().maxCoeff() <= kMaxCoordinate &&
-         box.max().cwiseAbs().maxCoeff() <= kMaxCoordinate;
-}
+constexpr double kMinSize = 1e-4;     ///< rviz cannot draw a box of zero size [m]
+constexpr double kEdgeWidth = 0.002;  ///< [m]
 
 geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
   geometry_msgs::Vector3 vector;

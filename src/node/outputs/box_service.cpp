@@ -9,7 +9,7 @@
 #include "node/history/pose_gap.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
-#include "node/outputs/box_message.h"
+#include "node/outputs/past_message.h"
 
 namespace link_bounds {
 namespace {
@@ -68,11 +68,7 @@ void BoxService::answer(const GetBoxes::Request& message, GetBoxes::Response& re
   if (!refusal.empty()) throw std::runtime_error(refusal);
   const PastBoxes found = pastBoxes(*scene, request, [this] { return history_.isStopping(); });
   if (history_.isStopping()) throw std::runtime_error(kStopping);
-  BoxFiller filler(response.boxes, scene->frameName());
-  for (const PastBoxes::Entry& entry : found.entries)
-    filler.add(*entry.name, entry.state);
-  filler.finish();
-  if (request.stamp != 0) response.boxes.header.stamp = message.stamp;
+  fillBoxes(*scene, found, request, response.boxes);
   response.message = logText(found.problem);
 }
 

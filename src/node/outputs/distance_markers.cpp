@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "node/names/topics.h"
+#include "node/outputs/drawable.h"
 #include "node/outputs/label_layout.h"
 
 namespace link_bounds {
@@ -17,14 +18,13 @@ using visualization_msgs::Marker;
 /// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
 constexpr char kNamespace[] = "link_bounds/distances";
 
-constexpr double kLineWidth = 0.004;     ///< [m]
-constexpr double kNearestWidth = 0.01;   ///< told from the others without colors, too [m]
-constexpr double kTextHeight = 0.05;     ///< [m]
-constexpr double kMaxCoordinate = 1e18;  ///< squares of larger numbers overflow rviz's float32 [m]
+constexpr double kLineWidth = 0.004;    ///< [m]
+constexpr double kNearestWidth = 0.01;  ///< told from the others without colors, too [m]
+constexpr double kTextHeight = 0.05;    ///< [m]
 
 bool isDrawable(const Distance& distance) {
   const auto is_below = [](const geometry_msgs::Point& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxCoordinate;
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxDrawable;
   };
   return is_below(distance.on_first) && is_below(distance.on_second);
 }

@@ -78,6 +78,7 @@ void SceneOutput::publishBoxes() {
   footprint_.publish();
   overlaps_.publish();
   if (distances_.isWanted()) giveDistances();
+  on_boxes_();
 }
 
 /// The scene must be that of the last ~boxes.

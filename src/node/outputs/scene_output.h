@@ -34,6 +34,9 @@ class SceneOutput {
   SceneOutput(const SceneOutput&) = delete;
   SceneOutput& operator=(const SceneOutput&) = delete;
 
+  /// `on_boxes` is called after each ~boxes.
+  void onBoxes(std::function<void()> on_boxes) { on_boxes_ = std::move(on_boxes); }
+
   /// Publishes everything and sets the rates of the new model of the scene.
   void adopt();
 
@@ -66,6 +69,7 @@ class SceneOutput {
   bool fillOverlaps(BoxOverlapArray& message);
 
   const Scene& scene_;
+  std::function<void()> on_boxes_ = [] {};
   std::uint64_t publications_ = 0;
   std::optional<double> lag_ms_;
   ShownMarkers shown_;

@@ -37,6 +37,7 @@ struct Parameters {
   double distance_limit = 0.1;
   double distance_accuracy = 1e-4;
   double distance_warning = 0.0;
+  double swept_span = 0.0;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;
