@@ -178,6 +178,17 @@ TEST(BagLosses, LengthsOfAChunkMayBeWrong) {
   }
 }
 
+// Its data would reach to the end of the next chunk, where a record begins.
+TEST(BagLosses, AnIndexWithAWrongLengthHidesNoMessages) {
+  BagBytes bag = bagOf(messagesOf(9));
+  const std::uint64_t next_index = bag.message_ends[5];
+  replace(bag.bytes, bag.chunks[1] - 4,
+          bytesOf(static_cast<std::uint32_t>(next_index - bag.chunks[1])));
+  const Reading reading = read(bag.bytes);
+  EXPECT_EQ(reading.numbers.substr(reading.numbers.size() - 6), "345678");
+  EXPECT_EQ(reading.losses.size(), 1U);
+}
+
 TEST(BagLosses, TheIndexSaysWhichTopicsALostChunkHasAnnounced) {
   BagBytes bag = bagOf(messagesOf(6), "bz2");
   replace(bag.bytes, bag.chunks[0] + 100, "damage");
