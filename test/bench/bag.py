@@ -72,11 +72,10 @@ def measure_speed(bag, readers, repetitions):
                      "median_s": statistics.median(seconds), "repetitions": repetitions,
                      "times_real_time": [bag.seconds / s for s in seconds], "ratios": ratios,
                      "peak_mb": max(run[1] for run in runs[reader])})
-        print("%-10s %8.3f s for %d s of %d links, %6.0f times real time%s, %4.0f MB at the peak" % (
-            reader, rows[-1]["median_s"], bag.seconds, LINKS,
-            statistics.median(rows[-1]["times_real_time"]),
-            ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else "",
-            rows[-1]["peak_mb"]), flush=True)
+        print("%-10s %8.3f s for %d s of %d links, %6.0f times real time, %4.0f MB at the peak%s" %
+              (reader, rows[-1]["median_s"], bag.seconds, LINKS,
+               statistics.median(rows[-1]["times_real_time"]), rows[-1]["peak_mb"],
+               ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else ""), flush=True)
     return rows
 
 

@@ -90,7 +90,7 @@ unsigned needed(RecordOp op) {
 
 // Fields of other names are allowed, as the format says.
 bool takeField(std::string_view name, std::string_view value, Record& record, unsigned& seen) {
-  std::uint32_t ignored;
+  std::uint32_t ignored = 0;
   const auto take = [&seen](Field field, bool is_good) {
     seen |= field;
     return is_good;
