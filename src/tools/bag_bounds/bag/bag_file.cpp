@@ -161,7 +161,8 @@ void BagFile::announceFromIndex() {
 bool BagFile::announce(Bytes& bytes, const Record& record) {
   if (connections_.count(record.connection)) return true;
   Connection connection;
-  connection.topic = record.topic;
+  // As rosbag play: a name without a slash is one of the root namespace.
+  connection.topic = (record.topic.front() == '/' ? "" : "/") + std::string(record.topic);
   connection.is_wanted = topics_.empty() || topics_.count(connection.topic);
   if (record.data_size > kMaxChunkSize) return false;
   const std::uint8_t* const data = bytes.at(record.data, record.data_size);

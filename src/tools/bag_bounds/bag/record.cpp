@@ -48,6 +48,11 @@ bool isNumber(std::string_view value, Number& number) {
   return true;
 }
 
+bool isText(std::string_view value, std::string_view& text) {
+  text = value;
+  return !value.empty();
+}
+
 bool isTime(std::string_view value, std::int64_t& time) {
   if (value.size() != 8) return false;
   const auto seconds = numberAt<std::uint32_t>(value.data());
@@ -103,8 +108,8 @@ bool takeField(std::string_view name, std::string_view value, Record& record, un
   if (name == "count") return take(kCount, isNumber(value, record.count));
   if (name == "chunk_count") return take(kChunkCount, isNumber(value, record.chunk_count));
   if (name == "index_pos") return take(kIndexPosition, isNumber(value, record.index_position));
-  if (name == "topic") record.topic = value, seen |= kTopic;
-  if (name == "compression") record.compression = value, seen |= kCompression;
+  if (name == "topic") return take(kTopic, isText(value, record.topic));
+  if (name == "compression") return take(kCompression, isText(value, record.compression));
   if (name == "encryptor") record.encryptor = value;
   return true;
 }

@@ -68,6 +68,13 @@ TEST(BagReader, GivesOnlyMessagesOfItsTopics) {
   }
 }
 
+TEST(BagReader, ATopicWithoutSlashIsInTheRootNamespace) {
+  const TemporaryFolder folder;
+  writeBag(folder / "a.bag", {{"tf", 1, "first"}, {"/tf", 2, "second"}});
+  BagReader reader({folder / "a.bag"}, {"/tf"});
+  EXPECT_EQ(readAll(reader), (Messages{{"/tf", 1, "first"}, {"/tf", 2, "second"}}));
+}
+
 TEST(BagReader, ReadsWhatTheWriterWrites) {
   const TemporaryFolder folder;
   Messages messages;
