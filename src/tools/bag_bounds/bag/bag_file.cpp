@@ -230,8 +230,17 @@ void BagFile::skipDamage(const std::string& what, bool is_cut) {
 // The index needs not be complete: no message is missing then.
 void BagFile::loseRest(std::uint64_t begin) {
   position_ = bytes_->size();
-  if (index_position_ == 0 || begin < index_position_)
-    lose("was cut at byte " + std::to_string(position_) + ": messages are missing" + kCopyAgain);
+  if (index_position_ == 0 || begin < index_position_) loseEnd();
+}
+
+void BagFile::loseEnd() {
+  if (has_header_ && index_position_ == 0)
+    lose(
+        "was not closed by its recorder: its last messages may be missing; end rosbag record with "
+        "Ctrl-C and wait for it");
+  else
+    lose("was cut at byte " + std::to_string(bytes_->size()) + ": messages are missing" +
+         kCopyAgain);
 }
 
 void BagFile::endOfFile() {
@@ -240,12 +249,12 @@ void BagFile::endOfFile() {
     lose(std::to_string(unannounced_) + " messages have no topic, because its record is lost" +
          kCopyAgain);
   if (loss_count_ > 0) return;
-  if (has_header_ && index_position_ == 0)
-    lose(
-        "was not closed by its recorder: its last messages may be missing; end rosbag record with "
-        "Ctrl-C and wait for it");
-  else if (!has_header_ || index_position_ > bytes_->size() || chunks_ < chunk_count_)
-    loseRest(bytes_->size());
+  if (!has_header_ || index_position_ == 0 || index_position_ > bytes_->size()) {
+    loseEnd();
+  } else if (chunks_ < chunk_count_) {
+    lose("has " + std::to_string(chunks_) + " of its " + std::to_string(chunk_count_) +
+         " chunks: messages are missing" + kCopyAgain);
+  }
 }
 
 void BagFile::lose(const std::string& what) {

@@ -53,6 +53,7 @@ class BagFile {
   void leaveDamagedChunk();
   void skipDamage(const std::string& what, bool is_cut);
   void loseRest(std::uint64_t begin);
+  void loseEnd();
   void endOfFile();
   void lose(const std::string& what);
 

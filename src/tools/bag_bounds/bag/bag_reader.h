@@ -13,7 +13,7 @@ namespace link_bounds {
 
 /// One message as it was recorded. What it points to is valid until the next call of the reader.
 struct BagMessage {
-  const std::string* topic;
+  const std::string* topic;      ///< with a slash in front
   const std::string* type;       ///< such as tf2_msgs/TFMessage; "" if the bag does not say it
   const std::string* publisher;  ///< name of the node that sent it; "" if the bag does not say it
   std::int64_t time;             ///< when it was recorded [ns]

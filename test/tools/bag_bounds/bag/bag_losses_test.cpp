@@ -39,6 +39,10 @@ Reading read(const std::string& bytes) {
   return result;
 }
 
+const std::string kNotClosed =
+    "was not closed by its recorder: its last messages may be missing; end rosbag record with "
+    "Ctrl-C and wait for it";
+
 std::string damaged(const std::string& what) {
   return what + ": messages are missing; copy it again from where it was recorded";
 }
@@ -68,9 +72,7 @@ TEST(BagLosses, ABagThatWasNotClosedIsReadUpToItsEnd) {
     replace(bag.bytes, sizeof kBagVersionLine - 1, bagHeader(0, 0, 0));
     const Reading reading = read(bag.bytes.substr(0, bag.index));
     EXPECT_EQ(reading.numbers, "012345") << compression;
-    EXPECT_EQ(reading.losses, Lines{"was not closed by its recorder: its last messages may be "
-                                    "missing; end rosbag record with Ctrl-C and wait for it"})
-        << compression;
+    EXPECT_EQ(reading.losses, Lines{kNotClosed}) << compression;
   }
 }
 
@@ -82,8 +84,26 @@ TEST(BagLosses, TheLastChunkNeedsNotBeCompleted) {
     const Reading reading = read(openHeader() + chunkHeader(compression, 0) +
                                  bytesOf(std::uint32_t{0}) + compressed(compression, records));
     EXPECT_EQ(reading.numbers, "01") << compression;
-    EXPECT_EQ(reading.losses.size(), 1U) << compression;
+    EXPECT_EQ(reading.losses, Lines{kNotClosed}) << compression;
   }
+}
+
+TEST(BagLosses, ABagWhoseRecorderWasKilledIsReadUpToItsLastMessage) {
+  const std::string records = connectionRecord(0, kTopic) + messageRecord(0, 0);
+  const Reading reading = read(openHeader() + chunkHeader("none", 0) + bytesOf(std::uint32_t{0}) +
+                               records + messageRecord(0, 1).substr(0, 40));
+  EXPECT_EQ(reading.numbers, "0");
+  EXPECT_EQ(reading.losses, Lines{kNotClosed});
+}
+
+TEST(BagLosses, AChunkThatIsMissingIsSaid) {
+  BagBytes bag = bagOf(messagesOf(9));
+  bag.bytes.erase(bag.chunks[1], bag.chunks[2] - bag.chunks[1]);
+  replace(bag.bytes, sizeof kBagVersionLine - 1,
+          bagHeader(bag.index - (bag.chunks[2] - bag.chunks[1]), 2, 3));
+  const Reading reading = read(bag.bytes);
+  EXPECT_EQ(reading.numbers, "012678");
+  EXPECT_EQ(reading.losses, Lines{damaged("has 2 of its 3 chunks")});
 }
 
 TEST(BagLosses, ABagThatWasCutIsReadUpToThere) {
