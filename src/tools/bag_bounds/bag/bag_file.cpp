@@ -19,6 +19,7 @@ constexpr int kMaxLosses = 20;                   // lines for one file
 constexpr std::size_t kMaxNamesSize = 16 << 20;  // bytes
 constexpr std::uint64_t kNextHeaderSize = 512;   // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;
+constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
 const char* const kCopyAgain = "; copy it again from where it was recorded";
 
 std::string bytesText(std::uint64_t begin, std::uint64_t end) {
@@ -34,6 +35,18 @@ bool canFollow(Bytes& bytes, const Record& record) {
   Record next;
   return record.end() == bytes.size() ||
          readRecord(bytes, record.end(), next) != RecordState::kDamaged;
+}
+
+// What is wrong with a chunk.
+std::string textOf(ChunkState state) {
+  switch (state) {
+    case ChunkState::kTooLarge:
+      return "are a chunk that is too large";
+    case ChunkState::kUnknownCompression:
+      return "are a chunk of an unknown compression";
+    default:
+      return "are a chunk with damaged data";
+  }
 }
 
 }  // namespace
@@ -95,7 +108,8 @@ bool BagFile::step(BagMessage& message) {
   } else {
     const RecordState state = readRecord(bytes, position, record);
     if (state != RecordState::kGood || !handle(bytes, record, message, is_message))
-      in_chunk ? leaveDamagedChunk() : skipDamage("are damaged", state == RecordState::kCut);
+      in_chunk ? leaveDamagedChunk()
+               : skipDamage("are damaged", state == RecordState::kCut, position + 1);
   }
   return is_message;
 }
@@ -186,27 +200,21 @@ void BagFile::openChunk(const Record& record) {
     position_ = record.data;
     return;
   }
-  const std::string compression(record.compression);
-  const ChunkData chunk = decompress(compression, *bytes_, record.data, chunk_.data);
+  const ChunkData chunk = decompress(record.compression, *bytes_, record.data, chunk_.data);
+  const std::uint64_t end = record.data + chunk.consumed;
   chunk_position_ = 0;
   is_chunk_cut_ = false;
   if (chunk.state != ChunkState::kUnknownCompression) is_compressed_ = true;
-  switch (chunk.state) {
-    case ChunkState::kGood:
-      position_ = record.data + chunk.consumed;
-      return;
-    case ChunkState::kCut:
-      skipDamage("are a damaged chunk", true);
-      is_chunk_cut_ = position_ == bytes_->size();
-      if (!is_chunk_cut_) chunk_.data.clear();
-      return;
-    case ChunkState::kDamaged:
-      return skipDamage("are a chunk with damaged " + compression + " data", false);
-    case ChunkState::kTooLarge:
-      return skipDamage("are a chunk that is too large", false);
-    case ChunkState::kUnknownCompression:
-      return skipDamage("are a chunk of an unknown compression", false);
+  if (chunk.state == ChunkState::kGood) {
+    position_ = end;
+    return;
   }
+  // Further chunks may lie inside of the data, but bytes are not read again for ever.
+  read_in_vain_ += chunk.consumed;
+  const bool again = read_in_vain_ < kMaxReadInVain + 2 * bytes_->size();
+  skipDamage(textOf(chunk.state), chunk.state == ChunkState::kCut, again ? position_ + 1 : end);
+  is_chunk_cut_ = chunk.state == ChunkState::kCut && position_ == bytes_->size();
+  if (!is_chunk_cut_) chunk_.data.clear();
 }
 
 void BagFile::leaveDamagedChunk() {
@@ -217,9 +225,9 @@ void BagFile::leaveDamagedChunk() {
 }
 
 // A record that does not fit into the file has a wrong length if another one comes after it.
-void BagFile::skipDamage(const std::string& what, bool is_cut) {
+void BagFile::skipDamage(const std::string& what, bool is_cut, std::uint64_t next) {
   const std::uint64_t begin = position_;
-  position_ = findRecord(*bytes_, begin + 1, is_compressed_);
+  position_ = findRecord(*bytes_, next, is_compressed_);
   if (is_cut && position_ == bytes_->size()) {
     loseRest(begin);
   } else {

@@ -51,7 +51,7 @@ class BagFile {
   void announceFromIndex();
   void openChunk(const Record& record);
   void leaveDamagedChunk();
-  void skipDamage(const std::string& what, bool is_cut);
+  void skipDamage(const std::string& what, bool is_cut, std::uint64_t next);
   void loseRest(std::uint64_t begin);
   void loseEnd();
   void endOfFile();
@@ -67,7 +67,8 @@ class BagFile {
   MemoryBytes chunk_;  ///< the current one, decompressed; empty if there is none
   std::uint64_t chunk_position_ = 0;
   bool is_chunk_cut_ = false;
-  bool is_compressed_ = true;  ///< the last chunk was, or there was none yet
+  std::uint64_t read_in_vain_ = 0;  ///< compressed data that was damaged [bytes]
+  bool is_compressed_ = true;       ///< the last chunk was, or there was none yet
   std::unordered_map<std::uint32_t, Connection> connections_;
   std::size_t names_size_ = 0;        ///< of all connections [bytes]
   std::uint64_t unannounced_ = 0;     ///< messages of connections that the bag does not announce

@@ -15,7 +15,7 @@
 namespace link_bounds {
 
 /// Unlike rosbag's own writer it keeps an index entry for each chunk, not for each message: 10
-/// hours of 100 messages of 5 kB a second need 2 MB.
+/// hours of 100 messages of 5 kB a second need 3 MB.
 class BagWriter {
  public:
   /// Replaces a file of that name. All functions throw std::runtime_error where writing fails.

@@ -86,12 +86,12 @@ ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& outp
     const std::size_t input_size = std::min<std::uint64_t>(kInputSize, bytes.size() - offset);
     const std::uint8_t* const input = bytes.at(offset, input_size);
     if (!input) return finish(ChunkState::kCut, offset - begin);
-    if (filled > kMaxChunkSize) return finish(ChunkState::kTooLarge, 0);
+    if (filled > kMaxChunkSize) return finish(ChunkState::kTooLarge, offset - begin);
     makeRoom(output, filled + kOutputSize);
     const Step step =
         decompressor.run(input, input_size, output.data() + filled, output.size() - filled);
-    if (!step.is_good) return finish(ChunkState::kDamaged, 0);
-    offset += step.consumed;
+    offset += step.is_good ? step.consumed : input_size;
+    if (!step.is_good) return finish(ChunkState::kDamaged, offset - begin);
     filled += step.produced;
     if (step.is_end) return finish(ChunkState::kGood, offset - begin);
     if (step.consumed + step.produced == 0) return finish(ChunkState::kCut, offset - begin);

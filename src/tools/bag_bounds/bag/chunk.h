@@ -21,7 +21,7 @@ enum class ChunkState {
 
 struct ChunkData {
   ChunkState state;
-  std::uint64_t consumed;  ///< bytes of the input, if good
+  std::uint64_t consumed;  ///< bytes of the input; if damaged, all that was looked at
 };
 
 /// A chunk, and a single message, may have this many bytes; a larger one is not read. rosbag closes

@@ -124,6 +124,45 @@ class Damage {
   std::mt19937 random_;
 };
 
+// Counts the bytes that are asked for.
+class CountedBytes : public MemoryBytes {
+ public:
+  explicit CountedBytes(std::uint64_t& count) : count_(count) {}
+  const std::uint8_t* at(std::uint64_t offset, std::size_t size) override {
+    count_ += size;
+    return MemoryBytes::at(offset, size);
+  }
+
+ private:
+  std::uint64_t& count_;
+};
+
+TEST(BagDamage, ChunksInsideOfChunksAreNotReadForEver) {
+  LZ4F_preferences_t preferences{};
+  preferences.frameInfo.blockSizeID = LZ4F_max4MB;
+  LZ4F_cctx* context = nullptr;
+  LZ4F_createCompressionContext(&context, LZ4F_VERSION);
+  std::string frame(100, '\0');
+  frame.resize(LZ4F_compressBegin(context, &frame[0], frame.size(), &preferences));
+  LZ4F_freeCompressionContext(context);
+  constexpr std::uint32_t kStored = 1U << 31 | 1U << 22;  // a block of 4 MB, not compressed
+  const std::string chunk = chunkHeader("lz4", 0) + bytesOf(0U) + frame + bytesOf(kStored);
+  std::string bytes = kBagVersionLine + bagHeader(0, 0, 0) + withSize("");
+  while (bytes.size() < 2 << 20)
+    bytes += chunk;
+  // A record in the end shows that each chunk is damaged, not cut.
+  bytes += chunkRecord("none", "");
+  std::uint64_t count = 0;
+  auto counted = std::make_unique<CountedBytes>(count);
+  counted->data.assign(bytes.begin(), bytes.end());
+  const std::set<std::string> all_topics;
+  std::vector<std::string> losses;
+  BagFile file("a.bag", std::move(counted), all_topics, losses);
+  BagMessage message;
+  EXPECT_FALSE(file.next(message));
+  EXPECT_LT(count, 1U << 30);
+}
+
 TEST(BagDamage, ABagMayBeCutAtEachByte) {
   const BagBytes bag = bagOf(kMessages);
   for (std::size_t size = 0; size < bag.bytes.size(); ++size) {

@@ -171,8 +171,8 @@ TEST(BagLosses, ADamagedChunkCostsItsMessagesOnly) {
                                           fieldBytes("count", "1234"))
             .size() -
         4;
-    EXPECT_EQ(reading.losses, Lines{damaged(range(bag.chunks[1], next) +
-                                            " are a chunk with damaged " + compression + " data")});
+    EXPECT_EQ(reading.losses,
+              Lines{damaged(range(bag.chunks[1], next) + " are a chunk with damaged data")});
   }
 }
 
