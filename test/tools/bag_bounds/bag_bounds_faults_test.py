@@ -134,6 +134,8 @@ class BagsTest(BagBoundsTest):
         found = self.report(bag, code=PARTLY_READ, err='warning: .*arms.bag')
         self.assertTrue(300 < found['messages'] < 1000, found['messages'])
         self.assertGreater(len(found['losses']), 0)
+        rest = self.report(self.bag(arms(1000)[:found['messages']]))
+        self.assertEqual(found['extremes'], rest['extremes'])
 
     def test_an_entry_counts_more_than_a_loss(self):
         bag = self.bag(arms(1000))
