@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The bound of a circle is that of the circle, and large coordinates cost nothing.
+#include "node/history/motion_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+Tf2Pose turnedBy(double angle, const tf2::Vector3& place) {
+  return {{0, 0, std::sin(angle / 2), std::cos(angle / 2)}, place};
+}
+
+TEST(MotionBound, OfACircleIsItsAcceleration) {
+  constexpr double kRadius = 2;
+  const tf2::Vector3 origin(0, 0, 0);
+  for (const double angle : {0.01, 0.5, 3.0}) {
+    const EdgeStep step = stepBetween(turnedBy(0.3, origin), turnedBy(0.3 + angle, origin));
+    const double expected = angle * angle * kRadius / 8;
+    EXPECT_NEAR(bulge({{step}, {}}, kRadius, 0), expected, 1e-6);
+    EXPECT_GE(bulge({{step}, {}}, kRadius, 0), kRadius * (1 - std::cos(angle / 2)));
+    EXPECT_NEAR(bulge({{step.in(0.1)}, {}}, kRadius, 0), expected / 100, 1e-6);
+  }
+}
+
+TEST(MotionBound, OfAStraightWayIsRounding) {
+  const EdgeStep step = stepBetween(turnedBy(1, {0, 0, 0}), turnedBy(1, {10, 20, 30}));
+  EXPECT_LT(bulge({{step, step}, {step}}, 1, 100), 1e-10);
+}
+
+// Both the robot and an object are far from the origin of the map, but near each other.
+TEST(MotionBound, DoesNotGrowWithTheCoordinatesOfTheMap) {
+  const tf2::Vector3 place(5e6, 0, 0);
+  const EdgeStep robot = stepBetween(turnedBy(0, place), turnedBy(0.1, place));
+  const EdgeStep object = stepBetween(turnedBy(0, place), turnedBy(0, place));
+  EXPECT_LT(bulge({{object}, {robot}}, 1, 1), 0.1 * 0.1 * 2.1 / 8);
+}
+
+}  // namespace
+}  // namespace link_bounds
