@@ -15,9 +15,8 @@ namespace link_bounds {
 namespace {
 
 constexpr std::string_view kVersionLine = kBagVersionLine;
-constexpr int kMaxLosses = 20;                   // lines for one file
-constexpr std::size_t kMaxNamesSize = 16 << 20;  // bytes
-constexpr std::uint64_t kNextHeaderSize = 512;   // bytes, typical
+constexpr int kMaxLosses = 20;                  // lines for one file
+constexpr std::uint64_t kNextHeaderSize = 512;  // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;
 constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
 const char* const kCopyAgain = "; copy it again from where it was recorded";
@@ -53,7 +52,7 @@ std::string textOf(ChunkState state) {
 
 BagFile::BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
                  const std::set<std::string>& topics, std::vector<std::string>& losses)
-    : name_(name), bytes_(std::move(bytes)), topics_(topics), losses_(losses) {
+    : name_(name), bytes_(std::move(bytes)), losses_(losses), connections_(topics) {
   readVersion();
   readBagHeader();
 }
@@ -122,7 +121,7 @@ bool BagFile::handle(Bytes& bytes, const Record& record, BagMessage& message, bo
     openChunk(record);
     return true;
   }
-  if (record.op == RecordOp::kConnection && !announce(bytes, record)) return false;
+  if (record.op == RecordOp::kConnection && !connections_.add(bytes, record)) return false;
   if (!canFollow(bytes, record)) return false;  // takes the texts of the record
   if (record.op == RecordOp::kMessage && !handleMessage(bytes, record, message, is_message))
     return false;
@@ -150,45 +149,18 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
   return true;
 }
 
-const BagFile::Connection* BagFile::findConnection(std::uint32_t number) {
-  auto found = connections_.find(number);
-  if (found == connections_.end()) {
-    announceFromIndex();
-    found = connections_.find(number);
-  }
-  return found == connections_.end() ? nullptr : &found->second;
-}
-
 // The index at the end of the file announces all connections again.
-void BagFile::announceFromIndex() {
-  if (has_read_index_ || index_position_ == 0) return;
+const Connection* BagFile::findConnection(std::uint32_t number) {
+  const Connection* const found = connections_.find(number);
+  if (found || has_read_index_ || index_position_ == 0) return found;
   has_read_index_ = true;
   Record record;
-  std::uint64_t position = index_position_;
-  while (readRecord(*bytes_, position, record) == RecordState::kGood &&
-         record.op == RecordOp::kConnection && announce(*bytes_, record)) {
+  for (std::uint64_t position = index_position_;
+       readRecord(*bytes_, position, record) == RecordState::kGood &&
+       record.op == RecordOp::kConnection && connections_.add(*bytes_, record);) {
     position = record.end();
   }
-}
-
-// False if the record is damaged. Where a number is announced again, it is the same connection.
-bool BagFile::announce(Bytes& bytes, const Record& record) {
-  if (connections_.count(record.connection)) return true;
-  Connection connection;
-  // As rosbag play: a name without a slash is one of the root namespace.
-  connection.topic = (record.topic.front() == '/' ? "" : "/") + std::string(record.topic);
-  connection.is_wanted = topics_.empty() || topics_.count(connection.topic);
-  if (record.data_size > kMaxChunkSize) return false;
-  const std::uint8_t* const data = bytes.at(record.data, record.data_size);
-  ConnectionHeader header;
-  if (!data || !readConnectionHeader(data, record.data_size, header)) return false;
-  connection.type = header.type;
-  connection.publisher = header.publisher;
-  names_size_ += sizeof connection + connection.topic.size() + connection.type.size() +
-                 connection.publisher.size();
-  if (names_size_ > kMaxNamesSize) return false;
-  connections_.emplace(record.connection, std::move(connection));
-  return true;
+  return connections_.find(number);
 }
 
 // Lengths in the header of the chunk are not used: its recorder writes them last, and compressed

@@ -11,11 +11,11 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/bag/bytes.h"
+#include "tools/bag_bounds/bag/connections.h"
 #include "tools/bag_bounds/bag/record.h"
 
 namespace link_bounds {
@@ -34,21 +34,12 @@ class BagFile {
   std::uint64_t size() const { return bytes_->size(); }
 
  private:
-  struct Connection {
-    std::string topic;
-    std::string type;
-    std::string publisher;
-    bool is_wanted;
-  };
-
   void readVersion();
   void readBagHeader();
   bool step(BagMessage& message);
   bool handle(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
   bool handleMessage(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
   const Connection* findConnection(std::uint32_t number);
-  bool announce(Bytes& bytes, const Record& record);
-  void announceFromIndex();
   void openChunk(const Record& record);
   void leaveDamagedChunk();
   void skipDamage(const std::string& what, bool is_cut, std::uint64_t next);
@@ -59,7 +50,6 @@ class BagFile {
 
   std::string name_;
   std::unique_ptr<Bytes> bytes_;
-  const std::set<std::string>& topics_;
   std::vector<std::string>& losses_;
   int loss_count_ = 0;
   std::uint64_t position_ = 0;  ///< in the file
@@ -69,8 +59,7 @@ class BagFile {
   bool is_chunk_cut_ = false;
   std::uint64_t read_in_vain_ = 0;  ///< compressed data that was damaged [bytes]
   bool is_compressed_ = true;       ///< the last chunk was, or there was none yet
-  std::unordered_map<std::uint32_t, Connection> connections_;
-  std::size_t names_size_ = 0;        ///< of all connections [bytes]
+  Connections connections_;
   std::uint64_t unannounced_ = 0;     ///< messages of connections that the bag does not announce
   bool has_header_ = false;           ///< the next two are known
   std::uint64_t index_position_ = 0;  ///< 0: the recorder did not close the file

@@ -51,11 +51,12 @@ const std::uint8_t* FileBytes::at(std::uint64_t offset, std::size_t size) {
 
 // Where reading fails or the file has become shorter, the file counts as cut.
 void FileBytes::load(std::uint64_t offset, std::size_t size) {
-  if (block_.size() < std::max(size, kBlockSize)) block_.resize(std::max(size, kBlockSize));
+  const std::size_t wanted = std::max(size, kBlockSize);
+  if (block_.size() < wanted) block_.resize(wanted);
   begin_ = offset;
   loaded_ = 0;
-  while (loaded_ < block_.size()) {
-    const ssize_t count = pread(file_, block_.data() + loaded_, block_.size() - loaded_,
+  while (loaded_ < wanted) {
+    const ssize_t count = pread(file_, block_.data() + loaded_, wanted - loaded_,
                                 static_cast<off_t>(offset + loaded_));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return;
