@@ -37,7 +37,8 @@ as one, by their record times.
   --version           the version of link_bounds
 
 Lengths are metres, times are seconds. Exit code, the first that applies:
-  1  unusable arguments, robot or bags; or no link ever had a box
+  1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
+     the frame of a zone
   3  a zone was entered, or a distance was less than LIMIT
   4  a part of the bags was not read: damage, or interrupted
   2  see --strict

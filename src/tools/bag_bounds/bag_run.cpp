@@ -229,6 +229,12 @@ int BagRun::exitCode(const BagReport& report) const {
                              "; is it the bag of this robot, and does --fixed-frame exist in it?");
     return 1;
   }
+  if (const Zone* zone = zones_.neverCompared()) {
+    say("error: zone \"" + zone->name +
+        "\" was never compared with a link: tf does not connect its frame \"" + zone->frame +
+        "\" with the robot; correct the frame, or record what connects it");
+    return 1;
+  }
   if (zones_.wasEntered() || (pairs_ && pairs_->wasUndercut())) return 3;
   if (!report.losses.empty()) return 4;
   return options_.strict && !model_->problems.empty() ? 2 : 0;

@@ -27,7 +27,7 @@ TreeRequests NearestPairs::requests() {
     } else if (made.error.empty()) {
       made.error = uri + " was replaced meanwhile; run this again";
     }
-    if (!made.error.empty()) problems_.push_back(made.error);
+    if (!made.error.empty()) problems_.insert(made.error);
     distances_.trees().add(made);
   };
   requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {

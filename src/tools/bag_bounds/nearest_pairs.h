@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +47,7 @@ class NearestPairs {
   bool wasUndercut() const { return was_undercut_; }
 
   /// Meshes that count as their convex hull, with the reason.
-  const std::vector<std::string>& problems() const { return problems_; }
+  const std::set<std::string>& problems() const { return problems_; }
 
  private:
   TreeRequests requests();
@@ -55,7 +56,7 @@ class NearestPairs {
   LoadTree load_tree_;
   SceneDistances distances_;
   std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
-  std::vector<std::string> problems_;
+  std::set<std::string> problems_;
   std::uint64_t left_out_ = 0;  ///< distances of further pairs
   bool was_undercut_ = false;
 };

@@ -133,4 +133,10 @@ bool ZoneWatch::wasEntered() const {
                      [](const Watched& watched) { return watched.record.entries > 0; });
 }
 
+const Zone* ZoneWatch::neverCompared() const {
+  const auto found = std::find_if(zones_.begin(), zones_.end(),
+                                  [](const Watched& watched) { return !watched.record.nearest; });
+  return found == zones_.end() ? nullptr : &found->record.zone;
+}
+
 }  // namespace link_bounds

@@ -62,6 +62,9 @@ class ZoneWatch {
   std::vector<ZoneRecord> records() const;
   bool wasEntered() const;
 
+  /// A zone in whose frame there never was a box; null if there is none.
+  const Zone* neverCompared() const;
+
  private:
   /// A body in a zone.
   struct Inside {

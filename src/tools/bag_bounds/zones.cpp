@@ -38,7 +38,9 @@ class ZoneReader {
     throw UsageError(file_ + ": zone \"" + name + "\": " + reason);
   }
 
-  static std::string scalar(const YAML::Node& node) { return node && node.IsScalar() ? node.Scalar() : ""; }
+  static std::string scalar(const YAML::Node& node) {
+    return node && node.IsScalar() ? node.Scalar() : "";
+  }
 
   std::string nameIn(const YAML::Node& entry) const {
     const std::string name = entry.IsMap() ? scalar(entry["name"]) : "";

@@ -9,15 +9,23 @@ import csv
 import io
 import itertools
 import json
+import math
+import re
 import signal
 import subprocess
 
 import bag_bounds_testing
 from bag_bounds_testing import (BEGIN, COUNT, ENTERED, PERIOD, UNDERCUT, BagBoundsTest, arms,
                                 degrees_at, main, moving_arms, run, seconds, static_arms,
-                                zone_text)
+                                time_of, zone_text)
 from bounds_testing import wait_for
 from node_testing import ALL, SIZES, arm_bounds
+from page_testing import PACKAGE, code_block, rows_below
+from tf2_msgs.msg import TFMessage
+from urdf_tf import UrdfTf
+
+DEMO = PACKAGE / 'launch/demo/demo.urdf'
+PAGE = 'doc/tools.md'
 
 
 class ExtremesTest(BagBoundsTest):
@@ -67,7 +75,8 @@ class ExtremesTest(BagBoundsTest):
         found = self.report(self.bag(arms(10) + [moving_arms(210)]))
         for name in ('left', 'left_tip', 'right'):
             self.assertRegex(found['incomplete'][name],
-                             r'had no box 1 time, (1\.9\d\d|2\.000) s in all, first at 2\.2\d\d s: ')
+                             r'had no box 1 time, (1\.9\d\d|2\.000) s in all, first at 2\.2\d\d s: '
+                             'stale')
         self.assertEqual(set(found['incomplete']), {'left', 'left_tip', 'right'})
 
     def test_a_link_without_transform_is_incomplete(self):
@@ -134,9 +143,10 @@ class FormatsTest(BagBoundsTest):
 
     def test_interrupt_reports_what_was_read(self):
         """The signal comes while the program waits for the robot."""
-        process = subprocess.Popen([bag_bounds_testing.BAG_BOUNDS, self.bag(arms(50)), '--urdf', '-',
-                                    '--format', 'json'], stdin=subprocess.PIPE, encoding='utf-8',
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        command = [bag_bounds_testing.BAG_BOUNDS, self.bag(arms(50)), '--urdf', '-']
+        process = subprocess.Popen(command + ['--format', 'json'], encoding='utf-8',
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
         wait_for(lambda: self.catches(process.pid, signal.SIGINT), 'the program catches Ctrl-C')
         process.send_signal(signal.SIGINT)
         with open(self.urdf, encoding='utf-8') as file:
@@ -150,6 +160,56 @@ class FormatsTest(BagBoundsTest):
         with open('/proc/%d/status' % pid, encoding='ascii') as file:
             mask = next(line for line in file if line.startswith('SigCgt:')).split()[1]
         return int(mask, 16) >> (number - 1) & 1
+
+
+class PageTest(BagBoundsTest):
+    """The example and the tables of doc/tools.md."""
+
+    def demo_bag(self):
+        """The joints of the demo robot swing."""
+        demo = UrdfTf(DEMO.read_text('utf-8'))
+        messages = [('/tf_static', TFMessage(demo.static()), time_of(BEGIN))]
+        for index in range(600):
+            time = index / 100
+            values = dict({name: 0 for name in demo.movable}, shoulder_pan=math.sin(time),
+                          elbow_bend=1.9 + .5 * math.sin(2 * time),
+                          shoulder_lift=.3 * math.sin(.7 * time))
+            stamp = time_of(BEGIN + time)
+            messages.append(('/tf', TFMessage(demo.moving(stamp, values)), stamp))
+        return self.bag(messages, 'demo.bag')
+
+    def test_the_example_prints_what_the_page_shows(self):
+        self.write('zones.yaml', code_block(PAGE, '## bag_bounds', 'yaml'))
+        command = code_block(PAGE, '## bag_bounds', 'sh').splitlines()[-1]
+        arguments = command.split(' bag_bounds demo.bag ')[1].replace(
+            'launch/demo/demo.urdf', str(DEMO)).split()
+        code, out, err = run(self.demo_bag(), *arguments, cwd=self.folder)
+        self.assertEqual((code, err), (ENTERED, ''))
+        page = (PACKAGE / PAGE).read_text('utf-8')
+        shown = re.search(r'^```\n(frame: base    unit: m    times.*?)^```$', page,
+                          re.DOTALL | re.MULTILINE).group(1)
+        begin, end = shown.split('...\n')
+        self.assertTrue(out.startswith(begin), out)
+        self.assertTrue(out.endswith(end), out)
+
+    def test_help_names_all_options_of_the_page(self):
+        code, out, _ = run('--help')
+        self.assertEqual(code, 0)
+        synopsis = (PACKAGE / PAGE).read_text('utf-8').split('## bag_bounds')[1].split('```')[1]
+        for option in re.findall('--[a-z-]+', synopsis):
+            self.assertIn('  ' + option if option != '--help' else ', --help', out)
+
+    def test_keys_of_json_are_those_of_the_page(self):
+        section = (PACKAGE / PAGE).read_text('utf-8').split('## bag_bounds')[1].split('\n## ')[0]
+        rows = rows_below(section, ['key', 'value'])
+        keys = [key for row in rows for key in row[0].split(', ')]
+        found = self.report(self.bag(arms(3)), '--distances', '0.01')
+        self.assertEqual(sorted(keys), sorted(found))
+
+    def test_exit_codes_are_those_of_help(self):
+        section = (PACKAGE / PAGE).read_text('utf-8').split('## bag_bounds')[1].split('\n## ')[0]
+        rows = rows_below(section, ['exit code', 'meaning; the first that applies'])
+        self.assertEqual([row[0] for row in rows], re.findall(r'^  (\d)  ', run('--help')[1], re.M))
 
 
 if __name__ == '__main__':

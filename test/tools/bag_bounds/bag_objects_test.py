@@ -83,7 +83,7 @@ class ObjectsTest(BagBoundsTest):
         self.assertIn('none.stl', found['incomplete']['part/1'])
 
     def test_the_distance_of_a_mesh_is_that_of_its_triangles(self):
-        """They are loaded before the first distance is computed. The hull of the strip would touch."""
+        """They are loaded before the first distance is computed. The hull of the strip touches."""
         mesh = marker('part/1', Marker.MESH_RESOURCE, pose=Pose((0, 0, 1)),
                       mesh_resource=(MESHES / 'wrist.stl').as_uri())
         strip = marker('part/2', Marker.LINE_STRIP, scale=(.01, 0, 0), pose=Pose((0, 0, 1)),

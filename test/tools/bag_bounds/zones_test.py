@@ -138,6 +138,12 @@ class ZonesTest(BagBoundsTest):
                 zones = self.write('zones.yaml', text)
                 self.check_refused(reason, bag, '--urdf', self.urdf, '--zones', zones)
 
+    def test_a_frame_that_tf_does_not_connect(self):
+        """Otherwise a misspelt frame would look like a zone that nobody enters."""
+        zones = self.write('zones.yaml', zone_text('cell', [0, 0, 0], [1, 1, 1], 'wrold'))
+        self.report(self.bag(arms(5)), '--zones', zones, code=1,
+                    err='error: zone "cell" was never compared .* "wrold"')
+
     def test_a_list_of_zones(self):
         corners = 'min: [8, 8, 8], max: [9, 9, 9]'
         text = '- {name: a, %s}\n- {name: b, %s}' % (corners, corners)
