@@ -126,8 +126,7 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("distance_warning", p.distance_warning, rules::notNegative,
         "metres, >= 0; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("swept_span", p.swept_span, rules::notNegative,
-        "seconds, >= 0, of motion that the boxes of ~swept cover, within the 10 s that tf keeps; 0 "
-        "= none are sent");
+        "seconds, >= 0, of motion that the boxes of ~swept cover; 0 = none are sent");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
