@@ -10,6 +10,8 @@ import io
 import itertools
 import json
 import math
+import os
+import pty
 import re
 import signal
 import subprocess
@@ -140,6 +142,17 @@ class FormatsTest(BagBoundsTest):
         self.assertRegex(out, r'^frame: base    unit: m    times: s after 1000\.000000000, '
                          r'from 0\.000 to 0\.040\n')
         self.assertRegex(out, r'\nmast +x +-0\.106066 +0\.000 +0\.106066 +0\.000\n')
+
+    def test_a_terminal_shows_how_far_it_came(self):
+        """The bar is erased before the report."""
+        master, terminal = pty.openpty()
+        command = [bag_bounds_testing.BAG_BOUNDS, self.bag(arms(600)), '--urdf', self.urdf]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=terminal, timeout=60)
+        os.close(terminal)
+        with open(master, 'rb', buffering=0) as file:
+            shown = file.read(1 << 16).decode('ascii')
+        self.assertRegex(shown, r'\r\[#* *\] \d+/100 % of the bags')
+        self.assertTrue(shown.endswith('\r\033[K'), repr(shown))
 
     def test_interrupt_reports_what_was_read(self):
         """The signal comes while the program waits for the robot."""
