@@ -35,7 +35,4 @@ Reasons incompleteOf(const BagReport& report);
 
 void write(const BagReport& report, Format format, std::ostream& out);
 
-/// Seconds from `begin` to `time` for people.
-std::string shortSeconds(std::int64_t time, std::int64_t begin);
-
 }  // namespace link_bounds

@@ -10,6 +10,7 @@
 
 #include "node/names/topics.h"
 #include "packages/package_path.h"
+#include "tools/bag_bounds/report_words.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"

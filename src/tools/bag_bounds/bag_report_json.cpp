@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One element of a list per line.
+#include "tools/bag_bounds/bag_report_json.h"
+
+#include <array>
+
+#include "tools/bag_bounds/report_words.h"
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+namespace {
+
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
+
+/// The words of one report, whose times begin with the first message.
+class JsonWriter {
+ public:
+  explicit JsonWriter(const BagReport& report) : report_(report) {}
+
+  void write(std::ostream& out) const {
+    out << "{\"frame\": " << jsonString(report_.frame)
+        << ",\n \"begin\": " << exactSeconds(report_.begin)
+        << ",\n \"from\": " << time(report_.from) << ",\n \"to\": " << time(report_.to)
+        << ",\n \"messages\": " << report_.messages << ",\n \"extremes\": "
+        << jsonList(report_.boxes, [this](const auto& box) { return toJson(box); })
+        << ",\n \"zones\": "
+        << jsonList(report_.zones, [this](const auto& zone) { return toJson(zone); });
+    if (report_.distances) {
+      out << ",\n \"distances\": "
+          << jsonList(*report_.distances, [this](const auto& pair) { return toJson(pair); });
+    }
+    out << ",\n \"incomplete\": " << jsonObject(incompleteOf(report_), jsonString)
+        << ",\n \"losses\": " << jsonList(report_.losses, jsonString) << "}\n";
+  }
+
+ private:
+  std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
+
+  /// A JSON array with one element per line.
+  template <class Element, class ToJson>
+  static std::string jsonList(const std::vector<Element>& elements, const ToJson& to_json) {
+    std::string result;
+    for (const Element& element : elements)
+      result += (result.empty() ? "\n  " : ",\n  ") + to_json(element);
+    return "[" + result + "]";
+  }
+
+  std::string when(const Moment& moment) const {
+    return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
+  }
+
+  /// Three arrays: values, times and stamps.
+  std::string extremes(const std::string& key, const std::array<Extreme, 3>& found) const {
+    std::string values, times, stamps;
+    for (const Extreme& extreme : found) {
+      const char* comma = values.empty() ? "" : ", ";
+      values += comma + exactNumber(extreme.value);
+      times += comma + time(extreme.when.recorded);
+      stamps += comma + exactSeconds(extreme.when.stamp);
+    }
+    return quoted(key) + ": [" + values + "], " + quoted(key + "_time") + ": [" + times + "], " +
+           quoted(key + "_stamp") + ": [" + stamps + "]";
+  }
+
+  std::string toJson(const BoxRecord& box) const {
+    const std::string name = "{\"name\": " + jsonString(box.name);
+    if (!box.has_box) return name + "}";
+    return name + ", " + extremes("min", box.min) + ", " + extremes("max", box.max) + "}";
+  }
+
+  std::string toJson(const Stay& stay) const {
+    return "{\"name\": " + jsonString(stay.name) + ", \"entered\": {" + when(stay.entered) +
+           "}, \"end\": {" + when(stay.left) + "}, \"how\": " + quoted(toText(stay.end)) + "}";
+  }
+
+  std::string toJson(const ZoneRecord& record) const {
+    std::string nearest = "null";
+    if (record.nearest) {
+      nearest = "{\"name\": " + jsonString(record.nearest->name) +
+                ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
+                when(record.nearest->when) + "}";
+    }
+    return "{\"name\": " + jsonString(record.zone.name) +
+           ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearest +
+           ", \"entries\": " + std::to_string(record.entries) + ", \"stays\": " +
+           jsonList(record.stays, [this](const Stay& stay) { return toJson(stay); }) + "}";
+  }
+
+  std::string toJson(const NearestPair& pair) const {
+    const Distance& distance = pair.distance;
+    const auto vector = [](const auto& v) { return jsonNumbers(Eigen::Vector3d(v.x, v.y, v.z)); };
+    return "{\"first\": " + jsonString(distance.first) +
+           ", \"second\": " + jsonString(distance.second) +
+           ", \"distance\": " + exactNumber(distance.distance) +
+           ", \"distance_max\": " + exactNumber(distance.distance_max) +
+           ", \"on_first\": " + vector(distance.on_first) +
+           ", \"on_second\": " + vector(distance.on_second) +
+           ", \"normal\": " + vector(distance.normal) +
+           ", \"level\": " + quoted(levelText(distance.level)) + ", " + when(pair.when) + "}";
+  }
+
+  const BagReport& report_;
+};
+
+}  // namespace
+
+void writeJson(const BagReport& report, std::ostream& out) {
+  JsonWriter(report).write(out);
+}
+
+}  // namespace link_bounds
