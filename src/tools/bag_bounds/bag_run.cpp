@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/bag_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <limits>
@@ -20,10 +21,11 @@ namespace {
 
 constexpr std::uint64_t kMessagesPerGlance = 256;  // at the progress
 
-volatile std::sig_atomic_t interrupted = 0;
+/// Threads that load meshes read it, too.
+std::atomic<bool> interrupted{false};
 
 void onInterrupt(int) {
-  interrupted = 1;
+  interrupted = true;
 }
 
 std::vector<Zone> readZones(const std::string& file) {
@@ -71,7 +73,7 @@ void catchInterrupts() {
 BagRun::BagRun(const BagBoundsOptions& options)
     : options_(options),
       mesh_source_{rosPackages(), folderOf(options.urdf), progressBar()},
-      loader_(plainRemedy, [] { return interrupted != 0; }),
+      loader_(plainRemedy, [] { return interrupted.load(); }),
       zones_(readZones(options.zones)),
       reader_(options.bags, topicsOf(options)),
       model_(std::make_shared<const Model>(loadModel())),
