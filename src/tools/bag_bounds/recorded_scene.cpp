@@ -81,10 +81,13 @@ void RecordedScene::take(const BagMessage& message) {
   on_step_(now_, false);
 }
 
-/// Where time goes back, no tick is due before the message.
+/// Where time goes back, a tick comes before the message, so that all see tf as it is then.
 void RecordedScene::passTo(std::int64_t time) {
   const std::int64_t begin = now_;
-  if (time < begin) next_tick_ = time + kTick;
+  if (time < begin) {
+    tick(time);
+    next_tick_ = time + kTick;
+  }
   while (next_tick_ < time) {
     tick(next_tick_);
     next_tick_ += std::max(kTick, (next_tick_ - begin) / kTicksPerGap);

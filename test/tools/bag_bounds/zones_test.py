@@ -122,6 +122,14 @@ class ZonesTest(BagBoundsTest):
         self.assertEqual([stay['how'] for stay in zone['stays'] if stay['name'] == 'base'],
                          ['report_ended'])
 
+    def test_a_jump_ends_the_stay_in_a_zone_that_moves(self):
+        """In the fixed frame no box moves."""
+        world = [base_in_world(0, i) for i in range(20)]
+        text = zone_text('cell', [-1, -1, -1], [0.1, 1, 1], 'world')
+        zone = self.zones(text, [static_arms()] + world * 2, err='the clock jumped back')['cell']
+        self.assertEqual([stay['how'] for stay in zone['stays'] if stay['name'] == 'base'],
+                         ['lost', 'report_ended'])
+
     def test_stays_have_a_limit(self):
         """An arm at the edge of a zone: further entries are counted."""
         swing = [moving_arms(index, angle_index=50 + index % 2) for index in range(2401)]
