@@ -13,6 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int kBodiesPerLook = 8;  // at the clock
+
 template <class T>
 void sortWithoutRepeats(std::vector<T>& values) {
   std::sort(values.begin(), values.end());
@@ -57,8 +59,8 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
   const Clock::time_point end = Clock::now() + budget;
   if (!past_) begin(scene, now);
   if (past_->unknown_frame) return true;
-  while (copyNextBody(scene)) {
-    if (Clock::now() >= end) return false;
+  for (int i = 1; copyNextBody(scene); ++i) {
+    if (i % kBodiesPerLook == 0 && Clock::now() >= end) return false;
   }
   return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
 }
@@ -109,7 +111,9 @@ void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
   body.bounded = &model_->links[link];
   body.incomplete = !body.bounded->isWhole();
   body.reason = body.bounded->missing;
-  const auto frame = tf.find(model_->frames[link]);
+  // After a ~reload this may be another model than the scene has.
+  const auto frame =
+      scene.links.model() == model_.get() ? scene.links.frame(link) : tf.find(model_->frames[link]);
   if (frame && !body.bounded->shapes.empty()) body.frame = past_->excerpt.add(tf, *frame);
   past_->bodies.push_back(std::move(body));
 }

@@ -10,6 +10,7 @@
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
 #include "node/outputs/past_message.h"
+#include "node/threads/queued_function.h"
 
 namespace link_bounds {
 namespace {
@@ -62,7 +63,7 @@ void BoxService::answer(const GetBoxes::Request& message, GetBoxes::Response& re
     throw std::runtime_error(
         "there are no boxes yet, because no robot was loaded; ask again after the first ~boxes");
   }
-  const std::unique_ptr<PastScene> scene = history_.copy(request);
+  const std::shared_ptr<PastScene> scene = history_.copy(request);
   if (!scene) throw std::runtime_error(kStopping);
   const std::string refusal = whyRefused(*scene);
   if (!refusal.empty()) throw std::runtime_error(refusal);
@@ -70,6 +71,8 @@ void BoxService::answer(const GetBoxes::Request& message, GetBoxes::Response& re
   if (history_.isStopping()) throw std::runtime_error(kStopping);
   fillBoxes(*scene, found, request, response.boxes);
   response.message = logText(found.problem);
+  // Freed after the response has been sent.
+  enqueue(history_.queue(), [scene] {});
 }
 
 }  // namespace link_bounds

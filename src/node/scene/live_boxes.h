@@ -31,6 +31,9 @@ class LiveBoxes {
   /// One per link of the model.
   const std::vector<BoxState>& states() const { return states_; }
 
+  /// The number of the tf frame of link `i`.
+  FrameTracker::Frame frame(std::size_t i) const { return link_frames_[i]; }
+
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
   const Eigen::Affine3d& pose(std::size_t i) const {
     return poses_[i].pose().fixed_from_frame.affine;
@@ -50,6 +53,7 @@ class LiveBoxes {
 
   FrameTracker& frames_;
   std::shared_ptr<const Model> model_;
+  std::vector<FrameTracker::Frame> link_frames_;
   std::vector<FrameTracker::Handle> poses_;  ///< of the links; empty for links without shapes
   std::vector<TransformProblem> problems_;
   LinkBoxes boxes_;

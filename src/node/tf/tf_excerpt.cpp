@@ -10,7 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kChunk = 256;  // samples between two looks at the clock, some microseconds
+constexpr std::size_t kEdgesPerLook = 8;  // at the clock
+constexpr std::size_t kChunk = 128;       // samples, some microseconds
 
 }  // namespace
 
@@ -28,13 +29,14 @@ TfExcerpt::Frame TfExcerpt::include(const TransformBuffer& tf, Frame frame) {
 bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget) {
   const Clock::time_point end = Clock::now() + budget;
   if (!epoch_ || *epoch_ != tf.epoch()) restart(tf);
-  while (complete_ < originals_.size()) {
+  for (std::size_t i = 1; complete_ < originals_.size(); ++i) {
     if (heads_ < originals_.size()) {
       copyHead(tf, heads_++);
     } else if (copySamples(tf, complete_)) {
       ++complete_;
     }
-    if (Clock::now() >= end && complete_ < originals_.size()) return false;
+    const bool looks = i % kEdgesPerLook == 0 || copied_until_;
+    if (looks && complete_ < originals_.size() && Clock::now() >= end) return false;
   }
   buffer_->settled_ = tf.settled();
   return true;
