@@ -49,6 +49,10 @@ class SampleRing {
     const EdgeSample* newer;  ///< after it
   };
   Neighbours neighbours(std::int64_t stamp) const {
+    // Nearly always they are in the newest block.
+    for (const EdgeSample* newer = newest_; newer > end_of_block_ - (kPerBlock - 1); --newer) {
+      if (newer[-1].stamp <= stamp) return {newer - 1, newer};
+    }
     const std::size_t count = countUntil(stamp);
     return {count == 0 ? nullptr : &at(count - 1), &at(count)};
   }
