@@ -5,6 +5,8 @@
 
 #include <ros/single_subscriber_publisher.h>
 
+#include <algorithm>
+
 #include "node/names/topics.h"
 #include "node/outputs/past_message.h"
 #include "node/outputs/swept_markers.h"
