@@ -81,6 +81,10 @@ bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
   if (!begin_) begin_ = (stamp_ == 0 ? common_ : stamp_) - span_;
   const EdgeHistory* const history = tf.history(originals_[child]);
   if (!history || !buffer_->history(child)) return true;
+  if (stamp_ != 0 && span_ == 0) {
+    copyTransform(tf, *history, child);
+    return true;
+  }
   const SampleRing& samples = history->samples();
   std::size_t i = copied_until_ ? samples.countUntil(*copied_until_) : firstNeeded(*history);
   bool is_complete = i == samples.size();
@@ -92,6 +96,15 @@ bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
   }
   if (is_complete) copied_until_.reset();
   return is_complete;
+}
+
+/// Of a single time the interpolated transform serves all poses.
+void TfExcerpt::copyTransform(const TransformBuffer& tf, const EdgeHistory& history, Frame child) {
+  EdgeSample scratch;
+  const EdgeSample* edge = history.at(stamp_, scratch);
+  if (!edge) return;
+  const Frame parent = parentOf(tf, *edge);
+  buffer_->edges_[child].history->insert(stamp_, parent, edge->parent_from_child);
 }
 
 /// The last sample until the first of the times, and the one before it, which tells whether tf2

@@ -53,6 +53,7 @@ class TfExcerpt {
   void restart(const TransformBuffer& tf);
   void copyHead(const TransformBuffer& tf, Frame child);
   bool copySamples(const TransformBuffer& tf, Frame child);
+  void copyTransform(const TransformBuffer& tf, const EdgeHistory& history, Frame child);
   std::size_t firstNeeded(const EdgeHistory& history) const;
   Frame parentOf(const TransformBuffer& tf, const EdgeSample& sample);
 
