@@ -173,8 +173,9 @@ bool ModelLoader::handOver(ModelPtr model) {
   return hand_over_.give(std::move(model), [this] { return isStopping(); });
 }
 
+/// While roscpp shuts down, ros::ok() is still true, and it waits for services that work.
 bool ModelLoader::isStopping() const {
-  return stops_ || !ros::ok();
+  return stops_ || ros::isShuttingDown() || !ros::ok();
 }
 
 }  // namespace link_bounds
