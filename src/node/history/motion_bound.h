@@ -18,8 +18,9 @@
 //    rotations, at most pi/2. So q'' = -T^2 q, and E = |q'|^2 + T^2 |q|^2 is the same for all s.
 //    Let l be the larger length of both quaternions and c the difference of the lengths. Then
 //      |q| <= l: if both were of length l, q would be, too; and their dot product is not negative.
-//      |q'| <= g = T l + (pi/2) c: at s = 0, E = T^2 (2 l0 l1 + (c / sin T)^2). With
-//        |q|^2 >= l0^2 or l1^2, and T / sin T <= pi/2, |q'|^2 <= T^2 l^2 + (pi/2)^2 c^2.
+//      |q'| <= g = T l + (pi/2) c: at s = 0, E = T^2 (2 l0 l1 + (c / sin T)^2). Because |q| is at
+//        least the smaller length m, 2 l0 l1 - |q|^2 <= 2 l m - m^2 <= l^2. With T / sin T <= pi/2,
+//        |q'|^2 <= T^2 l^2 + (pi/2)^2 c^2.
 // 2. F(y)' = q' y q* + q y q'*, and F(y)'' = 2 q' y q'* - 2 T^2 F(y). With T l <= g:
 //      |F(y)| <= l^2 |y|,   |F(y)'| <= 2 l g |y|,   |F(y)''| <= 4 g^2 |y|.
 //    For quaternions of length 1 these are 1, the angle and its square: a point on a circle.

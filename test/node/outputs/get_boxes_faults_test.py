@@ -169,7 +169,7 @@ class GetBoxesFaults(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_a_clock_jump(self):
-        """Nothing of before the jump is answered, although the stamps are within ten seconds."""
+        """After a clock jump no request gets a box of the time before it."""
         rospy.set_param("/use_sim_time", True)
         self.addCleanup(rospy.delete_param, "/use_sim_time")
         node = self.start(robot([box_link(name, (1, 1, 1)) for name in ("base", "arm")],
