@@ -3,9 +3,7 @@
 // From recorded transforms to extremes, entries and distances on standard output.
 #include <ros/console.h>
 
-#include <csignal>
 #include <iostream>
-#include <new>
 
 #include "tools/bag_bounds/bag_run.h"
 #include "tools/command_line/terminal.h"
@@ -33,25 +31,16 @@ int run(const BagBoundsOptions& options) {
   return finishOutput() ? code : 1;
 }
 
-int runGuarded(int argc, char** argv) {
-  try {
-    const BagBoundsOptions options = parseOptions(argc, argv);
-    if (!options.help && !options.version) return run(options);
-    std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
-    return finishOutput() ? 0 : 1;
-  } catch (const std::bad_alloc&) {
-    say("error: out of memory");
-  } catch (const std::exception& error) {
-    say(std::string("error: ") + error.what() + "; see bag_bounds --help");
-  }
-  return 1;
+int runWith(int argc, char** argv) {
+  const BagBoundsOptions options = parseOptions(argc, argv);
+  if (!options.help && !options.version) return run(options);
+  std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
+  return finishOutput() ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace link_bounds
 
 int main(int argc, char** argv) {
-  // Without the signal, writing to a closed pipe is an error that finishOutput reports.
-  std::signal(SIGPIPE, SIG_IGN);
-  return link_bounds::runGuarded(argc, argv);
+  return link_bounds::runProgram([&] { return link_bounds::runWith(argc, argv); });
 }

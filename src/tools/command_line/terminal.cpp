@@ -5,7 +5,10 @@
 
 #include <unistd.h>
 
+#include <csignal>
+#include <exception>
 #include <iostream>
+#include <new>
 
 #include "tools/text/safe_text.h"
 
@@ -45,6 +48,19 @@ bool hasTerminal() {
 
 LoadProgress progressBar() {
   return hasTerminal() ? drawMeshes : LoadProgress();
+}
+
+int runProgram(const std::function<int()>& program) {
+  // Without the signal, writing to a closed pipe is an error that finishOutput reports.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return program();
+  } catch (const std::bad_alloc&) {
+    say("error: out of memory");
+  } catch (const std::exception& error) {
+    say(std::string("error: ") + error.what() + "; see " + kProgram + " --help");
+  }
+  return 1;
 }
 
 bool finishOutput() {

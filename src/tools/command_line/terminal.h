@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "link_bounds/robot/mesh/mesh_store.h"
@@ -27,6 +28,9 @@ bool hasTerminal();
 
 /// A bar that erases itself at the end; null if standard error is no terminal.
 LoadProgress progressBar();
+
+/// Runs a program and returns its exit code; 1 with the reason on standard error if it throws.
+int runProgram(const std::function<int()>& program);
 
 /// Flushes standard output. False, with a message, on a full disk or a closed pipe.
 bool finishOutput();

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From a URDF file and joint values to boxes, or other volumes, on standard output.
-#include <csignal>
 #include <fstream>
 #include <iostream>
-#include <new>
 #include <set>
 
 #include "link_bounds/robot/robot_loader.h"
@@ -89,25 +87,16 @@ int run(const UrdfBoundsOptions& options) {
   return options.strict && !incomplete.empty() ? 2 : 0;
 }
 
-int runGuarded(int argc, char** argv) {
-  try {
-    const UrdfBoundsOptions options = parseOptions(argc, argv);
-    if (!options.help && !options.version) return run(options);
-    std::cout << (options.help ? kUsage : "urdf_bounds " LINK_BOUNDS_VERSION "\n");
-    return finishOutput() ? 0 : 1;
-  } catch (const std::bad_alloc&) {
-    say("error: out of memory");
-  } catch (const std::exception& error) {
-    say(std::string("error: ") + error.what() + "; see urdf_bounds --help");
-  }
-  return 1;
+int runWith(int argc, char** argv) {
+  const UrdfBoundsOptions options = parseOptions(argc, argv);
+  if (!options.help && !options.version) return run(options);
+  std::cout << (options.help ? kUsage : "urdf_bounds " LINK_BOUNDS_VERSION "\n");
+  return finishOutput() ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace link_bounds
 
 int main(int argc, char** argv) {
-  // Without the signal, writing to a closed pipe is an error that finishOutput reports.
-  std::signal(SIGPIPE, SIG_IGN);
-  return link_bounds::runGuarded(argc, argv);
+  return link_bounds::runProgram([&] { return link_bounds::runWith(argc, argv); });
 }
