@@ -33,11 +33,11 @@ def gap(box, low, high):
     return max(gaps) if max(gaps) <= 0 else sum(max(g, 0) ** 2 for g in gaps) ** 0.5
 
 
-def base_in_world(x, index):
-    """A message that places the robot in the world."""
+def moving_transform(parent, child, index, x=0):
+    """A message whose transform turns the child by half a turn."""
     topic, message, time = moving_arms(index, links=('left',))
     transform = message.transforms[0]
-    transform.header.frame_id, transform.child_frame_id = 'world', 'base'
+    transform.header.frame_id, transform.child_frame_id = parent, child
     transform.transform.translation.x = x
     transform.transform.rotation.z, transform.transform.rotation.w = 0, 1
     return topic, message, time
@@ -98,7 +98,7 @@ class ZonesTest(BagBoundsTest):
 
     def test_the_zone_moves_while_the_robot_stands(self):
         """In its fixed frame, base, nothing of the robot changes."""
-        world = [base_in_world(x, i) for i, x in enumerate((5, 0, 5))]
+        world = [moving_transform('world', 'base', i, x) for i, x in enumerate((5, 0, 5))]
         text = zone_text('cell', [-1, -1, -1], [0.1, 1, 1], 'world')
         zone = self.zones(text, [static_arms()] + world)['cell']
         stays = [(stay['name'], stay['entered']['time'], stay['end']['time'])
@@ -123,12 +123,13 @@ class ZonesTest(BagBoundsTest):
                          ['report_ended'])
 
     def test_a_jump_ends_the_stay_in_a_zone_that_moves(self):
-        """In the fixed frame no box moves."""
-        world = [base_in_world(0, i) for i in range(20)]
-        text = zone_text('cell', [-1, -1, -1], [0.1, 1, 1], 'world')
-        zone = self.zones(text, [static_arms()] + world * 2, err='the clock jumped back')['cell']
-        self.assertEqual([stay['how'] for stay in zone['stays'] if stay['name'] == 'base'],
-                         ['lost', 'report_ended'])
+        """In the fixed frame nothing changes: the transforms of base and mast are static."""
+        cart = [moving_transform('base', 'cart', i) for i in range(20)]
+        text = zone_text('cell', [-1, -1, -1], [0.1, 1, 1], 'cart')
+        zone = self.zones(text, [static_arms()] + cart * 2, err='the clock jumped back')['cell']
+        for name in ('base', 'mast'):
+            self.assertEqual([stay['how'] for stay in zone['stays'] if stay['name'] == name],
+                             ['lost', 'report_ended'])
 
     def test_stays_have_a_limit(self):
         """An arm at the edge of a zone: further entries are counted."""
