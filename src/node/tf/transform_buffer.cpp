@@ -13,8 +13,8 @@ namespace {
 constexpr std::int64_t kSilence = 1000000000;  // ns without a good transform that deserve a warning
 constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
 constexpr const char* kTooOld =
-    "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks, "
-    "and if that newest one is wrong, call ~reload";
+    "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
+    "if that newest one is wrong, ~reload makes the node forget it";
 
 std::int64_t nanoseconds(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());

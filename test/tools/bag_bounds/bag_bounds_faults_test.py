@@ -31,6 +31,12 @@ def without_index(source, target):
         file.write(data[:index])
 
 
+def raw_messages(path):
+    """Topic, bytes and record time of each message."""
+    with rosbag.Bag(path) as bag:
+        return [(topic, data[1], time) for topic, data, time in bag.read_messages(raw=True)]
+
+
 class ArgumentsTest(BagBoundsTest):
     def test_refused_arguments(self):
         bag = self.bag(arms(3))
@@ -130,11 +136,18 @@ class BagsTest(BagBoundsTest):
         self.assertEqual(len(found['losses']), 1)
 
     def test_a_cut_bag(self):
+        """Its boxes are the first ones of the whole bag, which bag_beside_node compares with the
+        node."""
         bag = self.bag(arms(1000))
+        self.report(bag, '--out', self.path('whole_boxes.bag'))
         os.truncate(bag, os.path.getsize(bag) // 2)
-        found = self.report(bag, code=PARTLY_READ, err='warning: .*arms.bag')
+        found = self.report(bag, '--out', self.path('boxes.bag'), code=PARTLY_READ,
+                            err='warning: .*arms.bag')
         self.assertTrue(300 < found['messages'] < 1000, found['messages'])
         self.assertGreater(len(found['losses']), 0)
+        boxes, whole = (raw_messages(self.path(name)) for name in ('boxes.bag', 'whole_boxes.bag'))
+        self.assertGreaterEqual(len(boxes), found['messages'])
+        self.assertEqual(boxes, whole[:len(boxes)])
         rest = self.report(self.bag(arms(1000)[:found['messages']]))
         self.assertEqual(found['extremes'], rest['extremes'])
 
