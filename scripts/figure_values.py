@@ -211,6 +211,29 @@ def of_volumes(rows):
     return figures
 
 
-PARTS = {'core': of_core, 'pipeline': of_pipeline, 'end-to-end': of_end_to_end,
-         'objects': of_objects, 'many-objects': of_many_objects, 'overlaps': of_overlaps, 'distances': of_distances,
-         'parts': of_parts, 'start-up': of_start_up, 'volumes': of_volumes}
+def of_bag(rows):
+    figures = {}
+    for row in rows:
+        key = 'bag/%s/' % row['reader'].replace(' --', '_')
+        if row['kind'] == 'memory':
+            figures[key + 'short_mb'], figures[key + 'long_mb'] = row['peaks_mb']
+        else:
+            figures.update({key + 'seconds': row['median_s'], key + 'ratio': median(row['ratios']),
+                            key + 'real_time': median(row['times_real_time'])})
+    return figures
+
+
+def of_get_boxes(rows):
+    return {'get_boxes/%s/us' % row['call'].replace(', ', '_').replace(' ', '_'): row['p50_us']
+            for row in rows}
+
+
+def of_swept(rows):
+    return {'swept/%g/%s' % (row['span'], name): row[column] for row in rows
+            for name, column in (('ms', 'swept_ms'), ('sampled_ms', 'sampled_ms'))}
+
+
+PARTS = {'bag': of_bag, 'core': of_core, 'pipeline': of_pipeline, 'end-to-end': of_end_to_end,
+         'get-boxes': of_get_boxes, 'objects': of_objects, 'many-objects': of_many_objects,
+         'overlaps': of_overlaps, 'distances': of_distances, 'parts': of_parts,
+         'start-up': of_start_up, 'swept': of_swept, 'volumes': of_volumes}

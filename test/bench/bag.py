@@ -21,7 +21,9 @@ ZONES = """
 ahead: {min: [0.5, -1, 0], max: [3, 1, 3]}
 around: {frame: branch_100_joint_10_link, min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5]}
 """
-READERS = {"rosbag": "bag_peer", "ours": "bag_ours", "bag_bounds": "bag_bounds"}
+READERS = {"rosbag": "bag_peer", "ours": "bag_ours", "bag_bounds": "bag_bounds",
+           "bag_bounds --out": "bag_bounds"}
+SPEED = ("rosbag", "ours", "bag_bounds")
 
 
 class Bag:
@@ -40,7 +42,11 @@ class Bag:
                         str(self.seconds)], check=True)
 
     def command(self, reader):
-        options = ["--urdf", self.urdf, "--zones", self.zones] if reader == "bag_bounds" else []
+        options = []
+        if READERS[reader] == "bag_bounds":
+            options = ["--urdf", self.urdf, "--zones", self.zones]
+        if reader.endswith("--out"):
+            options += ["--out", self.path + ".boxes"]
         return [os.path.join(PROGRAMS, READERS[reader]), self.path, *options]
 
     def read(self, reader):
@@ -72,7 +78,7 @@ def measure_speed(bag, readers, repetitions):
                      "median_s": statistics.median(seconds), "repetitions": repetitions,
                      "times_real_time": [bag.seconds / s for s in seconds], "ratios": ratios,
                      "peak_mb": max(run[1] for run in runs[reader])})
-        print("%-10s %8.3f s for %d s of %d links, %6.0f times real time, %4.0f MB at the peak%s" %
+        print("%-16s %8.3f s for %d s of %d links, %6.0f times real time, %4.0f MB at the peak%s" %
               (reader, rows[-1]["median_s"], bag.seconds, LINKS,
                statistics.median(rows[-1]["times_real_time"]), rows[-1]["peak_mb"],
                ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else ""), flush=True)
@@ -86,18 +92,18 @@ def measure_memory(short, long, readers):
         peaks = [bag.read(reader)[1] for bag in (short, long)]
         rows.append({"kind": "memory", "reader": reader, "links": FEW_LINKS,
                      "bags_s": [short.seconds, long.seconds], "peaks_mb": peaks})
-        print("%-10s %6.1f MB at the peak for %d s of %d links, %6.1f MB for %d s" % (
+        print("%-16s %6.1f MB at the peak for %d s of %d links, %6.1f MB for %d s" % (
             reader, peaks[0], short.seconds, FEW_LINKS, peaks[1], long.seconds), flush=True)
     return rows
 
 
 def print_targets(rows):
     for row in rows:
-        if row["reader"] != "bag_bounds":
+        if READERS[row["reader"]] != "bag_bounds":
             continue
         if row["kind"] == "memory":
-            print_target("bag_bounds, memory, %d times longer / short bag" % TIMES_LONGER, 1.1,
-                         [row["peaks_mb"][1] / row["peaks_mb"][0]])
+            print_target("%s, memory, %d times longer / short bag" % (row["reader"], TIMES_LONGER),
+                         1.1, [row["peaks_mb"][1] / row["peaks_mb"][0]])
         else:
             print_target("bag_bounds, times real time", 200, row["times_real_time"], False)
             if row["ratios"]:
@@ -118,7 +124,8 @@ def main():
     if "rosbag" not in readers:
         print("left out, because this system lacks it: librosbag-storage")
     with tempfile.TemporaryDirectory(prefix="link_bounds_") as folder:
-        rows = measure_speed(Bag(folder, "bag", LINKS, minutes), readers,
+        rows = measure_speed(Bag(folder, "bag", LINKS, minutes),
+                             [reader for reader in readers if reader in SPEED],
                              3 if options.quick else 7)
         os.remove(os.path.join(folder, "bag.bag"))
         rows += measure_memory(Bag(folder, "short", FEW_LINKS, minutes),
