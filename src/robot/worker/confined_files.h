@@ -3,9 +3,9 @@
 // File access for assimp, confined to the folder or package of the mesh.
 #pragma once
 
-#include <assimp/DefaultIOSystem.h>
 #include <sys/stat.h>
 
+#include <assimp/IOSystem.hpp>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -18,7 +18,7 @@ namespace link_bounds {
 /// Opens for reading only, and only regular files whose real path lies below `root`, because a mesh
 /// may name any file of the machine as its material or buffer. Refuses files that have more than
 /// `max_bytes` when they are opened.
-class ConfinedFiles : public Assimp::DefaultIOSystem {
+class ConfinedFiles : public Assimp::IOSystem {
  public:
   /// `on_bytes` may be null. It is called before each file is read, with the sum of the sizes of
   /// all files opened so far and this one.
@@ -29,6 +29,7 @@ class ConfinedFiles : public Assimp::DefaultIOSystem {
   const std::string& tooLarge() const { return too_large_; }
 
   bool Exists(const char* path) const override;
+  char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* path, const char* mode) override;
   void Close(Assimp::IOStream* file) override;
 
