@@ -140,7 +140,11 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, int standard_outp
   for (std::string& argument : arguments)
     argv.push_back(argument.data());
   argv.push_back(nullptr);
-  check(posix_spawn(&pid_, argv[0], &options.files, &options.attributes, argv.data(), environ));
+  errno = 0;
+  const int error =
+      posix_spawn(&pid_, argv[0], &options.files, &options.attributes, argv.data(), environ);
+  // glibc 2.31 returns 1 = EPERM where no process can be made; errno then holds the true reason.
+  check(error == EPERM && errno != 0 ? errno : error);
 }
 
 bool ChildProcess::end() {
