@@ -30,18 +30,27 @@ clean_environment() {
   export ROS_LOG_DIR=$ROS_HOME/log
 }
 
-# The packages of packages.ros.org and of Debian exclude each other.
+# refuse_other_ros [ROOT]: the packages of ROS from elsewhere and those of Debian exclude each other.
+# Ubuntu has Debian's in 20.04 and 22.04 only. ROOT is the folder in which the system lies.
 refuse_other_ros() {
-  local other=${ROS_DISTRO:-} setup
+  local root=${1:-} remedy="doc/deployment.md, section Noetic or ROS One, says how to build there"
+  local other=${ROS_DISTRO:-} codename setup
+  codename=$(sed -n 's/^UBUNTU_CODENAME=//p' "$root/etc/os-release" 2>/dev/null) || true
   [ "$other" != Debian ] || other=
-  if [ -z "$other" ] && grep -qs '^ID=ubuntu' /etc/os-release; then
-    for setup in /opt/ros/*/setup.sh; do
+  if [ -z "$other" ] && [ -n "$codename" ]; then
+    for setup in "$root"/opt/ros/*/setup.sh; do
       [ ! -e "$setup" ] || other=$(basename "$(dirname "$setup")")
     done
+    ! grep -rqsE '^[^#]*(packages\.ros\.org|ros\.packages\.)' "$root"/etc/apt/sources.list{,.d} ||
+      other=${other:-of another apt repository}
   fi
-  [ -z "$other" ] || fail "ROS $other is here, and this script is for the ROS of Debian's own" \
-    "packages. With ROS Noetic from packages.ros.org follow doc/deployment.md, section Noetic" \
-    "(rosdep, then catkin build); on Debian start from a shell that has not sourced another ROS."
+  [ -z "$other" ] || fail "ROS $other is set up here, but this script builds with the ROS packages" \
+    "of Debian or Ubuntu: $remedy, or start from a shell that has not sourced another ROS"
+  case $codename in
+    '' | focal | jammy) ;;
+    *) fail "Ubuntu's release $codename has no packages of ROS 1: install ROS One;" \
+      "doc/deployment.md, section ROS One, has the commands" ;;
+  esac
 }
 
 # Lets nodes find each other on a machine whose own name does not resolve, unless the user has set
