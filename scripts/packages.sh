@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian's packages by purpose, and how they are installed; to be sourced.
 
-# The names are the same on Debian 11, 12 and 13.
+# The names are the same on Debian 11, 12, 13 and sid, and on Ubuntu 22.04.
 packages_of() {
   case $1 in
     build)
@@ -18,14 +18,15 @@ packages_of() {
     run)  # what the launch files start, assert_box in a .test file, and the command line tools to
           # look at it; rosmsg reads the messages in ros-*-msgs and the manifests in lib*-msgs-dev
       echo python3 python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
-        rosout ros-robot-state-publisher ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs \
-        ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs libdiagnostic-msgs-dev \
-        libgeometry-msgs-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-msgs-dev \
-        libvisualization-msgs-dev \
-        python3-diagnostic-msgs python3-geometry-msgs python3-sensor-msgs python3-std-msgs \
-        python3-std-srvs python3-tf2-msgs python3-visualization-msgs \
+        rosout ros-diagnostic-msgs ros-geometry-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs \
+        ros-visualization-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libstd-msgs-dev \
+        libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
+        python3-diagnostic-msgs python3-geometry-msgs python3-std-msgs python3-std-srvs \
+        python3-tf2-msgs python3-visualization-msgs \
         ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
+    demo)  # what only the demos need, and the tests
+      echo ros-robot-state-publisher libsensor-msgs-dev python3-sensor-msgs ros-sensor-msgs ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
         python3-numpy python3-rosmaster python3-rosunit python3-tf2-ros \

@@ -1,23 +1,30 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/packages.sh has a package for each key of package.xml, and the package for apt depends on
-those that run beside it: package_keys_test.py FOLDER"""
+"""package.xml: each key is one of rosdep's and has a package in scripts/packages.sh; the package for
+apt depends on those that run beside it; who builds with messages and library gets what he needs,
+and nothing that only the demos need: package_keys_test.py FOLDER"""
+import pathlib
 import re
 import subprocess
 import sys
 from xml.etree import ElementTree
 
 # Debian's names for a key of rosdep, and a package whose name follows none of these forms.
-OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev'}
+OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev',
+               'robot_state_publisher': 'ros-robot-state-publisher'}
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
-GROUPS = 'build run test display link'
+GROUPS = 'build run demo test display link'
 
 # Groups that the package for apt depends on or recommends; keys that are libraries, on which it
 # depends by ${shlibs:Depends}; and all that rosmsg and rossrv need: messages and manifest.
-GROUPS_OF_DEB = 'run display link'
+GROUPS_OF_DEB = 'run demo display link'
 LIBRARIES = {'assimp', 'roscpp', 'rospack', 'tf2', 'tf2_ros'}
 OF_MESSAGES = ('ros-{}', 'lib{}-dev')
+DEMO_ONLY = {'robot_state_publisher', 'rviz', 'sensor_msgs'}
+
+# Packages of the public headers of C++, by the first folder of what they include.
+HEADERS = {'Eigen': 'eigen', 'geometry_msgs': 'geometry_msgs', 'std_msgs': 'std_msgs'}
 
 
 def keys(folder, tags):
@@ -44,20 +51,60 @@ def is_complete_at_run_time(key, known):
     return all(form.format(key.replace('_', '-')) in known for form in OF_MESSAGES)
 
 
+def rosdep_keys(folder):
+    with open(f'{folder}/test/data/rosdep_keys.txt', encoding='utf-8') as file:
+        return {line.strip() for line in file if not line.startswith('#')}
+
+
+def texts(folder, patterns):
+    return {path: path.read_text(encoding='utf-8')
+            for pattern in patterns for path in pathlib.Path(folder).glob(pattern)}
+
+
+def exported_packages(folder):
+    """What our headers and messages use of other packages."""
+    text = '\n'.join(texts(folder, ['include/**/*.h', 'msg/*.msg', 'srv/*.srv']).values())
+    names = re.findall(r'^(?:#include <)?(\w+)/\w+', text, re.MULTILINE)
+    return {HEADERS[name] for name in names if name in HEADERS} | {'message_runtime'}
+
+
 def main():
     folder = sys.argv[1]
     known, of_deb = packages(folder, GROUPS), packages(folder, GROUPS_OF_DEB)
     all_keys = keys(folder, r'\w*depend')
     run_keys = keys(folder, '(exec_)?depend') - LIBRARIES
-    missing = sorted(key for key in all_keys if not is_known(key, known))
-    absent = sorted(key for key in run_keys if not is_complete_at_run_time(key, of_deb))
-    if missing:
-        print('scripts/packages.sh has no package for: ' + ', '.join(missing))
-    if absent:
-        print('the package for apt depends on no package for: ' + ', '.join(absent))
-    if not missing and not absent:
+    export_keys = keys(folder, '(build_export_)?depend')
+    cmake = texts(folder, ['CMakeLists.txt', 'src/**/CMakeLists.txt', 'src/**/*.cmake'])
+    lists = {
+        'test/data/rosdep_keys.txt, the list of rosdep\'s keys, lacks':
+            all_keys - rosdep_keys(folder),
+        'scripts/packages.sh has no package for':
+            {key for key in all_keys if not is_known(key, known)},
+        'the package for apt depends on no package for':
+            {key for key in run_keys if not is_complete_at_run_time(key, of_deb)},
+        'only the demos need, so package.xml should have as test_depend':
+            DEMO_ONLY & keys(folder, '(exec_|build_export_|build_)?depend'),
+        'only the demos need, so the package for apt should only recommend':
+            {name for name in packages(folder, 'run') if re.search('rviz|state-publisher', name)},
+        'headers and messages need, so package.xml should have as build_export_depend':
+            exported_packages(folder) - export_keys,
+        'the tests need, so package.xml should have as test_depend':
+            {'rostest'} - keys(folder, 'test_depend'),
+        'ROS One refuses the flag -std in':
+            {path.name for path, text in cmake.items() if re.search('-std=|CXX_STANDARD', text)},
+        'warnings must not be errors in a user\'s build, so OFF should be the default in':
+            {path.name for path, text in cmake.items()
+             if re.search(r'option\(LINK_BOUNDS_WERROR [^)]* ON\)', text)},
+        'the tests accept warnings, because -DLINK_BOUNDS_WERROR=ON is missing in':
+            {path.name for path, text in texts(folder, ['scripts/test', 'scripts/san*.sh']).items()
+             if 'DLINK_BOUNDS_WERROR=ON' not in text},
+    }
+    for words, names in lists.items():
+        if names:
+            print(f'{words}: ' + ', '.join(sorted(names)))
+    if not any(lists.values()):
         print(f'{len(all_keys)} keys have a package')
-    return 1 if missing or absent else 0
+    return 1 if any(lists.values()) else 0
 
 
 if __name__ == '__main__':
