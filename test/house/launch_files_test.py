@@ -8,9 +8,11 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from roslaunch.config import load_config_default
+from roslaunch.core import RLException
 
 
 class LaunchFiles(unittest.TestCase):
@@ -44,6 +46,39 @@ class LaunchFiles(unittest.TestCase):
         # CMake breaks lines.
         self.assertIn('roslaunch would find each launch file twice', ' '.join(found.stdout.split()))
         self.assertFalse(prefix.exists())
+
+    def parameters(self, *arguments):
+        path = str(self.checkout / 'launch' / 'link_bounds.launch')
+        return {name: parameter.value for name, parameter in
+                load_config_default([(path, list(arguments))], None, verbose=False).params.items()}
+
+    def config(self, text):
+        """The argument for a file of this text."""
+        file = tempfile.NamedTemporaryFile('w', suffix='.yaml')
+        self.addCleanup(file.close)
+        file.write(text)
+        file.flush()
+        return 'config:=' + file.name
+
+    def test_a_config_file_wins_over_arguments(self):
+        node = '/arm/'
+        parameters = self.parameters(
+            'name:=arm', 'padding:=0.5', 'links:=[base]', 'groups:={a: [base]}',
+            self.config('padding: 0.02\nlinks: [elbow]\ngroups: {b: [elbow]}\ntf_prefix: left'))
+        expected = {'padding': 0.02, 'links': ['elbow'], 'tf_prefix': 'left', 'geometry': 'visual',
+                    'groups/a': ['base'], 'groups/b': ['elbow']}
+        self.assertEqual({name: parameters.get(node + name) for name in expected}, expected)
+
+    def test_the_example_config_changes_nothing(self):
+        example = 'config:=%s' % (self.checkout / 'launch' / 'example_config.yaml')
+        self.assertEqual(self.parameters(example), self.parameters())
+
+    def test_a_config_file_that_is_missing_or_broken_is_named(self):
+        for argument, reason in (('config:=/no/such.yaml', r'file does not exist \[/no/such.yaml'),
+                                 (self.config('links: [base'), r'file /.*\.yaml contains invalid'),
+                                 (self.config('padding'), 'non-dictionary values')):
+            with self.subTest(reason), self.assertRaisesRegex(RLException, reason):
+                self.parameters(argument)
 
 
 if __name__ == '__main__':

@@ -85,12 +85,15 @@ def needs_data(name):
 class ReadmeTablesTest(unittest.TestCase):
     """The tables that the programs and the message files hold."""
 
-    def check(self, text, help_section, header, program=None):
+    def rows_of_help(self, help_section, program=None):
         help_text = subprocess.run([program or PUBLISHER, '--help'], check=True, timeout=20,
                                    stdout=subprocess.PIPE).stdout.decode('utf-8')
-        expected = help_rows(help_section, help_text)
-        self.assertGreater(len(expected), 0)
-        self.assertEqual(rows_below(text, header), expected)
+        rows = help_rows(help_section, help_text)
+        self.assertGreater(len(rows), 0)
+        return rows
+
+    def check(self, text, help_section, header, program=None):
+        self.assertEqual(rows_below(text, header), self.rows_of_help(help_section, program))
 
     def test_topics(self):
         self.check(text_of('README.md'), 'Topics', ['topic', 'type', 'when'])
@@ -100,6 +103,18 @@ class ReadmeTablesTest(unittest.TestCase):
 
     def test_parameters(self):
         self.check(text_of('README.md'), 'Parameters', ['name', 'type', 'default', 'meaning'])
+
+    def test_example_config(self):
+        text = text_of('launch/example_config.yaml')
+        blocks = re.findall(r'^((?:# .*\n)+?)(?:# )?(\w+): (.*)$', text[text.index('\n\n'):],
+                            re.MULTILINE)
+        rows = [[name, default, ' '.join(comment.replace('# ', '').split())]
+                for comment, name, default in blocks]
+        rows.insert(0, ['robot_description', '(public, found upwards)', None])
+        expected = self.rows_of_help('Parameters')
+        self.assertEqual([row[:2] for row in rows], [[name, default]
+                                                     for name, _, default, _ in expected])
+        self.assertEqual([row[2] for row in rows[1:]], [row[3] for row in expected[1:]])
 
     def test_parameters_of_assertions(self):
         for name in ASSERTIONS:

@@ -67,6 +67,15 @@ class RvizFrame(unittest.TestCase):
         self.addCleanup(rospy.delete_param, "/robot_description")
         self.check(self.arguments_of_rviz(), "base")
 
+    def test_a_config_file_reaches_the_node_and_wins(self):
+        rospy.set_param("/robot_description", ARMS)
+        self.addCleanup(rospy.delete_param, "/robot_description")
+        config = os.path.join(self.folder, "config.yaml")
+        with open(config, "w", encoding="ascii") as file:
+            file.write("fixed_frame: from_file\n")
+        self.check(self.arguments_of_rviz("config:=" + config, "fixed_frame:=from_argument"),
+                   "from_file")
+
     def test_other_names(self):
         rospy.set_param("/cell/urdf", ARMS)
         arguments = self.arguments_of_rviz(
