@@ -25,7 +25,7 @@ QUADS = ((1, 3, 7, 5), (0, 4, 6, 2), (2, 6, 7, 3), (0, 1, 5, 4), (4, 5, 7, 6), (
 EDGES = [(a, b) for a, b in itertools.combinations(range(8), 2) if bin(a ^ b).count('1') == 1]
 COLORS = {'free': (0.1, 0.7, 1.0), 'overlapping': (1.0, 0.15, 0.1)}
 FACE_ALPHA, EDGE_WIDTH = 0.2, 0.004  # -, m
-OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
+OBJECT = re.compile(r'.*/-?\d+|/.*/.*', re.DOTALL)  # a link of such a name counts as an object
 
 
 def corners(box):

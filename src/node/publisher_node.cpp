@@ -3,6 +3,8 @@
 // From what arrives to a scene and its output, in the order of the functions below.
 #include "node/publisher_node.h"
 
+#include <ros/this_node.h>
+
 #include "node/distances/object_body.h"
 #include "node/log/guarded.h"
 #include "node/log/log_text.h"
@@ -108,6 +110,9 @@ void PublisherNode::subscribeToObjects() {
         guard([&] { onMarkers(event.getMessage().get(), 1, event.getPublisherName()); });
       },
       {}, no_delay);
+  neighbours_subscriber_ = private_node_.subscribe<AxisAlignedBoxArray, const NeighbourEvent&>(
+      privateName(kNeighboursTopic), kObjectsQueue,
+      [this](const NeighbourEvent& event) { guard([&] { onNeighbour(event); }); }, {}, no_delay);
 }
 
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {
@@ -141,6 +146,15 @@ void PublisherNode::freeMemory() {
 
 void PublisherNode::onMarkers(Marker* markers, std::size_t count, const std::string& publisher) {
   feed_.onMarkers(markers, count, publisher, ros::Time::now());
+}
+
+void PublisherNode::onNeighbour(const NeighbourEvent& event) {
+  const std::string& sender = event.getPublisherName();
+  if (sender == ros::this_node::getName()) {
+    ROS_WARN_ONCE("~neighbours also carries the boxes of this node itself; they are ignored");
+    return;
+  }
+  feed_.onNeighbour(*event.getConstMessage(), sender, ros::Time::now());
 }
 
 void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {

@@ -40,6 +40,7 @@ class PublisherNode {
   /// Not const: as the only reader of the topic the node may take points out of the message.
   using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
   using MarkerEvent = ros::MessageEvent<Marker>;
+  using NeighbourEvent = ros::MessageEvent<const AxisAlignedBoxArray>;
 
   /// Runs a callback: records how long it takes, and lets no exception out.
   void guard(const std::function<void()>& body);
@@ -51,6 +52,7 @@ class PublisherNode {
   void adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfReceiver::Event& event, bool is_static);
   void onMarkers(Marker* markers, std::size_t count, const std::string& publisher);
+  void onNeighbour(const NeighbourEvent& event);
   void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
   void freeMemory();
@@ -75,6 +77,7 @@ class PublisherNode {
   SweptOutput swept_output_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
+  ros::Subscriber neighbours_subscriber_;
   ros::WallTimer tick_timer_;
   ros::WallTimer lost_frames_timer_;
   ros::WallTimer diagnostics_timer_;

@@ -118,13 +118,14 @@ void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
   past_->bodies.push_back(std::move(body));
 }
 
-/// An object that does not follow its frame stays where its last box is.
+/// An object that does not follow its frame, or that a neighbour moves, stays where its last box
+/// is.
 void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   const TransformBuffer& tf = scene.frames.tf();
   PastBody body;
   body.object = object.content;
-  if (object.content->follows() && object.content->bounded.isWhole() &&
-      !object.content->isLoading()) {
+  if (object.content->follows() && object.content->stamp == 0 &&
+      object.content->bounded.isWhole() && !object.content->isLoading()) {
     body.frame = past_->excerpt.add(tf, object.frame);
   } else {
     body.incomplete = object.state.incomplete;

@@ -68,13 +68,16 @@ constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
                                   "subscribed; each marker becomes a box"};
 constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
                                  "subscribed; one marker, as those of ~objects"};
+constexpr TopicName kNeighboursTopic{
+    "~neighbours", "link_bounds/AxisAlignedBoxArray",
+    "subscribed, tcpNoDelay; ~boxes of other nodes, each box becomes an object NODE/NAME"};
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 16> kTopics{
+constexpr std::array<TopicName, 17> kTopics{
     {kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic, kFootprintTopic, kOverlapsTopic,
      kDistancesTopic, kNearestTopic, kDistanceMarkersTopic, kSweptTopic, kSweptMarkersTopic,
-     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic}};
+     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic, kNeighboursTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

@@ -15,10 +15,15 @@ bool isSame(const Shape& a, const Shape& b) {
 
 }  // namespace
 
+std::int64_t olderStamp(std::int64_t a, std::int64_t b) {
+  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+}
+
 bool isSame(const ObjectContent& a, const ObjectContent& b) {
   const std::vector<Shape>& shapes = b.bounded.shapes;
   return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
-         a.drawing == b.drawing && a.bounded.missing == b.bounded.missing &&
+         a.drawing == b.drawing && a.is_neighbour == b.is_neighbour &&
+         a.bounded.missing == b.bounded.missing &&
          std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
                     [](const Shape& x, const Shape& y) { return isSame(x, y); });
 }

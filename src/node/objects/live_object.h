@@ -24,15 +24,26 @@ struct ObjectContent {
   std::string mesh_uri;    ///< of a mesh, whose shape has no points while it loads
   Drawing drawing;         ///< what the marker draws with the shapes
   std::string publisher;   ///< name of the node that sent it
+  /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:
+  /// static.
+  bool is_neighbour = false;
 
   /// A refused marker has no frame.
-  bool follows() const { return stamp == 0 && !frame.empty(); }
+  bool follows() const { return (stamp == 0 || is_neighbour) && !frame.empty(); }
   bool isLoading() const {
     return !mesh_uri.empty() && bounded.isWhole() && !bounded.shapes.front().points;
   }
+  /// False if there is nothing to make a box of. A neighbour's box may cover only part of its link.
+  bool isBounded() const {
+    return is_neighbour ? !bounded.shapes.empty() : bounded.isWhole() && !isLoading();
+  }
 };
 
-/// True if both are the same body at the same place. Publisher and lifetime are not compared.
+/// 0, the stamp of what is static, does not count.
+std::int64_t olderStamp(std::int64_t a, std::int64_t b);
+
+/// True if both are the same body at the same place and time. Publisher and lifetime are not
+/// compared.
 bool isSame(const ObjectContent& a, const ObjectContent& b);
 
 /// Where an object was placed once. Another fixed frame later does not change this.

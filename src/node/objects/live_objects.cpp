@@ -13,6 +13,7 @@ void LiveObjects::adopt(ros::Time now) {
   if (fixed_frame_ && *fixed_frame_ != fixed_frame) leaveFixedFrame();
   fixed_frame_ = fixed_frame;
   const std::int64_t start = clock_.observe(now);
+  removeIf([&](const auto& entry) { return isSilent(entry.second, start); });
   for (auto& [key, object] : objects_)
     object.waiting_since = object.unplaced_since = start;
   refreshAll(now);
@@ -56,11 +57,22 @@ bool LiveObjects::remove(const ObjectKey& key) {
 }
 
 bool LiveObjects::removeAll() {
-  const bool is_changed = !objects_.empty();
-  followers_.clear();
-  objects_.clear();
-  waiting_ = 0;
-  return is_changed;
+  return removeIf([](const auto& entry) { return !entry.second.content->is_neighbour; });
+}
+
+bool LiveObjects::removeNeighbours(const std::string& sender,
+                                   const std::function<bool(const ObjectKey&)>& stays) {
+  return removeIf([&](const auto& entry) {
+    const ObjectContent& content = *entry.second.content;
+    return content.is_neighbour && content.publisher == sender && !stays(entry.first);
+  });
+}
+
+bool LiveObjects::removeIf(const std::function<bool(const Objects::value_type&)>& is_over) {
+  const std::size_t count = objects_.size();
+  for (auto entry = objects_.begin(); entry != objects_.end();)
+    entry = is_over(*entry) ? erase(entry) : std::next(entry);
+  return objects_.size() != count;
 }
 
 void LiveObjects::follow(LiveObject& object) {
@@ -128,16 +140,29 @@ bool LiveObjects::restart(ros::Time now) {
 
 bool LiveObjects::expire(ros::Time now) {
   const std::int64_t time = clock_.observe(now);
-  bool is_changed = false;
-  for (auto entry = objects_.begin(); entry != objects_.end();) {
-    const bool is_over = hasExpired(entry->second, time);
-    is_changed |= is_over;
-    entry = is_over ? erase(entry) : std::next(entry);
-  }
+  bool is_changed = removeIf([&](const auto& entry) { return hasExpired(entry.second, time); });
   if (!fixed_frame_) return is_changed;
+  for (auto& [key, object] : objects_)
+    if (isSilent(object, time)) is_changed |= dropSilent(object, now);
   is_changed |= refreshWaiting(now);
   is_changed |= refreshFollowing(now);
   return is_changed;
+}
+
+/// As with links: what is static never becomes stale.
+bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now) const {
+  return object.content->is_neighbour && object.content->stamp != 0 && frames_.timeout() > 0 &&
+         static_cast<double>(now - object.received) > frames_.timeout() * 1e9;
+}
+
+bool LiveObjects::dropSilent(LiveObject& object, ros::Time now) {
+  if (object.content->bounded.shapes.empty()) return false;
+  auto content = std::make_shared<ObjectContent>(*object.content);
+  content->bounded.shapes.clear();
+  content->bounded.missing = content->publisher + " has sent no boxes for longer than timeout";
+  object.content = std::move(content);
+  object.boxes = LinkBoxes({object.content->bounded});
+  return refresh(object, now);
 }
 
 /// A new pose is news even if the box comes out the same.
@@ -196,8 +221,7 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
 
 TransformProblem LiveObjects::bound(LiveObject& object, ros::Time now, BoxState& state) {
   if (!fixed_frame_) return TransformProblem::kNoTransform;
-  if (!object.content->bounded.isWhole() || object.content->isLoading())
-    return TransformProblem::kNone;
+  if (!object.content->isBounded()) return TransformProblem::kNone;
   const ObjectPose pose = placer_.place(object, now);
   if (pose.problem != TransformProblem::kNone) return pose.problem;
   object.boxes.update(0, pose.fixed_from_header);

@@ -3,6 +3,7 @@
 // The boxes of objects that come and go, kept up to date with tf and with time.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,14 +30,18 @@ class LiveObjects {
 
   /// Starts over with the fixed frame and timeout that the tracker has now. Objects that were
   /// placed once are carried over by the newest transform between the two frames, as soon as there
-  /// is one.
+  /// is one. Neighbours that are silent are removed.
   void adopt(ros::Time now);
 
   /// Adds an object or replaces it. Until the new one can be placed, the previous box stays, named
   /// as incomplete.
   bool put(const ObjectKey& key, ObjectContent content, ros::Time now);
   bool remove(const ObjectKey& key);
+  /// All objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
+  /// All boxes of another node but those that `stays` names.
+  bool removeNeighbours(const std::string& sender,
+                        const std::function<bool(const ObjectKey&)>& stays);
 
   /// The points of a mesh that objects wait for or have in another version, or why there are none.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
@@ -48,8 +53,8 @@ class LiveObjects {
   /// waiting begins again, and no stamp of a box is ahead of `now`.
   bool restart(ros::Time now);
 
-  /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes, gives
-  /// up waiting.
+  /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
+  /// those of silent neighbours, gives up waiting.
   bool expire(ros::Time now);
 
   /// The objects that were given up since the last call and still are.
@@ -76,6 +81,9 @@ class LiveObjects {
   void follow(LiveObject& object);
   void release(LiveObject& object);
   Objects::iterator erase(Objects::iterator object);
+  bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
+  bool isSilent(const LiveObject& object, std::int64_t now) const;
+  bool dropSilent(LiveObject& object, ros::Time now);
   bool refresh(LiveObject& object, ros::Time now);
   bool refreshAll(ros::Time now);
   bool refreshFollowing(ros::Time now);

@@ -14,7 +14,7 @@ constexpr double kPatience = 10;
 ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
   if (object.header) {
     const FramePose& header = object.header.pose();
-    return {header.problem, header.fixed_from_frame.affine, header.stamp};
+    return {header.problem, header.fixed_from_frame.affine, olderStamp(header.stamp, object.stamp)};
   }
   if (!object.placement) {
     if (object.problem == TransformProblem::kGivenUp) return {TransformProblem::kGivenUp};

@@ -12,6 +12,7 @@
 
 #include "node/loading/model.h"
 #include "node/objects/marker_shape.h"
+#include "node/objects/neighbour_boxes.h"
 
 namespace link_bounds {
 namespace {
@@ -54,6 +55,20 @@ bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time
   if (marker.action == Marker::DELETE) return objects_.remove(key);
   if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);
   return objects_.put(key, contentOf(key, std::move(marker), publisher), now);
+}
+
+bool ObjectSource::takeNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender,
+                                 ros::Time now) {
+  NeighbourBoxes newest = neighbourBoxes(boxes, sender);
+  bool is_changed = objects_.removeNeighbours(
+      sender, [&newest](const ObjectKey& key) { return newest.contents.count(key) > 0; });
+  for (auto& [key, content] : newest.contents)
+    is_changed |= objects_.put(key, std::move(content), now);
+  for (const auto& [name, reason] : newest.refused) {
+    const auto line = neighbour_log_.line(name, reason, sender, ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+  }
+  return is_changed;
 }
 
 ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
@@ -117,6 +132,7 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
 
 void ObjectSource::reloadMeshes() {
   marker_log_.forget();
+  neighbour_log_.forget();
   mesh_log_.forget();
   std::set<std::string> uris;
   for (const auto& [key, object] : objects_.objects())

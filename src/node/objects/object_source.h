@@ -3,6 +3,7 @@
 // From markers of any publisher to objects: what is added, replaced, deleted, refused or ignored.
 #pragma once
 
+#include <link_bounds/AxisAlignedBoxArray.h>
 #include <visualization_msgs/Marker.h>
 
 #include <functional>
@@ -24,6 +25,9 @@ class ObjectSource {
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
+
+  /// ~boxes of another node, whose boxes become what they are in its newest message.
+  bool takeNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender, ros::Time now);
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
@@ -52,6 +56,7 @@ class ObjectSource {
   std::function<void(const std::string& uri)> request_mesh_;
   std::map<std::string, Mesh> meshes_;  ///< by URI
   RefusalLog marker_log_{"the marker", "further markers"};
+  RefusalLog neighbour_log_{"the box", "further boxes"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
 };
 

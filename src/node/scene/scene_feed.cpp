@@ -38,6 +38,12 @@ void SceneFeed::onMarkers(visualization_msgs::Marker* markers, std::size_t count
   if (is_changed) onNews();
 }
 
+void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender,
+                            ros::Time now) {
+  observeClock(now);
+  if (object_source_.takeNeighbour(boxes, sender, now)) onNews();
+}
+
 void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
   if (object_source_.fillMesh(uri, mesh, now)) onNews();
 }

@@ -44,6 +44,9 @@ class SceneFeed {
   void onMarkers(visualization_msgs::Marker* markers, std::size_t count,
                  const std::string& publisher, ros::Time now);
 
+  /// ~boxes of another node.
+  void onNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender, ros::Time now);
+
   void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
   /// To be called every kTick [s]: finds what has become too old.

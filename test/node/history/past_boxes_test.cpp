@@ -269,5 +269,34 @@ TEST(SecondsText, HasTheDigitsThatCount) {
   EXPECT_EQ(secondsText(1700000000000000001), "1700000000.000000001");
 }
 
+TEST(PastBoxes, ANeighbourIsWhereItsNewestMessagePutIt) {
+  TransformBuffer tf;
+  Scene scene(tf);
+  scene.adopt(modelOf("map", {}), kNow);
+  ObjectContent content;
+  content.bounded.name = "/other/arm";
+  content.bounded.shapes = {{nullptr, Solid::kBox, {1, 2, 3}, Eigen::Affine3d::Identity()}};
+  content.frame = "map";
+  content.stamp = 500;
+  content.is_neighbour = true;
+  scene.objects.put(*parseObjectName(content.bounded.name), content, kNow);
+  for (const std::int64_t stamp : {0, 300, 700}) {
+    BoxRequest request;
+    request.stamp = stamp;
+    SceneCopy copy(request, scene.links.sharedModel());
+    while (!copy.proceed(scene, kNow, kStep)) {
+    }
+    const PastBoxes found = pastBoxes(*copy.take(), request, goOn);
+    ASSERT_EQ(found.entries.size(), 1u);
+    const BoxState& state = found.entries[0].state;
+    EXPECT_FALSE(state.incomplete);
+    ASSERT_TRUE(state.box);
+    EXPECT_NEAR(state.box->max().z(), 1.5, 1e-12);
+    if (stamp == 0) {
+      EXPECT_EQ(state.stamp, 500);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -47,7 +47,8 @@ class Interface(unittest.TestCase):
 
     def test_only_tf_and_objects_are_subscribed(self):
         self.assertEqual(self.offered(1),
-                         {"/tf", "/tf_static", NODE + "/objects", NODE + "/object"})
+                         {"/tf", "/tf_static", NODE + "/objects", NODE + "/object",
+                          NODE + "/neighbours"})
 
     def test_services_and_their_types(self):
         services = self.promised("Services")

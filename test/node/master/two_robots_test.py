@@ -22,7 +22,7 @@ from visualization_msgs.msg import MarkerArray
 
 HOLD = 5.0 if SANITIZED else 60.0  # wall seconds
 MEETING = 60.0  # wall seconds within which the arms of the demo meet and part
-TOLERANCE = 1e-9  # m; centre and size of a marker are rounded outward, far below a step of an arm
+TOLERANCE = 1e-9  # m; centre and size of an object are rounded outward, far below a step of an arm
 FIRST_WITH_PREFIX = (1, 15, 2)  # of robot_state_publisher
 SIDES = {"left": "right", "right": "left"}  # each with its neighbour
 LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
@@ -37,7 +37,7 @@ def node(side):
 
 def objects_of(side):
     """The names that a robot's boxes have for its neighbour."""
-    return sorted("%s/%s/0" % (side, link) for link in DEMO_LINKS)
+    return sorted(node(side) + "/" + link for link in DEMO_LINKS)
 
 
 def is_complete(side, message):

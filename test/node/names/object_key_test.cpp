@@ -28,10 +28,27 @@ TEST(ObjectKey, OtherTextsAreNoNames) {
   }
 }
 
+TEST(ObjectKey, BoxesOfOtherNodesHaveNamesInsteadOfIds) {
+  for (const char* box : {"arm", "right/arm", "arm/", "/", "", "held/1", "1", "-0", "two words"}) {
+    for (const char* node : {"/bounds", "/right/bounds", "bounds"}) {
+      const std::string name = neighbourName(node, box);
+      EXPECT_TRUE(isNeighbourName(name)) << name;
+      const auto key = parseObjectName(name);
+      ASSERT_TRUE(key) << name;
+      EXPECT_EQ(objectName(*key), name);
+    }
+  }
+  EXPECT_EQ(*parseObjectName("/right/bounds/arm"), (ObjectKey{"/right/bounds", 0, "arm"}));
+  EXPECT_EQ(*parseObjectName("/right/bounds/held/1"), (ObjectKey{"/right/bounds/held", 1}));
+  for (const char* name : {"", "/", "arm", "/table", "right/arm", "held/1", "/1"})
+    EXPECT_FALSE(isNeighbourName(name)) << name;
+}
+
 TEST(ObjectKey, SortedByNamespaceThenById) {
   EXPECT_LT((ObjectKey{"a", 10}), (ObjectKey{"b", 2}));
   EXPECT_LT((ObjectKey{"a", 2}), (ObjectKey{"a", 10}));
   EXPECT_LT((ObjectKey{"a", -1}), (ObjectKey{"a", 0}));
+  EXPECT_LT((ObjectKey{"a", 0, "x"}), (ObjectKey{"a", 0, "y"}));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects without robot and tf; their meshes; 10,000 objects, and the memory after them."""
+"""Objects without robot and tf; neighbours; meshes; 10,000 objects, and the memory after them."""
 import pathlib
 import shutil
 import struct
@@ -14,8 +14,11 @@ from bad_inputs import bad_robots
 from bounds_testing import (Pose, Recorder, box_link, box_of, corners_of, difference, names_of,
                             robot, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import Point
+from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray, BoxOverlapArray
 from node_testing import ARMS, SANITIZED, Diagnostics, NodeProcess, resident_bytes
 from object_testing import TOLERANCE, ObjectSender, ellipsoid_bounds, marker, shows_box
+from std_msgs.msg import Header
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
 
@@ -66,6 +69,32 @@ class ObjectsAlone(unittest.TestCase):
         self.addCleanup(rospy.delete_param, "/robot_description")
         self.boxes.wait(lambda m: "base" in m.incomplete and names_of(m) == ["a/1"],
                         "the robot's links are known")
+
+    def test_neighbours(self):
+        topic = self.node.name + "/neighbours"
+        sender = rospy.Publisher(topic, AxisAlignedBoxArray, queue_size=10, latch=True)
+        overlaps = Recorder(self.node.name + "/overlaps", BoxOverlapArray)
+        self.addCleanup(overlaps.subscriber.unregister)
+        box = AxisAlignedBox("arm", rospy.Time(), Point(-1, -2, -3), Point(1, 2, 3))
+        sender.publish(AxisAlignedBoxArray(Header(frame_id="map"), [box], ["hand"]))
+        name = rospy.get_name() + "/arm"
+        message = self.expect(name, [-1, -2, -3, 1, 2, 3])
+        self.assertEqual(message.incomplete, [rospy.get_name() + "/hand"])
+        self.objects.send(marker("a/1", frame="map"))
+        overlaps.wait(lambda m: [(pair.first, pair.second) for pair in m.overlaps] ==
+                      [(name, "a/1")], "the neighbour's box and the marker overlap")
+
+    def test_own_boxes_are_no_neighbours(self):
+        node = NodeProcess("echo", ["~neighbours:=~boxes"], fixed_frame="map")
+        self.addCleanup(node.end)
+        wait_for(lambda: "~neighbours also carries the boxes of this node itself" in node.output,
+                 "a warning")
+        boxes = Recorder(node.name + "/boxes")
+        self.addCleanup(boxes.subscriber.unregister)
+        ObjectSender(node.name).send(marker("a/1", frame="map"))
+        ObjectSender(node.name).send(marker("a/2", frame="map"))
+        message = boxes.wait(lambda m: box_of(m, "a/2"), "a box")
+        self.assertEqual(names_of(message), ["a/1", "a/2"])
 
     def test_broken_descriptions_are_named_once_and_objects_stay(self):
         unit = Pose().box_bounds((1, 1, 1))
