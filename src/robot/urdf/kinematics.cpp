@@ -5,36 +5,10 @@
 
 #include <cmath>
 
+#include "robot/urdf/joint_ranges.h"
+
 namespace link_bounds {
 namespace {
-
-using JointIndex = std::map<std::string, std::size_t>;
-
-/// The joint that `joint` mimics; throws if there is none.
-std::size_t leaderOf(const Joint& joint, const JointIndex& index) {
-  const auto leader = index.find(joint.mimic->joint);
-  if (leader != index.end()) return leader->second;
-  throw JointError("joint \"" + joint.name + "\" mimics \"" + joint.mimic->joint +
-                   "\", which is no joint of the robot");
-}
-
-/// Follows a chain of mimic joints to the joint q that leads it: value = factor * q + offset.
-double mimickedValue(const Robot& robot, const JointIndex& index, std::size_t joint,
-                     const std::vector<double>& values) {
-  double factor = 1;
-  double offset = 0;
-  std::size_t current = joint;
-  for (std::size_t steps = 0; robot.joints[current].mimic; ++steps) {
-    if (steps > robot.joints.size()) {
-      throw JointError("joint \"" + robot.joints[joint].name + "\" mimics in a circle");
-    }
-    const Mimic& mimic = *robot.joints[current].mimic;
-    offset += factor * mimic.offset;
-    factor *= mimic.multiplier;
-    current = leaderOf(robot.joints[current], index);
-  }
-  return factor * values[current] + offset;
-}
 
 Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -53,7 +27,7 @@ Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
 }  // namespace
 
 std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given) {
-  JointIndex index;
+  std::map<std::string, std::size_t> index;
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     index.emplace(robot.joints[i].name, i);
   std::vector<double> values(robot.joints.size(), 0.0);
@@ -66,8 +40,10 @@ std::vector<double> jointValues(const Robot& robot, const std::map<std::string, 
       throw JointError("the value of joint \"" + name + "\" is not finite");
     values[joint->second] = value;
   }
+  const std::vector<Lead> leads = leadsOf(robot);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (robot.joints[i].mimic) values[i] = mimickedValue(robot, index, i, values);
+    if (robot.joints[i].mimic)
+      values[i] = leads[i].factor * values[leads[i].leader] + leads[i].offset;
   }
   return values;
 }

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "tools/bag_bounds/bag_run.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 
 namespace link_bounds {

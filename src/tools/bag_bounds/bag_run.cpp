@@ -4,14 +4,13 @@
 #include "tools/bag_bounds/bag_run.h"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <limits>
 
 #include "node/names/topics.h"
 #include "packages/package_path.h"
 #include "tools/bag_bounds/report_words.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
@@ -20,13 +19,6 @@ namespace link_bounds {
 namespace {
 
 constexpr std::uint64_t kMessagesPerGlance = 256;  // at the progress
-
-/// Threads that load meshes read it, too.
-std::atomic<bool> interrupted{false};
-
-void onInterrupt(int) {
-  interrupted = true;
-}
 
 std::vector<Zone> readZones(const std::string& file) {
   return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
@@ -62,18 +54,10 @@ void refuseToOverwrite(const BagBoundsOptions& options) {
 
 }  // namespace
 
-void catchInterrupts() {
-  struct sigaction action {};
-  action.sa_handler = onInterrupt;
-  action.sa_flags = SA_RESETHAND | SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM})
-    sigaction(signal, &action, nullptr);
-}
-
 BagRun::BagRun(const BagBoundsOptions& options)
     : options_(options),
       mesh_source_{rosPackages(), folderOf(options.urdf), progressBar()},
-      loader_(plainRemedy, [] { return interrupted.load(); }),
+      loader_(plainRemedy, isInterrupted),
       zones_(readZones(options.zones)),
       reader_(options.bags, topicsOf(options)),
       model_(std::make_shared<const Model>(loadModel())),
@@ -152,7 +136,7 @@ void BagRun::readMessages() {
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     scene_.take(message);
     ++messages_;
-    if (interrupted) {
+    if (isInterrupted()) {
       was_interrupted_ = true;
       return;
     }

@@ -64,7 +64,4 @@ class BagRun {
   std::optional<std::size_t> shown_percent_;
 };
 
-/// Lets Ctrl-C end the reading; a second one ends the program.
-void catchInterrupts();
-
 }  // namespace link_bounds

@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-void checkNames(const Robot& robot, const std::map<std::string, double>& given) {
+void checkNames(const Robot& robot, const GivenRanges& given) {
   std::map<std::string, const Joint*> movable;
   std::string names;
   for (const Joint& joint : robot.joints) {
@@ -21,7 +21,7 @@ void checkNames(const Robot& robot, const std::map<std::string, double>& given) 
     movable.emplace(joint.name, &joint);
     if (!joint.mimic) names += " " + joint.name;
   }
-  for (const auto& [name, value] : given) {
+  for (const auto& [name, range] : given) {
     const auto found = movable.find(name);
     if (found == movable.end()) {
       throw UsageError("\"" + name + "\" is no movable joint of the robot; those that can be set:" +
@@ -34,30 +34,53 @@ void checkNames(const Robot& robot, const std::map<std::string, double>& given) 
   }
 }
 
-/// One warning for all of them.
-void checkLimits(const Robot& robot, const std::map<std::string, double>& given) {
+/// `subject` is what is printed. One warning for all of them.
+void checkLimits(const Robot& robot, const GivenRanges& given, const std::string& subject) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   for (const Joint& joint : robot.joints) {
     const auto found = given.find(joint.name);
     if (found == given.end() || joint.mimic || !joint.limits) continue;
     const auto [lower, upper] = *joint.limits;
-    if (found->second >= lower && found->second <= upper) continue;
-    text << (text.tellp() > 0 ? ", \"" : "\"") << joint.name << "\" at " << found->second
-         << " (limits " << lower << " to " << upper << ")";
+    const auto [from, to] = found->second;
+    if (from >= lower && to <= upper) continue;
+    text << (text.tellp() > 0 ? ", \"" : "\"") << joint.name << "\" at " << from;
+    if (from < to) text << " to " << to;
+    text << " (limits " << lower << " to " << upper << ")";
   }
   if (text.tellp() > 0)
-    warn("beyond the limits of its joint in the URDF: " + text.str() +
-         "; the boxes are those of this pose all the same");
+    warn("beyond the limits of its joint in the URDF: " + text.str() + "; " + subject +
+         " all the same");
+}
+
+/// A <limit> without lower and upper means 0 and 0, which its author may not have meant.
+void warnOfStill(const Robot& robot, const GivenRanges& given) {
+  std::string names;
+  for (const Joint& joint : robot.joints) {
+    const bool is_still = joint.limits && joint.limits->lower == joint.limits->upper;
+    if (!is_still || joint.mimic || given.count(joint.name)) continue;
+    names += (names.empty() ? "\"" : ", \"") + joint.name + "\"";
+  }
+  if (!names.empty())
+    warn("the lower limit is equal to the upper one, so these joints stay there: " + names);
 }
 
 }  // namespace
 
-std::vector<Eigen::Isometry3d> posesFor(const Robot& robot,
-                                        const std::map<std::string, double>& given) {
+std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given) {
   checkNames(robot, given);
-  checkLimits(robot, given);
-  return linkPoses(robot, jointValues(robot, given));
+  checkLimits(robot, given, "the boxes are those of this pose");
+  std::map<std::string, double> values;
+  for (const auto& [name, range] : given)
+    values.emplace(name, range.lower);
+  return linkPoses(robot, jointValues(robot, values));
+}
+
+std::vector<JointRange> rangesFor(const Robot& robot, const GivenRanges& given) {
+  checkNames(robot, given);
+  checkLimits(robot, given, "the proof is about these values");
+  warnOfStill(robot, given);
+  return jointRanges(robot, given);
 }
 
 }  // namespace link_bounds

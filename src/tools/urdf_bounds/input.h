@@ -3,18 +3,20 @@
 // The joint values that the command line names.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
-#include "link_bounds/robot/urdf/robot.h"
+#include "robot/urdf/joint_ranges.h"
 
 namespace link_bounds {
 
-/// The pose of each link in the frame of the root link, for the given joint values [rad or m].
-/// Warns about values that have no effect, and once about those beyond limits. Throws UsageError
-/// for an unknown name, and JointError.
-std::vector<Eigen::Isometry3d> posesFor(const Robot& robot,
-                                        const std::map<std::string, double>& given);
+/// The pose of each link in the frame of the root link, for the given joint values [rad or m],
+/// which are ranges of lower == upper. Warns about values that have no effect, and once about those
+/// beyond limits. Throws UsageError for an unknown name, and JointError.
+std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given);
+
+/// Where each joint can be. Warns about ranges that have no effect, once about those beyond limits,
+/// and once about joints whose limits in the URDF are equal. Throws UsageError for an unknown name,
+/// and JointError.
+std::vector<JointRange> rangesFor(const Robot& robot, const GivenRanges& given);
 
 }  // namespace link_bounds

@@ -7,11 +7,14 @@
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/input.h"
 #include "tools/urdf_bounds/link_distances.h"
+#include "tools/urdf_bounds/pairs_report.h"
+#include "tools/urdf_bounds/reach_report.h"
 #include "tools/urdf_bounds/report.h"
 
 namespace link_bounds {
@@ -24,9 +27,10 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.visual;
   selection.collision = options.collision;
-  selection.triangles = options.distances.has_value();
+  selection.triangles = options.distances || options.report == Report::kPairs;
   BoundedRobot bounded =
-      RobotLoader().load(robot, selection, {rosPackages(), folderOf(options.file), progressBar()});
+      RobotLoader(plainRemedy, isInterrupted)
+          .load(robot, selection, {rosPackages(), folderOf(options.file), progressBar()});
   for (const std::string& problem : bounded.problems)
     warn(problem);
   for (const std::string& problem : bounded.body_problems)
@@ -69,10 +73,8 @@ void reportMemory(const BoundedRobot& bounded) {
   reportPeak();
 }
 
-int run(const UrdfBoundsOptions& options) {
-  const Robot robot = parseRobot(readText(options.file, "a URDF"));
-  for (const std::string& warning : robot.warnings)
-    warn(warning);
+/// Boxes and distances of one pose.
+int runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   // Before the meshes, which take longest, so that a wrong name is refused at once.
   const std::vector<Eigen::Isometry3d> poses = posesFor(robot, options.joints);
   const BoundedRobot bounded = loadLinks(robot, options);
@@ -83,8 +85,27 @@ int run(const UrdfBoundsOptions& options) {
   if (options.distances) distances = linkDistances(robot, bounded, poses, *options.distances);
   const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links, distances);
   if (options.verbose) reportMemory(bounded);
-  if (!finishOutput()) return 1;
   return options.strict && !incomplete.empty() ? 2 : 0;
+}
+
+/// Proofs about all poses.
+int runProof(const UrdfBoundsOptions& options, const Robot& robot) {
+  const std::vector<JointRange> ranges = rangesFor(robot, options.joints);
+  catchInterrupts();
+  const BoundedRobot bounded = loadLinks(robot, options);
+  const int code = options.report == Report::kReach ? writeReach(options, robot, bounded, ranges)
+                                                    : writePairs(options, robot, bounded, ranges);
+  if (options.verbose) reportMemory(bounded);
+  return code;
+}
+
+int run(const UrdfBoundsOptions& options) {
+  const Robot robot = parseRobot(readText(options.file, "a URDF"));
+  for (const std::string& warning : robot.warnings)
+    warn(warning);
+  const int code =
+      options.report == Report::kPose ? runPose(options, robot) : runProof(options, robot);
+  return finishOutput() ? code : 1;
 }
 
 int runWith(int argc, char** argv) {

@@ -9,38 +9,6 @@
 
 namespace link_bounds {
 
-const char* const kUsage =
-    R"(usage: urdf_bounds FILE.urdf|- [joint:=value ...] [options]
-
-Prints the exact axis-aligned bounding box of every link of a robot that has geometry, and of the
-whole robot, in the frame of its root link. Needs no ROS master.
-
-  FILE.urdf           the robot; relative mesh names start at its folder
-  -                   read the robot from standard input; relative mesh names start here
-  joint:=value        position of a movable joint [rad or m]; 0 if not given; joints that mimic
-                      another one follow it
-  --geometry G        visual (default), collision or both
-  --representation R  min-max (default): smallest and largest corner
-                      min-width: smallest corner and widths
-                      center-radius: centre and half-extents
-  --format F          table (default): rounded to micrometres
-                      csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
-                      json: always min-max; also says what is incomplete and why
-  --volume V          instead of the box, for every link but not for the whole robot:
-                      sphere: centre and radius of a bounding sphere
-                      obb: centre, full widths and orientation (a quaternion) of a small box that
-                      turns with the link
-  --distances LIMIT   also how far links are apart: the pairs whose proven distance is at most
-                      LIMIT [m], but none that are rigidly connected or neighbours by one joint;
-                      csv: only these, as first,second,distance,distance_max,on_first_x, ...
-  --verbose           the memory that each mesh takes, on standard error
-  --strict            exit with 2 if any geometry could not be used
-  -h, --help          this text
-  --version           the version of link_bounds
-
-Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict.
-)";
-
 namespace {
 
 enum Code {
@@ -49,6 +17,12 @@ enum Code {
   kFormat,
   kVolume,
   kDistances,
+  kReach,
+  kPairs,
+  kAccuracy,
+  kBudget,
+  kClearance,
+  kSrdf,
   kVerbose,
   kStrict,
   kHelp,
@@ -60,16 +34,32 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"format", required_argument, nullptr, kFormat},
                                    {"volume", required_argument, nullptr, kVolume},
                                    {"distances", required_argument, nullptr, kDistances},
+                                   {"reach", no_argument, nullptr, kReach},
+                                   {"pairs", no_argument, nullptr, kPairs},
+                                   {"accuracy", required_argument, nullptr, kAccuracy},
+                                   {"budget", required_argument, nullptr, kBudget},
+                                   {"clearance", required_argument, nullptr, kClearance},
+                                   {"srdf", required_argument, nullptr, kSrdf},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"help", no_argument, nullptr, kHelp},
                                    {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
 
-double jointValue(const std::string& joint, const std::string& text) {
-  if (const std::optional<double> value = toNumber(text)) return *value;
-  throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
-                   "\", but must be a number, such as 0.5");
+/// A value, or a range a..b.
+Limits jointRange(const std::string& joint, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  const std::optional<double> lower = toNumber(text.substr(0, dots));
+  const std::optional<double> upper =
+      dots == std::string::npos ? lower : toNumber(text.substr(dots + 2));
+  if (!lower || !upper) {
+    throw UsageError("the value of joint \"" + joint + "\" is \"" + text +
+                     "\", but must be a number, such as 0.5, or with --reach and --pairs a range, "
+                     "such as -0.5..1");
+  }
+  if (*lower <= *upper) return {*lower, *upper};
+  throw UsageError("the range of joint \"" + joint + "\" is \"" + text +
+                   "\", but must go from the smaller number to the larger one");
 }
 
 /// An argument with := is a joint, another one the file.
@@ -77,8 +67,8 @@ void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
   const std::size_t sign = argument.rfind(":=");
   if (sign != std::string::npos) {
     const std::string joint = argument.substr(0, sign);
-    const double value = jointValue(joint, argument.substr(sign + 2));
-    if (!options.joints.emplace(joint, value).second) {
+    const Limits range = jointRange(joint, argument.substr(sign + 2));
+    if (!options.joints.emplace(joint, range).second) {
       throw UsageError("joint \"" + joint + "\" is given twice");
     }
   } else if (options.file.empty()) {
@@ -98,6 +88,32 @@ void addGeometry(const std::string& name, UrdfBoundsOptions& options) {
   options.collision = (kind & kCollision) != 0;
 }
 
+double positive(const std::string& option_name, const std::string& text, const char* what) {
+  const std::optional<double> value = toNumber(text);
+  if (value && *value > 0) return *value;
+  throw UsageError(option_name + " is \"" + text + "\", but must be a number of " + what +
+                   " > 0, such as 0.01");
+}
+
+void addFormat(const std::string& name, UrdfBoundsOptions& options) {
+  options.as_srdf = name == "srdf";
+  options.as_markers = name == "markers";
+  if (options.as_srdf || options.as_markers) return;
+  options.format = chosen<std::optional<Format>>("--format", name,
+                                                 {{"table", Format::kTable},
+                                                  {"csv", Format::kCsv},
+                                                  {"json", Format::kJson},
+                                                  {"markers", std::nullopt},
+                                                  {"srdf", std::nullopt}})
+                       .value_or(Format::kTable);
+}
+
+void setReport(Report report, UrdfBoundsOptions& options) {
+  if (options.report != Report::kPose && options.report != report)
+    throw UsageError("--reach and --pairs are two reports; give only one of them");
+  options.report = report;
+}
+
 /// `code` is what getopt_long returned.
 void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
   switch (code) {
@@ -113,16 +129,29 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
                                   {"center-radius", Representation::kCenterRadius}});
       return;
     case kFormat:
-      options.format = chosen<Format>(
-          "--format", optarg,
-          {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
-      return;
+      return addFormat(optarg, options);
     case kVolume:
       options.volume = chosen<VolumeKind>(
           "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
       return;
     case kDistances:
       options.distances = limitOption("--distances", optarg);
+      return;
+    case kReach:
+      return setReport(Report::kReach, options);
+    case kPairs:
+      return setReport(Report::kPairs, options);
+    case kAccuracy:
+      options.accuracy = positive("--accuracy", optarg, "metres");
+      return;
+    case kBudget:
+      options.budget = positive("--budget", optarg, "seconds");
+      return;
+    case kClearance:
+      options.clearance = limitOption("--clearance", optarg);
+      return;
+    case kSrdf:
+      options.srdf = optarg;
       return;
     case kVerbose:
       options.verbose = true;
@@ -144,6 +173,41 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
   }
 }
 
+void refuseRanges(const UrdfBoundsOptions& options) {
+  for (const auto& [joint, range] : options.joints) {
+    if (range.lower < range.upper) {
+      throw UsageError("joint \"" + joint +
+                       "\" is given a range, which is for --reach and --pairs; give a value");
+    }
+  }
+}
+
+/// Options that only some reports have.
+void checkReport(const UrdfBoundsOptions& options) {
+  const bool has_pairs = options.report == Report::kPairs;
+  const bool has_reach = options.report == Report::kReach;
+  const auto need = [](bool is_given, bool is_useful, const char* option, const char* report) {
+    if (is_given && !is_useful)
+      throw UsageError(std::string(option) + " is an option of " + report + "; add " + report);
+  };
+  need(options.accuracy.has_value(), has_reach || has_pairs, "--accuracy", "--reach or --pairs");
+  need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
+  need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
+  need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
+  need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
+  need(options.as_markers, has_reach, "--format markers", "--reach");
+  if (options.report == Report::kPose) return refuseRanges(options);
+  const char* const of_a_pose = options.representation               ? "--representation"
+                                : options.distances                  ? "--distances"
+                                : options.volume != VolumeKind::kBox ? "--volume"
+                                                                     : nullptr;
+  if (of_a_pose) {
+    throw UsageError(std::string(of_a_pose) + " is about one pose, " +
+                     (has_reach ? "--reach" : "--pairs") +
+                     " about all of them; give only one of the two");
+  }
+}
+
 }  // namespace
 
 UrdfBoundsOptions parseOptions(int argc, char** argv) {
@@ -158,6 +222,7 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
   for (; optind < argc; ++optind)
     addArgument(argv[optind], options);
   if (options.file.empty()) throw UsageError("no URDF file is given");
+  checkReport(options);
   if (options.representation && options.volume != VolumeKind::kBox) {
     throw UsageError(
         "--representation is about axis-aligned boxes, --volume asks for another one;"

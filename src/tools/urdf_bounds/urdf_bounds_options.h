@@ -7,19 +7,34 @@
 #include <optional>
 #include <string>
 
+#include "robot/urdf/joint_ranges.h"
 #include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
 
+/// What is printed: boxes of one pose, or proofs about all poses.
+enum class Report { kPose, kReach, kPairs };
+
+/// Of --reach and --pairs.
+constexpr double kDefaultAccuracy = 0.01;  // m
+constexpr double kDefaultBudget = 60;      // s
+
 struct UrdfBoundsOptions {
-  std::string file;                      ///< "-" is standard input
-  std::map<std::string, double> joints;  ///< rad or m
+  std::string file;    ///< "-" is standard input
+  GivenRanges joints;  ///< rad or m; of kPose values, lower == upper
+  Report report = Report::kPose;
   bool visual = true;
   bool collision = false;
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
+  std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
+  std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
+  std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
+  std::optional<std::string> srdf;               ///< of kPairs, a file
   Format format = Format::kTable;
+  bool as_srdf = false;     ///< of kPairs, instead of `format`
+  bool as_markers = false;  ///< of kReach, instead of `format`
   bool verbose = false;
   bool strict = false;
   bool help = false;     ///< the other members are then undefined

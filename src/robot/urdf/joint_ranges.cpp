@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaders first, then those that follow them.
+#include "robot/urdf/joint_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+
+namespace link_bounds {
+namespace {
+
+using JointIndex = std::unordered_map<std::string, std::size_t>;
+
+constexpr double kTurn = 2 * M_PI;
+
+/// A range that is short of a turn by rounding of pi only is a full turn [rad].
+constexpr double kTurnRounding = 1e-12;
+
+std::size_t leaderOf(const Joint& joint, const JointIndex& index) {
+  const auto leader = index.find(joint.mimic->joint);
+  if (leader != index.end()) return leader->second;
+  throw JointError("joint \"" + joint.name + "\" mimics \"" + joint.mimic->joint +
+                   "\", which is no joint of the robot");
+}
+
+Lead leadOf(const Robot& robot, const JointIndex& index, std::size_t joint) {
+  Lead lead{joint};
+  for (std::size_t steps = 0; robot.joints[lead.leader].mimic; ++steps) {
+    if (steps > robot.joints.size()) {
+      throw JointError("joint \"" + robot.joints[joint].name + "\" mimics in a circle");
+    }
+    const Mimic& mimic = *robot.joints[lead.leader].mimic;
+    lead.offset += lead.factor * mimic.offset;
+    lead.factor *= mimic.multiplier;
+    lead.leader = leaderOf(robot.joints[lead.leader], index);
+  }
+  return lead;
+}
+
+std::string named(const Joint& joint) {
+  return "joint \"" + joint.name + "\"";
+}
+
+/// What the user can do about a joint whose range cannot be used.
+std::string remedyFor(const Joint& joint) {
+  return "give it a range, as in " + joint.name + ":=-0.5..0.5, or a value";
+}
+
+/// A continuous joint takes all real values. Those of one turn stand for all of them, if all that
+/// follow it then are where they were, too.
+Limits turnOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    if (leads[i].leader != joint || robot.joints[i].motion == Motion::kNone) continue;
+    const bool is_same_after_a_turn = robot.joints[i].motion == Motion::kRotation &&
+                                      std::trunc(leads[i].factor) == leads[i].factor;
+    if (is_same_after_a_turn) continue;
+    throw JointError(named(robot.joints[joint]) + " has no limits, and " + named(robot.joints[i]) +
+                     " that mimics it is elsewhere after a full turn; " +
+                     remedyFor(robot.joints[joint]));
+  }
+  return {-M_PI, M_PI};
+}
+
+/// Of a joint that moves and mimics no other one.
+Limits limitsOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
+  const Joint& source = robot.joints[joint];
+  if (!source.limits && source.motion == Motion::kRotation) return turnOf(robot, leads, joint);
+  if (!source.limits) throw JointError(named(source) + " has no limits; " + remedyFor(source));
+  const auto [lower, upper] = *source.limits;
+  if (std::isnan(lower) || std::isnan(upper)) {
+    throw JointError("a limit of " + named(source) + " is no number (nan); " + remedyFor(source));
+  }
+  if (lower > upper) {
+    throw JointError("the lower limit of " + named(source) + " is above its upper limit; " +
+                     remedyFor(source));
+  }
+  if (std::isfinite(lower) && std::isfinite(upper)) return *source.limits;
+  if (source.motion == Motion::kRotation && lower < upper) return turnOf(robot, leads, joint);
+  throw JointError("a limit of " + named(source) + " is infinite; " + remedyFor(source));
+}
+
+Limits leaderRange(const Robot& robot, const std::vector<Lead>& leads, const GivenRanges& given,
+                   std::size_t joint) {
+  const Joint& source = robot.joints[joint];
+  if (source.motion == Motion::kNone) return {0, 0};
+  const auto found = given.find(source.name);
+  const Limits range = found != given.end() ? found->second : limitsOf(robot, leads, joint);
+  if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper)) {
+    throw JointError("the range given for " + named(source) + " is none; " + remedyFor(source));
+  }
+  return range;
+}
+
+void checkAxis(const Joint& joint, const JointRange& range, const std::string& leader) {
+  if (joint.motion == Motion::kNone || !joint.axis.isZero(0)) return;
+  if (range.lower == 0 && range.upper == 0) return;
+  throw JointError(named(joint) + " cannot move, its axis is zero; correct the axis, or give " +
+                   leader + ":=0");
+}
+
+void checkNames(const Robot& robot, const GivenRanges& given) {
+  for (const auto& [name, range] : given) {
+    const auto is_it = [&name = name](const Joint& joint) {
+      return joint.name == name && joint.motion != Motion::kNone;
+    };
+    if (std::none_of(robot.joints.begin(), robot.joints.end(), is_it))
+      throw JointError("\"" + name + "\" is no movable joint of the robot");
+  }
+}
+
+/// One turn around 0 where the range allows it, because values near 0 are the most exact.
+Limits oneTurn(const Limits& range) {
+  const double middle = std::min(std::max(0.0, range.lower + M_PI), range.upper - M_PI);
+  return {std::max(range.lower, middle - M_PI), std::min(range.upper, middle + M_PI)};
+}
+
+}  // namespace
+
+std::vector<Lead> leadsOf(const Robot& robot) {
+  JointIndex index;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    index.emplace(robot.joints[i].name, i);
+  std::vector<Lead> leads;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    leads.push_back(leadOf(robot, index, i));
+  return leads;
+}
+
+std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given) {
+  checkNames(robot, given);
+  const std::vector<Lead> leads = leadsOf(robot);
+  std::vector<bool> has_followers(leads.size(), false);
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    if (leads[i].leader != i) has_followers[leads[i].leader] = true;
+  }
+  std::vector<JointRange> ranges;
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    const Lead& lead = leads[i];
+    const Joint& joint = robot.joints[i];
+    const Limits of_leader = leaderRange(robot, leads, given, lead.leader);
+    const auto [lower, upper] = std::minmax(
+        {lead.factor * of_leader.lower + lead.offset, lead.factor * of_leader.upper + lead.offset});
+    JointRange range{lower, upper, lead};
+    range.is_full_turn =
+        joint.motion == Motion::kRotation && upper - lower >= kTurn - kTurnRounding;
+    if (range.is_full_turn && lead.leader == i && !has_followers[i]) {
+      const Limits turn = oneTurn({lower, upper});
+      range.lower = turn.lower;
+      range.upper = turn.upper;
+    }
+    checkAxis(joint, range, robot.joints[lead.leader].name);
+    ranges.push_back(range);
+  }
+  return ranges;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One flag per program.
+#include "tools/command_line/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+#include <initializer_list>
+
+namespace link_bounds {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void onInterrupt(int) {
+  interrupted = true;
+}
+
+}  // namespace
+
+void catchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onInterrupt;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM})
+    sigaction(signal, &action, nullptr);
+}
+
+bool isInterrupted() {
+  return interrupted;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The text of --help.
+#include "tools/urdf_bounds/urdf_bounds_options.h"
+
+namespace link_bounds {
+
+const char* const kUsage =
+    R"(usage: urdf_bounds FILE.urdf|- [joint:=value ...] [options]
+
+Prints the exact axis-aligned bounding box of every link of a robot that has geometry, and of the
+whole robot, in the frame of its root link. Needs no ROS master.
+
+  FILE.urdf           the robot; relative mesh names start at its folder
+  -                   read the robot from standard input; relative mesh names start here
+  joint:=value        position of a movable joint [rad or m]; 0 if not given; joints that mimic
+                      another one follow it
+  joint:=a..b         for --reach and --pairs: the joint moves from a to b, whatever its limits
+  --geometry G        visual (default), collision or both
+  --representation R  min-max (default): smallest and largest corner
+                      min-width: smallest corner and widths
+                      center-radius: centre and half-extents
+  --format F          table (default): rounded to micrometres
+                      csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
+                      json: always min-max; also says what is incomplete and why
+                      markers: of --reach, a visualization_msgs/MarkerArray for rostopic pub -f -
+                      srdf: of --pairs, disable_collisions elements of what is proven
+  --volume V          instead of the box, for every link but not for the whole robot:
+                      sphere: centre and radius of a bounding sphere
+                      obb: centre, full widths and orientation (a quaternion) of a small box that
+                      turns with the link
+  --distances LIMIT   also how far links are apart: the pairs whose proven distance is at most
+                      LIMIT [m], but none that are rigidly connected or neighbours by one joint;
+                      csv: only these, as first,second,distance,distance_max,on_first_x, ...
+  --reach             instead of the boxes of one pose: boxes that the links never leave while the
+                      joints move within their limits, proven, and poses that attain each face
+  --pairs             which links can collide in any pose within the limits, with proof or witness
+  --accuracy M        of --reach and --pairs: stop as soon as what is proven is within M of a pose
+                      that was found [m] (default 0.01)
+  --budget SECONDS    of --reach and --pairs: stop then, with what is proven by then (default 60);
+                      Ctrl-C does the same
+  --clearance M       of --pairs: links collide where they are nearer than M [m] (default 0)
+  --srdf FILE         of --pairs: checks the disable_collisions of a SRDF
+  --verbose           the memory that each mesh takes, on standard error
+  --strict            exit with 2 if any geometry could not be used
+  -h, --help          this text
+  --version           the version of link_bounds
+
+Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict,
+3 the SRDF disables a pair that can collide.
+)";
+
+}  // namespace link_bounds
