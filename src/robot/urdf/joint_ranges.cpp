@@ -49,19 +49,25 @@ std::string remedyFor(const Joint& joint) {
   return "give it a range, as in " + joint.name + ":=-0.5..0.5, or a value";
 }
 
-/// A continuous joint takes all real values. Those of one turn stand for all of them, if all that
-/// follow it then are where they were, too.
-Limits turnOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
+/// A joint that follows `joint` and is elsewhere after a full turn of it; null if there is none.
+const Joint* otherAfterATurn(const Robot& robot, const std::vector<Lead>& leads,
+                             std::size_t joint) {
   for (std::size_t i = 0; i < leads.size(); ++i) {
-    if (leads[i].leader != joint || robot.joints[i].motion == Motion::kNone) continue;
-    const bool is_same_after_a_turn = robot.joints[i].motion == Motion::kRotation &&
-                                      std::trunc(leads[i].factor) == leads[i].factor;
-    if (is_same_after_a_turn) continue;
-    throw JointError(named(robot.joints[joint]) + " has no limits, and " + named(robot.joints[i]) +
-                     " that mimics it is elsewhere after a full turn; " +
-                     remedyFor(robot.joints[joint]));
+    const Joint& follower = robot.joints[i];
+    if (leads[i].leader != joint || follower.motion == Motion::kNone) continue;
+    const bool is_whole = std::trunc(leads[i].factor) == leads[i].factor;
+    if (follower.motion == Motion::kTranslation || !is_whole) return &follower;
   }
-  return {-M_PI, M_PI};
+  return nullptr;
+}
+
+/// A rotation without limits takes all real values.
+Limits turnOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t joint) {
+  const Joint* const other = otherAfterATurn(robot, leads, joint);
+  if (!other) return {-M_PI, M_PI};
+  throw JointError(named(robot.joints[joint]) + " has no limits, and " + named(*other) +
+                   " that mimics it is elsewhere after a full turn; " +
+                   remedyFor(robot.joints[joint]));
 }
 
 /// Of a joint that moves and mimics no other one.
@@ -132,10 +138,6 @@ std::vector<Lead> leadsOf(const Robot& robot) {
 std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given) {
   checkNames(robot, given);
   const std::vector<Lead> leads = leadsOf(robot);
-  std::vector<bool> has_followers(leads.size(), false);
-  for (std::size_t i = 0; i < leads.size(); ++i) {
-    if (leads[i].leader != i) has_followers[leads[i].leader] = true;
-  }
   std::vector<JointRange> ranges;
   for (std::size_t i = 0; i < leads.size(); ++i) {
     const Lead& lead = leads[i];
@@ -146,7 +148,7 @@ std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given
     JointRange range{lower, upper, lead};
     range.is_full_turn =
         joint.motion == Motion::kRotation && upper - lower >= kTurn - kTurnRounding;
-    if (range.is_full_turn && lead.leader == i && !has_followers[i]) {
+    if (range.is_full_turn && lead.leader == i && !otherAfterATurn(robot, leads, i)) {
       const Limits turn = oneTurn({lower, upper});
       range.lower = turn.lower;
       range.upper = turn.upper;

@@ -29,8 +29,8 @@ struct JointRange {
   double lower = 0;
   double upper = 0;
   Lead lead;
-  /// A rotation that takes every angle. Of a leader without followers, lower and upper are one turn
-  /// apart, but for rounding.
+  /// A rotation that takes every angle. Of a leader, lower and upper are then one turn apart, but
+  /// for rounding, unless a joint that follows it is elsewhere after a turn.
   bool is_full_turn = false;
 
   bool isFree() const { return lower < upper; }

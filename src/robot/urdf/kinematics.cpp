@@ -8,7 +8,6 @@
 #include "robot/urdf/joint_ranges.h"
 
 namespace link_bounds {
-namespace {
 
 Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -23,8 +22,6 @@ Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
   }
   return result;
 }
-
-}  // namespace
 
 std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given) {
   std::map<std::string, std::size_t> index;

@@ -1,12 +1,86 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
+// Until all gaps are as small as --accuracy, --budget is used up, or Ctrl-C.
 #include "tools/urdf_bounds/reach_report.h"
 
-namespace link_bounds {
+#include <chrono>
+#include <iostream>
+#include <sstream>
 
-int writeReach(const UrdfBoundsOptions&, const Robot&, const BoundedRobot&,
-               const std::vector<JointRange>&) {
-  return 0;
+#include "tools/command_line/interrupt.h"
+#include "tools/command_line/terminal.h"
+#include "tools/urdf_bounds/reach_table.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Metres for people.
+std::string shortLength(double length) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << length << " m";
+  return text.str();
+}
+
+void drawProgress(std::size_t done, std::size_t total, double max_gap) {
+  drawBar(done, total, "links, the largest gap is " + shortLength(max_gap) + "\033[K");
+}
+
+ReachGoal goalOf(const UrdfBoundsOptions& options) {
+  const std::chrono::duration<double> budget(options.budget.value_or(kDefaultBudget));
+  const auto start = Clock::now();
+  ReachGoal goal{options.accuracy.value_or(kDefaultAccuracy)};
+  goal.stop = [=] { return isInterrupted() || Clock::now() - start >= budget; };
+  if (hasTerminal()) goal.progress = drawProgress;
+  return goal;
+}
+
+ReachTable tableOf(const BoundedRobot& bounded, const std::vector<std::optional<Reach>>& reaches) {
+  ReachTable table;
+  for (std::size_t i = 0; i < reaches.size(); ++i) {
+    const BoundedLink& link = bounded.links[i];
+    if (reaches[i]) table.links.emplace_back(link.name, *reaches[i]);
+    if (!link.isWhole()) {
+      table.incomplete.emplace_back(link.name, link.missing);
+    } else if (!reaches[i]) {
+      table.incomplete.emplace_back(link.name, "its size and pose give no finite box");
+      warn("link \"" + link.name + "\": " + table.incomplete.back().second);
+    }
+  }
+  if (const std::optional<Reach> robot = unionOf(reaches)) table.groups.emplace_back("robot", *robot);
+  return table;
+}
+
+/// Why the gaps are larger than what was asked for.
+void warnOfGaps(const ReachTable& table) {
+  double max_gap = 0;
+  for (const auto& [name, reach] : table.links)
+    max_gap = std::max(max_gap, reach.maxGap());
+  if (max_gap <= table.accuracy) return;
+  warn("the boxes are proven, but a face may be too far out by up to " + shortLength(max_gap) +
+       ", more than --accuracy " + shortLength(table.accuracy) + ": " +
+       (isInterrupted() ? "interrupted" : "raise --budget or --accuracy"));
+}
+
+}  // namespace
+
+int writeReach(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
+               const std::vector<JointRange>& ranges) {
+  const ReachGoal goal = goalOf(options);
+  ReachTable table = tableOf(bounded, reachOf(robot, bounded, ranges, goal));
+  if (goal.progress) eraseBar();
+  table.frame = robot.links[robot.root].name;
+  table.accuracy = goal.accuracy;
+  warnOfGaps(table);
+  if (options.as_markers) {
+    writeMarkers(table, std::cout);
+  } else {
+    write(table, options.format, std::cout);
+  }
+  return options.strict && !table.incomplete.empty() ? 2 : 0;
 }
 
 }  // namespace link_bounds

@@ -24,6 +24,10 @@ class JointError : public std::runtime_error {
 /// that follow each other in a circle or follow no joint.
 std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given);
 
+/// The pose that a joint gives its child in the frame of the joint at `value` [rad or m]. Throws
+/// JointError if the value is not 0 and the joint has no axis.
+Eigen::Isometry3d jointMotion(const Joint& joint, double value);
+
 /// The pose of each link in the frame of the root link [m]; `values` come from jointValues. Throws
 /// JointError if a joint with a non-zero value has no axis.
 std::vector<Eigen::Isometry3d> linkPoses(const Robot& robot, const std::vector<double>& values);

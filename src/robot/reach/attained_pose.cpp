@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A coordinate search whose steps become smaller.
+#include "robot/reach/attained_pose.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+/// [rad or m]. A face is off by about the square of the last step.
+constexpr double kFirstStep = 0.1;
+constexpr double kLastStep = 1e-7;
+
+double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
+              const std::vector<double>& values) {
+  return faceOf(*linkBox(link, Eigen::Affine3d(chain.pose(values))), face);
+}
+
+/// Tries one step; returns whether the face moved outward.
+bool improve(const Chain& chain, const BoundedLink& link, std::size_t face, std::size_t variable,
+             double step, AttainedFace& best) {
+  const auto [lower, upper] = chain.variables[variable].range;
+  const double old = best.values[variable];
+  best.values[variable] = std::min(std::max(old + step, lower), upper);
+  if (best.values[variable] != old) {
+    const double at = faceAt(chain, link, face, best.values);
+    if (beyond(face, at, best.at) > 0) {
+      best.at = at;
+      return true;
+    }
+  }
+  best.values[variable] = old;
+  return false;
+}
+
+}  // namespace
+
+AttainedFace attainedFrom(const Chain& chain, const BoundedLink& link, std::size_t face,
+                          std::vector<double> start, const Stop& stop) {
+  AttainedFace best{faceAt(chain, link, face, start), std::move(start)};
+  for (double step = kFirstStep; step > kLastStep && !stop();) {
+    bool has_improved = false;
+    for (std::size_t variable = 0; variable < chain.variables.size(); ++variable) {
+      has_improved |= improve(chain, link, face, variable, step, best) ||
+                      improve(chain, link, face, variable, -step, best);
+    }
+    if (!has_improved) step /= 2;
+  }
+  return best;
+}
+
+}  // namespace link_bounds

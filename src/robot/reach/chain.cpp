@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From the link to the root, then in the other order.
+#include "robot/reach/chain.h"
+
+#include <algorithm>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+
+namespace link_bounds {
+namespace {
+
+/// The joints from the root to the link, by index.
+std::vector<std::size_t> jointsTo(const Robot& robot, std::size_t link) {
+  constexpr std::size_t kNone = -1;
+  std::vector<std::size_t> above(robot.links.size(), kNone);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    above[robot.joints[i].child] = i;
+  std::vector<std::size_t> joints;
+  for (std::size_t at = link; above[at] != kNone; at = robot.joints[above[at]].parent)
+    joints.push_back(above[at]);
+  std::reverse(joints.begin(), joints.end());
+  return joints;
+}
+
+/// The index of the variable of that joint; adds it if it is new.
+std::size_t variableOf(const std::vector<JointRange>& ranges, std::size_t joint, Chain& chain) {
+  const auto is_it = [&](const ChainVariable& variable) { return variable.joint == joint; };
+  const auto known = std::find_if(chain.variables.begin(), chain.variables.end(), is_it);
+  const auto index = static_cast<std::size_t>(known - chain.variables.begin());
+  if (known != chain.variables.end()) {
+    chain.variables[index].is_shared = true;
+  } else {
+    chain.variables.push_back({joint, {ranges[joint].lower, ranges[joint].upper}, false});
+  }
+  return index;
+}
+
+Joint plainJoint(const ChainJoint& joint) {
+  Joint result;
+  result.motion = joint.motion;
+  result.axis = joint.axis;
+  return result;
+}
+
+}  // namespace
+
+Eigen::Isometry3d Chain::pose(const std::vector<double>& values) const {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  for (const ChainJoint& joint : joints) {
+    const double value = joint.factor * values[joint.variable] + joint.offset;
+    result = result * joint.before * jointMotion(plainJoint(joint), value);
+  }
+  return result * end;
+}
+
+Chain chainTo(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link) {
+  Chain chain;
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  for (const std::size_t index : jointsTo(robot, link)) {
+    ++chain.length;
+    const Joint& joint = robot.joints[index];
+    const JointRange& range = ranges[index];
+    before = before * joint.parent_from_joint;
+    if (joint.motion == Motion::kNone) continue;
+    if (!range.isFree()) {
+      before = before * jointMotion(joint, range.lower);
+      continue;
+    }
+    const std::size_t variable = variableOf(ranges, range.lead.leader, chain);
+    chain.joints.push_back(
+        {before, joint.motion, joint.axis, variable, range.lead.factor, range.lead.offset});
+    before = Eigen::Isometry3d::Identity();
+  }
+  chain.end = before;
+  return chain;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A rough bound of every link at once, then better ones, round by round.
+#include "robot/reach/reach.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+
+namespace link_bounds {
+namespace {
+
+/// Cells of the tables (support_table.h) in the first and in the last round. The error of a bound
+/// shrinks with their square; time and memory grow with the third and second power.
+constexpr int kFirstCells = 8;
+constexpr int kLastCells = 512;
+
+/// More than rounding of a sum of as many terms as a robot has joints.
+constexpr double kRadiusRounding = 1 + 1e-9;
+
+/// Values of a variable that several joints depend on, from which poses are sought.
+constexpr int kSharedStarts = 9;
+
+double largest(const JointRange& range) {
+  return std::max(std::abs(range.lower), std::abs(range.upper));
+}
+
+/// Of each link no less than the distance of any of its frame's poses from the root's origin [m].
+std::vector<double> frameDistances(const Robot& robot, const std::vector<JointRange>& ranges) {
+  std::vector<double> distances(robot.links.size(), 0.0);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    distances[joint.child] = distances[joint.parent] + joint.parent_from_joint.translation().norm();
+    if (joint.motion == Motion::kTranslation) distances[joint.child] += largest(ranges[i]);
+  }
+  return distances;
+}
+
+/// Of joints that follow no other one, the values nearest to 0, where these are not 0.
+std::map<std::string, double> nearestToZero(const Robot& robot,
+                                            const std::vector<JointRange>& ranges) {
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const double value = std::min(std::max(ranges[i].lower, 0.0), ranges[i].upper);
+    if (ranges[i].lead.leader == i && value != 0) values[robot.joints[i].name] = value;
+  }
+  return values;
+}
+
+class ReachSearch {
+ public:
+  ReachSearch(const Robot& robot, const BoundedRobot& bounded,
+              const std::vector<JointRange>& ranges, const ReachGoal& goal);
+
+  std::vector<std::optional<Reach>> run();
+
+ private:
+  void boundRoughly();
+  void refineAll(int cells);
+  void refine(std::size_t link, int cells);
+  void findPose(std::size_t link, const Chain& chain, const ReachBound& bound, std::size_t face);
+  void showProgress();
+
+  const Robot& robot_;
+  const std::vector<std::size_t>& indices_;
+  const std::vector<JointRange>& ranges_;
+  const ReachGoal& goal_;
+  std::vector<BoundedLink> links_;  ///< without padding
+  std::map<std::string, double> rest_;  ///< a pose within all limits, but for joints at 0
+  std::vector<double> radii_;       ///< of all poses of a link, around the root's origin [m]
+  std::vector<std::optional<Reach>> reaches_;
+  std::mutex mutex_;  ///< of reaches_ while several threads refine
+};
+
+ReachSearch::ReachSearch(const Robot& robot, const BoundedRobot& bounded,
+                         const std::vector<JointRange>& ranges, const ReachGoal& goal)
+    : robot_(robot),
+      indices_(bounded.indices),
+      ranges_(ranges),
+      goal_(goal),
+      links_(bounded.links),
+      rest_(nearestToZero(robot, ranges)),
+      reaches_(bounded.links.size()) {
+  const std::vector<double> distances = frameDistances(robot, ranges);
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    links_[i].padding = 0;
+    radii_.push_back(kRadiusRounding *
+                     (distances[indices_[i]] + std::sqrt(3) * magnitude(links_[i])));
+  }
+}
+
+void ReachSearch::boundRoughly() {
+  const std::vector<Eigen::Isometry3d> poses = linkPoses(robot_, jointValues(robot_, rest_));
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const std::optional<Aabb> box = linkBox(links_[i], Eigen::Affine3d(poses[indices_[i]]));
+    if (!box || !std::isfinite(radii_[i])) continue;
+    Reach& reach = reaches_[i].emplace();
+    for (std::size_t face = 0; face < kFaces; ++face)
+      reach.faces[face] = {face < 3 ? -radii_[i] : radii_[i], faceOf(*box, face), rest_};
+  }
+}
+
+void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBound& bound,
+                           std::size_t face) {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  direction[static_cast<Eigen::Index>(face % 3)] = face < 3 ? -1 : 1;
+  std::vector<double> start = bound.guess(direction);
+  const auto is_shared = [](const ChainVariable& variable) { return variable.is_shared; };
+  const bool has_shared =
+      std::any_of(chain.variables.begin(), chain.variables.end(), is_shared);
+  ReachFace& best = reaches_[link]->faces[face];
+  for (int i = 0; i < (has_shared ? kSharedStarts : 1); ++i) {
+    for (std::size_t k = 0; has_shared && k < start.size(); ++k) {
+      const auto& [joint, range, shared] = chain.variables[k];
+      if (shared) start[k] = range.lower + (range.upper - range.lower) * i / (kSharedStarts - 1);
+    }
+    const AttainedFace found = attainedFrom(chain, links_[link], face, start, goal_.stop);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (beyond(face, found.at, best.attained) <= 0) continue;
+    best.attained = found.at;
+    for (std::size_t k = 0; k < found.values.size(); ++k)
+      best.pose[robot_.joints[chain.variables[k].joint].name] = found.values[k];
+  }
+}
+
+void ReachSearch::refine(std::size_t link, int cells) {
+  const Chain chain = chainTo(robot_, ranges_, indices_[link]);
+  ReachBound bound(chain, links_[link], radii_[link], cells, goal_.stop);
+  const std::optional<Aabb> box = bound.box();
+  if (!box) return;
+  for (std::size_t face = 0; face < kFaces; ++face) {
+    findPose(link, chain, bound, face);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    double& at = reaches_[link]->faces[face].at;
+    if (beyond(face, at, faceOf(*box, face)) > 0) at = faceOf(*box, face);
+  }
+  showProgress();
+}
+
+void ReachSearch::showProgress() {
+  if (!goal_.progress) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::size_t done = 0;
+  std::size_t total = 0;
+  double max_gap = 0;
+  for (const auto& reach : reaches_) {
+    if (!reach) continue;
+    ++total;
+    if (reach->maxGap() <= goal_.accuracy) ++done;
+    max_gap = std::max(max_gap, reach->maxGap());
+  }
+  goal_.progress(done, total, max_gap);
+}
+
+void ReachSearch::refineAll(int cells) {
+  std::vector<std::size_t> waiting;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (reaches_[i] && reaches_[i]->maxGap() > goal_.accuracy) waiting.push_back(i);
+  }
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < waiting.size() && !goal_.stop(); i = next++)
+      refine(waiting[i], cells);
+  };
+  std::vector<std::future<void>> helpers;
+  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+    helpers.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& helper : helpers)
+    helper.get();
+}
+
+std::vector<std::optional<Reach>> ReachSearch::run() {
+  boundRoughly();
+  for (int cells = kFirstCells; cells <= kLastCells && !goal_.stop(); cells *= 2)
+    refineAll(cells);
+  return std::move(reaches_);
+}
+
+}  // namespace
+
+Aabb Reach::box() const {
+  return Aabb(Eigen::Vector3d(faces[0].at, faces[1].at, faces[2].at),
+              Eigen::Vector3d(faces[3].at, faces[4].at, faces[5].at));
+}
+
+double Reach::maxGap() const {
+  double result = 0;
+  for (const ReachFace& face : faces)
+    result = std::max(result, face.gap());
+  return result;
+}
+
+std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot& bounded,
+                                          const std::vector<JointRange>& ranges,
+                                          const ReachGoal& goal) {
+  return ReachSearch(robot, bounded, ranges, goal).run();
+}
+
+std::optional<Reach> unionOf(const std::vector<std::optional<Reach>>& reaches) {
+  std::optional<Reach> result;
+  for (const std::optional<Reach>& reach : reaches) {
+    if (!reach) continue;
+    if (!result) {
+      result = reach;
+      continue;
+    }
+    for (std::size_t i = 0; i < kFaces; ++i) {
+      ReachFace& face = result->faces[i];
+      const ReachFace& other = reach->faces[i];
+      if (beyond(i, other.at, face.at) > 0) face.at = other.at;
+      if (beyond(i, other.attained, face.attained) <= 0) continue;
+      face.attained = other.attained;
+      face.pose = other.pose;
+    }
+  }
+  return result;
+}
+
+}  // namespace link_bounds
