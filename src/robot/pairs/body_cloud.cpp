@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A cluster is looked at only if one of its points could be the farthest one.
+#include "robot/pairs/body_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kClusterSize = 16;
+
+/// A cylinder lies in a prism with so many sides.
+constexpr int kSides = 32;
+
+/// Against rounding, and the 1e-14 that a PointSet may leave out; relative to the coordinates.
+constexpr double kRounding = 1e-12;
+
+/// Corners of a polytope that holds the solid; the centre of an ellipsoid, see swellOf().
+std::vector<Eigen::Vector3d> cornersOf(Solid solid, const Eigen::Vector3d& size) {
+  std::vector<Eigen::Vector3d> corners;
+  if (solid == Solid::kBox) {
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d corner(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+      corners.emplace_back(corner.cwiseProduct(size));
+    }
+  } else if (solid == Solid::kCylinder) {
+    const double outer = 0.5 / std::cos(M_PI / kSides);
+    for (int i = 0; i < 2 * kSides; ++i) {
+      const double angle = 2 * M_PI * (i / 2) / kSides;
+      const Eigen::Vector3d corner(outer * std::cos(angle), outer * std::sin(angle),
+                                   i % 2 ? 0.5 : -0.5);
+      corners.emplace_back(corner.cwiseProduct(size));
+    }
+  } else {
+    corners.emplace_back(Eigen::Vector3d::Zero());
+  }
+  return corners;
+}
+
+/// Of the ball around each point.
+double swellOf(const Shape& shape) {
+  if (shape.solid != Solid::kEllipsoid) return 0;
+  return (shape.link_from_shape.linear() * shape.size.asDiagonal()).norm() / 2;
+}
+
+double distanceFrom(const Axis& axis, const Eigen::Vector3d& point) {
+  return axis.direction.cross(point - axis.origin).norm();
+}
+
+}  // namespace
+
+BodyCloud::BodyCloud(const Body& body) {
+  for (const BodyShape& shape : body.shapes)
+    addShape(shape);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points_)
+    box.extend(point);
+  if (!points_.empty()) center_ = box.center();
+  for (const Cluster& cluster : clusters_) {
+    for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
+      radius_ = std::max(radius_, (points_[i] - center_).norm() + cluster.swell);
+      magnitude_ = std::max(magnitude_, points_[i].norm() + cluster.swell);
+    }
+  }
+}
+
+void BodyCloud::addShape(const BodyShape& body_shape) {
+  const Shape& shape = body_shape.shape;
+  std::vector<Eigen::Vector3d> centers{Eigen::Vector3d::Zero()};
+  if (shape.points) centers = shape.points->keptPoints();
+  const std::size_t begin = points_.size();
+  for (const Eigen::Vector3d& corner : cornersOf(shape.solid, shape.size)) {
+    for (const Eigen::Vector3d& center : centers)
+      points_.emplace_back(shape.link_from_shape * (center + corner));
+  }
+  if (body_shape.tip) points_.emplace_back(shape.link_from_shape * *body_shape.tip);
+  double largest = 0;
+  for (std::size_t i = begin; i < points_.size(); ++i)
+    largest = std::max(largest, points_[i].norm());
+  const double swell = swellOf(shape);
+  addClusters(begin, points_.size(), swell + kRounding * (largest + swell));
+}
+
+/// Halves the points along the longest side of their box until they are few.
+void BodyCloud::addClusters(std::size_t begin, std::size_t end, double swell) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = begin; i < end; ++i)
+    box.extend(points_[i]);
+  if (end - begin > kClusterSize) {
+    Eigen::Index longest = 0;
+    box.sizes().maxCoeff(&longest);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto first = points_.begin();
+    std::nth_element(first + static_cast<std::ptrdiff_t>(begin),
+                     first + static_cast<std::ptrdiff_t>(middle),
+                     first + static_cast<std::ptrdiff_t>(end),
+                     [longest](const auto& a, const auto& b) { return a[longest] < b[longest]; });
+    addClusters(begin, middle, swell);
+    addClusters(middle, end, swell);
+    return;
+  }
+  Cluster cluster{begin, end, box.center(), 0, swell};
+  for (std::size_t i = begin; i < end; ++i)
+    cluster.radius = std::max(cluster.radius, (points_[i] - cluster.center).norm());
+  clusters_.push_back(cluster);
+}
+
+double BodyCloud::farthestFrom(const Axis& axis) const {
+  double farthest = 0;
+  for (const Cluster& cluster : clusters_) {
+    if (distanceFrom(axis, cluster.center) + cluster.radius + cluster.swell <= farthest) continue;
+    for (std::size_t i = cluster.begin; i < cluster.end; ++i)
+      farthest = std::max(farthest, distanceFrom(axis, points_[i]) + cluster.swell);
+  }
+  return farthest;
+}
+
+double BodyCloud::support(const Eigen::Vector3d& direction) const {
+  const double length = direction.norm();
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Cluster& cluster : clusters_) {
+    const double around = cluster.swell * length;
+    if (direction.dot(cluster.center) + cluster.radius * length + around <= largest) continue;
+    for (std::size_t i = cluster.begin; i < cluster.end; ++i)
+      largest = std::max(largest, direction.dot(points_[i]) + around);
+  }
+  return largest;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Up from the first link to the common ancestor, then down to the second one.
+#include "robot/pairs/joint_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+Eigen::Isometry3d motionOf(const Eigen::Vector3d& axis, bool is_rotation, double value) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (is_rotation) {
+    result.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
+  } else {
+    result.translation() = value * axis;
+  }
+  return result;
+}
+
+/// The joints from a link up to the root.
+std::vector<std::size_t> jointsAbove(const Robot& robot, std::size_t link) {
+  std::vector<std::size_t> joint_of(robot.links.size(), kNone);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    joint_of[robot.joints[i].child] = i;
+  std::vector<std::size_t> result;
+  for (; joint_of[link] != kNone; link = robot.joints[result.back()].parent)
+    result.push_back(joint_of[link]);
+  return result;
+}
+
+class PathBuilder {
+ public:
+  PathBuilder(const Robot& robot, const std::vector<JointRange>& ranges)
+      : robot_(robot), ranges_(ranges) {}
+
+  void goUp(std::size_t joint) {
+    addMotion(joint, -1);
+    addFixed(robot_.joints[joint].parent_from_joint.inverse());
+  }
+
+  void goDown(std::size_t joint) {
+    addFixed(robot_.joints[joint].parent_from_joint);
+    addMotion(joint, 1);
+  }
+
+  JointPath result() {
+    path_.after = fixed_;
+    return path_;
+  }
+
+ private:
+  void addFixed(const Eigen::Isometry3d& transform) {
+    path_.length += transform.translation().norm();
+    fixed_ = fixed_ * transform;
+  }
+
+  void addMotion(std::size_t index, double sign) {
+    const Joint& joint = robot_.joints[index];
+    const JointRange& range = ranges_[index];
+    if (joint.motion == Motion::kNone) return;
+    const bool is_rotation = joint.motion == Motion::kRotation;
+    if (!is_rotation) path_.length += std::max(std::abs(range.lower), std::abs(range.upper));
+    if (!range.isFree()) {
+      if (range.lower != 0) fixed_ = fixed_ * motionOf(joint.axis, is_rotation, sign * range.lower);
+      return;
+    }
+    path_.joints.push_back({fixed_, joint.axis, is_rotation, variableOf(range.lead.leader),
+                            sign * range.lead.factor, sign * range.lead.offset});
+    fixed_.setIdentity();
+  }
+
+  std::size_t variableOf(std::size_t leader) {
+    const auto found = std::find(path_.variables.begin(), path_.variables.end(), leader);
+    const auto index = static_cast<std::size_t>(found - path_.variables.begin());
+    if (found != path_.variables.end()) return index;
+    path_.variables.push_back(leader);
+    path_.ranges.push_back({ranges_[leader].lower, ranges_[leader].upper});
+    return index;
+  }
+
+  const Robot& robot_;
+  const std::vector<JointRange>& ranges_;
+  JointPath path_;
+  Eigen::Isometry3d fixed_ = Eigen::Isometry3d::Identity();  ///< since the last joint that moves
+};
+
+}  // namespace
+
+void JointPath::place(const PathValues& values, PlacedPath& placed) const {
+  placed.axes.resize(joints.size());
+  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const PathJoint& joint = joints[j];
+    at = at * joint.before;
+    placed.axes[j] = {at.translation(), at.linear() * joint.axis};
+    const double value = joint.factor * values[joint.variable] + joint.offset;
+    at = at * motionOf(joint.axis, joint.is_rotation, value);
+  }
+  placed.first_from_second = at * after;
+}
+
+JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t first,
+                    std::size_t second) {
+  std::vector<std::size_t> up = jointsAbove(robot, first);
+  std::vector<std::size_t> down = jointsAbove(robot, second);
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  PathBuilder builder(robot, ranges);
+  for (const std::size_t joint : up)
+    builder.goUp(joint);
+  for (auto joint = down.rbegin(); joint != down.rend(); ++joint)
+    builder.goDown(*joint);
+  return builder.result();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The joints between two links as one chain, seen from the first link. No other joint changes how
+// the two are to each other.
+#pragma once
+
+#include <vector>
+
+#include "link_bounds/robot/urdf/robot.h"
+#include "robot/pairs/body_cloud.h"
+#include "robot/urdf/joint_ranges.h"
+
+namespace link_bounds {
+
+/// A joint that can move. Joints on the way up to the common ancestor count backwards.
+struct PathJoint {
+  Eigen::Isometry3d before;  ///< from the frame of the joint before it, or the first link
+  Eigen::Vector3d axis;      ///< unit, in the frame of the joint
+  bool is_rotation;
+  std::size_t variable;  ///< index in JointPath::variables
+  double factor;         ///< the joint is at factor * variable + offset
+  double offset;         ///< rad or m
+};
+
+/// A chain of joints at one pose, in the frame of the first link.
+struct PlacedPath {
+  std::vector<Axis> axes;  ///< one per joint
+  Eigen::Isometry3d first_from_second;
+};
+
+/// The values of the variables [rad or m].
+using PathValues = std::vector<double>;
+
+struct JointPath {
+  std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
+  std::vector<Limits> ranges;          ///< one per variable
+  std::vector<PathJoint> joints;       ///< from the first link to the second
+  Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second
+  double length = 0;  ///< of all links of the chain and all prismatic ranges [m]
+
+  void place(const PathValues& values, PlacedPath& placed) const;
+};
+
+/// `ranges` has one per joint of the robot. A joint whose range is one value is part of a link.
+JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t first,
+                    std::size_t second);
+
+}  // namespace link_bounds

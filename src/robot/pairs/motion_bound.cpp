@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/pairs/motion_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+/// Of the length of the chain. Each joint adds a product of poses, which is exact to some 1e-15.
+constexpr double kRounding = 1e-12;
+
+/// More joints on one side have too many corners.
+constexpr std::size_t kMaxCornerJoints = 6;
+
+/// Of a point at distance 1 from the axis.
+double chordOf(double half_width) {
+  return 2 * std::sin(std::min(half_width, M_PI) / 2);
+}
+
+}  // namespace
+
+MotionBound::MotionBound(const JointPath& path, const BodyCloud& first, const BodyCloud& second)
+    : path_(path),
+      half_widths_(path.joints.size()),
+      first_{&first, Eigen::Isometry3d::Identity(), {}, {}},
+      second_{&second, Eigen::Isometry3d::Identity(), {}, {}},
+      rounding_(kRounding * (path.length + first.magnitude() + second.magnitude())) {}
+
+void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
+  placed_ = &placed;
+  second_.from_body = placed.first_from_second;
+  for (std::size_t j = 0; j < path_.joints.size(); ++j) {
+    const PathJoint& joint = path_.joints[j];
+    half_widths_[j] = std::abs(joint.factor) * box.half_widths[joint.variable];
+  }
+  chooseCut();
+}
+
+void MotionBound::measure(Side& side, std::size_t joint) {
+  const Axis& axis = placed_->axes[joint];
+  const Eigen::Isometry3d to_body = side.from_body.inverse();
+  double move = half_widths_[joint];
+  if (path_.joints[joint].is_rotation) {
+    move = chordOf(move) *
+           side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
+  }
+  side.joints.push_back(joint);
+  side.moves.push_back(move);
+}
+
+/// The first joints move the first body, the others the second one, divided where that moves both
+/// least.
+void MotionBound::chooseCut() {
+  const std::size_t count = path_.joints.size();
+  for (Side* side : {&first_, &second_}) {
+    side->joints.clear();
+    side->moves.clear();
+    for (std::size_t j = 0; j < count; ++j)
+      measure(*side, j);
+  }
+  double sum = 0;
+  for (const double move : second_.moves)
+    sum += move;
+  motion_ = sum;
+  std::size_t cut = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    sum += first_.moves[j] - second_.moves[j];
+    if (!(sum < motion_)) continue;
+    motion_ = sum;
+    cut = j + 1;
+  }
+  const auto at = static_cast<std::ptrdiff_t>(cut);
+  first_.joints.resize(cut);
+  first_.moves.resize(cut);
+  std::reverse(first_.joints.begin(), first_.joints.end());
+  std::reverse(first_.moves.begin(), first_.moves.end());
+  second_.joints.erase(second_.joints.begin(), second_.joints.begin() + at);
+  second_.moves.erase(second_.moves.begin(), second_.moves.begin() + at);
+}
+
+std::size_t MotionBound::widestVariable() const {
+  std::vector<double> sums(path_.variables.size(), 0.0);
+  for (const Side* side : {&first_, &second_}) {
+    for (std::size_t i = 0; i < side->joints.size(); ++i)
+      sums[path_.joints[side->joints[i]].variable] += side->moves[i];
+  }
+  return static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+}
+
+double MotionBound::gapAlong(const Eigen::Vector3d& normal) const {
+  if (std::max(first_.joints.size(), second_.joints.size()) > kMaxCornerJoints)
+    return -std::numeric_limits<double>::infinity();
+  return -farthestAlong(first_, normal) - farthestAlong(second_, -normal);
+}
+
+/// The largest coordinate along a unit direction that a point of the body can have in the box. The
+/// sign of an offset does not matter, as each comes with both signs.
+double MotionBound::farthestAlong(const Side& side, const Eigen::Vector3d& direction) const {
+  const std::size_t count = side.joints.size();
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t corner = 0; corner < (std::size_t{1} << count); ++corner) {
+    Eigen::Vector3d turned = direction;
+    double shift = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t j = side.joints[i];
+      const Axis& axis = placed_->axes[j];
+      const double offset = corner >> i & 1 ? half_widths_[j] : -half_widths_[j];
+      if (path_.joints[j].is_rotation) {
+        const Eigen::Vector3d turn = offset * direction.cross(axis.direction);
+        turned += turn;
+        shift -= turn.dot(axis.origin);
+      } else {
+        shift += offset * direction.dot(axis.direction);
+      }
+    }
+    const double support = side.body->support(side.from_body.linear().transpose() * turned) +
+                           turned.dot(side.from_body.translation());
+    farthest = std::max(farthest, support + shift);
+  }
+  return farthest + remainder(side);
+}
+
+/// From the body outward: `beyond` is what the joints nearer to the body move a point.
+double MotionBound::remainder(const Side& side) const {
+  double sum = 0;
+  double beyond = 0;
+  for (std::size_t i = side.joints.size(); i-- > 0;) {
+    const std::size_t inner = side.joints[i];
+    const double width = half_widths_[inner];
+    double speed = 1;
+    if (path_.joints[inner].is_rotation) {
+      const double chord = chordOf(width);
+      speed = (chord > 0 ? side.moves[i] / chord : 0) + beyond;
+      sum += width * width * speed / 2;
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      const std::size_t outer = side.joints[k];
+      if (path_.joints[outer].is_rotation) sum += half_widths_[outer] * width * speed;
+    }
+    beyond += side.moves[i];
+  }
+  return sum;
+}
+
+}  // namespace link_bounds

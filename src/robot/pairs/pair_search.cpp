@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// First poses that collide are looked for: random ones, then downhill from the nearest of these.
+// Then boxes of joint values are halved, that with the smallest bound first.
+#include "robot/pairs/pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+constexpr int kSamples = 300;
+constexpr int kSamplesPerSlice = 30;
+constexpr int kBranchesPerSlice = 30;
+constexpr std::size_t kDescents = 3;
+constexpr int kDescentSteps = 200;
+
+/// Further ones are searched in depth, which needs little memory.
+constexpr std::size_t kMaxNodes = 20000;
+
+/// Of the range of a joint.
+constexpr double kFirstStep = 0.1;
+constexpr double kLastStep = 1e-7;
+
+/// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
+constexpr double kTouch = 1e-7;
+
+/// A bound that exceeds the clearance by this proves that it is not undercut [m].
+constexpr double kProof = 1e-9;
+
+/// Accuracy of distances: of poses, and beside the motion of a box [m].
+constexpr double kPoseAccuracy = kTouch / 4;
+constexpr double kShareOfMotion = 0.1;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::shared_ptr<const Body> hullOf(const Body& body) {
+  Body hull = body;
+  for (BodyShape& shape : hull.shapes)
+    shape.triangles = nullptr;
+  return std::make_shared<const Body>(std::move(hull));
+}
+
+double width(const Limits& range) {
+  return range.upper - range.lower;
+}
+
+}  // namespace
+
+PairBody pairBody(const Body& body) {
+  return {std::make_shared<const Body>(body), hullOf(body), BodyCloud(body)};
+}
+
+PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& second,
+                       const PairGoal& goal)
+    : path_(std::move(path)),
+      goal_(goal),
+      motion_(path_, first.cloud, second.cloud),
+      first_(&first),
+      second_(&second) {
+  for (BodyDistances* distances : {&distances_, &hulls_}) {
+    const bool is_hull = distances == &hulls_;
+    distances->set(0, is_hull ? first.hull : first.body);
+    distances->set(1, is_hull ? second.hull : second.body);
+    distances->move(0, Eigen::Affine3d::Identity());
+  }
+  JointBox all;
+  for (const Limits& range : path_.ranges) {
+    all.center.push_back(range.lower + width(range) / 2);
+    all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
+  }
+  offer(measured(all.center));
+  add({0, std::move(all)});
+}
+
+bool PairSearch::collides() const {
+  return nearest_.upper <= goal_.clearance + kTouch;
+}
+
+bool PairSearch::isFree() const {
+  return clearance() > goal_.clearance;
+}
+
+double PairSearch::clearance() const {
+  double result = std::min(dropped_, nodes_.empty() ? kInfinity : nodes_.top().lower);
+  for (const Node& node : latest_)
+    result = std::min(result, node.lower);
+  return result;
+}
+
+void PairSearch::advance() {
+  if (collides() && was_free_) return finish();
+  if (samples_ < kSamples && !path_.variables.empty()) return sample();
+  if (collides()) return finish();
+  if (!starts_.empty()) {
+    const KnownPose start = starts_.back();
+    starts_.pop_back();
+    return descend(start);
+  }
+  branch();
+}
+
+void PairSearch::finish() {
+  if (path_.variables.empty()) always_ = collides();
+  if (!collides()) dropped_ = clearance();
+  shortenPose();
+  is_done_ = true;
+  nodes_ = {};
+  latest_ = {};
+  distances_ = BodyDistances();
+  hulls_ = BodyDistances();
+}
+
+/// To a few digits, where these collide, too.
+void PairSearch::shortenPose() {
+  for (double steps = 100; collides() && steps < 1e7; steps *= 100) {
+    PathValues values;
+    for (std::size_t v = 0; v < path_.variables.size(); ++v) {
+      const Limits& range = path_.ranges[v];
+      const double rounded = std::round(nearest_.values[v] * steps) / steps;
+      values.push_back(std::min(std::max(rounded, range.lower), range.upper));
+    }
+    const KnownPose pose = measured(values);
+    if (!(pose.upper <= goal_.clearance + kTouch)) continue;
+    nearest_ = pose;
+    return;
+  }
+}
+
+/// Collisions are common at the ends of ranges.
+void PairSearch::sample() {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < kSamplesPerSlice; ++i, ++samples_) {
+    PathValues values;
+    for (const Limits& range : path_.ranges) {
+      const double share = std::min(std::max(1.2 * uniform(random_) - 0.1, 0.0), 1.0);
+      values.push_back(std::min(range.lower + share * width(range), range.upper));
+    }
+    const KnownPose pose = measured(values);
+    offer(pose);
+    starts_.push_back(pose);
+    if (collides() && was_free_) return;
+  }
+  const auto isNearer = [](const KnownPose& a, const KnownPose& b) { return a.upper > b.upper; };
+  std::sort(starts_.begin(), starts_.end(), isNearer);
+  if (starts_.size() > kDescents) starts_.erase(starts_.begin(), starts_.end() - kDescents);
+}
+
+KnownPose PairSearch::measured(const PathValues& values) {
+  path_.place(values, placed_);
+  distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  distances_.setGoal({kPoseAccuracy, goal_.clearance + 10, 100000});
+  const std::optional<BodyDistance> distance = distances_.find(0, 1);
+  if (!distance) return {values};
+  return {values, std::max(0.0, distance->lower - motion_.rounding()),
+          distance->upper + motion_.rounding()};
+}
+
+void PairSearch::offer(const KnownPose& pose) {
+  was_free_ = was_free_ || pose.lower > goal_.clearance;
+  if (pose.upper < nearest_.upper) nearest_ = pose;
+}
+
+/// Along one variable after the other, with steps that become smaller.
+void PairSearch::descend(KnownPose pose) {
+  int left = kDescentSteps;
+  for (double step = kFirstStep; step > kLastStep && left > 0; step /= 2) {
+    for (bool improved = true; improved && left > 0;) {
+      improved = false;
+      for (std::size_t v = 0; v < path_.variables.size(); ++v) {
+        const Limits& range = path_.ranges[v];
+        for (const double sign : {-1.0, 1.0}) {
+          PathValues values = pose.values;
+          values[v] += sign * step * width(range);
+          values[v] = std::min(std::max(values[v], range.lower), range.upper);
+          if (values[v] == pose.values[v]) continue;
+          --left;
+          const KnownPose other = measured(values);
+          if (!(other.upper < pose.upper)) continue;
+          pose = other;
+          improved = true;
+        }
+      }
+      if (pose.upper <= goal_.clearance + kTouch) break;
+    }
+  }
+  offer(pose);
+}
+
+/// A box with that bound needs no more halving.
+double PairSearch::enough() const {
+  return std::max(nearest_.upper - goal_.accuracy, goal_.clearance + kProof);
+}
+
+void PairSearch::branch() {
+  for (int i = 0; i < kBranchesPerSlice; ++i) {
+    if (collides() || (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())))
+      return finish();
+    Node node = take();
+    std::size_t widest = 0;
+    node.lower = std::max(node.lower, bound(node.box, widest));
+    if (node.lower >= enough() || path_.variables.empty()) {
+      dropped_ = std::min(dropped_, node.lower);
+      continue;
+    }
+    const double center = node.box.center[widest];
+    const double half = node.box.half_widths[widest] / 2;
+    node.box.half_widths[widest] = half;
+    for (const double sign : {-1.0, 1.0}) {
+      node.box.center[widest] = center + sign * half;
+      add(node);
+    }
+  }
+}
+
+void PairSearch::add(Node node) {
+  if (nodes_.size() < kMaxNodes) {
+    nodes_.push(std::move(node));
+  } else {
+    latest_.push_back(std::move(node));
+  }
+}
+
+PairSearch::Node PairSearch::take() {
+  if (latest_.empty()) {
+    Node node = nodes_.top();
+    nodes_.pop();
+    return node;
+  }
+  Node node = std::move(latest_.back());
+  latest_.pop_back();
+  return node;
+}
+
+double PairSearch::bound(const JointBox& box, std::size_t& widest) {
+  path_.place(box.center, placed_);
+  motion_.set(box, placed_);
+  if (!path_.variables.empty()) widest = motion_.widestVariable();
+  const double motion = motion_.motion() + motion_.rounding();
+  const Eigen::Vector3d between =
+      placed_.first_from_second * second_->cloud.center() - first_->cloud.center();
+  double lower = between.norm() - first_->cloud.radius() - second_->cloud.radius() - motion;
+  if (lower >= enough()) return lower;
+  const DistanceGoal goal{std::max(kPoseAccuracy, kShareOfMotion * motion), enough() + motion,
+                          100000};
+  hulls_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  hulls_.setGoal(goal);
+  const std::optional<BodyDistance> hulls = hulls_.find(0, 1);
+  if (!hulls) return 0;
+  lower = std::max(lower, hulls->lower - motion);
+  if (lower < enough() && hulls->lower > 0)
+    lower = std::max(lower, motion_.gapAlong(hulls->normal) - motion_.rounding());
+  if (lower >= enough()) return lower;
+  distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  distances_.setGoal(goal);
+  const std::optional<BodyDistance> distance = distances_.find(0, 1);
+  if (!distance) return lower;
+  offer({box.center, distance->lower - motion_.rounding(), distance->upper + motion_.rounding()});
+  return std::max(lower, distance->lower - motion);
+}
+
+}  // namespace link_bounds

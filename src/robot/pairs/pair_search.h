@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether two bodies can collide while their joints move in their ranges: branch and bound over the
+// joints between them.
+#pragma once
+
+#include <memory>
+#include <queue>
+#include <random>
+
+#include "link_bounds/geometry/distance/body_distances.h"
+#include "robot/pairs/motion_bound.h"
+
+namespace link_bounds {
+
+/// A link of a robot as every search with it needs it.
+struct PairBody {
+  std::shared_ptr<const Body> body;
+  std::shared_ptr<const Body> hull;  ///< the body without its triangles
+  BodyCloud cloud;
+};
+
+PairBody pairBody(const Body& body);
+
+struct PairGoal {
+  double clearance = 0;    ///< bodies that are as near collide [m]
+  double accuracy = 0.01;  ///< of the clearance that is proven [m]
+};
+
+/// Where the distance of the bodies is between two proven bounds.
+struct KnownPose {
+  PathValues values;
+  double lower = 0;
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+/// One pair, searched in slices. Refers to the bodies.
+class PairSearch {
+ public:
+  PairSearch(JointPath path, const PairBody& first, const PairBody& second, const PairGoal& goal);
+  PairSearch(const PairSearch&) = delete;
+  PairSearch& operator=(const PairSearch&) = delete;
+
+  /// Some of the work.
+  void advance();
+
+  /// Nothing is left that could be done.
+  bool isDone() const { return is_done_; }
+  bool collides() const;
+  /// No pose in the ranges collides.
+  bool isFree() const;
+  bool alwaysCollides() const { return always_; }
+  /// A pose was found that does not collide.
+  bool hasFreePose() const { return was_free_; }
+
+  /// No pose in the ranges has a smaller distance [m].
+  double clearance() const;
+  const KnownPose& nearest() const { return nearest_; }
+  const JointPath& path() const { return path_; }
+
+ private:
+  struct Node {
+    double lower;  ///< proven for the whole box
+    JointBox box;
+
+    bool operator<(const Node& other) const { return lower > other.lower; }
+  };
+
+  void shortenPose();
+  void sample();
+  void descend(KnownPose pose);
+  KnownPose measured(const PathValues& values);
+  void offer(const KnownPose& pose);
+  void branch();
+  double bound(const JointBox& box, std::size_t& widest);
+  void add(Node node);
+  Node take();
+  double enough() const;
+  void finish();
+
+  JointPath path_;
+  PairGoal goal_;
+  MotionBound motion_;
+  const PairBody* first_;
+  const PairBody* second_;
+  BodyDistances distances_;
+  BodyDistances hulls_;
+  PlacedPath placed_;
+  std::mt19937_64 random_;
+  std::vector<KnownPose> starts_;  ///< of descents
+  int samples_ = 0;
+  KnownPose nearest_;
+  bool was_free_ = false;  ///< in a pose that was tried
+  std::priority_queue<Node> nodes_;
+  std::vector<Node> latest_;  ///< searched first, so that memory is bounded
+  double dropped_ = std::numeric_limits<double>::infinity();  ///< smallest bound of dropped nodes
+  bool always_ = false;
+  bool is_done_ = false;
+};
+
+}  // namespace link_bounds

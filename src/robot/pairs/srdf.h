@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The pairs that a SRDF exempts from collision checks.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+
+/// The text cannot be used as a SRDF of the robot; what() is the reason with the remedy.
+class SrdfError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A <disable_collisions> element.
+struct DisabledPair {
+  std::string first;
+  std::string second;
+  std::string reason;  ///< as written; may be empty
+};
+
+/// In the order of the text; all other elements are left out. `file` is named in errors. Throws
+/// SrdfError for a text that is no SRDF, and for names that are no link of the robot.
+std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
+                                    const std::string& file);
+
+/// One <disable_collisions> element.
+std::string toSrdf(const DisabledPair& pair);
+
+}  // namespace link_bounds
