@@ -11,6 +11,9 @@ namespace {
 /// Of the length of the chain. Each joint adds a product of poses, which is exact to some 1e-15.
 constexpr double kRounding = 1e-12;
 
+/// Of a joint value: halving a range some 60 times rounds the centres of the halves so much.
+constexpr double kHalvings = 1e-14;
+
 /// More joints on one side have too many corners.
 constexpr std::size_t kMaxCornerJoints = 6;
 
@@ -33,7 +36,10 @@ void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
   second_.from_body = placed.first_from_second;
   for (std::size_t j = 0; j < path_.joints.size(); ++j) {
     const PathJoint& joint = path_.joints[j];
-    half_widths_[j] = std::abs(joint.factor) * box.half_widths[joint.variable];
+    const std::size_t v = joint.variable;
+    half_widths_[j] =
+        std::abs(joint.factor) * (box.half_widths[v] + kHalvings * std::abs(box.center[v])) +
+        kHalvings * std::abs(joint.offset);
   }
   chooseCut();
 }
@@ -89,15 +95,17 @@ std::size_t MotionBound::widestVariable() const {
   return static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
 }
 
-double MotionBound::gapAlong(const Eigen::Vector3d& normal) const {
+double MotionBound::gapAlong(const Eigen::Vector3d& normal, const BodyCloud& first,
+                             const BodyCloud& second) const {
   if (std::max(first_.joints.size(), second_.joints.size()) > kMaxCornerJoints)
     return -std::numeric_limits<double>::infinity();
-  return -farthestAlong(first_, normal) - farthestAlong(second_, -normal);
+  return -farthestAlong(first_, first, normal) - farthestAlong(second_, second, -normal);
 }
 
-/// The largest coordinate along a unit direction that a point of the body can have in the box. The
+/// The largest coordinate along a unit direction that a point of the part can have in the box. The
 /// sign of an offset does not matter, as each comes with both signs.
-double MotionBound::farthestAlong(const Side& side, const Eigen::Vector3d& direction) const {
+double MotionBound::farthestAlong(const Side& side, const BodyCloud& part,
+                                  const Eigen::Vector3d& direction) const {
   const std::size_t count = side.joints.size();
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t corner = 0; corner < (std::size_t{1} << count); ++corner) {
@@ -115,7 +123,7 @@ double MotionBound::farthestAlong(const Side& side, const Eigen::Vector3d& direc
         shift += offset * direction.dot(axis.direction);
       }
     }
-    const double support = side.body->support(side.from_body.linear().transpose() * turned) +
+    const double support = part.support(side.from_body.linear().transpose() * turned) +
                            turned.dot(side.from_body.translation());
     farthest = std::max(farthest, support + shift);
   }

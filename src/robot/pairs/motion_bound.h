@@ -49,10 +49,11 @@ class MotionBound {
   /// The variable that adds most to motion().
   std::size_t widestVariable() const;
 
-  /// Anywhere in the box the bodies are at least this far apart along some direction [m]; negative
-  /// if they may not be apart. `normal` is a unit vector from the first body to the second, in the
-  /// frame of the first body.
-  double gapAlong(const Eigen::Vector3d& normal) const;
+  /// Anywhere in the box `first` and `second`, which are the bodies or parts of them, are at least
+  /// this far apart along some direction [m]; negative if they may not be apart. `normal` is a unit
+  /// vector from the first one to the second, in the frame of the first body.
+  double gapAlong(const Eigen::Vector3d& normal, const BodyCloud& first,
+                  const BodyCloud& second) const;
 
   /// What rounding of poses can make a distance too large by [m].
   double rounding() const { return rounding_; }
@@ -68,7 +69,8 @@ class MotionBound {
 
   void measure(Side& side, std::size_t joint);
   void chooseCut();
-  double farthestAlong(const Side& side, const Eigen::Vector3d& direction) const;
+  double farthestAlong(const Side& side, const BodyCloud& part,
+                       const Eigen::Vector3d& direction) const;
   double remainder(const Side& side) const;
 
   const JointPath& path_;

@@ -5,6 +5,7 @@
 #include "robot/pairs/pair_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace link_bounds {
@@ -16,7 +17,13 @@ constexpr int kBranchesPerSlice = 30;
 constexpr std::size_t kDescents = 3;
 constexpr int kDescentSteps = 200;
 
-/// Further ones are searched in depth, which needs little memory.
+/// Of a search for a proof that every pose collides.
+constexpr int kMaxOpenSteps = 20000;
+
+/// Of a distance: what it may take, see DistanceGoal.
+constexpr std::size_t kMaxSteps = 100000;
+
+/// Further boxes are searched in depth, which needs little memory.
 constexpr std::size_t kMaxNodes = 20000;
 
 /// Of the range of a joint.
@@ -35,34 +42,39 @@ constexpr double kShareOfMotion = 0.1;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::shared_ptr<const Body> hullOf(const Body& body) {
-  Body hull = body;
-  for (BodyShape& shape : hull.shapes)
-    shape.triangles = nullptr;
-  return std::make_shared<const Body>(std::move(hull));
-}
-
 double width(const Limits& range) {
   return range.upper - range.lower;
 }
 
-}  // namespace
-
-PairBody pairBody(const Body& body) {
-  return {std::make_shared<const Body>(body), hullOf(body), BodyCloud(body)};
+std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable) {
+  std::array<JointBox, 2> result{box, box};
+  const double half = box.half_widths[variable] / 2;
+  result[0].half_widths[variable] = result[1].half_widths[variable] = half;
+  result[0].center[variable] -= half;
+  result[1].center[variable] += half;
+  return result;
 }
+
+std::vector<const PairHull*> pointersTo(const std::vector<PairHull>& parts) {
+  std::vector<const PairHull*> result;
+  for (const PairHull& part : parts)
+    result.push_back(&part);
+  return result;
+}
+
+}  // namespace
 
 PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& second,
                        const PairGoal& goal)
     : path_(std::move(path)),
       goal_(goal),
-      motion_(path_, first.cloud, second.cloud),
+      motion_(path_, first.hull.cloud, second.hull.cloud),
       first_(&first),
       second_(&second) {
   for (BodyDistances* distances : {&distances_, &hulls_}) {
     const bool is_hull = distances == &hulls_;
-    distances->set(0, is_hull ? first.hull : first.body);
-    distances->set(1, is_hull ? second.hull : second.body);
+    distances->set(0, is_hull ? first.hull.body : first.body);
+    distances->set(1, is_hull ? second.hull.body : second.body);
     distances->move(0, Eigen::Affine3d::Identity());
   }
   JointBox all;
@@ -71,11 +83,16 @@ PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& se
     all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
   }
   offer(measured(all.center));
+  open_ = {all};
   add({0, std::move(all)});
 }
 
+bool PairSearch::isTouch(double distance) const {
+  return distance <= goal_.clearance + kTouch;
+}
+
 bool PairSearch::collides() const {
-  return nearest_.upper <= goal_.clearance + kTouch;
+  return isTouch(nearest_.upper);
 }
 
 bool PairSearch::isFree() const {
@@ -92,7 +109,7 @@ double PairSearch::clearance() const {
 void PairSearch::advance() {
   if (collides() && was_free_) return finish();
   if (samples_ < kSamples && !path_.variables.empty()) return sample();
-  if (collides()) return finish();
+  if (collides()) return proveAlways();
   if (!starts_.empty()) {
     const KnownPose start = starts_.back();
     starts_.pop_back();
@@ -102,8 +119,7 @@ void PairSearch::advance() {
 }
 
 void PairSearch::finish() {
-  if (path_.variables.empty()) always_ = collides();
-  if (!collides()) dropped_ = clearance();
+  dropped_ = clearance();
   shortenPose();
   is_done_ = true;
   nodes_ = {};
@@ -122,7 +138,7 @@ void PairSearch::shortenPose() {
       values.push_back(std::min(std::max(rounded, range.lower), range.upper));
     }
     const KnownPose pose = measured(values);
-    if (!(pose.upper <= goal_.clearance + kTouch)) continue;
+    if (!isTouch(pose.upper)) continue;
     nearest_ = pose;
     return;
   }
@@ -150,7 +166,7 @@ void PairSearch::sample() {
 KnownPose PairSearch::measured(const PathValues& values) {
   path_.place(values, placed_);
   distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
-  distances_.setGoal({kPoseAccuracy, goal_.clearance + 10, 100000});
+  distances_.setGoal({kPoseAccuracy, goal_.clearance + 10, kMaxSteps});
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   if (!distance) return {values};
   return {values, std::max(0.0, distance->lower - motion_.rounding()),
@@ -182,7 +198,7 @@ void PairSearch::descend(KnownPose pose) {
           improved = true;
         }
       }
-      if (pose.upper <= goal_.clearance + kTouch) break;
+      if (isTouch(pose.upper)) break;
     }
   }
   offer(pose);
@@ -198,20 +214,19 @@ void PairSearch::branch() {
     if (collides() || (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())))
       return finish();
     Node node = take();
-    std::size_t widest = 0;
-    node.lower = std::max(node.lower, bound(node.box, widest));
+    node.lower = std::max(node.lower, bound(node.box));
     if (node.lower >= enough() || path_.variables.empty()) {
       dropped_ = std::min(dropped_, node.lower);
-      continue;
-    }
-    const double center = node.box.center[widest];
-    const double half = node.box.half_widths[widest] / 2;
-    node.box.half_widths[widest] = half;
-    for (const double sign : {-1.0, 1.0}) {
-      node.box.center[widest] = center + sign * half;
-      add(node);
+    } else {
+      addHalves(std::move(node));
     }
   }
+}
+
+/// Of the box that bound() was last asked about.
+void PairSearch::addHalves(Node node) {
+  for (JointBox& half : halves(node.box, motion_.widestVariable()))
+    add({node.lower, std::move(half)});
 }
 
 void PairSearch::add(Node node) {
@@ -233,31 +248,102 @@ PairSearch::Node PairSearch::take() {
   return node;
 }
 
-double PairSearch::bound(const JointBox& box, std::size_t& widest) {
+void PairSearch::enter(const JointBox& box) {
   path_.place(box.center, placed_);
   motion_.set(box, placed_);
-  if (!path_.variables.empty()) widest = motion_.widestVariable();
+}
+
+/// Cheap bounds first.
+double PairSearch::bound(const JointBox& box) {
+  enter(box);
   const double motion = motion_.motion() + motion_.rounding();
-  const Eigen::Vector3d between =
-      placed_.first_from_second * second_->cloud.center() - first_->cloud.center();
-  double lower = between.norm() - first_->cloud.radius() - second_->cloud.radius() - motion;
+  const BodyCloud& first = first_->hull.cloud;
+  const BodyCloud& second = second_->hull.cloud;
+  const Eigen::Vector3d between = placed_.first_from_second * second.center() - first.center();
+  double lower = between.norm() - first.radius() - second.radius() - motion;
   if (lower >= enough()) return lower;
+  const Eigen::Affine3d first_from_second(placed_.first_from_second);
   const DistanceGoal goal{std::max(kPoseAccuracy, kShareOfMotion * motion), enough() + motion,
-                          100000};
-  hulls_.move(1, Eigen::Affine3d(placed_.first_from_second));
+                          kMaxSteps};
+  hulls_.move(1, first_from_second);
   hulls_.setGoal(goal);
   const std::optional<BodyDistance> hulls = hulls_.find(0, 1);
   if (!hulls) return 0;
   lower = std::max(lower, hulls->lower - motion);
   if (lower < enough() && hulls->lower > 0)
-    lower = std::max(lower, motion_.gapAlong(hulls->normal) - motion_.rounding());
+    lower = std::max(lower, motion_.gapAlong(hulls->normal, first, second) - motion_.rounding());
+  if (lower < enough()) lower = std::max(lower, boundOfParts(goal));
   if (lower >= enough()) return lower;
-  distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  distances_.move(1, first_from_second);
   distances_.setGoal(goal);
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   if (!distance) return lower;
   offer({box.center, distance->lower - motion_.rounding(), distance->upper + motion_.rounding()});
   return std::max(lower, distance->lower - motion);
+}
+
+/// Between hulls that overlap, those of single shapes may be apart.
+double PairSearch::boundOfParts(const DistanceGoal& goal) {
+  if (first_->parts.empty() && second_->parts.empty()) return 0;
+  const auto partsOf = [](const PairBody& body) {
+    return body.parts.empty() ? std::vector<const PairHull*>{&body.hull} : pointersTo(body.parts);
+  };
+  const Eigen::Affine3d first_from_second(placed_.first_from_second);
+  double lower = kInfinity;
+  for (const PairHull* first : partsOf(*first_)) {
+    for (const PairHull* second : partsOf(*second_)) {
+      const std::optional<BodyDistance> distance = bodyDistance(
+          *first->body, Eigen::Affine3d::Identity(), *second->body, first_from_second, goal);
+      if (!distance || !(distance->lower > 0)) return 0;
+      double of_pair = distance->lower - motion_.motion();
+      if (of_pair < enough())
+        of_pair =
+            std::max(of_pair, motion_.gapAlong(distance->normal, first->cloud, second->cloud));
+      lower = std::min(lower, of_pair - motion_.rounding());
+      if (!(lower > 0)) return 0;
+    }
+  }
+  return lower;
+}
+
+/// Boxes of joint values are halved until the bodies collide in each whole box.
+void PairSearch::proveAlways() {
+  for (int i = 0; i < kBranchesPerSlice; ++i, ++open_steps_) {
+    if (open_.empty()) always_ = true;
+    if (open_.empty() || open_steps_ > kMaxOpenSteps) return finish();
+    const JointBox box = std::move(open_.back());
+    open_.pop_back();
+    if (alwaysCollidesIn(box)) continue;
+    offer(measured(box.center));
+    const bool is_hopeless =
+        first_->cores.empty() && second_->cores.empty() && goal_.clearance == 0;
+    if (was_free_ || is_hopeless || path_.variables.empty()) return finish();
+    for (JointBox& half : halves(box, motion_.widestVariable()))
+      open_.push_back(std::move(half));
+  }
+}
+
+/// Proven: a point of one body stays in the skin around the core of the other one, or the two stay
+/// within the clearance.
+bool PairSearch::alwaysCollidesIn(const JointBox& box) {
+  enter(box);
+  const double left = goal_.clearance - motion_.motion() - motion_.rounding();
+  const Eigen::Affine3d origin = Eigen::Affine3d::Identity();
+  const Eigen::Affine3d first_from_second(placed_.first_from_second);
+  const auto isWithin = [&](const Body& first, const Body& second, double reach) {
+    if (!(reach > 0)) return false;
+    const auto distance = bodyDistance(first, origin, second, first_from_second);
+    return distance && distance->upper <= reach;
+  };
+  if (path_.variables.empty()) return collides();
+  return isWithin(*first_->body, *second_->body, left) ||
+         std::any_of(first_->cores.begin(), first_->cores.end(),
+                     [&](const SolidCore& core) {
+                       return isWithin(core.body, *second_->body, left + core.skin);
+                     }) ||
+         std::any_of(second_->cores.begin(), second_->cores.end(), [&](const SolidCore& core) {
+           return isWithin(*first_->body, core.body, left + core.skin);
+         });
 }
 
 }  // namespace link_bounds

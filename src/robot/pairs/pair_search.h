@@ -4,23 +4,14 @@
 // joints between them.
 #pragma once
 
-#include <memory>
 #include <queue>
 #include <random>
 
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "robot/pairs/motion_bound.h"
+#include "robot/pairs/pair_body.h"
 
 namespace link_bounds {
-
-/// A link of a robot as every search with it needs it.
-struct PairBody {
-  std::shared_ptr<const Body> body;
-  std::shared_ptr<const Body> hull;  ///< the body without its triangles
-  BodyCloud cloud;
-};
-
-PairBody pairBody(const Body& body);
 
 struct PairGoal {
   double clearance = 0;    ///< bodies that are as near collide [m]
@@ -72,11 +63,17 @@ class PairSearch {
   KnownPose measured(const PathValues& values);
   void offer(const KnownPose& pose);
   void branch();
-  double bound(const JointBox& box, std::size_t& widest);
+  void enter(const JointBox& box);
+  double bound(const JointBox& box);
+  double boundOfParts(const DistanceGoal& goal);
+  void proveAlways();
+  bool alwaysCollidesIn(const JointBox& box);
+  void addHalves(Node node);
   void add(Node node);
   Node take();
   double enough() const;
   void finish();
+  bool isTouch(double distance) const;
 
   JointPath path_;
   PairGoal goal_;
@@ -94,6 +91,8 @@ class PairSearch {
   std::priority_queue<Node> nodes_;
   std::vector<Node> latest_;  ///< searched first, so that memory is bounded
   double dropped_ = std::numeric_limits<double>::infinity();  ///< smallest bound of dropped nodes
+  std::vector<JointBox> open_;                                ///< not proven to collide always
+  int open_steps_ = 0;
   bool always_ = false;
   bool is_done_ = false;
 };

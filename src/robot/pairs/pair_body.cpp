@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/pairs/pair_body.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+/// Of more shapes, only the hull of all of them is compared.
+constexpr std::size_t kMaxParts = 12;
+
+/// Of a pose that is not rigid, as in a scaled mesh, the skin would not be known.
+constexpr double kRigid = 1e-12;
+
+PairHull hullOf(const Body& body) {
+  Body hull = body;
+  for (BodyShape& shape : hull.shapes)
+    shape.triangles = nullptr;
+  return {std::make_shared<const Body>(std::move(hull)), BodyCloud(body)};
+}
+
+/// Of a box, a ball or a cylinder: each shrinks by the skin on all sides.
+void addCore(const BodyShape& body_shape, std::vector<SolidCore>& cores) {
+  const Shape& shape = body_shape.shape;
+  if (shape.solid == Solid::kNone || shape.points || body_shape.triangles || body_shape.tip) return;
+  if (!shape.link_from_shape.linear().isUnitary(kRigid)) return;
+  const double skin = shape.size.minCoeff() / 2;
+  if (shape.solid == Solid::kEllipsoid && shape.size.maxCoeff() > 2 * skin) return;
+  BodyShape core = body_shape;
+  core.shape.size = (shape.size.array() - 2 * skin).max(0);
+  cores.push_back({{{core}}, skin * (1 - kRigid)});
+}
+
+}  // namespace
+
+PairBody pairBody(const Body& body) {
+  PairBody result{std::make_shared<const Body>(body), hullOf(body), {}, {}};
+  for (const BodyShape& shape : body.shapes) {
+    if (body.shapes.size() > 1 && body.shapes.size() <= kMaxParts)
+      result.parts.push_back(hullOf({{shape}}));
+    addCore(shape, result.cores);
+  }
+  return result;
+}
+
+}  // namespace link_bounds
