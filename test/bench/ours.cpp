@@ -39,12 +39,14 @@ std::string nameOfOurs(QueryPath path) {
       return "ours_sse2";
     case QueryPath::kAvx2:
       return "ours_avx2";
+    case QueryPath::kNeon:
+      return "ours_neon";
   }
   return "";
 }
 
 void addOurs(const Trial& trial, Suite& suite) {
-  for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+  for (const QueryPath path : kQueryPaths) {
     if (isSupported(path))
       addCase(nameOfOurs(path), trial.mesh, trial.turning, Ours(trial.mesh, path), suite);
   }

@@ -40,7 +40,7 @@ inline Exactness compare(const std::vector<Eigen::Vector3f>& points, const Point
   const Extents expected = brute_force::extents(points, map);
   useQueryPath(QueryPath::kPlain);
   const Extents plain = set.extents(map);
-  for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+  for (const QueryPath path : kQueryPaths) {
     if (!isSupported(path)) continue;
     useQueryPath(path);
     const Extents actual = set.extents(map);

@@ -39,7 +39,7 @@ void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
   for (int i = 0; i < kMaps; ++i) {
     const Eigen::Matrix3d map = maps.next();
     const Extents expected = brute_force::extents(points, map);
-    for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+    for (const QueryPath path : kQueryPaths) {
       if (!isSupported(path)) continue;
       useQueryPath(path);
       const Extents actual = set.extents(map);
@@ -109,7 +109,7 @@ TEST(PointScan, KeepsTheDigitsThatFloatLacks) {
 TEST(PointScan, ZerosArePositive) {
   for (const std::size_t count : {1u, 2u, 9u}) {
     const PointSet set = setOf(Points(count, Eigen::Vector3d::Constant(-0.0)));
-    for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+    for (const QueryPath path : kQueryPaths) {
       if (!isSupported(path)) continue;
       useQueryPath(path);
       const Extents extents = set.extents(Eigen::Matrix3d::Ones());

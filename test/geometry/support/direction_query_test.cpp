@@ -12,7 +12,6 @@ namespace link_bounds {
 namespace {
 
 constexpr int kDirections = 300'000;  // per grid
-constexpr QueryPath kPaths[] = {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2};
 
 /// Points that differ from cell to cell, so that the extents tell which one was read.
 DirectionTable telltale(int cells_per_side) {
@@ -52,7 +51,7 @@ TEST(DirectionQuery, EveryPathReadsTheSameCellOnAndBesideBorders) {
         rows.row(k) = borderDirection(table.grid, random);
       useQueryPath(QueryPath::kPlain);
       const Extents plain = extents(table, rows);
-      for (const QueryPath path : kPaths) {
+      for (const QueryPath path : kQueryPaths) {
         if (!isSupported(path)) continue;
         useQueryPath(path);
         const Extents other = extents(table, rows);
@@ -66,7 +65,7 @@ TEST(DirectionQuery, EveryPathReadsTheSameCellOnAndBesideBorders) {
 
 TEST(DirectionQuery, ThePathInUseIsTheOneThatWasChosen) {
   EXPECT_TRUE(isSupported(queryPath()));
-  for (const QueryPath path : kPaths) {
+  for (const QueryPath path : kQueryPaths) {
     if (!isSupported(path)) continue;
     useQueryPath(path);
     EXPECT_EQ(queryPath(), path);

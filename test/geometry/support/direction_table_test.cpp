@@ -166,7 +166,7 @@ TEST(DirectionTable, PlateTiltedBy45Degrees) {
 }
 
 TEST(DirectionTable, ZeroIsPositive) {
-  for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+  for (const QueryPath path : kQueryPaths) {
     if (!isSupported(path)) continue;
     useQueryPath(path);
     const Extents found =
@@ -181,7 +181,7 @@ TEST(DirectionTable, ZeroIsPositive) {
 TEST(DirectionTable, WhatIsNoNumberDoesNoHarm) {
   const DirectionTable table = directionTable(onSphere(1000));
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e308, -1e308}) {
-    for (const QueryPath path : {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2}) {
+    for (const QueryPath path : kQueryPaths) {
       if (!isSupported(path)) continue;
       useQueryPath(path);
       Eigen::Matrix3d map = Eigen::Matrix3d::Identity();

@@ -62,6 +62,7 @@ Extents findAndScan(const DirectionTable& table, const Directions& directions) {
 
 QueryPath bestPath() {
   if (isSupported(QueryPath::kAvx2)) return QueryPath::kAvx2;
+  if (isSupported(QueryPath::kNeon)) return QueryPath::kNeon;
   return isSupported(QueryPath::kSse2) ? QueryPath::kSse2 : QueryPath::kPlain;
 }
 
@@ -69,6 +70,9 @@ const Query& queryBy(QueryPath path) {
 #ifdef __SSE2__
   if (path == QueryPath::kSse2) return kSse2Query;
   if (path == QueryPath::kAvx2) return kAvx2Query;
+#endif
+#ifdef LINK_BOUNDS_NEON
+  if (path == QueryPath::kNeon) return kNeonQuery;
 #endif
   static_cast<void>(path);
   return kPlainQuery;
@@ -90,10 +94,13 @@ const Query& query() {
 
 bool isSupported(QueryPath path) {
 #ifdef __SSE2__
-  return path != QueryPath::kAvx2 || __builtin_cpu_supports("avx2");
-#else
-  return path == QueryPath::kPlain;
+  if (path == QueryPath::kSse2) return true;
+  if (path == QueryPath::kAvx2) return __builtin_cpu_supports("avx2");
 #endif
+#ifdef LINK_BOUNDS_NEON
+  if (path == QueryPath::kNeon) return true;
+#endif
+  return path == QueryPath::kPlain;
 }
 
 QueryPath queryPath() {

@@ -9,6 +9,10 @@
 #include "geometry/support/query/query_path.h"
 #include "link_bounds/geometry/support/point_set.h"
 
+#if defined(__aarch64__) && !defined(LINK_BOUNDS_PLAIN)
+#define LINK_BOUNDS_NEON
+#endif
+
 namespace link_bounds {
 
 /// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
@@ -49,6 +53,9 @@ extern const Query kPlainQuery;
 #ifdef __SSE2__
 extern const Query kSse2Query;
 extern const Query kAvx2Query;
+#endif
+#ifdef LINK_BOUNDS_NEON
+extern const Query kNeonQuery;
 #endif
 
 }  // namespace link_bounds

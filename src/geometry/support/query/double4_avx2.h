@@ -3,7 +3,7 @@
 // Four doubles as one vector of AVX2. The same interface as double4_sse2.h.
 #pragma once
 
-#include <immintrin.h>
+#include "geometry/support/query/double2_sse2.h"
 
 /// Only functions that have this are compiled for AVX2. The rest of the program must not be: its
 /// data layout would no longer fit that of other libraries.
@@ -33,8 +33,8 @@ struct Double4 {
     return ofHalves(_mm_loadh_pd(_mm_load_sd(values), values + 1), _mm_load1_pd(values + 2));
   }
 
-  LINK_BOUNDS_TARGET __m128d lower() const { return _mm256_castpd256_pd128(all4); }
-  LINK_BOUNDS_TARGET __m128d upper() const { return _mm256_extractf128_pd(all4, 1); }
+  LINK_BOUNDS_TARGET Double2 lower() const { return _mm256_castpd256_pd128(all4); }
+  LINK_BOUNDS_TARGET Double2 upper() const { return _mm256_extractf128_pd(all4, 1); }
 
   __m256d all4;
 };

@@ -3,7 +3,7 @@
 // Four doubles as two vectors of SSE2, which every 64-bit x86 has.
 #pragma once
 
-#include <immintrin.h>
+#include "geometry/support/query/double2_sse2.h"
 
 #define LINK_BOUNDS_TARGET
 
@@ -28,10 +28,10 @@ struct Double4 {
     return {_mm_loadu_pd(values), _mm_load1_pd(values + 2)};
   }
 
-  __m128d lower() const { return low; }
-  __m128d upper() const { return high; }
+  Double2 lower() const { return low; }
+  Double2 upper() const { return high; }
 
-  __m128d low, high;
+  Double2 low, high;
 };
 
 inline Double4 operator+(Double4 a, Double4 b) {

@@ -53,8 +53,8 @@ struct Row {
     high = max(high, next);
   }
 
-  LINK_BOUNDS_TARGET __m128d lowPair() const { return _mm_min_pd(low.lower(), low.upper()); }
-  LINK_BOUNDS_TARGET __m128d highPair() const { return _mm_max_pd(high.lower(), high.upper()); }
+  LINK_BOUNDS_TARGET Double2 lowPair() const { return min(low.lower(), low.upper()); }
+  LINK_BOUNDS_TARGET Double2 highPair() const { return max(high.lower(), high.upper()); }
 
   Double4 r0, r1, r2;
   Double4 low, high;
@@ -63,32 +63,22 @@ struct Row {
 /// From two values per direction to one, and from -0 to +0.
 LINK_BOUNDS_TARGET inline void finish(const Row& row0, const Row& row1, const Row& row2,
                                       Extents& result) {
-  const __m128d zero = _mm_setzero_pd();
-  const __m128d low0 = row0.lowPair(), low1 = row1.lowPair(), low2 = row2.lowPair();
-  const __m128d high0 = row0.highPair(), high1 = row1.highPair(), high2 = row2.highPair();
-  const __m128d low = _mm_min_pd(_mm_unpacklo_pd(low0, low1), _mm_unpackhi_pd(low0, low1));
-  const __m128d high = _mm_max_pd(_mm_unpacklo_pd(high0, high1), _mm_unpackhi_pd(high0, high1));
-  const __m128d third_low = _mm_min_sd(low2, _mm_unpackhi_pd(low2, low2));
-  const __m128d third_high = _mm_max_sd(high2, _mm_unpackhi_pd(high2, high2));
-  _mm_storeu_pd(result.low.data(), _mm_add_pd(low, zero));
-  _mm_storeu_pd(result.high.data(), _mm_add_pd(high, zero));
-  _mm_store_sd(result.low.data() + 2, _mm_add_sd(third_low, zero));
-  _mm_store_sd(result.high.data() + 2, _mm_add_sd(third_high, zero));
+  const Double2 zero{};
+  const Double2 low0 = row0.lowPair(), low1 = row1.lowPair(), low2 = row2.lowPair();
+  const Double2 high0 = row0.highPair(), high1 = row1.highPair(), high2 = row2.highPair();
+  const Double2 low = min(firsts(low0, low1), seconds(low0, low1));
+  const Double2 high = max(firsts(high0, high1), seconds(high0, high1));
+  const Double2 third_low = min(low2, seconds(low2, low2)) + zero;
+  const Double2 third_high = max(high2, seconds(high2, high2)) + zero;
+  store(low + zero, result.low.data());
+  store(high + zero, result.high.data());
+  result.low[2] = third_low[0];
+  result.high[2] = third_high[0];
 }
 
-/// gridIndex() of direction_fold.h for two directions; the low bits of each result count.
-LINK_BOUNDS_TARGET inline __m128i gridIndices(__m128d shifted) {
-  return _mm_srli_epi64(_mm_castpd_si128(shifted), kFraction);
-}
-
-LINK_BOUNDS_TARGET inline __m128i cellIndices(__m128d columns, __m128d rows, int log2_side) {
-  return _mm_add_epi64(_mm_sll_epi64(gridIndices(rows), _mm_cvtsi32_si128(log2_side)),
-                       gridIndices(columns));
-}
-
-/// The cell whose index is in the low bits of the first place.
-LINK_BOUNDS_TARGET inline const Cell* cellAt(const DirectionTable& table, __m128i index) {
-  return table.cells.data() + (static_cast<unsigned>(_mm_cvtsi128_si32(index)) & table.grid.mask);
+/// The cell whose index is in the low bits.
+LINK_BOUNDS_TARGET inline const Cell* cellAt(const DirectionTable& table, unsigned index) {
+  return table.cells.data() + (index & table.grid.mask);
 }
 
 /// cellOf() of direction_fold.h for three directions.
@@ -105,10 +95,10 @@ LINK_BOUNDS_TARGET inline void find(const DirectionTable& table, const Direction
   const Double4 shifter = Double4::all(grid.half + kShifter);
   const Double4 s = (x + y) * turned / norm + shifter;
   const Double4 t = (x - y) * turned / norm + shifter;
-  const __m128i first_two = cellIndices(s.lower(), t.lower(), grid.log2_side);
-  const __m128i third = cellIndices(s.upper(), t.upper(), grid.log2_side);
-  cells = {cellAt(table, first_two), cellAt(table, _mm_unpackhi_epi64(first_two, first_two)),
-           cellAt(table, third)};
+  const Index2 first_two = cellIndices(s.lower(), t.lower(), grid.log2_side);
+  const Index2 third = cellIndices(s.upper(), t.upper(), grid.log2_side);
+  cells = {cellAt(table, firstOf(first_two)), cellAt(table, secondOf(first_two)),
+           cellAt(table, firstOf(third))};
 }
 
 LINK_BOUNDS_TARGET inline void addOverflow(const DirectionTable& table, const Cell& cell,

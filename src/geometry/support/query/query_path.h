@@ -6,7 +6,9 @@
 namespace link_bounds {
 
 /// The best one of this processor is chosen at the first query.
-enum class QueryPath { kPlain, kSse2, kAvx2 };
+enum class QueryPath { kPlain, kSse2, kAvx2, kNeon };
+constexpr QueryPath kQueryPaths[] = {QueryPath::kPlain, QueryPath::kSse2, QueryPath::kAvx2,
+                                     QueryPath::kNeon};
 
 bool isSupported(QueryPath path);
 QueryPath queryPath();
