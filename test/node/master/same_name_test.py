@@ -15,6 +15,7 @@ from own_master import OwnMaster
 REASON = "new node registered with same name"  # of roscpp
 TAKEN = "knows another node as " + NODE
 BACK = "knows this node again"
+LONELY = "has had no box"  # on a busy machine, while nothing sends tf yet
 POLLS = 3.0  # wall seconds, in which the node asks the master three times
 
 
@@ -54,6 +55,11 @@ class SameName(unittest.TestCase):
         wait_for(lambda: address() not in ("", before), "the node has registered")
         return node
 
+    def check_one_warning(self):
+        warnings = [line for line in self.older.output.splitlines()
+                    if "WARN" in line and LONELY not in line]
+        self.assertEqual(len(warnings), 1, self.older.output)
+
     def check_served(self):
         """Sends until all boxes arrive, because a node may only just have connected to tf."""
         self.boxes.clear()
@@ -81,13 +87,13 @@ class SameName(unittest.TestCase):
         end = time.monotonic() + POLLS
         wait_for(lambda: time.monotonic() > end, "further questions to the master")
         self.check_served()
-        self.assertEqual(self.older.output.count("WARN"), 1, self.older.output)
+        self.check_one_warning()
         self.assertNotEqual(address(), self.older_address)
         younger.interrupt(signal.SIGTERM)
         wait_for(lambda: address() == self.older_address, "the older node has registered again")
         wait_for(lambda: BACK in self.older.output, "a word about it")
         self.check_served()
-        self.assertEqual(self.older.output.count("WARN"), 1, self.older.output)
+        self.check_one_warning()
 
 
 if __name__ == "__main__":
