@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""On which systems scripts/demo and scripts/test install packages, and what they say on others:
+"""On which systems scripts/demo and scripts/test install packages, and what they say on others. The
+workflow runs what the pages say, and scripts/container what is in Dockerfile:
 other_systems_test.py FOLDER"""
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+
+import yaml
 
 PACKAGE = pathlib.Path()
 DEBIAN = 'ID=debian\nVERSION_CODENAME=bookworm\n'
@@ -65,6 +69,49 @@ class OtherSystemsTest(unittest.TestCase):
         page = (PACKAGE / 'doc/deployment.md').read_text()
         for section in ('Noetic', 'ROS One'):
             self.assertIn(f'\n## {section}\n', page)
+
+
+class WorkflowTest(unittest.TestCase):
+    def setUp(self):
+        self.text = (PACKAGE / '.github/workflows/ci.yml').read_text()
+        self.jobs = yaml.safe_load(self.text)['jobs']
+
+    def commands(self, job):
+        return [line for step in self.jobs[job]['steps']
+                for line in step.get('run', '').splitlines()]
+
+    def test_is_short_and_a_workflow(self):
+        self.assertLessEqual(len(self.text.splitlines()), 40)
+        for name, job in self.jobs.items():
+            self.assertLessEqual({'runs-on', 'container', 'strategy', 'steps'}, set(job), name)
+            for step in job['steps']:
+                self.assertEqual(len({'uses', 'run'} & set(step)), 1, step)
+                subprocess.run(['bash', '-n', '-c', step.get('run', '')], check=True)
+
+    def test_debian_runs_the_two_commands_of_the_readme(self):
+        start = (PACKAGE / 'README.md').read_text().split('## Quick start')[1].split('```')[1]
+        said = re.findall(r'^(scripts/\w+)', start, re.MULTILINE)
+        self.assertEqual(said, [command.split()[0] for command in self.commands('debian')])
+        self.assertEqual(self.jobs['debian']['strategy']['matrix']['release'],
+                         ['11', '12', '13', 'sid'])
+
+    def test_noetic_and_ros_one_run_the_commands_of_their_page(self):
+        page = (PACKAGE / 'doc/deployment.md').read_text()
+        said = {line.split('  #')[0].strip() for line in page.splitlines()}
+        self.assertEqual([entry['ros'] for entry in
+                          self.jobs['catkin']['strategy']['matrix']['include']], ['noetic', 'one'])
+        for command in self.commands('catkin')[1:]:  # the first one fills up a bare container
+            self.assertIn(command.replace('${{ matrix.ros }}', 'noetic'), said)
+
+
+class ContainerTest(unittest.TestCase):
+    def test_steps_are_those_of_the_dockerfile(self):
+        listed = subprocess.run([PACKAGE / 'scripts/container', '--list'], check=True,
+                                stdout=subprocess.PIPE, encoding='utf-8').stdout.splitlines()
+        text = re.sub(r'\\\n', '', (PACKAGE / 'Dockerfile').read_text())
+        self.assertEqual(listed, [line for line in text.splitlines()
+                                  if line and not line.startswith('#')])
+        self.assertEqual([line.split()[0] for line in listed], 'FROM COPY RUN RUN CMD'.split())
 
 
 if __name__ == '__main__':
