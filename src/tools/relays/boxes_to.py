@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Relays boxes of link_bounds to messages of another package.
+
+Subscribes to ~topic (link_bounds/AxisAlignedBoxArray, default link_bounds_publisher/boxes) and
+publishes ~out, latched: jsk_recognition_msgs/BoundingBoxArray of node boxes_to_jsk, or
+vision_msgs/BoundingBox3DArray of node boxes_to_vision.
+"""
+
+import argparse
+import importlib
+import os
+import sys
+import zlib
+
+import rospkg
+import rospy
+from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
+from link_bounds.msg import AxisAlignedBoxArray
+from std_msgs.msg import Header
+
+QUEUE = 200  # messages, as the node has for ~boxes
+
+
+def center(box):
+    low, high = box.min, box.max
+    middle = Point((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2)
+    return Pose(middle, Quaternion(0, 0, 0, 1))
+
+
+def size(box):
+    low, high = box.min, box.max
+    return Vector3(high.x - low.x, high.y - low.y, high.z - low.z)
+
+
+def to_jsk(array, messages):
+    """label is the CRC-32 of the name; value is 1, or 0 for a name in incomplete."""
+    incomplete = set(array.incomplete)
+    frame = array.header.frame_id
+    return messages.BoundingBoxArray(header=array.header, boxes=[messages.BoundingBox(
+        header=Header(stamp=box.stamp, frame_id=frame), pose=center(box), dimensions=size(box),
+        value=float(box.name not in incomplete), label=zlib.crc32(box.name.encode()))
+        for box in array.boxes])
+
+
+def to_vision(array, messages):
+    return messages.BoundingBox3DArray(header=array.header, boxes=[
+        messages.BoundingBox3D(center=center(box), size=size(box)) for box in array.boxes])
+
+
+# --type: package, its message, and what makes that of an array
+TYPES = {'jsk': ('jsk_recognition_msgs', 'BoundingBoxArray', to_jsk),
+         'vision': ('vision_msgs', 'BoundingBox3DArray', to_vision)}
+
+
+def parse_arguments():
+    """Before the node connects to ROS, because one that registers ends the running one of its
+    name."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--version', action='store_true', help='print the version and exit')
+    parser.add_argument('--type', choices=TYPES, help='messages of jsk_recognition_msgs or '
+                        'vision_msgs; that package has to be installed')
+    # In one line, without the usage.
+    parser.error = lambda text: parser.exit(
+        2, f'{parser.prog}: {text}; write parameters as _NAME:=VALUE, or see --help\n')
+    arguments = parser.parse_args(rospy.myargv()[1:])
+    if arguments.version:
+        print(os.path.basename(sys.argv[0]), rospkg.RosPack().get_manifest('link_bounds').version)
+        sys.exit()
+    if arguments.type is None:
+        parser.error('--type is missing, which is jsk or vision')
+    return arguments.type
+
+
+def find_messages(package, message):
+    """The module of the messages; ends the program if there is none."""
+    try:
+        messages = importlib.import_module(package + '.msg')
+    except ImportError:
+        sys.exit(f'boxes_to.py: there is no package {package} here; with Noetic, install '
+                 f'ros-noetic-{package.replace("_", "-")}; elsewhere, build it in your workspace')
+    if not hasattr(messages, message):
+        sys.exit(f'boxes_to.py: {package} has no {message} here; install a newer {package}, of '
+                 'vision_msgs at least 0.0.2')
+    return messages
+
+
+def main():
+    kind = parse_arguments()
+    package, message, convert = TYPES[kind]
+    messages = find_messages(package, message)
+    rospy.init_node('boxes_to_' + kind)
+    publisher = rospy.Publisher('~out', getattr(messages, message), queue_size=QUEUE, latch=True)
+    rospy.Subscriber(rospy.get_param('~topic', 'link_bounds_publisher/boxes'), AxisAlignedBoxArray,
+                     lambda array: publisher.publish(convert(array, messages)), queue_size=QUEUE,
+                     tcp_nodelay=True)
+    rospy.spin()
+
+
+if __name__ == '__main__':
+    main()
