@@ -9,6 +9,7 @@ import subprocess
 import unittest
 from xml.etree import ElementTree
 
+import rosgraph
 import rospkg
 import rospy
 import rostest
@@ -19,6 +20,7 @@ from node_testing import NODE
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("link_bounds"))
 PAGES = [PACKAGE / "README.md"] + sorted((PACKAGE / "doc").glob("*.md"))
 PUBLICATION = re.compile(r"^rostopic pub [^']*'[^']*'$", re.MULTILINE)
+FOOTPRINT = re.compile(r"^rosparam set /move_base/footprint_topic .*$", re.MULTILINE)
 OBJECT = re.compile(r"ns: (\w+), id: (\d+)")
 FRAME = re.compile(r"{frame_id: (\w+)}|rviz .*-f (\w+)")
 GROUPS = re.compile(r'groups(?:: |" value=")(\{.+?\})')
@@ -65,6 +67,16 @@ class DemoSnippets(unittest.TestCase):
                            stdout=subprocess.DEVNULL)
             name = "%s/%s" % OBJECT.search(command).groups()
             self.boxes.wait(lambda m, n=name: box_of(m, n) and n not in m.incomplete, name)
+
+    def test_footprint_for_both_costmaps(self):
+        (command,) = found(FOOTPRINT)
+        subprocess.run(["bash", "-c", command], check=True, timeout=3 * DEADLINE)
+        master = rosgraph.Master(rospy.get_name())
+        topics = {topic for topic, kind in master.getTopicTypes() if kind == "geometry_msgs/Polygon"}
+        for costmap in ("local_costmap", "global_costmap"):
+            # As costmap_2d does.
+            caller = rosgraph.Master("/move_base/" + costmap)
+            self.assertIn(rospy.get_param(caller.searchParam("footprint_topic")), topics)
 
     def test_groups_are_complete(self):
         examples = found(GROUPS)
