@@ -28,7 +28,7 @@ enum class Purpose { kVisual, kCollision };
 /// "visual" or "collision".
 const char* toText(Purpose purpose);
 
-/// One <visual> or <collision> element of a link.
+/// One `<visual>` or `<collision>` element of a link.
 struct Element {
   Purpose purpose = Purpose::kVisual;
   std::size_t number = 0;      ///< counts the elements of this purpose in its link, from 1
@@ -79,7 +79,7 @@ struct Joint {
 
 struct Robot {
   std::string name;
-  std::vector<Link> links;    ///< in the order of the <link> elements
+  std::vector<Link> links;    ///< in the order of the `<link>` elements
   std::vector<Joint> joints;  ///< parents before children
   std::size_t root = 0;       ///< index of the root link
   std::vector<std::string> warnings;
