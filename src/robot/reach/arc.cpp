@@ -7,7 +7,7 @@ namespace link_bounds {
 namespace {
 
 /// Beyond that, doubles are too far apart to cut a turn into pieces [rad].
-constexpr double kMaxAngle = 1e6;
+constexpr double kMaxAngle = 1e9;
 
 /// Rounding of 2 pi.
 constexpr double kTurnRounding = 1e-12;

@@ -12,10 +12,9 @@ namespace {
 constexpr double kFirstStep = 0.1;
 constexpr double kLastStep = 1e-7;
 
-double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
-              const std::vector<double>& values) {
-  return faceOf(*linkBox(link, Eigen::Affine3d(chain.pose(values))), face);
-}
+/// A round of steps that gains less than this is the last one of its size [m]. Otherwise the search
+/// would creep for ever where a direction is almost level.
+constexpr double kMinGain = 1e-8;
 
 /// Tries one step; returns whether the face moved outward.
 bool improve(const Chain& chain, const BoundedLink& link, std::size_t face, std::size_t variable,
@@ -36,16 +35,21 @@ bool improve(const Chain& chain, const BoundedLink& link, std::size_t face, std:
 
 }  // namespace
 
+double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
+              const std::vector<double>& values) {
+  return faceOf(*linkBox(link, Eigen::Affine3d(chain.pose(values))), face);
+}
+
 AttainedFace attainedFrom(const Chain& chain, const BoundedLink& link, std::size_t face,
                           std::vector<double> start, const Stop& stop) {
   AttainedFace best{faceAt(chain, link, face, start), std::move(start)};
   for (double step = kFirstStep; step > kLastStep && !stop();) {
-    bool has_improved = false;
+    const double before = best.at;
     for (std::size_t variable = 0; variable < chain.variables.size(); ++variable) {
-      has_improved |= improve(chain, link, face, variable, step, best) ||
-                      improve(chain, link, face, variable, -step, best);
+      if (!improve(chain, link, face, variable, step, best))
+        improve(chain, link, face, variable, -step, best);
     }
-    if (!has_improved) step /= 2;
+    if (beyond(face, best.at, before) < kMinGain) step /= 2;
   }
   return best;
 }

@@ -28,8 +28,12 @@ struct AttainedFace {
   std::vector<double> values;  ///< one per variable of the chain, in its range
 };
 
+/// Where that face is in the pose of `values`. `link` has a box in every pose.
+double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
+              const std::vector<double>& values);
+
 /// Moves the face outward from the pose of `start`, one variable at a time, until no small step
-/// moves it further, or until stopped. `link` has a box in every pose.
+/// moves it further, or until stopped.
 AttainedFace attainedFrom(const Chain& chain, const BoundedLink& link, std::size_t face,
                           std::vector<double> start, const Stop& stop);
 

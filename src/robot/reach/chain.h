@@ -18,7 +18,8 @@ struct ChainVariable {
 
 /// A joint that moves: its value is factor * variable + offset.
 struct ChainJoint {
-  Eigen::Isometry3d before;  ///< from the frame of the joint before it, moved, to its own, not moved
+  Eigen::Isometry3d
+      before;  ///< from the frame of the joint before it, moved, to its own, not moved
   Motion motion;
   Eigen::Vector3d axis;  ///< unit length, in its own frame
   std::size_t variable;  ///< index in Chain::variables

@@ -63,6 +63,8 @@ class ReachSearch {
   void boundRoughly();
   void refineAll(int cells);
   void refine(std::size_t link, int cells);
+  std::vector<double> startFor(std::size_t link, const Chain& chain, const ReachBound& bound,
+                               std::size_t face) const;
   void findPose(std::size_t link, const Chain& chain, const ReachBound& bound, std::size_t face);
   void showProgress();
 
@@ -70,9 +72,9 @@ class ReachSearch {
   const std::vector<std::size_t>& indices_;
   const std::vector<JointRange>& ranges_;
   const ReachGoal& goal_;
-  std::vector<BoundedLink> links_;  ///< without padding
+  std::vector<BoundedLink> links_;      ///< without padding
   std::map<std::string, double> rest_;  ///< a pose within all limits, but for joints at 0
-  std::vector<double> radii_;       ///< of all poses of a link, around the root's origin [m]
+  std::vector<double> radii_;           ///< of all poses of a link, around the root's origin [m]
   std::vector<std::optional<Reach>> reaches_;
   std::mutex mutex_;  ///< of reaches_ while several threads refine
 };
@@ -105,27 +107,37 @@ void ReachSearch::boundRoughly() {
   }
 }
 
-void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBound& bound,
-                           std::size_t face) {
+/// Values from which to search. Those of variables that several joints depend on are tried.
+std::vector<double> ReachSearch::startFor(std::size_t link, const Chain& chain,
+                                          const ReachBound& bound, std::size_t face) const {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   direction[static_cast<Eigen::Index>(face % 3)] = face < 3 ? -1 : 1;
-  std::vector<double> start = bound.guess(direction);
-  const auto is_shared = [](const ChainVariable& variable) { return variable.is_shared; };
-  const bool has_shared =
-      std::any_of(chain.variables.begin(), chain.variables.end(), is_shared);
-  ReachFace& best = reaches_[link]->faces[face];
-  for (int i = 0; i < (has_shared ? kSharedStarts : 1); ++i) {
-    for (std::size_t k = 0; has_shared && k < start.size(); ++k) {
-      const auto& [joint, range, shared] = chain.variables[k];
-      if (shared) start[k] = range.lower + (range.upper - range.lower) * i / (kSharedStarts - 1);
+  std::vector<double> values = bound.guess(direction);
+  double best = faceAt(chain, links_[link], face, values);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto [lower, upper] = chain.variables[k].range;
+    for (int i = 0; chain.variables[k].is_shared && i < kSharedStarts; ++i) {
+      std::vector<double> other = values;
+      other[k] = std::min(lower + (upper - lower) * i / (kSharedStarts - 1), upper);
+      const double at = faceAt(chain, links_[link], face, other);
+      if (beyond(face, at, best) <= 0) continue;
+      best = at;
+      values = other;
     }
-    const AttainedFace found = attainedFrom(chain, links_[link], face, start, goal_.stop);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (beyond(face, found.at, best.attained) <= 0) continue;
-    best.attained = found.at;
-    for (std::size_t k = 0; k < found.values.size(); ++k)
-      best.pose[robot_.joints[chain.variables[k].joint].name] = found.values[k];
   }
+  return values;
+}
+
+void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBound& bound,
+                           std::size_t face) {
+  const AttainedFace found =
+      attainedFrom(chain, links_[link], face, startFor(link, chain, bound, face), goal_.stop);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ReachFace& best = reaches_[link]->faces[face];
+  if (beyond(face, found.at, best.attained) <= 0) return;
+  best.attained = found.at;
+  for (std::size_t k = 0; k < found.values.size(); ++k)
+    best.pose[robot_.joints[chain.variables[k].joint].name] = found.values[k];
 }
 
 void ReachSearch::refine(std::size_t link, int cells) {
@@ -160,7 +172,8 @@ void ReachSearch::showProgress() {
 void ReachSearch::refineAll(int cells) {
   std::vector<std::size_t> waiting;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (reaches_[i] && reaches_[i]->maxGap() > goal_.accuracy) waiting.push_back(i);
+    const bool is_first = cells == kFirstCells;
+    if (reaches_[i] && (is_first || reaches_[i]->maxGap() > goal_.accuracy)) waiting.push_back(i);
   }
   std::atomic<std::size_t> next{0};
   const auto work = [&] {

@@ -33,8 +33,8 @@ struct Reach {
 };
 
 struct ReachGoal {
-  double accuracy;                                 ///< of the gaps [m]
-  Stop stop = [] { return false; };                ///< ends it with what is proven by then
+  double accuracy;                   ///< of the gaps [m]
+  Stop stop = [] { return false; };  ///< ends it with what is proven by then
   /// Called by one thread at a time: how many links of how many are as accurate as that, and the
   /// largest gap of any. May be null.
   std::function<void(std::size_t, std::size_t, double)> progress = {};

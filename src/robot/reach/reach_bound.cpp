@@ -26,6 +26,12 @@ double pieceFor(int cells) {
   return 2.0 / cells;
 }
 
+/// What a slice adds shrinks with its width, what the grid adds with the square of its cells.
+int slicesFor(int cells) {
+  return cells * cells / 4;
+}
+
+/// The angle within the range, as near as full turns bring it.
 double turnedValue(const Limits& range, double angle) {
   const double turns = std::ceil((range.lower - angle) / (2 * M_PI));
   return std::min(std::max(angle + 2 * M_PI * std::max(turns, 0.0), range.lower), range.upper);
@@ -75,9 +81,10 @@ ReachBound::Supports ReachBound::unionOfSlices(std::size_t joint, const Directio
   const std::size_t variable = chain_.joints[joint].variable;
   const auto [lower, upper] = chain_.variables[variable].range;
   Supports result;
-  for (int i = 0; i < cells_; ++i) {
-    const auto cut = [&, lower = lower, upper = upper](int end) {
-      return end < cells_ ? lower + (upper - lower) * end / cells_ : upper;
+  const int count = slicesFor(cells_);
+  for (int i = 0; i < count; ++i) {
+    const auto cut = [=, lower = lower, upper = upper](int end) {
+      return end < count ? lower + (upper - lower) * end / count : upper;
     };
     slices[variable] = Limits{cut(i), cut(i + 1)};
     Supports of_slice = supports(joint, directions, slices);
@@ -118,10 +125,10 @@ ReachBound::Supports ReachBound::moved(const ChainJoint& joint, const Limits& ra
     if (result.size() % kDirectionsPerGlance == 0 && stop_()) return std::nullopt;
     const Eigen::Vector3d in_joint = to_joint * direction;
     const double along = joint.axis.dot(in_joint);
-    const double best = joint.motion == Motion::kRotation
-                            ? arc.support(child, joint.axis, in_joint)
-                            : child.at(in_joint) + std::max(range.lower * along,
-                                                            range.upper * along);
+    const double best =
+        joint.motion == Motion::kRotation
+            ? arc.support(child, joint.axis, in_joint)
+            : child.at(in_joint) + std::max(range.lower * along, range.upper * along);
     result.push_back(joint.before.translation().dot(direction) + best);
   }
   return result;

@@ -55,10 +55,11 @@ inline double SupportTable::at(const Eigen::Vector3d& direction) const {
   const double s = u - i;
   const double t = v - j;
   const int face = 2 * axis + (direction[axis] < 0 ? 1 : 0);
-  const double* const low = &supports_[static_cast<std::size_t>(
-      (face * (cells_ + 1) + i) * (cells_ + 1) + j)];
+  const double* const low =
+      &supports_[static_cast<std::size_t>((face * (cells_ + 1) + i) * (cells_ + 1) + j)];
   const double* const high = low + cells_ + 1;
-  return length * ((1 - s) * ((1 - t) * low[0] + t * low[1]) + s * ((1 - t) * high[0] + t * high[1]));
+  return length *
+         ((1 - s) * ((1 - t) * low[0] + t * low[1]) + s * ((1 - t) * high[0] + t * high[1]));
 }
 
 }  // namespace link_bounds

@@ -50,7 +50,8 @@ ReachTable tableOf(const BoundedRobot& bounded, const std::vector<std::optional<
       warn("link \"" + link.name + "\": " + table.incomplete.back().second);
     }
   }
-  if (const std::optional<Reach> robot = unionOf(reaches)) table.groups.emplace_back("robot", *robot);
+  if (const std::optional<Reach> robot = unionOf(reaches))
+    table.groups.emplace_back("robot", *robot);
   return table;
 }
 

@@ -25,7 +25,8 @@ Row rowOf(const std::string& name, const Reach& reach) {
 
 void writeTable(const ReachTable& table, std::ostream& out) {
   out << "frame: " << printable(table.frame)
-      << "    unit: m    the links never leave these boxes; gap: a pose is as near to each face\n\n";
+      << "    unit: m    the links never leave these boxes; gap: a pose is as near to each "
+         "face\n\n";
   std::vector<Row> rows{{"link", "min x", "min y", "min z", "max x", "max y", "max z", "gap"}};
   for (const auto& [name, reach] : table.links)
     rows.push_back(rowOf(printable(name), reach));
@@ -96,8 +97,9 @@ void writeMarker(const ReachTable& table, const std::string& name, const Reach& 
       text += (text.empty() ? "" : ", ") + pointOf(points[static_cast<std::size_t>(end)]);
   }
   out << "- {header: {frame_id: " << jsonString(table.frame) << "}, ns: " << jsonString(name)
-      << ", id: " << id << ", type: 5, pose: {orientation: {w: 1}}, scale: {x: 0.005}, color: "
-      << color << ",\n   points: [" << text << "]}\n";
+      << ", id: " << id
+      << ", type: 5, pose: {orientation: {w: 1}}, scale: {x: 0.005}, color: " << color
+      << ",\n   points: [" << text << "]}\n";
 }
 
 }  // namespace
