@@ -3,6 +3,7 @@
 // A cluster is looked at only if one of its points could be the farthest one.
 #include "robot/pairs/body_cloud.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +43,9 @@ std::vector<Eigen::Vector3d> cornersOf(Solid solid, const Eigen::Vector3d& size)
 /// Of the ball around each point.
 double swellOf(const Shape& shape) {
   if (shape.solid != Solid::kEllipsoid) return 0;
-  return (shape.link_from_shape.linear() * shape.size.asDiagonal()).norm() / 2;
+  const Eigen::Matrix3d map = shape.link_from_shape.linear() * shape.size.asDiagonal();
+  const Eigen::Matrix3d square = map * map.transpose();
+  return std::sqrt(square.selfadjointView<Eigen::Upper>().operatorNorm()) / 2;
 }
 
 double distanceFrom(const Axis& axis, const Eigen::Vector3d& point) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <mutex>
 #include <thread>
@@ -110,7 +111,8 @@ PairProof proofOf(const Task& task, const Robot& robot, const BoundedRobot& boun
   proof.first = task.first;
   proof.second = task.second;
   proof.verdict = verdictOf(search, is_whole);
-  proof.nearest = search.nearest().upper;
+  // Without a finite distance in any pose, nothing is known.
+  proof.nearest = std::isfinite(search.nearest().upper) ? search.nearest().upper : 0;
   if (is_whole) proof.clearance = std::min(search.clearance(), proof.nearest);
   for (std::size_t i = 0; i < search.path().variables.size(); ++i) {
     const Joint& joint = robot.joints[search.path().variables[i]];
@@ -134,6 +136,7 @@ std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounde
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const std::size_t first = bounded.indices[i], second = bounded.indices[j];
       if (areJoined(rigid, first, second)) continue;
+      if (bounded.bodies[i].shapes.empty() || bounded.bodies[j].shapes.empty()) continue;
       tasks.push_back({i, j,
                        std::make_unique<PairSearch>(jointPath(robot, ranges, first, second),
                                                     bodies[i], bodies[j], goal)});

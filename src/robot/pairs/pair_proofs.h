@@ -40,10 +40,10 @@ struct ProofControl {
   unsigned threads = 0;  ///< 0: one per core
 };
 
-/// All pairs of links, in their order, but those of one rigid body and neighbours by one joint.
-/// `bounded` has bodies, `ranges` has one per joint. A link that is incomplete is in no pair that
-/// never collides. Threads only share the work: each pair is searched as it would be alone, until
-/// the control says that it is over.
+/// All pairs of links with shapes, in their order, but those of one rigid body and neighbours by
+/// one joint. `bounded` has bodies, `ranges` has one per joint. A link that is incomplete is in no
+/// pair that never collides. Threads only share the work: each pair is searched as it would be
+/// alone, until the control says that it is over.
 std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges, const PairGoal& goal,
                                   const ProofControl& control);

@@ -83,6 +83,7 @@ PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& se
     all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
   }
   offer(measured(all.center));
+  if (nearest_.upper == kInfinity) is_done_ = true;
   open_ = {all};
   add({0, std::move(all)});
 }

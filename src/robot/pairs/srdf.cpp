@@ -70,7 +70,10 @@ std::string toSrdf(const DisabledPair& pair) {
   printer.PushAttribute("link2", pair.second.c_str());
   printer.PushAttribute("reason", pair.reason.c_str());
   printer.CloseElement();
-  return printer.CStr();
+  std::string text = printer.CStr();
+  while (!text.empty() && text.back() == '\n')  // depends on the version of tinyxml2
+    text.pop_back();
+  return text;
 }
 
 }  // namespace link_bounds

@@ -1,0 +1,425 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts about arms with known answers, and against random poses of robots, of which
+// LINK_BOUNDS_TEST_POSES says how many.
+#include "robot/pairs/pair_proofs.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+
+#include "link_bounds/robot/mesh/mesh_uri.h"
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "robot/worker/mesh_import.h"
+#include "testing/brute_force.h"
+#include "testing/distance_bodies.h"
+#include "testing/robot_files.h"
+#include "testing/sanitized.h"
+
+namespace link_bounds {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTouch = 1e-7;     // m
+constexpr int kSlicesPerPose = 20;  ///< of work, for each random pose
+constexpr int kMaxSlices = 100000;
+
+struct Model {
+  Robot robot;
+  BoundedRobot bounded;
+};
+
+/// A robot of a chain of links, each with one shape or none.
+class Chain {
+ public:
+  Chain() { text_ << "<robot name='r'><link name='0'>"; }
+
+  /// At `xyz` of the last link.
+  Chain& shape(const std::string& geometry, const std::string& xyz = "0 0 0") {
+    text_ << "<visual><origin xyz='" << xyz << "'/><geometry>" << geometry
+          << "</geometry></visual>";
+    return *this;
+  }
+
+  /// `more` may have limits and a mimic element.
+  Chain& joint(const std::string& type, const std::string& xyz, const std::string& axis,
+               const std::string& more = "", int parent = -1) {
+    ++links_;
+    text_ << "</link><joint name='j" << links_ << "' type='" << type << "'><parent link='"
+          << (parent < 0 ? links_ - 1 : parent) << "'/><child link='" << links_
+          << "'/><origin xyz='" << xyz << "'/><axis xyz='" << axis << "'/>" << more
+          << "</joint><link name='" << links_ << "'>";
+    return *this;
+  }
+
+  Model model() const {
+    Selection selection;
+    selection.triangles = true;
+    LoadedRobot loaded = loadRobot(text_.str() + "</link></robot>", {}, selection);
+    return {std::move(loaded.robot), std::move(loaded.bounded)};
+  }
+
+ private:
+  std::ostringstream text_;
+  int links_ = 0;
+};
+
+std::string limits(double lower, double upper) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "<limit lower='" << lower << "' upper='" << upper << "' effort='1' velocity='1'/>";
+  return text.str();
+}
+
+std::string ball(double radius) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "<sphere radius='" << radius << "'/>";
+  return text.str();
+}
+
+/// Without a budget.
+std::vector<PairProof> prove(const Model& model, const PairGoal& goal = {},
+                             const GivenRanges& given = {}, unsigned threads = 2) {
+  ProofControl control;
+  control.threads = threads;
+  return provePairs(model.robot, model.bounded, jointRanges(model.robot, given), goal, control);
+}
+
+/// The distance that urdf_bounds --distances prints for the pose of the proof.
+BodyDistance distanceAt(const Model& model, const PairProof& proof,
+                        const std::map<std::string, double>& pose) {
+  const auto poses = linkPoses(model.robot, jointValues(model.robot, pose));
+  const auto& [robot, bounded] = model;
+  const auto at = [&](std::size_t i) { return Eigen::Affine3d(poses[bounded.indices[i]]); };
+  return *bodyDistance(bounded.bodies[proof.first], at(proof.first), bounded.bodies[proof.second],
+                       at(proof.second));
+}
+
+/// What a proof says of its own pose.
+void checkPose(const Model& model, const PairProof& proof, const PairGoal& goal) {
+  const BodyDistance distance = distanceAt(model, proof, proof.pose);
+  const bool collides = proof.verdict == Verdict::kSometimes || proof.verdict == Verdict::kAlways;
+  EXPECT_LE(proof.clearance, distance.upper);
+  EXPECT_LE(distance.lower, proof.nearest);
+  EXPECT_TRUE(!collides || distance.lower <= goal.clearance + kTouch) << distance.lower;
+  EXPECT_TRUE(proof.verdict != Verdict::kNever || proof.clearance > goal.clearance);
+}
+
+/// Of the only pair.
+void expectVerdict(const Model& model, Verdict verdict, double distance,
+                   const PairGoal& goal = {0, 0.001}) {
+  const std::vector<PairProof> proofs = prove(model, goal);
+  ASSERT_EQ(proofs.size(), 1U);
+  EXPECT_EQ(proofs[0].verdict, verdict);
+  checkPose(model, proofs[0], goal);
+  if (verdict != Verdict::kNever) return;
+  EXPECT_LE(proofs[0].clearance, distance + 1e-7);
+  EXPECT_GE(proofs[0].nearest, distance - 1e-7);
+  EXPECT_LE(proofs[0].nearest - proofs[0].clearance, goal.accuracy + 1e-9);
+}
+
+/// A ball at the base, two links of 1 m and 0.7 m, and a ball at the tip. The elbow bends up to
+/// `bend`, so the tip comes as near to the base as the third side of a triangle.
+constexpr double kBend = 2.5;
+const double kThirdSide = std::sqrt(1 + 0.49 - 2 * 0.7 * std::cos(M_PI - kBend));
+
+Model planarArm(double gap) {
+  return Chain()
+      .shape(ball(0.2))
+      .joint("continuous", "0 0 0", "0 0 1")
+      .joint("revolute", "1 0 0", "0 0 1", limits(-1, kBend))
+      .shape(ball(kThirdSide - 0.2 - gap), "0.7 0 0")
+      .model();
+}
+
+TEST(PairProofs, PlanarArmJustAvoidsTouchesAndHitsItsBase) {
+  expectVerdict(planarArm(0.003), Verdict::kNever, 0.003);
+  expectVerdict(planarArm(1e-5), Verdict::kNever, 1e-5);
+  expectVerdict(planarArm(0), Verdict::kSometimes, 0);
+  expectVerdict(planarArm(-1e-6), Verdict::kSometimes, 0);
+}
+
+TEST(PairProofs, ClearanceMovesTheBorder) {
+  expectVerdict(planarArm(0.05), Verdict::kNever, 0.05, {0.049, 0.001});
+  expectVerdict(planarArm(0.05), Verdict::kSometimes, 0.05, {0.05, 0.001});
+  expectVerdict(planarArm(0.05), Verdict::kSometimes, 0.05, {0.051, 0.001});
+}
+
+/// Three links of 0.5 m that can fold back to the base at an angle of 60 degrees.
+TEST(PairProofs, ThreeLinksThatFoldToATriangle) {
+  const auto arm = [](double lower, double gap) {
+    return Chain()
+        .shape("<box size='0.1 0.1 0.1'/>")
+        .joint("continuous", "0 0 0", "0 0 1")
+        .joint("revolute", "0.5 0 0", "0 0 1", limits(-2 * M_PI / 3, 0))
+        .joint("revolute", "0.5 0 0", "0 0 1", limits(lower, 0))
+        .shape(ball(0.05 - gap), "0.5 0 0")
+        .model();
+  };
+  expectVerdict(arm(-2 * M_PI / 3, 0), Verdict::kSometimes, 0);
+  // The third link then stays perpendicular to the second one or points away: the tip is as far
+  // as where the ends of two sides of 60 degrees are, 0.5 m, plus what is missing to the base.
+  const double across = std::hypot(0.5 - 0.5 * std::sin(M_PI / 3), 0.25);
+  const double to_box = across - 0.05 * std::sqrt(2.0) - 0.05;
+  const std::vector<PairProof> proofs = prove(arm(-M_PI / 2, 0), {0, 0.001});
+  ASSERT_EQ(proofs.size(), 1U);
+  EXPECT_EQ(proofs[0].verdict, Verdict::kNever);
+  EXPECT_GE(proofs[0].nearest, to_box - 1e-6);
+  EXPECT_LE(proofs[0].nearest - proofs[0].clearance, 0.001 + 1e-9);
+}
+
+TEST(PairProofs, SlidesEndBeforeAtAndBehindTheWall) {
+  const auto slide = [](double upper) {
+    return Chain()
+        .shape("<box size='1 1 1'/>")
+        .joint("prismatic", "-3 0 0", "1 0 0", limits(0, 1))
+        .joint("prismatic", "0 0 0", "1 0 0", limits(0, upper))
+        .shape("<box size='1 1 1'/>")
+        .model();
+  };
+  expectVerdict(slide(0.995), Verdict::kNever, 0.005);
+  expectVerdict(slide(1), Verdict::kSometimes, 0);
+  expectVerdict(slide(1.005), Verdict::kSometimes, 0);
+}
+
+/// Two fingers, of which the second one mimics the first, or both mimic a joint that is elsewhere.
+TEST(PairProofs, MimicJointsMoveTogether) {
+  const auto gripper = [](double closed) {
+    return Chain()
+        .joint("prismatic", "1 0 0", "-1 0 0", limits(0, closed))
+        .shape("<box size='0.2 0.1 0.1'/>")
+        .joint("prismatic", "-1 0 0", "1 0 0",
+               limits(0, 99) + "<mimic joint='j1' multiplier='0.5' offset='0.1'/>", 0)
+        .shape("<box size='0.2 0.1 0.1'/>")
+        .model();
+  };
+  // At j1 the gap is 2 - 0.2 - j1 - (0.5 j1 + 0.1).
+  expectVerdict(gripper(1.13), Verdict::kNever, 1.7 - 1.5 * 1.13);
+  expectVerdict(gripper(1.7 / 1.5), Verdict::kSometimes, 0);
+  const std::vector<PairProof> proofs = prove(gripper(1));
+  EXPECT_EQ(proofs[0].pose.size(), 1U) << "the follower has no value of its own";
+  const Model elsewhere =
+      Chain()
+          .shape(ball(0.1))
+          .joint("continuous", "9 0 0", "0 0 1", limits(-0.2, 0.2))
+          .joint("continuous", "0 0 0", "0 0 1", "<mimic joint='j4' multiplier='2'/>", 0)
+          .joint("fixed", "0.5 0 0", "0 0 1")
+          .joint("revolute", "0 0 0", "0 0 1", limits(-0.3, 0.4), 0)
+          .joint("continuous", "0 0 0", "0 0 1", "", 3)
+          .shape(ball(0.1), "0.4 0 0")
+          .model();
+  expectVerdict(elsewhere, Verdict::kSometimes, 0);
+}
+
+/// The balls stay around the wrist, whatever the joints do.
+TEST(PairProofs, BodiesAroundASharedAxisAlwaysCollide) {
+  const auto wrist = [](double offset) {
+    std::ostringstream xyz;
+    xyz << offset << " 0 0";
+    return Chain()
+        .shape("<cylinder radius='0.2' length='0.3'/>")
+        .joint("continuous", "0 0 0", "0 0 1")
+        .joint("continuous", "0 0 0", "0 1 0")
+        .shape("<box size='0.1 0.2 0.1'/>", xyz.str())
+        .model();
+  };
+  expectVerdict(wrist(0.05), Verdict::kAlways, 0);
+  expectVerdict(wrist(0.3), Verdict::kSometimes, 0);
+}
+
+TEST(PairProofs, WithoutAFreeJointOnePoseDecides) {
+  const Model model = planarArm(-0.1);
+  const auto with = [&](double bend) {
+    return prove(model, {}, {{"j1", {0.3, 0.3}}, {"j2", {bend, bend}}}).at(0);
+  };
+  EXPECT_EQ(with(kBend).verdict, Verdict::kAlways);
+  EXPECT_EQ(with(0).verdict, Verdict::kNever);
+  EXPECT_TRUE(with(0).pose.empty());
+  EXPECT_NEAR(with(0).clearance, with(0).nearest, 1e-6);
+}
+
+TEST(PairProofs, GivenRangesReplaceLimits) {
+  const Model model = planarArm(-0.1);
+  EXPECT_EQ(prove(model, {}, {{"j2", {-1, 1}}}).at(0).verdict, Verdict::kNever);
+  EXPECT_EQ(prove(model, {}, {{"j2", {-4e3, 4e3}}}).at(0).verdict, Verdict::kSometimes);
+}
+
+/// A hook of two boxes that encloses a ball: their hull overlaps it in every pose.
+TEST(PairProofs, HullsThatOverlapProveNothing) {
+  MeshBody bowl, stone;
+  bowl.add(boxMesh({2, 2, 0.1}), Eigen::Affine3d(Eigen::Translation3d(0, 0, -0.4)));
+  bowl.add(boxMesh({2, 0.1, 1}), Eigen::Affine3d(Eigen::Translation3d(0, 0.9, 0)));
+  stone.add(boxMesh({0.2, 0.2, 0.2}));
+  Model model = Chain()
+                    .shape(ball(1))
+                    .joint("continuous", "0 0 0", "0 0 1")
+                    .joint("prismatic", "0 0 0", "1 0 0", limits(-0.5, 0.5))
+                    .shape(ball(1))
+                    .model();
+  model.bounded.bodies = {bowl.body, stone.body};
+  expectVerdict(model, Verdict::kNever, 0.85 - std::sqrt(0.1 * 0.1 + 0.6 * 0.6), {0, 0.01});
+}
+
+TEST(PairProofs, ThreadsDoNotChangeVerdicts) {
+  const Model model = Chain()
+                          .shape(ball(0.2))
+                          .joint("continuous", "0 0 0.3", "0 0 1")
+                          .joint("continuous", "0.3 0 0", "0 1 0")
+                          .shape("<box size='0.2 0.1 0.1'/>")
+                          .joint("revolute", "0.3 0 0", "0 1 0", limits(-1, 1))
+                          .shape("<cylinder radius='0.05' length='0.3'/>")
+                          .joint("revolute", "0.2 0 0", "1 0 1", limits(-2, 2))
+                          .shape(ball(0.05), "0 0.1 0")
+                          .model();
+  const std::vector<PairProof> one = prove(model, {}, {}, 1), many = prove(model, {}, {}, 4);
+  ASSERT_EQ(one.size(), 4U);
+  ASSERT_EQ(many.size(), 4U);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].verdict, many[i].verdict);
+    EXPECT_EQ(one[i].clearance, many[i].clearance);
+    EXPECT_EQ(one[i].pose, many[i].pose);
+  }
+}
+
+TEST(PairProofs, IncompleteLinksNeverGetANever) {
+  Model model = planarArm(0.3);
+  model.bounded.links[1].missing = "a mesh";
+  const PairProof proof = prove(model).at(0);
+  EXPECT_EQ(proof.verdict, Verdict::kUndecided);
+  EXPECT_EQ(proof.clearance, 0);
+}
+
+TEST(PairProofs, EndsWhenItIsOver) {
+  const Model model = planarArm(1e-6);
+  ProofControl control;
+  control.is_over = [] { return true; };
+  const auto proofs = provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
+  ASSERT_EQ(proofs.size(), 1U);
+  EXPECT_EQ(proofs[0].verdict, Verdict::kUndecided);
+  EXPECT_EQ(proofs[0].clearance, 0);
+  EXPECT_GT(proofs[0].nearest, 0);
+}
+
+int randomPoses() {
+  const char* text = std::getenv("LINK_BOUNDS_TEST_POSES");
+  return text ? std::stoi(text) : repetitions(20);
+}
+
+Model readModel(const fs::path& urdf, const PackagePath& package_path) {
+  std::ostringstream text;
+  text << std::ifstream(urdf).rdbuf();
+  Selection selection;
+  selection.visual = false;
+  selection.collision = selection.triangles = true;
+  std::mutex one_at_a_time;
+  RobotLoader loader([&one_at_a_time](const MeshFile& file) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    return importMesh(file);
+  });
+  Model model{parseRobot(text.str()), {}};
+  model.bounded = loader.load(model.robot, selection, {package_path});
+  for (const std::string& problem : model.bounded.problems)
+    std::cout << "left out: " << problem << "\n";
+  return model;
+}
+
+/// So many slices of work for all pairs, which does not depend on the speed of the machine.
+std::vector<PairProof> proveInSlices(const Model& model, int slices) {
+  ProofControl control;
+  std::atomic<int> used{0};
+  control.is_over = [&] { return ++used > slices; };
+  return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
+}
+
+/// Values of the joints, also at the ends of their ranges.
+std::map<std::string, double> randomValues(const Model& model,
+                                           const std::vector<JointRange>& ranges,
+                                           brute_force::Random& random) {
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const Joint& joint = model.robot.joints[i];
+    if (joint.motion == Motion::kNone || joint.mimic) continue;
+    const double share = std::min(std::max(random.uniform(-0.1, 1.1), 0.0), 1.0);
+    const auto& range = ranges[i];
+    values[joint.name] = std::min(range.lower + share * (range.upper - range.lower), range.upper);
+  }
+  return values;
+}
+
+/// Checks what the pose can contradict.
+void checkRandomPose(const Model& model, const std::vector<PairProof>& proofs,
+                     const std::map<std::string, double>& values) {
+  const auto poses = linkPoses(model.robot, jointValues(model.robot, values));
+  const auto& [robot, bounded] = model;
+  const auto at = [&](std::size_t i) { return Eigen::Affine3d(poses[bounded.indices[i]]); };
+  for (const PairProof& proof : proofs) {
+    const bool is_always = proof.verdict == Verdict::kAlways;
+    if (!is_always && proof.clearance == 0) continue;
+    const BodyDistance distance =
+        *bodyDistance(bounded.bodies[proof.first], at(proof.first), bounded.bodies[proof.second],
+                      at(proof.second), {1e-6, is_always ? 1 : proof.clearance});
+    const std::string names =
+        bounded.links[proof.first].name + " and " + bounded.links[proof.second].name;
+    ASSERT_GE(distance.upper, proof.clearance) << names;
+    ASSERT_TRUE(!is_always || distance.lower <= kTouch) << names;
+  }
+}
+
+/// The published matrix of the Panda exempts this pair.
+void expectThatLinksFiveAndSevenCollide(const Model& model, const std::vector<PairProof>& proofs) {
+  const auto& links = model.bounded.links;
+  const auto found = std::find_if(proofs.begin(), proofs.end(), [&links](const PairProof& proof) {
+    return links[proof.first].name == "panda_link5" && links[proof.second].name == "panda_link7";
+  });
+  ASSERT_NE(found, proofs.end());
+  EXPECT_EQ(found->verdict, Verdict::kSometimes);
+}
+
+void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
+  SCOPED_TRACE(urdf.stem().string());
+  const Model model = readModel(urdf, package_path);
+  const std::vector<PairProof> proofs =
+      proveInSlices(model, std::min(kSlicesPerPose * randomPoses(), kMaxSlices));
+  if (urdf.stem() == "panda") expectThatLinksFiveAndSevenCollide(model, proofs);
+  std::map<Verdict, int> counts;
+  for (const PairProof& proof : proofs) {
+    ++counts[proof.verdict];
+    checkPose(model, proof, {});
+  }
+  const std::vector<JointRange> ranges = jointRanges(model.robot);
+  brute_force::Random random(1);
+  const int poses = randomPoses();
+  for (int i = 0; i < poses && !testing::Test::HasFatalFailure(); ++i)
+    checkRandomPose(model, proofs, randomValues(model, ranges, random));
+  std::cout << urdf.stem().string() << ": " << proofs.size()
+            << " pairs: " << counts[Verdict::kNever] << " never, " << counts[Verdict::kAlways]
+            << " always, " << counts[Verdict::kSometimes] << " sometimes, "
+            << counts[Verdict::kUndecided] << " undecided; " << poses << " random poses\n";
+}
+
+TEST(PairProofs, NoRandomPoseOfTheDemoContradictsThem) {
+  const fs::path demo = fs::canonical("../launch/demo/demo.urdf");
+  const fs::path package = demo.parent_path().parent_path().parent_path();
+  checkRobot(demo, [&package](const std::string&) { return package.string(); });
+}
+
+TEST(PairProofs, NoRandomPoseOfPublicRobotsContradictsThem) {
+  const char* data = std::getenv("LINK_BOUNDS_DATA");
+  if (!data) GTEST_SKIP() << "skipped: pairs of public robots: LINK_BOUNDS_DATA is not set";
+  const fs::path folder = fs::canonical(fs::path(data) / "robots");
+  for (const fs::path& path : robotFiles(folder)) {
+    checkRobot(path, [&](const std::string& name) { return (folder / name).string(); });
+    if (HasFatalFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading and writing disable_collisions.
+#include "robot/pairs/srdf.h"
+
+#include <gtest/gtest.h>
+
+namespace link_bounds {
+namespace {
+
+Robot robot() {
+  Robot result;
+  result.name = "r";
+  for (const char* name : {"a", "b", "c & \"d\""})
+    result.links.push_back({name, {}, {}});
+  return result;
+}
+
+/// The error, or "" if there is none.
+std::string errorOf(const std::string& text) {
+  try {
+    parseSrdf(text, robot(), "r.srdf");
+  } catch (const SrdfError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expectError(const std::string& text, const std::string& words) {
+  EXPECT_NE(errorOf(text).find(words), std::string::npos) << text << "\n" << errorOf(text);
+}
+
+TEST(Srdf, ReadsDisabledPairsAndNothingElse) {
+  const auto pairs = parseSrdf(
+      "<?xml version='1.0'?><robot name='r'><group name='arm'><link name='elsewhere'/></group>"
+      "<disable_collisions link1='b' link2='a' reason='Never'/>\n"
+      "<disable_collisions link1='a' link2='c &amp; \"d\"'/></robot>",
+      robot(), "r.srdf");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].first, "b");
+  EXPECT_EQ(pairs[0].second, "a");
+  EXPECT_EQ(pairs[0].reason, "Never");
+  EXPECT_EQ(pairs[1].second, "c & \"d\"");
+  EXPECT_EQ(pairs[1].reason, "");
+}
+
+TEST(Srdf, ErrorsNameTheFileTheLineAndTheRemedy) {
+  expectError("<robot>\n<disable", "the SRDF \"r.srdf\", line 2: it is not well-formed XML");
+  expectError("", "the SRDF \"r.srdf\"");
+  expectError("<sdf/>", "the root element is sdf, not <robot>; give a SRDF");
+  expectError("<robot>\n\n<disable_collisions link1='a' link2='z'/></robot>",
+              "line 3: \"z\" is no link of the robot \"r\"; give the SRDF of this robot");
+  expectError("<robot><disable_collisions link1='a'/></robot>",
+              "<disable_collisions> has no link2; name a link there");
+  expectError("<robot><xacro:include filename='x'/></robot>",
+              "it is a xacro file, with an element <xacro:include>; expand it");
+}
+
+TEST(Srdf, WhatIsWrittenIsReadBack) {
+  const std::string line = toSrdf({"a", "c & \"d\"", "Always"});
+  EXPECT_EQ(line,
+            "<disable_collisions link1=\"a\" link2=\"c &amp; &quot;d&quot;\" reason=\"Always\"/>");
+  const auto pairs = parseSrdf("<robot>" + line + "</robot>", robot(), "r.srdf");
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0].second, "c & \"d\"");
+}
+
+}  // namespace
+}  // namespace link_bounds
