@@ -28,7 +28,7 @@ packages_of() {
     demo)  # what only the demos need, and the tests
       echo ros-robot-state-publisher libsensor-msgs-dev python3-sensor-msgs ros-sensor-msgs ;;
     test)
-      echo doxygen iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
+      echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
         python3-numpy python3-rosmaster python3-rosunit python3-tf2-ros \
         python3-yaml ;;
     display)
@@ -49,7 +49,7 @@ packages_of() {
     pictures)
       echo fonts-dejavu-core graphviz imagemagick python3-pil python3-tf2-ros xvfb ;;
     lint)
-      echo catkin-lint clang-format lintian ;;
+      echo catkin-lint clang-format doxygen lintian ;;
     *)
       fail "no group of packages is called $1" ;;
   esac
