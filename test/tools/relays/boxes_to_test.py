@@ -32,6 +32,7 @@ PACKAGES = {
         'BoundingBox3DArray': 'std_msgs/Header header\nBoundingBox3D[] boxes\n'}}
 BOXES_TO = ''
 TOPIC = '/link_bounds/boxes'
+START_LIMIT = 3 * DEADLINE  # wall seconds, for a program in Python on a busy machine
 
 
 def generate(folder, package, messages):
@@ -103,7 +104,8 @@ class BoxesTo(unittest.TestCase):
             out.clear()
             self.publisher.publish(array)
             count = len(array.boxes)
-            result.append(out.wait(lambda m, n=count: len(m.boxes) == n, 'a message'))
+            result.append(out.wait(lambda m, n=count: len(m.boxes) == n, 'a message',
+                                   START_LIMIT))
             header = result[-1].header
             self.assertEqual((header.frame_id, header.stamp), ('world', rospy.Time(9, 5)))
         late = Recorder('/boxes_to_%s/out' % kind, message_type)
@@ -144,7 +146,7 @@ class BoxesTo(unittest.TestCase):
 
     def check_refused(self, kind, folder, remedy):
         done = subprocess.run(**self.command('--type', kind, folder=folder), check=False,
-                              timeout=3 * DEADLINE, stderr=subprocess.PIPE, encoding='utf-8')
+                              timeout=START_LIMIT, stderr=subprocess.PIPE, encoding='utf-8')
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count('\n'), 1, done.stderr)
         self.assertIn(remedy, done.stderr)
