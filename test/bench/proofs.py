@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How long the proofs of urdf_bounds take: accuracy of --reach against time, from the start of the
+program to its end, meshes included. With LINK_BOUNDS_DATA on the robots there, else on arms that are
+made here. proofs.py [--quick] [--json FILE]"""
+import argparse
+import json
+import os
+import subprocess
+import tempfile
+import time
+
+PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
+PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
+ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)  # m
+TARGET_ACCURACY, TARGET_SECONDS = 0.01, 60
+
+
+def made_arm(joints, limit):
+    """A robot of boxes whose joints turn about z and y in turn, each by at most the limit."""
+    links = "".join('<link name="l%d"><visual><origin xyz="0 0 0.1"/><geometry><box size="0.1 0.08 '
+                    '0.2"/></geometry></visual></link>' % i for i in range(joints + 1))
+    return '<robot name="made">' + links + "".join(
+        '<joint name="j%d" type="revolute"><parent link="l%d"/><child link="l%d"/><origin '
+        'xyz="0.02 0.03 0.2"/><axis xyz="%s"/><limit lower="-%g" upper="%g" effort="1" '
+        'velocity="1"/></joint>' % (i, i, i + 1, "0 1 0" if i % 2 else "0 0 1", limit, limit)
+        for i in range(joints)) + "</robot>"
+
+
+def robots(folder):
+    """The URDF files of the robots, by name."""
+    data = os.environ.get("LINK_BOUNDS_DATA")
+    if data:
+        return {name: os.path.join(data, "robots", file) for name, file in PUBLIC.items()}
+    print("LINK_BOUNDS_DATA is not set: arms that are made here stand in for the UR5e and the Panda")
+    files = {}
+    for name, joints, limit in (("made, 6 joints", 6, 6.28), ("made, 7 joints", 7, 2.8)):
+        files[name] = os.path.join(folder, "%d.urdf" % joints)
+        with open(files[name], "w", encoding="utf-8") as file:
+            file.write(made_arm(joints, limit))
+    return files
+
+
+def run(*arguments):
+    """The JSON that urdf_bounds prints, and the seconds that it takes."""
+    start = time.monotonic()
+    output = subprocess.run([PROGRAM, *arguments, "--format", "json"], check=True,
+                            stdout=subprocess.PIPE).stdout
+    return json.loads(output), time.monotonic() - start
+
+
+def reach_row(robot, file, accuracy):
+    result, seconds = run(file, "--reach", "--accuracy", str(accuracy))
+    gap = max(gap for box in result["reach"].values() for gap in box["gap"])
+    return {"proof": "reach", "robot": robot, "accuracy": accuracy, "gap": gap,
+            "seconds": round(seconds, 2)}
+
+
+def report_reach(rows):
+    print("\n--reach\n\n| robot | accuracy [m] | largest gap [m] | time [s] |\n|---|---:|---:|---:|")
+    for row in rows:
+        print("| %(robot)s | %(accuracy)g | %(gap).2g | %(seconds).2f |" % row)
+    print()
+    for row in rows:
+        if row["accuracy"] != TARGET_ACCURACY:
+            continue
+        is_reached = row["gap"] <= TARGET_ACCURACY and row["seconds"] < TARGET_SECONDS
+        print("target: --reach of %s to %g m in less than %d s: %.2f s, %s" % (
+            row["robot"], TARGET_ACCURACY, TARGET_SECONDS, row["seconds"],
+            "reached" if is_reached else "MISSED"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="no accuracies below 1 mm")
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        files = robots(folder)
+        rows = [reach_row(name, file, accuracy) for name, file in files.items()
+                for accuracy in ACCURACIES if accuracy >= 0.001 or not options.quick]
+        report_reach(rows)
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()
