@@ -10,6 +10,10 @@ namespace {
 
 constexpr char kGroupPrefix[] = "group:";
 
+/// Lines of a link, and those around the robot, which often lie on some of a link.
+constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
+constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
+
 Numbers numbersOf(const Reach& reach) {
   Numbers numbers;
   for (const ReachFace& face : reach.faces)
@@ -89,7 +93,7 @@ std::string pointOf(const Eigen::Vector3d& point) {
 
 /// The edges of a box, as LINE_LIST.
 void writeMarker(const ReachTable& table, const std::string& name, const Reach& reach,
-                 std::size_t id, const std::string& color, std::ostream& out) {
+                 std::size_t id, const std::string& look, std::ostream& out) {
   const std::array<Eigen::Vector3d, 8> points = corners(reach.box());
   std::string text;
   for (const std::array<int, 2>& edge : edges()) {
@@ -97,8 +101,7 @@ void writeMarker(const ReachTable& table, const std::string& name, const Reach& 
       text += (text.empty() ? "" : ", ") + pointOf(points[static_cast<std::size_t>(end)]);
   }
   out << "- {header: {frame_id: " << jsonString(table.frame) << "}, ns: " << jsonString(name)
-      << ", id: " << id
-      << ", type: 5, pose: {orientation: {w: 1}}, scale: {x: 0.005}, color: " << color
+      << ", id: " << id << ", type: 5, pose: {orientation: {w: 1}}, scale: " << look
       << ",\n   points: [" << text << "]}\n";
 }
 
@@ -119,9 +122,9 @@ void writeMarkers(const ReachTable& table, std::ostream& out) {
   std::size_t id = 0;
   out << (table.links.empty() ? "markers: []\n" : "markers:\n");
   for (const auto& [name, reach] : table.links)
-    writeMarker(table, name, reach, id++, "{r: 0.1, g: 0.7, b: 1.0, a: 0.6}", out);
+    writeMarker(table, name, reach, id++, kThin, out);
   for (const auto& [name, reach] : table.groups)
-    writeMarker(table, name, reach, id++, "{r: 1.0, g: 0.5, b: 0.1, a: 1.0}", out);
+    writeMarker(table, name, reach, id++, kThick, out);
 }
 
 }  // namespace link_bounds
