@@ -36,20 +36,13 @@ std::size_t variableOf(const std::vector<JointRange>& ranges, std::size_t joint,
   return index;
 }
 
-Joint plainJoint(const ChainJoint& joint) {
-  Joint result;
-  result.motion = joint.motion;
-  result.axis = joint.axis;
-  return result;
-}
-
 }  // namespace
 
 Eigen::Isometry3d Chain::pose(const std::vector<double>& values) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   for (const ChainJoint& joint : joints) {
     const double value = joint.factor * values[joint.variable] + joint.offset;
-    result = result * joint.before * jointMotion(plainJoint(joint), value);
+    result = result * joint.before * jointMotion(*joint.source, value);
   }
   return result * end;
 }
@@ -68,8 +61,7 @@ Chain chainTo(const Robot& robot, const std::vector<JointRange>& ranges, std::si
       continue;
     }
     const std::size_t variable = variableOf(ranges, range.lead.leader, chain);
-    chain.joints.push_back(
-        {before, joint.motion, joint.axis, variable, range.lead.factor, range.lead.offset});
+    chain.joints.push_back({before, &joint, variable, range.lead.factor, range.lead.offset});
     before = Eigen::Isometry3d::Identity();
   }
   chain.end = before;

@@ -16,9 +16,10 @@ namespace link_bounds {
 namespace {
 
 /// Cells of the tables (support_table.h) in the first and in the last round. The error of a bound
-/// shrinks with their square; time and memory grow with the third and second power.
+/// shrinks with their square; time and memory grow with the third and second power. Beyond the last
+/// round, a thread would need hundreds of megabytes.
 constexpr int kFirstCells = 8;
-constexpr int kLastCells = 512;
+constexpr int kLastCells = 256;
 
 /// More than rounding of a sum of as many terms as a robot has joints.
 constexpr double kRadiusRounding = 1 + 1e-9;

@@ -117,17 +117,17 @@ ReachBound::Supports ReachBound::supportsOfLink(const Directions& directions) co
 ReachBound::Supports ReachBound::moved(const ChainJoint& joint, const Limits& range,
                                        const SupportTable& child,
                                        const Directions& directions) const {
-  const Arc arc(joint.motion == Motion::kRotation ? range : Limits{0, 0}, pieceFor(cells_));
+  const Arc arc(joint.source->motion == Motion::kRotation ? range : Limits{0, 0}, pieceFor(cells_));
   const Eigen::Matrix3d to_joint = joint.before.linear().transpose();
   std::vector<double> result;
   result.reserve(directions.size());
   for (const Eigen::Vector3d& direction : directions) {
     if (result.size() % kDirectionsPerGlance == 0 && stop_()) return std::nullopt;
     const Eigen::Vector3d in_joint = to_joint * direction;
-    const double along = joint.axis.dot(in_joint);
+    const double along = joint.source->axis.dot(in_joint);
     const double best =
-        joint.motion == Motion::kRotation
-            ? arc.support(child, joint.axis, in_joint)
+        joint.source->motion == Motion::kRotation
+            ? arc.support(child, joint.source->axis, in_joint)
             : child.at(in_joint) + std::max(range.lower * along, range.upper * along);
     result.push_back(joint.before.translation().dot(direction) + best);
   }
@@ -171,18 +171,18 @@ std::vector<double> ReachBound::guess(const Eigen::Vector3d& direction) const {
     double& value = values[joint.variable];
     remaining = joint.before.linear().transpose() * remaining;
     const bool is_chosen = !chain_.variables[joint.variable].is_shared && tables_[i + 1];
-    if (is_chosen && joint.motion == Motion::kTranslation) {
-      value = joint.factor * joint.axis.dot(remaining) > 0 ? range.upper : range.lower;
+    if (is_chosen && joint.source->motion == Motion::kTranslation) {
+      value = joint.factor * joint.source->axis.dot(remaining) > 0 ? range.upper : range.lower;
     } else if (is_chosen) {
       const Arc arc(rangeOf(joint, Slices(chain_.variables.size())), pieceFor(cells_));
-      const double angle = arc.bestAngle(*tables_[i + 1], joint.axis, remaining);
+      const double angle = arc.bestAngle(*tables_[i + 1], joint.source->axis, remaining);
       const Limits angles = rangeOf(joint, Slices(chain_.variables.size()));
       value = (turnedValue(angles, angle) - joint.offset) / joint.factor;
       value = std::min(std::max(value, range.lower), range.upper);
     }
-    if (joint.motion == Motion::kRotation) {
+    if (joint.source->motion == Motion::kRotation) {
       const double angle = joint.factor * value + joint.offset;
-      remaining = Eigen::AngleAxisd(-angle, joint.axis) * remaining;
+      remaining = Eigen::AngleAxisd(-angle, joint.source->axis) * remaining;
     }
   }
   return values;

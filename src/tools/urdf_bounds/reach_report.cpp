@@ -56,14 +56,16 @@ ReachTable tableOf(const BoundedRobot& bounded, const std::vector<std::optional<
 }
 
 /// Why the gaps are larger than what was asked for.
-void warnOfGaps(const ReachTable& table) {
+void warnOfGaps(const ReachTable& table, bool was_stopped) {
   double max_gap = 0;
   for (const auto& [name, reach] : table.links)
     max_gap = std::max(max_gap, reach.maxGap());
   if (max_gap <= table.accuracy) return;
   warn("the boxes are proven, but a face may be too far out by up to " + shortLength(max_gap) +
        ", more than --accuracy " + shortLength(table.accuracy) + ": " +
-       (isInterrupted() ? "interrupted" : "raise --budget or --accuracy"));
+       (isInterrupted() ? "interrupted"
+        : was_stopped   ? "raise --budget or --accuracy"
+                        : "no finer search is made; raise --accuracy"));
 }
 
 }  // namespace
@@ -71,11 +73,13 @@ void warnOfGaps(const ReachTable& table) {
 int writeReach(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
                const std::vector<JointRange>& ranges) {
   const ReachGoal goal = goalOf(options);
-  ReachTable table = tableOf(bounded, reachOf(robot, bounded, ranges, goal));
+  const auto reaches = reachOf(robot, bounded, ranges, goal);
+  const bool was_stopped = goal.stop();
+  ReachTable table = tableOf(bounded, reaches);
   if (goal.progress) eraseBar();
   table.frame = robot.links[robot.root].name;
   table.accuracy = goal.accuracy;
-  warnOfGaps(table);
+  warnOfGaps(table, was_stopped);
   if (options.as_markers) {
     writeMarkers(table, std::cout);
   } else {
