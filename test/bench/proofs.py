@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long the proofs of urdf_bounds take: accuracy of --reach against time, from the start of the
-program to its end, meshes included. With LINK_BOUNDS_DATA on the robots there, else on arms that are
+"""How long the proofs of urdf_bounds take: accuracy of --reach and decided pairs of --pairs against
+time, from the start of the program to its end, meshes included. With LINK_BOUNDS_DATA on the robots there, else on arms that are
 made here. proofs.py [--quick] [--json FILE]"""
 import argparse
 import json
@@ -10,6 +10,8 @@ import os
 import subprocess
 import tempfile
 import time
+
+from proof_pairs import pair_rows, report_pairs
 
 PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
 PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
@@ -73,7 +75,7 @@ def report_reach(rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="no accuracies below 1 mm")
+    parser.add_argument("--quick", action="store_true", help="no accuracies below 1 mm, 10 s for pairs")
     parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -81,9 +83,12 @@ def main():
         rows = [reach_row(name, file, accuracy) for name, file in files.items()
                 for accuracy in ACCURACIES if accuracy >= 0.001 or not options.quick]
         report_reach(rows)
+        pairs = [row for name, file in files.items()
+                 for row in pair_rows(run, name, file, options.quick)]
+        report_pairs(pairs)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+            json.dump(rows + pairs, file, indent=1)
 
 
 if __name__ == "__main__":

@@ -34,7 +34,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       csv: only these, as first,second,distance,distance_max,on_first_x, ...
   --reach             instead of the boxes of one pose: boxes that the links never leave while the
                       joints move within their limits, proven, and poses that attain each face
-  --pairs             which links can collide in any pose within the limits, with proof or witness
+  --pairs             which links can collide in any pose within the limits, with proof or witness;
+                      csv: first,second,verdict,clearance,nearest,pose
   --accuracy M        of --reach and --pairs: stop as soon as what is proven is within M of a pose
                       that was found [m] (default 0.01)
   --budget SECONDS    of --reach and --pairs: stop then, with what is proven by then (default 60);

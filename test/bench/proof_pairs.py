@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How many pairs urdf_bounds --pairs decides in which time, and what samples would have said."""
+import os
+import subprocess
+
+SAMPLED = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/pairs_sampled")
+BUDGETS = (0.1, 0.3, 1, 3, 10, 30, 120)  # s
+SAMPLES = 10000
+TARGET_SHARE, TARGET_SECONDS = 0.95, 120
+
+
+def geometry():
+    """Of the robots: those that are made here have no collision geometry."""
+    return "collision" if os.environ.get("LINK_BOUNDS_DATA") else "visual"
+
+
+def verdicts(result):
+    return {(pair["first"], pair["second"]): pair["verdict"] for pair in result["pairs"]}
+
+
+def sampled(file):
+    """What the samples say of each pair."""
+    output = subprocess.run([SAMPLED, file, str(SAMPLES), geometry()], check=True,
+                            stdout=subprocess.PIPE, universal_newlines=True).stdout
+    rows = (line.split("\t") for line in output.splitlines())
+    return {(first, second): verdict for verdict, first, second in rows}
+
+
+def pair_rows(run, robot, file, is_quick):
+    """`run` gives the JSON of urdf_bounds and the seconds. An accuracy of 1 km: verdicts alone."""
+    rows = []
+    for budget in BUDGETS:
+        if is_quick and budget > 10:
+            break
+        result, seconds = run(file, "--pairs", "--geometry", geometry(), "--accuracy", "1000",
+                              "--budget", str(budget))
+        found = list(verdicts(result).values())
+        counts = {verdict: found.count(verdict)
+                  for verdict in ("NEVER", "ALWAYS", "SOMETIMES", "UNDECIDED")}
+        rows.append({"proof": "pairs", "robot": robot, "budget": budget,
+                     "seconds": round(seconds, 2), "pairs": len(found), **counts})
+        if not counts["UNDECIDED"]:
+            break
+    proven, seen = verdicts(result), sampled(file)
+    rows[-1]["wrong_never"] = [pair for pair in proven
+                               if proven[pair] == "SOMETIMES" and seen[pair] == "NEVER"]
+    rows[-1]["sampled_never"] = list(seen.values()).count("NEVER")
+    return rows
+
+
+def report_pairs(rows):
+    print("\n--pairs\n\n| robot | budget [s] | time [s] | decided | of pairs | never | always | "
+          "sometimes |\n|---|---:|---:|---:|---:|---:|---:|---:|")
+    for row in rows:
+        print("| %s | %g | %.2f | %d | %d | %d | %d | %d |" % (
+            row["robot"], row["budget"], row["seconds"], row["pairs"] - row["UNDECIDED"],
+            row["pairs"], row["NEVER"], row["ALWAYS"], row["SOMETIMES"]))
+    print()
+    for row in rows:
+        if "wrong_never" not in row:
+            continue
+        print("%d random poses of %s: %d pairs never seen to collide, of which %d can collide%s" % (
+            SAMPLES, row["robot"], row["sampled_never"], len(row["wrong_never"]),
+            "".join("; %s and %s" % pair for pair in row["wrong_never"])))
+        share = 1 - row["UNDECIDED"] / row["pairs"]
+        is_reached = share >= TARGET_SHARE and row["seconds"] < TARGET_SECONDS + 10
+        print("target: --pairs of %s, %d %% of pairs decided in %d s: %.1f %% in %.2f s, %s" % (
+            row["robot"], 100 * TARGET_SHARE, TARGET_SECONDS, 100 * share, row["seconds"],
+            "reached" if is_reached else "MISSED"))
