@@ -24,10 +24,6 @@ struct Task {
   double seconds = 0;     ///< spent on it
 };
 
-bool isDecided(const PairSearch& search) {
-  return search.collides() || search.isFree();
-}
-
 class TaskQueue {
  public:
   TaskQueue(std::vector<Task>& tasks, const ProofControl& control)
@@ -73,7 +69,7 @@ class TaskQueue {
   }
 
   void update(Task& task) {
-    if (task.is_decided || !isDecided(*task.search)) return;
+    if (task.is_decided || !task.search->isDecided()) return;
     task.is_decided = true;
     ++decided_;
     if (control_.progress) control_.progress(decided_, tasks_.size());

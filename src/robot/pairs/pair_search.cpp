@@ -15,7 +15,7 @@ constexpr int kSamples = 300;
 constexpr int kSamplesPerSlice = 30;
 constexpr int kBranchesPerSlice = 30;
 constexpr std::size_t kDescents = 3;
-constexpr int kDescentSteps = 200;
+constexpr int kDescentSteps = 600;
 
 /// Of a search for a proof that every pose collides.
 constexpr int kMaxOpenSteps = 20000;
@@ -26,9 +26,12 @@ constexpr std::size_t kMaxSteps = 100000;
 /// Further boxes are searched in depth, which needs little memory.
 constexpr std::size_t kMaxNodes = 20000;
 
+/// A pose that is nearer by so much is the start of another descent.
+constexpr double kNews = 0.95;
+
 /// Of the range of a joint.
 constexpr double kFirstStep = 0.1;
-constexpr double kLastStep = 1e-7;
+constexpr double kLastStep = 1e-9;
 
 /// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
 constexpr double kTouch = 1e-7;
@@ -179,30 +182,35 @@ void PairSearch::offer(const KnownPose& pose) {
   if (pose.upper < nearest_.upper) nearest_ = pose;
 }
 
-/// Along one variable after the other, with steps that become smaller.
+/// Steps along one variable or, in the valleys of the distance, along any direction; smaller ones
+/// where none of these leads downhill.
 void PairSearch::descend(KnownPose pose) {
+  const std::size_t count = path_.variables.size();
   int left = kDescentSteps;
-  for (double step = kFirstStep; step > kLastStep && left > 0; step /= 2) {
-    for (bool improved = true; improved && left > 0;) {
-      improved = false;
-      for (std::size_t v = 0; v < path_.variables.size(); ++v) {
-        const Limits& range = path_.ranges[v];
-        for (const double sign : {-1.0, 1.0}) {
-          PathValues values = pose.values;
-          values[v] += sign * step * width(range);
-          values[v] = std::min(std::max(values[v], range.lower), range.upper);
-          if (values[v] == pose.values[v]) continue;
-          --left;
-          const KnownPose other = measured(values);
-          if (!(other.upper < pose.upper)) continue;
-          pose = other;
-          improved = true;
-        }
-      }
-      if (isTouch(pose.upper)) break;
+  for (double step = kFirstStep; step > kLastStep && left > 0 && !isTouch(pose.upper);) {
+    bool is_lower = false;
+    for (std::size_t i = 0; i < 4 * count && !is_lower; ++i, --left) {
+      const KnownPose other = measured(stepped(pose.values, step, i));
+      is_lower = other.upper < pose.upper;
+      if (is_lower) pose = other;
     }
+    if (!is_lower) step /= 2;
   }
   offer(pose);
+}
+
+/// The first directions are both along each variable, further ones are random.
+PathValues PairSearch::stepped(PathValues values, double step, std::size_t direction) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const std::size_t count = values.size();
+  for (std::size_t v = 0; v < count; ++v) {
+    const Limits& range = path_.ranges[v];
+    double share = direction % count == v ? (direction < count ? 1 : -1) : 0;
+    if (direction >= 2 * count) share = uniform(random_);
+    values[v] =
+        std::min(std::max(values[v] + share * step * width(range), range.lower), range.upper);
+  }
+  return values;
 }
 
 /// A box with that bound needs no more halving.
@@ -212,8 +220,8 @@ double PairSearch::enough() const {
 
 void PairSearch::branch() {
   for (int i = 0; i < kBranchesPerSlice; ++i) {
-    if (collides() || (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())))
-      return finish();
+    if (collides()) return;
+    if (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())) return finish();
     Node node = take();
     node.lower = std::max(node.lower, bound(node.box));
     if (node.lower >= enough() || path_.variables.empty()) {
@@ -279,7 +287,9 @@ double PairSearch::bound(const JointBox& box) {
   distances_.setGoal(goal);
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   if (!distance) return lower;
+  const double nearest_before = nearest_.upper;
   offer({box.center, distance->lower - motion_.rounding(), distance->upper + motion_.rounding()});
+  if (nearest_.upper < kNews * nearest_before) starts_ = {nearest_};
   return std::max(lower, distance->lower - motion);
 }
 

@@ -37,6 +37,8 @@ class PairSearch {
 
   /// Nothing is left that could be done.
   bool isDone() const { return is_done_; }
+  /// What is left can only raise clearance().
+  bool isDecided() const { return is_done_ || isFree() || (collides() && was_free_); }
   bool collides() const;
   /// No pose in the ranges collides.
   bool isFree() const;
@@ -60,6 +62,7 @@ class PairSearch {
   void shortenPose();
   void sample();
   void descend(KnownPose pose);
+  PathValues stepped(PathValues values, double step, std::size_t direction);
   KnownPose measured(const PathValues& values);
   void offer(const KnownPose& pose);
   void branch();
