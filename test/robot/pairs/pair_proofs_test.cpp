@@ -13,6 +13,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "link_bounds/geometry/distance/body_distances.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
@@ -354,18 +355,18 @@ std::map<std::string, double> randomValues(const Model& model,
   return values;
 }
 
-/// Checks what the pose can contradict.
+/// Checks what the pose can contradict. `distances` has the bodies by their links.
 void checkRandomPose(const Model& model, const std::vector<PairProof>& proofs,
-                     const std::map<std::string, double>& values) {
+                     const std::map<std::string, double>& values, BodyDistances& distances) {
   const auto poses = linkPoses(model.robot, jointValues(model.robot, values));
-  const auto& [robot, bounded] = model;
-  const auto at = [&](std::size_t i) { return Eigen::Affine3d(poses[bounded.indices[i]]); };
+  const BoundedRobot& bounded = model.bounded;
+  for (std::size_t i = 0; i < bounded.links.size(); ++i)
+    distances.move(i, Eigen::Affine3d(poses[bounded.indices[i]]));
   for (const PairProof& proof : proofs) {
     const bool is_always = proof.verdict == Verdict::kAlways;
     if (!is_always && proof.clearance == 0) continue;
-    const BodyDistance distance =
-        *bodyDistance(bounded.bodies[proof.first], at(proof.first), bounded.bodies[proof.second],
-                      at(proof.second), {1e-6, is_always ? 1 : proof.clearance});
+    distances.setGoal({1e-5, is_always ? 1 : proof.clearance});
+    const BodyDistance distance = distances.find(proof.first, proof.second).value();
     const std::string names =
         bounded.links[proof.first].name + " and " + bounded.links[proof.second].name;
     ASSERT_GE(distance.upper, proof.clearance) << names;
@@ -395,10 +396,13 @@ void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
     checkPose(model, proof, {});
   }
   const std::vector<JointRange> ranges = jointRanges(model.robot);
+  BodyDistances distances;
+  for (std::size_t i = 0; i < model.bounded.bodies.size(); ++i)
+    distances.set(i, std::make_shared<const Body>(model.bounded.bodies[i]));
   brute_force::Random random(1);
   const int poses = randomPoses();
   for (int i = 0; i < poses && !testing::Test::HasFatalFailure(); ++i)
-    checkRandomPose(model, proofs, randomValues(model, ranges, random));
+    checkRandomPose(model, proofs, randomValues(model, ranges, random), distances);
   std::cout << urdf.stem().string() << ": " << proofs.size()
             << " pairs: " << counts[Verdict::kNever] << " never, " << counts[Verdict::kAlways]
             << " always, " << counts[Verdict::kSometimes] << " sometimes, "
