@@ -75,6 +75,12 @@ class CommandLinesTest(unittest.TestCase):
             with self.subTest(program.name):
                 self.check_refused(program, '--hepl', remedy)
 
+    def test_rosrun_finds_each_program_once(self):
+        """It also looks in the checkout, for files that are executable."""
+        found = [str(path) for folder in ('launch', 'src') for path in (PACKAGE / folder).rglob('*')
+                 if path.is_file() and os.access(path, os.X_OK)]
+        self.assertEqual(found, [])
+
     def test_a_parameter_without_its_underscore(self):
         self.check_refused(PROGRAMS / NODE, 'padding:=0.05', 'write _padding:=0.05')
 
