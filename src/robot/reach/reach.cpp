@@ -21,6 +21,9 @@ namespace {
 constexpr int kFirstCells = 8;
 constexpr int kLastCells = 256;
 
+/// A link behind more moving joints keeps its rough bound: the recursion must fit on the stack.
+constexpr std::size_t kMaxJoints = 500;
+
 /// More than rounding of a sum of as many terms as a robot has joints.
 constexpr double kRadiusRounding = 1 + 1e-9;
 
@@ -143,6 +146,7 @@ void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBoun
 
 void ReachSearch::refine(std::size_t link, int cells) {
   const Chain chain = chainTo(robot_, ranges_, indices_[link]);
+  if (chain.joints.size() > kMaxJoints) return;
   ReachBound bound(chain, links_[link], radii_[link], cells, goal_.stop);
   const std::optional<Aabb> box = bound.box();
   if (!box) return;

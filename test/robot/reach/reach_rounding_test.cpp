@@ -91,7 +91,7 @@ TEST(ReachRounding, FacesAreOutsideOfTheExactOnes) {
   brute_force::Random random(5);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0;
-  for (int i = 0; i < repetitions(2000); ++i) {
+  for (int i = 0; i < repetitions(500); ++i) {
     const Arm arm = randomArm(random);
     const std::vector<JointRange> ranges = jointRanges(arm.robot);
     const Reach reach = *reachOf(arm.robot, arm.bounded, ranges, {1e9}).at(0);
