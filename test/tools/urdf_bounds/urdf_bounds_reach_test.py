@@ -11,6 +11,7 @@ import json
 import math
 import os
 import pty
+import re
 import signal
 import subprocess
 
@@ -21,6 +22,7 @@ from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 FACES = ('min_x', 'min_y', 'min_z', 'max_x', 'max_y', 'max_z')
 ROUNDING = 1e-12  # metres
+PACKAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../..')
 LONG = 40  # joints, more than a minute's work for the accuracy that is asked for
 
 
@@ -93,6 +95,20 @@ class ReachTest(UrdfBoundsTest):
             self.assertEqual(len(marker['points']), 24)
             for axis, low, high in zip('xyz', box['min'], box['max']):
                 self.assertEqual({point[axis] for point in marker['points']}, {low, high})
+
+    def test_example_of_the_page(self):
+        with open(os.path.join(PACKAGE, 'launch/demo/demo.urdf'), encoding='utf-8') as file:
+            urdf = file.read().replace('package://link_bounds', 'file://' + os.path.realpath(PACKAGE))
+        out = run('-', '--reach', urdf=urdf)[1]
+        with open(os.path.join(PACKAGE, 'doc/tools.md'), encoding='utf-8') as file:
+            text = file.read()
+        example = text[text.index(out.splitlines()[0]):].split('```')[0]
+        self.assertEqual(len(out.split()), len(example.split()))
+        for found, shown in zip(out.split(), example.split()):
+            if re.fullmatch(r'-?\d+\.\d{6}', shown):
+                self.assertAlmostEqual(float(found), float(shown), delta=1e-4)
+            else:
+                self.assertEqual(found, shown)
 
     def test_mimic_joint_without_its_leader(self):
         """Poses name the joints that can be set."""
