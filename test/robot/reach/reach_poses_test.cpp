@@ -138,10 +138,11 @@ int samples() {
   return text ? std::atoi(text) : repetitions(300);
 }
 
-void checkRobot(const std::filesystem::path& file, const PackagePath& package_path) {
+void checkRobot(const std::filesystem::path& file, const PackagePath& package_path,
+                const Selection& selection = {}) {
   Model model;
   model.robot = parseRobot(textOf(file));
-  model.bounded = RobotLoader(importAlone).load(model.robot, {}, {package_path, ""});
+  model.bounded = RobotLoader(importAlone).load(model.robot, selection, {package_path, ""});
   const std::vector<JointRange> ranges = jointRanges(model.robot);
   const auto reaches = reachOf(model.robot, model.bounded, ranges, {kAccuracy});
   for (std::size_t k = 0; k < reaches.size(); ++k) {
@@ -170,8 +171,13 @@ TEST(ReachPoses, PublicRobotsStayInside) {
   const PackagePath package_path = [&](const std::string& package) {
     return (robots / package).string();
   };
-  for (const std::filesystem::path& file : robotFiles(robots))
+  Selection collision;
+  collision.visual = false;
+  collision.collision = true;
+  for (const std::filesystem::path& file : robotFiles(robots)) {
     checkRobot(file, package_path);
+    checkRobot(file, package_path, collision);
+  }
 }
 
 }  // namespace
