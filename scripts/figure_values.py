@@ -233,7 +233,23 @@ def of_swept(rows):
             for name, column in (('ms', 'swept_ms'), ('sampled_ms', 'sampled_ms'))}
 
 
+def of_proofs(rows):
+    """With a larger budget than was needed, as many pairs are decided as with the largest one."""
+    figures = {}
+    for row in rows:
+        key = 'proofs/%s/%s/' % (row['proof'], row['robot'])
+        if row['proof'] == 'reach':
+            figures['%s%g/s' % (key, row['accuracy'])] = row['seconds']
+            continue
+        figures[key + 'pairs'] = row['pairs']
+        figures[key + 'wrong'] = len(row.get('wrong_never', []))
+        for budget in (0.1, 0.3, 1, 3, 10, 120):
+            if budget >= row['budget']:
+                figures['%s%g/decided' % (key, budget)] = row['pairs'] - row['UNDECIDED']
+    return figures
+
+
 PARTS = {'bag': of_bag, 'core': of_core, 'pipeline': of_pipeline, 'end-to-end': of_end_to_end,
          'get-boxes': of_get_boxes, 'objects': of_objects, 'many-objects': of_many_objects,
          'overlaps': of_overlaps, 'distances': of_distances, 'parts': of_parts,
-         'start-up': of_start_up, 'swept': of_swept, 'volumes': of_volumes}
+         'proofs': of_proofs, 'start-up': of_start_up, 'swept': of_swept, 'volumes': of_volumes}
