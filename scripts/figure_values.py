@@ -237,7 +237,7 @@ def of_proofs(rows):
     """With a larger budget than was needed, as many pairs are decided as with the largest one."""
     figures = {}
     for row in rows:
-        key = 'proofs/%s/%s/' % (row['proof'], row['robot'])
+        key = 'proofs/%s/%s/' % (row['proof'], row['robot'].replace(', ', '_').replace(' ', '_'))
         if row['proof'] == 'reach':
             figures['%s%g/s' % (key, row['accuracy'])] = row['seconds']
             continue
@@ -245,7 +245,9 @@ def of_proofs(rows):
         figures[key + 'wrong'] = len(row.get('wrong_never', []))
         for budget in (0.1, 0.3, 1, 3, 10, 120):
             if budget >= row['budget']:
-                figures['%s%g/decided' % (key, budget)] = row['pairs'] - row['UNDECIDED']
+                decided = row['pairs'] - row['UNDECIDED']
+                figures['%s%g/decided' % (key, budget)] = decided
+                figures['%s%g/percent' % (key, budget)] = 100 * decided / row['pairs']
     return figures
 
 

@@ -10,12 +10,14 @@ import os
 import subprocess
 import tempfile
 import time
+import xml.etree.ElementTree
 
 from node_process import print_target
-from proof_pairs import pair_rows, report_pairs
+from proof_pairs import pair_rows, report_pairs, seven_joint_rows
 
 PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
 PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
+PR2 = "pr2_description/urdf/pr2.urdf"
 ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)  # m
 TARGET_ACCURACY, TARGET_SECONDS = 0.01, 60
 
@@ -36,13 +38,28 @@ def robots(folder):
     data = os.environ.get("LINK_BOUNDS_DATA")
     if data:
         return {name: os.path.join(data, "robots", file) for name, file in PUBLIC.items()}
-    print("LINK_BOUNDS_DATA is not set: arms that are made here stand in for the UR5e and the Panda")
+    print("LINK_BOUNDS_DATA is not set: arms made here stand in for the UR5e and the Panda")
     files = {}
     for name, joints, limit in (("made, 6 joints", 6, 6.28), ("made, 7 joints", 7, 2.8)):
         files[name] = os.path.join(folder, "%d.urdf" % joints)
         with open(files[name], "w", encoding="utf-8") as file:
             file.write(made_arm(joints, limit))
     return files
+
+
+def all_but(prefix, file):
+    """Arguments that keep each joint at rest whose name does not begin so."""
+    arguments = []
+    for joint in xml.etree.ElementTree.parse(file).getroot().findall("joint"):
+        name, limit, mimic = joint.get("name"), joint.find("limit"), joint.find("mimic")
+        kind = joint.get("type")
+        if name.startswith(prefix) or mimic is not None or kind in ("fixed", "floating", "planar"):
+            continue
+        value = 0.0
+        if kind != "continuous":
+            value = min(max(value, float(limit.get("lower", 0))), float(limit.get("upper", 0)))
+        arguments.append("%s:=%.17g" % (name, value))
+    return arguments
 
 
 def run(*arguments):
@@ -61,7 +78,8 @@ def reach_row(robot, file, accuracy):
 
 
 def report_reach(rows):
-    print("\n--reach\n\n| robot | accuracy [m] | largest gap [m] | time [s] |\n|---|---:|---:|---:|")
+    print("\n--reach\n\n| robot | accuracy [m] | largest gap [m] | time [s] |")
+    print("|---|---:|---:|---:|")
     for row in rows:
         print("| %(robot)s | %(accuracy)g | %(gap).2g | %(seconds).2f |" % row)
     print()
@@ -74,7 +92,8 @@ def report_reach(rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="no accuracies below 1 mm, 10 s for pairs")
+    parser.add_argument("--quick", action="store_true",
+                        help="no accuracies below 1 mm, 10 s for pairs")
     parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -84,6 +103,9 @@ def main():
         report_reach(rows)
         pairs = [row for name, file in files.items()
                  for row in pair_rows(run, name, file, options.quick)]
+        if os.environ.get("LINK_BOUNDS_DATA") and not options.quick:
+            file = os.path.join(os.environ["LINK_BOUNDS_DATA"], "robots", PR2)
+            pairs += seven_joint_rows(run, "PR2, right arm", file, all_but("r_", file))
         report_pairs(pairs)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
