@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTouch = 1e-7;     // m
+constexpr double kTouch = 1e-7;      // m
 constexpr int kSlicesPerPose = 100;  ///< of work, for each random pose
 constexpr int kMaxSlices = 100000;
 
