@@ -60,7 +60,14 @@ TARGETS = {
     'distance_growth': 'us per pair, hull level, longest', 'distance_bytes': 'bytes per triangle',
     'with_distances': 'p50, ours with ~distances / without',
     'relay': 'p50, ours / relay', 'usual_tf2_p50': 'p50, ours / usual_tf2',
-    'answered': 'answered / sent'}
+    'answered': 'answered / sent',
+    'bag_real_time': 'bag_bounds, times real time', 'bag_rosbag': 'bag_bounds / rosbag',
+    'bag_memory': 'bag_bounds, memory', 'bag_out_memory': 'bag_bounds --out, memory',
+    'past_latest': 'p50, ~get_boxes / an empty service, latest  ',
+    'past_recent': 'p50, ~get_boxes / an empty service, 0.1 s ago',
+    'past_old': 'p50, ~get_boxes / an empty service, 2 s ago',
+    'past_fresh': 'p50, ~get_boxes / an empty service, latest, fresh',
+    'reach': 'seconds of --reach to 1 cm', 'pairs': '% of pairs that --pairs decides'}
 
 
 def of_targets(targets):
