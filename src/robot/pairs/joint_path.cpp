@@ -5,33 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/joints_above.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-Eigen::Isometry3d motionOf(const Eigen::Vector3d& axis, bool is_rotation, double value) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  if (is_rotation) {
-    result.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
-  } else {
-    result.translation() = value * axis;
-  }
-  return result;
-}
-
-/// The joints from a link up to the root.
-std::vector<std::size_t> jointsAbove(const Robot& robot, std::size_t link) {
-  std::vector<std::size_t> joint_of(robot.links.size(), kNone);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    joint_of[robot.joints[i].child] = i;
-  std::vector<std::size_t> result;
-  for (; joint_of[link] != kNone; link = robot.joints[result.back()].parent)
-    result.push_back(joint_of[link]);
-  return result;
-}
 
 class PathBuilder {
  public:
@@ -63,13 +42,13 @@ class PathBuilder {
     const Joint& joint = robot_.joints[index];
     const JointRange& range = ranges_[index];
     if (joint.motion == Motion::kNone) return;
-    const bool is_rotation = joint.motion == Motion::kRotation;
-    if (!is_rotation) path_.length += std::max(std::abs(range.lower), std::abs(range.upper));
+    if (joint.motion == Motion::kTranslation)
+      path_.length += std::max(std::abs(range.lower), std::abs(range.upper));
     if (!range.isFree()) {
-      if (range.lower != 0) fixed_ = fixed_ * motionOf(joint.axis, is_rotation, sign * range.lower);
+      fixed_ = fixed_ * jointMotion(joint, sign * range.lower);
       return;
     }
-    path_.joints.push_back({fixed_, joint.axis, is_rotation, variableOf(range.lead.leader),
+    path_.joints.push_back({fixed_, joint.motion, joint.axis, variableOf(range.lead.leader),
                             sign * range.lead.factor, sign * range.lead.offset});
     fixed_.setIdentity();
   }
@@ -99,7 +78,7 @@ void JointPath::place(const PathValues& values, PlacedPath& placed) const {
     at = at * joint.before;
     placed.axes[j] = {at.translation(), at.linear() * joint.axis};
     const double value = joint.factor * values[joint.variable] + joint.offset;
-    at = at * motionOf(joint.axis, joint.is_rotation, value);
+    at = at * jointMotion(joint.motion, joint.axis, value);
   }
   placed.first_from_second = at * after;
 }

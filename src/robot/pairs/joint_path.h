@@ -15,11 +15,11 @@ namespace link_bounds {
 /// A joint that can move. Joints on the way up to the common ancestor count backwards.
 struct PathJoint {
   Eigen::Isometry3d before;  ///< from the frame of the joint before it, or the first link
+  Motion motion;             ///< not kNone
   Eigen::Vector3d axis;      ///< unit, in the frame of the joint
-  bool is_rotation;
-  std::size_t variable;  ///< index in JointPath::variables
-  double factor;         ///< the joint is at factor * variable + offset
-  double offset;         ///< rad or m
+  std::size_t variable;      ///< index in JointPath::variables
+  double factor;             ///< the joint is at factor * variable + offset
+  double offset;             ///< rad or m
 };
 
 /// A chain of joints at one pose, in the frame of the first link.

@@ -48,7 +48,7 @@ void MotionBound::measure(Side& side, std::size_t joint) {
   const Axis& axis = placed_->axes[joint];
   const Eigen::Isometry3d to_body = side.from_body.inverse();
   double move = half_widths_[joint];
-  if (path_.joints[joint].is_rotation) {
+  if (path_.joints[joint].motion == Motion::kRotation) {
     move = chordOf(move) *
            side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
   }
@@ -115,7 +115,7 @@ double MotionBound::farthestAlong(const Side& side, const BodyCloud& part,
       const std::size_t j = side.joints[i];
       const Axis& axis = placed_->axes[j];
       const double offset = corner >> i & 1 ? half_widths_[j] : -half_widths_[j];
-      if (path_.joints[j].is_rotation) {
+      if (path_.joints[j].motion == Motion::kRotation) {
         const Eigen::Vector3d turn = offset * direction.cross(axis.direction);
         turned += turn;
         shift -= turn.dot(axis.origin);
@@ -138,14 +138,15 @@ double MotionBound::remainder(const Side& side) const {
     const std::size_t inner = side.joints[i];
     const double width = half_widths_[inner];
     double speed = 1;
-    if (path_.joints[inner].is_rotation) {
+    if (path_.joints[inner].motion == Motion::kRotation) {
       const double chord = chordOf(width);
       speed = (chord > 0 ? side.moves[i] / chord : 0) + beyond;
       sum += width * width * speed / 2;
     }
     for (std::size_t k = 0; k < i; ++k) {
       const std::size_t outer = side.joints[k];
-      if (path_.joints[outer].is_rotation) sum += half_widths_[outer] * width * speed;
+      if (path_.joints[outer].motion == Motion::kRotation)
+        sum += half_widths_[outer] * width * speed;
     }
     beyond += side.moves[i];
   }

@@ -6,22 +6,10 @@
 #include <algorithm>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/joints_above.h"
 
 namespace link_bounds {
 namespace {
-
-/// The joints from the root to the link, by index.
-std::vector<std::size_t> jointsTo(const Robot& robot, std::size_t link) {
-  constexpr std::size_t kNone = -1;
-  std::vector<std::size_t> above(robot.links.size(), kNone);
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    above[robot.joints[i].child] = i;
-  std::vector<std::size_t> joints;
-  for (std::size_t at = link; above[at] != kNone; at = robot.joints[above[at]].parent)
-    joints.push_back(above[at]);
-  std::reverse(joints.begin(), joints.end());
-  return joints;
-}
 
 /// The index of the variable of that joint; adds it if it is new.
 std::size_t variableOf(const std::vector<JointRange>& ranges, std::size_t joint, Chain& chain) {
@@ -50,10 +38,11 @@ Eigen::Isometry3d Chain::pose(const std::vector<double>& values) const {
 Chain chainTo(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link) {
   Chain chain;
   Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
-  for (const std::size_t index : jointsTo(robot, link)) {
-    ++chain.length;
-    const Joint& joint = robot.joints[index];
-    const JointRange& range = ranges[index];
+  const std::vector<std::size_t> above = jointsAbove(robot, link);
+  chain.length = above.size();
+  for (auto index = above.rbegin(); index != above.rend(); ++index) {
+    const Joint& joint = robot.joints[*index];
+    const JointRange& range = ranges[*index];
     before = before * joint.parent_from_joint;
     if (joint.motion == Motion::kNone) continue;
     if (!range.isFree()) {

@@ -18,8 +18,8 @@ struct ChainVariable {
 
 /// A joint that moves: its value is factor * variable + offset.
 struct ChainJoint {
-  Eigen::Isometry3d
-      before;            ///< from the frame of the joint before it, moved, to its own, not moved
+  /// From the frame of the joint before it, moved, to its own, not moved.
+  Eigen::Isometry3d before;
   const Joint* source;   ///< in the robot
   std::size_t variable;  ///< index in Chain::variables
   double factor;
@@ -37,8 +37,7 @@ struct Chain {
   Eigen::Isometry3d pose(const std::vector<double>& values) const;
 };
 
-/// `ranges` are those of all joints of the robot. The robot must live as
-/// long as the chain. Throws JointError for a joint without axis.
+/// `ranges` are those of all joints of the robot, which must live as long as the chain.
 Chain chainTo(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link);
 
 }  // namespace link_bounds

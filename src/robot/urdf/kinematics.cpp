@@ -9,18 +9,22 @@
 
 namespace link_bounds {
 
-Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
+Eigen::Isometry3d jointMotion(Motion motion, const Eigen::Vector3d& axis, double value) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  if (joint.motion == Motion::kNone || value == 0) return result;
+  if (motion == Motion::kRotation) {
+    result.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
+  } else if (motion == Motion::kTranslation) {
+    result.translation() = value * axis;
+  }
+  return result;
+}
+
+Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
+  if (joint.motion == Motion::kNone || value == 0) return Eigen::Isometry3d::Identity();
   if (joint.axis.isZero(0)) {
     throw JointError("joint \"" + joint.name + "\" cannot move, its axis is zero");
   }
-  if (joint.motion == Motion::kRotation) {
-    result.linear() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
-  } else {
-    result.translation() = value * joint.axis;
-  }
-  return result;
+  return jointMotion(joint.motion, joint.axis, value);
 }
 
 std::vector<double> jointValues(const Robot& robot, const std::map<std::string, double>& given) {

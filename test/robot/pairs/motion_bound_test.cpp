@@ -55,7 +55,8 @@ JointPath randomPath(Random& random, std::size_t joints) {
   for (std::size_t j = 0; j < joints; ++j) {
     const bool is_follower = j > 1 && random.uniform(0, 1) < 0.3;
     if (!is_follower) path.variables.push_back(j);
-    path.joints.push_back({randomPose(random), directionOf(random), random.uniform(0, 1) < 0.7,
+    const Motion motion = random.uniform(0, 1) < 0.7 ? Motion::kRotation : Motion::kTranslation;
+    path.joints.push_back({randomPose(random), motion, directionOf(random),
                            path.variables.size() - 1, is_follower ? -1.5 : 1,
                            is_follower ? 0.2 : 0});
   }
@@ -118,7 +119,8 @@ TEST(MotionBound, NoPoseOfTheBoxContradictsIt) {
 TEST(MotionBound, IsTheChordOfTheFarthestPoint) {
   JointPath path;
   path.variables = {0};
-  path.joints = {{Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitZ(), true, 0, 1, 0}};
+  path.joints = {
+      {Eigen::Isometry3d::Identity(), Motion::kRotation, Eigen::Vector3d::UnitZ(), 0, 1, 0}};
   const BodyCloud first(ballAt({0, 5, 0}, 1)), second(ballAt({1, 0, 7}, 0.25));
   MotionBound bound(path, first, second);
   PlacedPath placed;
@@ -133,7 +135,8 @@ TEST(MotionBound, IsTheChordOfTheFarthestPoint) {
 TEST(MotionBound, AlongADirectionIsOfSecondOrder) {
   JointPath path;
   path.variables = {0};
-  path.joints = {{Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitZ(), true, 0, 1, 0}};
+  path.joints = {
+      {Eigen::Isometry3d::Identity(), Motion::kRotation, Eigen::Vector3d::UnitZ(), 0, 1, 0}};
   const BodyCloud first(ballAt({0.5, 0, 0}, 0)), second(ballAt({1, 0, 0}, 0));
   MotionBound bound(path, first, second);
   PlacedPath placed;
