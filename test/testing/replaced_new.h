@@ -30,6 +30,13 @@ __attribute__((noinline)) void* operator new(std::size_t size) {
   return link_bounds::replaced_new::allocate(size);
 }
 
+// std::stable_sort calls it. A sanitizer has one of its own.
+__attribute__((noinline)) void* operator new(std::size_t size, const std::nothrow_t&) noexcept try {
+  return link_bounds::replaced_new::allocate(size);
+} catch (const std::bad_alloc&) {
+  return nullptr;
+}
+
 __attribute__((noinline)) void operator delete(void* memory) noexcept {
   std::free(memory);
 }

@@ -14,7 +14,7 @@ namespace {
 /// What a batch prefetches fits into a first-level cache of 32 KiB.
 constexpr std::ptrdiff_t kLinksPerBatch = 16;
 constexpr std::size_t kShapesPerBatch = 64;
-static_assert(kShapesPerBatch * 3 * sizeof(DirectionTable::Cell) <= 32 * 1024, "");
+static_assert(kShapesPerBatch * 3 * sizeof(DirectionTable::List) <= 32 * 1024, "");
 
 }  // namespace
 
@@ -31,21 +31,32 @@ class LinkBoxes::PrefetchedCells {
  public:
   void prefetch(const PlacedShape& shape, const Eigen::Affine3d& world_from_link) {
     if (count_ == kShapesPerBatch) return;
-    CellsOfRows& cells = cells_[count_++];
+    Entry& entry = entries_[count_++];
     // A shape that is not in the link's frame would have its pose computed twice.
     const bool is_found =
-        shape.known.is_in_link_frame && prefetchCells(world_from_link, shape.known, cells);
-    if (!is_found) cells[0] = nullptr;
+        shape.known.is_in_link_frame && prefetchCells(world_from_link, shape.known, entry.cells);
+    entry.table = is_found ? &shape.known.table : nullptr;
+  }
+
+  /// To be called after the last prefetch().
+  void prefetchLists() const {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (entries_[i].table) link_bounds::prefetchLists(*entries_[i].table, entries_[i].cells);
   }
 
   /// Of the shape with this number in the batch; null if there are none.
   const CellsOfRows* at(std::size_t shape) const {
-    return shape < count_ && cells_[shape][0] ? &cells_[shape] : nullptr;
+    return shape < count_ && entries_[shape].table ? &entries_[shape].cells : nullptr;
   }
 
  private:
+  struct Entry {
+    const DirectionTable::Lookup* table;  ///< null: none
+    CellsOfRows cells;
+  };
+
   std::size_t count_ = 0;
-  std::array<CellsOfRows, kShapesPerBatch> cells_;  ///< null: none
+  std::array<Entry, kShapesPerBatch> entries_;
 };
 
 LinkBoxes::LinkBoxes(const std::vector<BoundedLink>& links) : boxes_(links.size()) {
@@ -80,6 +91,7 @@ void LinkBoxes::updateBatch(const MovedLink* begin, const MovedLink* end) {
     for (std::size_t i = 0; i < link.shapes; ++i)
       cells.prefetch(shapes_[link.first_shape + i], *moved->world_from_link);
   }
+  cells.prefetchLists();
   std::size_t first = 0;
   for (const MovedLink* moved = begin; moved != end; ++moved) {
     bound(*moved, &cells, first);

@@ -68,9 +68,9 @@ bool isUsable(const Directions& linear) {
 void scanPoints(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
                 ShapeExtents& known) {
   if (cells) {
-    scanCells(*known.table, linear, *cells, known.extents);
-  } else if (known.table) {
-    known.extents = extents(*known.table, linear);
+    scanCells(known.table, linear, *cells, known.extents);
+  } else if (known.table.cells) {
+    known.extents = extents(known.table, linear);
   } else if (shape.points) {
     known.extents = shape.points->extents(linear);
   } else {
@@ -147,9 +147,9 @@ bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const 
 /// The pad is the largest of any column, which is nearly that of each.
 ShapeExtents::ShapeExtents(const Shape& shape)
     : pad_per_entry(kRoundingPad * shape.size.maxCoeff() / 2),
-      table(shape.points ? shape.points->table() : nullptr),
       is_in_link_frame(shape.link_from_shape.matrix() == Eigen::Matrix4d::Identity()) {
   if (!shape.points) return;
+  if (shape.points->table()) table = shape.points->table()->lookup();
   const double magnitude = shape.points->magnitude().maxCoeff();
   pad_per_entry += (kRoundingPad + kPointTolerance) * magnitude;
 }
@@ -160,10 +160,10 @@ bool isUsablePose(const Eigen::Affine3d& pose) {
 
 bool prefetchCells(const Eigen::Affine3d& world_from_shape, const ShapeExtents& known,
                    CellsOfRows& cells) {
-  if (!known.table) return false;
+  if (!known.table.cells) return false;
   const auto linear = world_from_shape.linear();
   if (changedRows(linear, known.linear) != kAllRows) return false;
-  findCells(*known.table, linear, cells);
+  findCells(known.table, linear, cells);
   return true;
 }
 

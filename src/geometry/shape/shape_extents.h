@@ -17,10 +17,10 @@ struct ShapeExtents {
 
   /// Of world_from_shape; NaN where the extents are not known.
   Eigen::Matrix3d linear = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Extents extents;              ///< without translation [m]; rounded outward
-  double pad_per_entry;         ///< against rounding, for an entry of 1 in the linear part [m]
-  const DirectionTable* table;  ///< of the shape's points; null if they have none
-  bool is_in_link_frame;        ///< link_from_shape is the identity
+  Extents extents;               ///< without translation [m]; rounded outward
+  double pad_per_entry;          ///< against rounding, for an entry of 1 in the linear part [m]
+  DirectionTable::Lookup table;  ///< of the shape's points; no cells if they have none
+  bool is_in_link_frame;         ///< link_from_shape is the identity
 };
 
 /// Finds the cells that the box reads and prefetches them. Returns false, and leaves `cells` as

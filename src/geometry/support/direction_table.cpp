@@ -4,19 +4,21 @@
 #include "geometry/support/direction_table.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "geometry/support/build/direction_build.h"
+#include "geometry/support/build/shared_lists.h"
 #include "geometry/support/direction_fold.h"
 
 namespace link_bounds {
 namespace {
 
-/// directionTable() describes these limits. A cell has eight points inline.
+/// directionTable() describes these limits. A list has eight points without overflow.
 constexpr int kCoarsestGrid = 8;
 constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;
-constexpr std::size_t kBytesPerTable = 128 * 1024;
+constexpr std::size_t kBytesPerTable = 96 * 1024;
 constexpr std::size_t kBytesPerPoint = 48;
 /// A set of more than 2 * kPart points is first reduced part by part, in at most kPasses passes.
 constexpr std::size_t kPart = 1 << 16;
@@ -29,13 +31,15 @@ constexpr std::size_t kGriddedPoints = 64;
 constexpr double kGridMargin = 1.25e-7;
 static_assert(kCoarsestGrid * kGridMargin > 0.5 / (1 << kFraction), "an index could be `side`");
 static_assert(kFinestGrid < 1 << (50 - kFraction), "kShifter could not hold an index");
-static_assert(sizeof(DirectionTable::Cell) <= 128, "findCells prefetches two lines of a cell");
+static_assert(kFinestGrid * kFinestGrid <= 1 << 16, "a cell could not hold the number of a list");
+
+constexpr std::size_t kPointsInline = 2 * kLanes;
 
 /// Four points of the list; what is beyond its end repeats the last one.
 PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
                    std::size_t first) {
   PointBlock block;
-  for (std::size_t lane = 0; lane < 4; ++lane) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const Eigen::Vector3f& point = points[list[std::min(first + lane, list.size() - 1)]];
     block.x[lane] = point.x();
     block.y[lane] = point.y();
@@ -46,22 +50,45 @@ PointBlock blockOf(const std::vector<Eigen::Vector3f>& points, const PointIndice
 
 void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list,
             DirectionTable& table) {
-  DirectionTable::Cell cell;
-  cell.blocks[0] = blockOf(points, list, 0);
-  cell.blocks[1] = blockOf(points, list, 4);
-  cell.first_overflow = static_cast<std::uint32_t>(table.overflow.size());
-  for (std::size_t i = 8; i < list.size(); i += 4)
+  table.lists.push_back({{blockOf(points, list, 0), blockOf(points, list, kLanes)}});
+  if (list.size() <= kPointsInline) return;
+  const auto first = static_cast<std::uint32_t>(table.overflow.size());
+  for (std::size_t i = kPointsInline; i < list.size(); i += kLanes)
     table.overflow.push_back(blockOf(points, list, i));
-  cell.overflow_blocks = static_cast<std::uint32_t>(table.overflow.size()) - cell.first_overflow;
-  table.cells.push_back(cell);
+  table.rests.push_back({first, static_cast<std::uint32_t>(table.overflow.size()) - first});
+}
+
+/// The number of the list that serves each of the different lists of a grid.
+using ListNumbers = std::map<PointIndices, std::uint32_t>;
+
+/// Longest first, so that the numbers of those with overflow are the smallest.
+void share(ListNumbers& numbers, SharedLists& shared) {
+  std::vector<ListNumbers::value_type*> order;
+  for (ListNumbers::value_type& entry : numbers)
+    order.push_back(&entry);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto* a, const auto* b) { return a->first.size() > b->first.size(); });
+  for (ListNumbers::value_type* entry : order)
+    entry->second = shared.add(entry->first);
 }
 
 DirectionTable packed(const std::vector<Eigen::Vector3f>& points, const CandidateGrid& grid) {
+  std::vector<ListNumbers::iterator> cells;
+  ListNumbers numbers;
+  for (const CellCandidates& cell : grid.cells)
+    cells.push_back(numbers.emplace(cell.all(), 0).first);
+  SharedLists shared(points.size(), kPointsInline);
+  share(numbers, shared);
+
   DirectionTable table;
   table.grid = DirectionGrid(grid.grid);
-  table.cells.reserve(grid.cells.size());
-  for (const CellCandidates& cell : grid.cells)
-    append(points, cell.all(), table);
+  table.cells.reserve(cells.size());
+  for (const ListNumbers::iterator cell : cells)
+    table.cells.push_back(static_cast<DirectionTable::Cell>(cell->second));
+  table.lists.reserve(shared.lists().size());
+  for (const PointIndices& list : shared.lists())
+    append(points, list, table);
+  table.rests.shrink_to_fit();
   table.overflow.shrink_to_fit();
   return table;
 }
@@ -116,7 +143,7 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
   GridBuilder builder(toDouble(points));
   CandidateGrid grid = coarsestLists(builder);
   DirectionTable table = packed(points, grid);
-  // A finer grid never names fewer points, so a table above the limit stays above it.
+  // The search ends at the first table above the limit.
   while (isWithinLimit(table, grid) && grid.meanListSize() > kMeanListSize &&
          grid.grid < kFinestGrid) {
     grid = builder.refined(grid);
@@ -169,7 +196,8 @@ DirectionGrid::DirectionGrid(int cells_per_side)
       half(cells_per_side * (0.5 - kGridMargin)) {}
 
 std::size_t DirectionTable::bytes() const {
-  return sizeof(*this) + cells.capacity() * sizeof(Cell) + overflow.capacity() * sizeof(PointBlock);
+  return sizeof(*this) + cells.capacity() * sizeof(Cell) + lists.capacity() * sizeof(List) +
+         rests.capacity() * sizeof(Rest) + overflow.capacity() * sizeof(PointBlock);
 }
 
 }  // namespace link_bounds

@@ -59,12 +59,12 @@ std::vector<Eigen::Vector3f> PointSet::points() const {
   if (!table_) return {};
   std::set<std::array<float, 3>> distinct;
   const auto insert = [&distinct](const PointBlock& block) {
-    for (int lane = 0; lane < 4; ++lane)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
       distinct.insert({block.x[lane], block.y[lane], block.z[lane]});
   };
-  for (const DirectionTable::Cell& cell : table_->cells) {
-    insert(cell.blocks[0]);
-    insert(cell.blocks[1]);
+  for (const DirectionTable::List& list : table_->lists) {
+    insert(list.blocks[0]);
+    insert(list.blocks[1]);
   }
   for (const PointBlock& block : table_->overflow)
     insert(block);

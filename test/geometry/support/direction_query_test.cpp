@@ -17,10 +17,11 @@ constexpr int kDirections = 300'000;  // per grid
 DirectionTable telltale(int cells_per_side) {
   DirectionTable table;
   table.grid = DirectionGrid(cells_per_side);
-  for (int i = 1; i <= cells_per_side * cells_per_side; ++i) {
-    const float size = static_cast<float>(i);
+  for (int i = 0; i < cells_per_side * cells_per_side; ++i) {
+    const float size = static_cast<float>(i + 1);
     const PointBlock block{{size, 0, 0, 0}, {0, size, 0, 0}, {0, 0, size, 0}};
-    table.cells.push_back({{block, block}, 0, 0});
+    table.lists.push_back({{block, block}});
+    table.cells.push_back(static_cast<DirectionTable::Cell>(i));
   }
   return table;
 }

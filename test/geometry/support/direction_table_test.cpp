@@ -201,8 +201,15 @@ TEST(DirectionTable, GridAndMemoryFollowTheRules) {
   for (const int count : {100, 1000, 10000}) {
     const PointSet set(onSphere(count));
     EXPECT_EQ(set.size(), static_cast<std::size_t>(count));
-    EXPECT_LE(set.bytes(), std::max<std::size_t>(128 * 1024, 48 * set.size()));
+    EXPECT_LE(set.bytes(), std::max<std::size_t>(96 * 1024, 48 * set.size()));
   }
+}
+
+TEST(DirectionTable, CellsShareLists) {
+  const DirectionTable table = directionTable(onSphere(400));
+  EXPECT_EQ(table.cells.size(), 1024u);
+  EXPECT_LT(3 * table.lists.size(), table.cells.size());
+  EXPECT_LT(table.bytes(), 40'000u);
 }
 
 TEST(DirectionTable, OfSetsThatAreManyIsExactToo) {

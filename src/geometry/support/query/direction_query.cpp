@@ -18,7 +18,7 @@ struct Range {
   double high;
 
   void add(const PointBlock& block, double r0, double r1, double r2) {
-    for (int lane = 0; lane < 4; ++lane) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const double dot = (r0 * block.x[lane] + r1 * block.y[lane]) + r2 * block.z[lane];
       low = std::min(low, dot);
       high = std::max(high, dot);
@@ -26,33 +26,34 @@ struct Range {
   }
 };
 
-void find(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+void find(const DirectionTable::Lookup& table, const Directions& directions, CellsOfRows& cells) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto row = directions.row(static_cast<Eigen::Index>(k));
     cells[k] = &table.cells[cellOf(row[0], row[1], row[2], table.grid)];
   }
 }
 
-void scan(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
-          Extents& result) {
+void scan(const DirectionTable::Lookup& table, const Directions& directions,
+          const CellsOfRows& cells, Extents& result) {
   for (int k = 0; k < 3; ++k) {
     const double r0 = directions(k, 0);
     const double r1 = directions(k, 1);
     const double r2 = directions(k, 2);
-    const DirectionTable::Cell& cell = *cells[static_cast<std::size_t>(k)];
-    const double first =
-        (r0 * cell.blocks[0].x[0] + r1 * cell.blocks[0].y[0]) + r2 * cell.blocks[0].z[0];
+    const DirectionTable::Cell number = *cells[static_cast<std::size_t>(k)];
+    const PointBlock(&blocks)[2] = table.lists[number].blocks;
+    const double first = (r0 * blocks[0].x[0] + r1 * blocks[0].y[0]) + r2 * blocks[0].z[0];
     Range range{first, first};
-    range.add(cell.blocks[0], r0, r1, r2);
-    range.add(cell.blocks[1], r0, r1, r2);
-    for (std::uint32_t i = 0; i < cell.overflow_blocks; ++i)
-      range.add(table.overflow[cell.first_overflow + i], r0, r1, r2);
+    range.add(blocks[0], r0, r1, r2);
+    range.add(blocks[1], r0, r1, r2);
+    const auto rest = number < table.rest_count ? table.rests[number] : DirectionTable::Rest{0, 0};
+    for (std::uint32_t i = 0; i < rest.count; ++i)
+      range.add(table.overflow[rest.first + i], r0, r1, r2);
     result.low[k] = range.low + 0.0;
     result.high[k] = range.high + 0.0;
   }
 }
 
-Extents findAndScan(const DirectionTable& table, const Directions& directions) {
+Extents findAndScan(const DirectionTable::Lookup& table, const Directions& directions) {
   CellsOfRows cells;
   find(table, directions, cells);
   Extents result;
@@ -111,21 +112,27 @@ void useQueryPath(QueryPath path) {
   chosen_query.store(&queryBy(path), std::memory_order_relaxed);
 }
 
-Extents extents(const DirectionTable& table, const Directions& directions) {
+Extents extents(const DirectionTable::Lookup& table, const Directions& directions) {
   return query().both(table, directions);
 }
 
-void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells) {
+void findCells(const DirectionTable::Lookup& table, const Directions& directions,
+               CellsOfRows& cells) {
   query().find(table, directions, cells);
+  for (const DirectionTable::Cell* cell : cells)
+    __builtin_prefetch(cell);
+}
+
+void prefetchLists(const DirectionTable::Lookup& table, const CellsOfRows& cells) {
   for (const DirectionTable::Cell* cell : cells) {
-    __builtin_prefetch(&cell->blocks[0]);
-    __builtin_prefetch(&cell->blocks[1].y);
-    __builtin_prefetch(&cell->overflow_blocks);
+    const DirectionTable::List& list = table.lists[*cell];
+    __builtin_prefetch(&list.blocks[0].x);
+    __builtin_prefetch(&list.blocks[1].z);
   }
 }
 
-void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
-               Extents& result) {
+void scanCells(const DirectionTable::Lookup& table, const Directions& directions,
+               const CellsOfRows& cells, Extents& result) {
   query().scan(table, directions, cells, result);
 }
 

@@ -18,31 +18,34 @@ namespace link_bounds {
 /// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
 /// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
 /// path of instructions; a zero is +0.
-Extents extents(const DirectionTable& table, const Directions& directions);
+Extents extents(const DirectionTable::Lookup& table, const Directions& directions);
+inline Extents extents(const DirectionTable& table, const Directions& directions) {
+  return extents(table.lookup(), directions);
+}
 
-/// The lists for three directions.
+/// The cells of three directions.
 using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
 
-/// The first half of extents(): finds the cells and prefetches them. With other work in between,
-/// the second half does not wait for memory.
-void findCells(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
-
-/// The second half, with the cells of the same table and directions.
-void scanCells(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
-               Extents& result);
+/// extents() in three steps. The first two prefetch what the next one reads, so with other work in
+/// between none waits for memory.
+void findCells(const DirectionTable::Lookup& table, const Directions& directions,
+               CellsOfRows& cells);
+void prefetchLists(const DirectionTable::Lookup& table, const CellsOfRows& cells);
+void scanCells(const DirectionTable::Lookup& table, const Directions& directions,
+               const CellsOfRows& cells, Extents& result);
 
 /// The same functions by one path of instructions.
 struct Query {
   QueryPath path;
-  Extents (*both)(const DirectionTable& table, const Directions& directions);
-  void (*find)(const DirectionTable& table, const Directions& directions, CellsOfRows& cells);
-  void (*scan)(const DirectionTable& table, const Directions& directions, const CellsOfRows& cells,
-               Extents& result);
+  Extents (*both)(const DirectionTable::Lookup& table, const Directions& directions);
+  void (*find)(const DirectionTable::Lookup& table, const Directions& directions,
+               CellsOfRows& cells);
+  void (*scan)(const DirectionTable::Lookup& table, const Directions& directions,
+               const CellsOfRows& cells, Extents& result);
   /// Of `count` points in double, as for PointSet; all but the plain one need kLanes of them.
   Extents (*scan_all)(const double* xyz, std::size_t count, const Directions& directions);
 };
 
-constexpr std::size_t kLanes = 4;
 static_assert(sizeof(PointBlock) == 3 * kLanes * sizeof(float), "a block fills the lanes");
 
 /// The one that is in use.

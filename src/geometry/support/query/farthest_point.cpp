@@ -31,13 +31,17 @@ struct Farthest {
 }  // namespace
 
 Eigen::Vector3d farthestPoint(const DirectionTable& table, const Eigen::Vector3d& direction) {
-  const DirectionTable::Cell& cell =
+  const DirectionTable::Cell number =
       table.cells[cellOf(direction.x(), direction.y(), direction.z(), table.grid)];
+  const DirectionTable::List& list = table.lists[number];
   Farthest farthest;
-  farthest.add(cell.blocks[0], direction);
-  farthest.add(cell.blocks[1], direction);
-  for (std::uint32_t i = 0; i < cell.overflow_blocks; ++i)
-    farthest.add(table.overflow[cell.first_overflow + i], direction);
+  farthest.add(list.blocks[0], direction);
+  farthest.add(list.blocks[1], direction);
+  if (number < table.rests.size()) {
+    const DirectionTable::Rest rest = table.rests[number];
+    for (std::uint32_t i = 0; i < rest.count; ++i)
+      farthest.add(table.overflow[rest.first + i], direction);
+  }
   const PointBlock& block = *farthest.block;
   const int lane = farthest.lane;
   return Eigen::Vector3f(block.x[lane], block.y[lane], block.z[lane]).cast<double>();

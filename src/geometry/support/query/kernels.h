@@ -77,13 +77,13 @@ LINK_BOUNDS_TARGET inline void finish(const Row& row0, const Row& row1, const Ro
 }
 
 /// The cell whose index is in the low bits.
-LINK_BOUNDS_TARGET inline const Cell* cellAt(const DirectionTable& table, unsigned index) {
-  return table.cells.data() + (index & table.grid.mask);
+LINK_BOUNDS_TARGET inline const Cell* cellAt(const DirectionTable::Lookup& table, unsigned index) {
+  return table.cells + (index & table.grid.mask);
 }
 
 /// cellOf() of direction_fold.h for three directions.
-LINK_BOUNDS_TARGET inline void find(const DirectionTable& table, const Directions& directions,
-                                    CellsOfRows& cells) {
+LINK_BOUNDS_TARGET inline void find(const DirectionTable::Lookup& table,
+                                    const Directions& directions, CellsOfRows& cells) {
   const DirectionGrid& grid = table.grid;
   const double* columns = directions.data();
   const Double4 x = Double4::ofThree(columns);
@@ -101,31 +101,34 @@ LINK_BOUNDS_TARGET inline void find(const DirectionTable& table, const Direction
            cellAt(table, firstOf(third))};
 }
 
-LINK_BOUNDS_TARGET inline void addOverflow(const DirectionTable& table, const Cell& cell,
-                                           Row& row) {
-  for (std::uint32_t i = 0; i < cell.overflow_blocks; ++i)
-    row.add(Points4(table.overflow[cell.first_overflow + i]));
+LINK_BOUNDS_TARGET inline void addRest(const DirectionTable::Lookup& table, Cell number, Row& row) {
+  if (number >= table.rest_count) return;
+  const DirectionTable::Rest rest = table.rests[number];
+  for (std::uint32_t i = 0; i < rest.count; ++i)
+    row.add(Points4(table.overflow[rest.first + i]));
 }
 
 /// Points beyond the first eight of a list are rare, so one branch serves all three lists.
-LINK_BOUNDS_TARGET inline void scan(const DirectionTable& table, const Directions& directions,
-                                    const CellsOfRows& cells, Extents& result) {
-  const Cell &cell0 = *cells[0], &cell1 = *cells[1], &cell2 = *cells[2];
-  Row row0(directions, 0, Points4(cell0.blocks[0]));
-  Row row1(directions, 1, Points4(cell1.blocks[0]));
-  Row row2(directions, 2, Points4(cell2.blocks[0]));
-  row0.add(Points4(cell0.blocks[1]));
-  row1.add(Points4(cell1.blocks[1]));
-  row2.add(Points4(cell2.blocks[1]));
-  if (cell0.overflow_blocks | cell1.overflow_blocks | cell2.overflow_blocks) {
-    addOverflow(table, cell0, row0);
-    addOverflow(table, cell1, row1);
-    addOverflow(table, cell2, row2);
+LINK_BOUNDS_TARGET inline void scan(const DirectionTable::Lookup& table,
+                                    const Directions& directions, const CellsOfRows& cells,
+                                    Extents& result) {
+  const Cell number0 = *cells[0], number1 = *cells[1], number2 = *cells[2];
+  const DirectionTable::List* const lists = table.lists;
+  Row row0(directions, 0, Points4(lists[number0].blocks[0]));
+  Row row1(directions, 1, Points4(lists[number1].blocks[0]));
+  Row row2(directions, 2, Points4(lists[number2].blocks[0]));
+  row0.add(Points4(lists[number0].blocks[1]));
+  row1.add(Points4(lists[number1].blocks[1]));
+  row2.add(Points4(lists[number2].blocks[1]));
+  if (std::min({number0, number1, number2}) < table.rest_count) {
+    addRest(table, number0, row0);
+    addRest(table, number1, row1);
+    addRest(table, number2, row2);
   }
   finish(row0, row1, row2, result);
 }
 
-LINK_BOUNDS_TARGET inline Extents findAndScan(const DirectionTable& table,
+LINK_BOUNDS_TARGET inline Extents findAndScan(const DirectionTable::Lookup& table,
                                               const Directions& directions) {
   CellsOfRows cells;
   find(table, directions, cells);
