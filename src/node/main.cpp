@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
   for (const std::string& warning : line.warnings)
     ROS_WARN("%s", link_bounds::logText(warning).c_str());
   link_bounds::PublisherNode node;
-  ros::spin();
+  node.spin();
   return node.exitCode();
 }
 

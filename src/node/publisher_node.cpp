@@ -3,6 +3,8 @@
 // From what arrives to a scene and its output, in the order of the functions below.
 #include "node/publisher_node.h"
 
+#include <ros/callback_queue.h>
+#include <ros/init.h>
 #include <ros/this_node.h>
 
 #include "node/distances/object_body.h"
@@ -17,6 +19,7 @@ constexpr std::uint32_t kObjectsQueue = 1000;
 const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
+const ros::WallDuration kMaxWait(0.1);  // until a shutdown is noticed
 
 }  // namespace
 
@@ -38,10 +41,10 @@ PublisherNode::PublisherNode()
       box_service_(private_node_, history_),
       swept_output_(
           node_, private_node_, [this](const std::function<void()>& body) { guard(body); },
-          history_),
-      tick_timer_(repeat(kTick, &PublisherNode::onTick)),
-      lost_frames_timer_(repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames)),
-      diagnostics_timer_(repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics)) {
+          history_) {
+  repeat(kTick, &PublisherNode::onTick);
+  repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames);
+  repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics);
   subscribeToObjects();
   output_.onBoxes([this] { swept_output_.request(); });
   ModelLoader::Handlers handlers;
@@ -86,10 +89,15 @@ void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const Loaded
   output_.distances().give(std::move(made));
 }
 
-ros::WallTimer PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*function)()) {
-  return node_.createWallTimer(period, [this, function](const ros::WallTimerEvent&) {
-    guard([&] { (this->*function)(); });
-  });
+void PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*function)()) {
+  periodic_.add(period, [this, function] { guard([&] { (this->*function)(); }); });
+}
+
+void PublisherNode::spin() {
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(periodic_.rest(kMaxWait));
+    if (!ros::isShuttingDown()) periodic_.callDue();
+  }
 }
 
 void PublisherNode::subscribeToObjects() {

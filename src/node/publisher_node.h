@@ -21,16 +21,20 @@
 #include "node/outputs/swept_output.h"
 #include "node/scene/scene_feed.h"
 #include "node/tf/tf_receiver.h"
+#include "node/threads/periodic.h"
 
 namespace link_bounds {
 
-/// Everything here runs on the thread that spins the global callback queue, the update thread.
+/// Everything here runs on the thread that calls spin(), the update thread.
 class PublisherNode {
  public:
   PublisherNode();
   ~PublisherNode();
   PublisherNode(const PublisherNode&) = delete;
   PublisherNode& operator=(const PublisherNode&) = delete;
+
+  /// Handles what arrives, until the node is to end.
+  void spin();
 
   /// 0, or 1 if there was nothing to publish.
   int exitCode() const { return loader_->hasFailed() ? 1 : 0; }
@@ -45,7 +49,7 @@ class PublisherNode {
   /// Runs a callback: records how long it takes, and lets no exception out.
   void guard(const std::function<void()>& body);
 
-  ros::WallTimer repeat(ros::WallDuration period, void (PublisherNode::*function)());
+  void repeat(ros::WallDuration period, void (PublisherNode::*function)());
   TreeRequests treeRequests();
   void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
   void subscribeToObjects();
@@ -78,9 +82,7 @@ class PublisherNode {
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::Subscriber neighbours_subscriber_;
-  ros::WallTimer tick_timer_;
-  ros::WallTimer lost_frames_timer_;
-  ros::WallTimer diagnostics_timer_;
+  Periodic periodic_;
   std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes
   std::unique_ptr<MasterWatch> master_watch_;
 };

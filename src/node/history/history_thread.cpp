@@ -18,7 +18,7 @@ namespace {
 /// About as long as one update of 200 links.
 constexpr std::chrono::microseconds kPiece(50);
 constexpr std::chrono::milliseconds kPollPeriod(20);
-const ros::WallDuration kQueuePeriod(0.2);
+const ros::WallDuration kQueuePeriod(10.0);  // a request or the end wakes the thread
 
 /// Most copies are made before a sleeping thread would wake up: without this a request for 50 links
 /// takes 1.2 times as long (`scripts/bench get-boxes`).

@@ -15,6 +15,12 @@ namespace {
 constexpr double kAngleError = 1e-7;    // rad
 constexpr double kLengthError = 1e-14;  // of lengths of 1
 
+/// An angle that tf2 may take for zero is smaller than the error of an angle, and so computed here
+/// as smaller than two of them.
+constexpr double kJump = kAngleError;
+constexpr double kMayJump = 2 * kAngleError;
+constexpr double kMaxLengthJump = 1e-5;  // of squares of lengths; float32 leaves 1e-7
+
 /// The rounding errors of all poses and boxes, per edge and relative to the largest coordinate.
 /// An edge takes less than 100 additions and multiplications, each wrong by 1.2e-16.
 constexpr double kRounding = 5e-14;
@@ -24,20 +30,22 @@ bool isSameRotation(const tf2::Quaternion& a, const tf2::Quaternion& b) {
   return a == b || a == b * -1.0;
 }
 
-/// Distance from the origin, speed and acceleration of a point, at most.
+/// Distance from the origin, speed, acceleration and jump of a point, at most.
 struct PointMotion {
   double distance;
   double speed;
   double acceleration;
+  double jump;
 };
 
-/// Step 2 and 3, without the translation.
+/// Steps 2, 3 and 6, without the translation.
 PointMotion turned(const PointMotion& point, const EdgeStep& edge) {
   const double per_turn = 2 * std::sqrt(edge.length2) * edge.turn;
   const double per_turn2 = 4 * edge.turn * edge.turn;
   return {
       edge.length2 * point.distance, per_turn * point.distance + edge.length2 * point.speed,
-      per_turn2 * point.distance + 2 * per_turn * point.speed + edge.length2 * point.acceleration};
+      per_turn2 * point.distance + 2 * per_turn * point.speed + edge.length2 * point.acceleration,
+      edge.length2 * (point.jump + edge.jump * point.distance)};
 }
 
 /// Step 3.
@@ -50,18 +58,19 @@ PointMotion lifted(PointMotion point, const std::vector<EdgeStep>& edges) {
   return point;
 }
 
-/// Step 5.
+/// Steps 5 and 6.
 PointMotion startOf(const PathSteps& path, double radius) {
-  double scale = 1, slope = 0, curvature = 0;
+  double scale = 1, slope = 0, curvature = 0, jump = 0;
   for (const auto* edges : {&path.from_link, &path.from_target}) {
     for (const EdgeStep& edge : *edges) {
       scale /= edge.min_length2;
       slope += edge.stretch;
       curvature += edge.stretch2 + edge.stretch * edge.stretch;
+      jump += edge.jump;
     }
   }
   const double distance = scale * radius;
-  return {distance, slope * distance, (slope * slope + curvature) * distance};
+  return {distance, slope * distance, (slope * slope + curvature) * distance, jump * distance};
 }
 
 /// The distance in step 4 may be much smaller than the sum of both, as that of an object near a
@@ -98,7 +107,10 @@ EdgeStep stepBetween(const Tf2Pose& older, const Tf2Pose& newer) {
   step.distance = std::max(older.translation().length(), newer.translation().length());
   if (isSameRotation(from, to)) return step;
   const double change = std::sqrt(longer) - std::sqrt(shorter) + kLengthError;
-  const double half_angle = tf2::angleShortestPath(from, to) / 2 + kAngleError;
+  const double angle = tf2::angleShortestPath(from, to);
+  const double half_angle = angle / 2 + kAngleError;
+  const double length_change = (longer - shorter) / shorter;
+  if (angle < kMayJump) step.jump = kJump + (length_change <= kMaxLengthJump ? length_change : 0);
   step.turn = half_angle * std::sqrt(longer) + M_PI / 2 * change;
   step.stretch = step.stretch2 = 20 * change / std::sqrt(shorter);
   return step;
@@ -109,22 +121,23 @@ bool isSudden(const Tf2Pose& older, const Tf2Pose& newer) {
   return !isSameRotation(from, to) && tf2::angleShortestPath(from, to) == 0;
 }
 
-double bulge(const PathSteps& path, double radius, double distance) {
+Bulge bulge(const PathSteps& path, double radius, double distance) {
   const PointMotion start = startOf(path, radius);
   PointMotion point = lifted(start, path.from_link);
   double largest = std::max(radius, point.distance);
   if (!path.from_target.empty()) {
-    const PointMotion target = lifted({0, 0, 0}, path.from_target);
+    const PointMotion target = lifted({0, 0, 0, 0}, path.from_target);
     largest += target.distance;
     point.speed += target.speed;
     point.acceleration += target.acceleration;
+    point.jump += target.jump;
     point.distance = std::min(point.distance + target.distance,
                               separation(path, start, distance, point.acceleration));
     for (auto edge = path.from_target.rbegin(); edge != path.from_target.rend(); ++edge)
       point = turned(point, *edge);
   }
   const auto edges = static_cast<double>(path.from_link.size() + path.from_target.size());
-  return point.acceleration / 8 + kRounding * (edges + 2) * largest;
+  return {point.acceleration / 8 + kRounding * (edges + 2) * largest, point.jump};
 }
 
 }  // namespace link_bounds

@@ -37,6 +37,13 @@
 //    c in size, and |(|q|^2)'| <= |l1^2 - l0^2| + 15 l c <= 17 l c. With e = 20 c / (smaller
 //    length) for each edge, |(log 1/r)'| <= sum e and |(log 1/r)''| <= sum (e + e^2). In the n-th
 //    part of the way, e and e^2 become e/n and (e/n)^2, and the first e of that sum e/n^2.
+// 6. tf2 takes an angle that is nearly zero for zero, and then keeps the older quaternion until the
+//    newer sample. Where that begins depends on how tf2 was compiled: with fused multiplications,
+//    as Debian's for 64-bit ARM, it is elsewhere. Where it may happen, let j be that angle and
+//    (l^2 - m^2) / m^2 together. Then a point may be off by J more, with J <- l^2 (J + j X) for
+//    each edge, beginning with the sum of all j times |y / r|. Squares of lengths that differ by
+//    more than 1e-5, which are no rounding errors, are left out of j: there the box is that of
+//    tf2's formula as it is compiled here.
 #pragma once
 
 #include <vector>
@@ -54,6 +61,7 @@ struct EdgeStep {
   double stretch2 = 0;     ///< of that, what bounds (|q|^2)'' / |q|^2
   double shift = 0;        ///< d in 3 above [m]
   double distance = 0;     ///< max(|p0|, |p1|) in 3 above [m]
+  double jump = 0;         ///< j in 6 above
 
   /// In one of 1 / `part` equal parts of the time.
   EdgeStep in(double part) const;
@@ -71,9 +79,14 @@ struct PathSteps {
   std::vector<EdgeStep> from_target;
 };
 
-/// How far the points of a link leave the hull of their places at both ends [m].
+/// How far the points of a link leave the hull of their places at both ends.
+struct Bulge {
+  double smooth;  ///< in n equal parts of the time it is n^2 times smaller, but for rounding [m]
+  double jump;    ///< J in 6 above, in any part of the time [m]
+};
+
 /// `radius`: their distance from the origin of the link [m], at most.
 /// `distance`: that of the origin of the link from that of the target, at both ends [m], at most.
-double bulge(const PathSteps& path, double radius, double distance);
+Bulge bulge(const PathSteps& path, double radius, double distance);
 
 }  // namespace link_bounds

@@ -70,7 +70,9 @@ void SceneCopy::begin(const Scene& scene, ros::Time now) {
   past_->model = model_;
   past_->now = now;
   past_->unknown_names = std::move(unknown_names_);
-  past_->bodies.reserve(links_.size() + keys_.size());
+  const std::size_t bodies = links_.size() + keys_.size();
+  past_->bodies.reserve(bodies);
+  past_->excerpt.reserve(bodies + 1);
   const TransformBuffer& tf = scene.frames.tf();
   const auto target = tf.find(request_.frame);
   if (target && (tf.isMet(*target) || request_.frame == model_->fixed_frame)) {

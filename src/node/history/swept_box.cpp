@@ -118,10 +118,12 @@ class Sweep {
   /// False if something is not finite.
   bool cover(const Placed& from, const Placed& to) {
     const std::int64_t duration = to.time - from.time;
-    const double margin = marginOf(from, to);
+    const Bulge bulge = bulgeOf(from, to);
+    const double margin = bulge.smooth + bulge.jump;
     if (!std::isfinite(margin)) return false;
     const Aabb bound = padded(from.box->merged(*to.box), margin);
-    if (margin <= kTolerance || hull_.contains(bound) || duration < 2 || poses_ == kMaxPoses) {
+    if (bulge.smooth <= kTolerance || hull_.contains(bound) || duration < 2 ||
+        poses_ == kMaxPoses) {
       hull_.extend(bound);
       return true;
     }
@@ -130,7 +132,7 @@ class Sweep {
     return isUsable(middle) && cover(from, middle) && cover(middle, to);
   }
 
-  double marginOf(const Placed& from, const Placed& to) {
+  Bulge bulgeOf(const Placed& from, const Placed& to) {
     const auto fill = [&](const std::vector<EdgeMotion>& edges, std::vector<EdgeStep>& steps) {
       steps.clear();
       for (const EdgeMotion& edge : edges)

@@ -16,7 +16,8 @@
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPollPeriod(0.2);
+const ros::WallDuration kPollPeriod(0.2);    // of the description, until there is one
+const ros::WallDuration kQueuePeriod(10.0);  // then a request or the end wakes the thread
 constexpr std::size_t kMaxAnsweredWarnings = 4;
 
 ReadParameters readParametersAndWarn(const ParameterServer& server) {
@@ -81,7 +82,7 @@ void ModelLoader::run() {
     parameters_ = readParametersAndWarn(server_).parameters;
     while (!isStopping()) {
       if (!has_loaded_) firstLoad();
-      queue_.callAvailable(kPollPeriod);
+      queue_.callAvailable(has_loaded_ ? kQueuePeriod : kPollPeriod);
     }
   } catch (const std::exception& error) {
     if (isStopping()) return;

@@ -16,6 +16,13 @@ FrameNames::Frame FrameNames::frame(std::string_view name) {
   return frame;
 }
 
+void FrameNames::reserve(std::size_t count) {
+  frames_.reserve(count);
+  keys_.reserve(count);
+  parents_.reserve(count);
+  followers_.reserve(count + 1);
+}
+
 std::optional<FrameNames::Frame> FrameNames::known(std::string_view name) const {
   const auto found = frames_.find(name);
   if (found == frames_.end()) return std::nullopt;

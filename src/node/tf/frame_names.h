@@ -31,6 +31,9 @@ class FrameNames {
   /// Nothing if no frame has this name.
   std::optional<Frame> known(std::string_view name) const;
 
+  /// Makes room for so many names.
+  void reserve(std::size_t count);
+
   /// Before the first next() of a message.
   void beginMessage() { last_ = 0; }
 

@@ -16,6 +16,7 @@ constexpr std::size_t kChunk = 128;       // samples, some microseconds
 }  // namespace
 
 TfExcerpt::Frame TfExcerpt::add(const TransformBuffer& tf, Frame frame) {
+  if (!epoch_) epoch_ = tf.epoch();
   added_.push_back(frame);
   return include(tf, frame);
 }
@@ -28,7 +29,7 @@ TfExcerpt::Frame TfExcerpt::include(const TransformBuffer& tf, Frame frame) {
 
 bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget) {
   const Clock::time_point end = Clock::now() + budget;
-  if (!epoch_ || *epoch_ != tf.epoch()) restart(tf);
+  if (epoch_ != tf.epoch()) restart(tf);
   for (std::size_t i = 1; complete_ < originals_.size(); ++i) {
     if (heads_ < originals_.size()) {
       copyHead(tf, heads_++);

@@ -32,6 +32,9 @@ class TfExcerpt {
   TfExcerpt(std::int64_t stamp, std::int64_t span, std::int64_t stale_before)
       : stamp_(stamp), span_(span), stale_before_(stale_before) {}
 
+  /// Makes room for so many frames.
+  void reserve(std::size_t frames) { buffer_->reserve(frames); }
+
   /// The number in buffer() of a frame of `tf`. To be called before the first copy().
   Frame add(const TransformBuffer& tf, Frame frame);
 
@@ -64,7 +67,7 @@ class TfExcerpt {
   std::vector<Frame> added_;      ///< numbers in the original
   std::vector<Frame> originals_;  ///< by frame: its number in the original
   std::vector<std::int64_t> oldest_;
-  std::optional<std::uint64_t> epoch_;        ///< of the original, when the copying began
+  std::optional<std::uint64_t> epoch_;        ///< of the original, when it began
   std::size_t heads_ = 0;                     ///< edges that were copied without their samples
   std::size_t complete_ = 0;                  ///< edges that were copied
   std::int64_t common_ = kEnd;                ///< the oldest of the newest stamps

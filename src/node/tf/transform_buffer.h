@@ -51,6 +51,12 @@ class TransformBuffer {
   /// A number for the name, which never changes.
   Frame frame(std::string_view name);
 
+  /// Makes room for so many frames.
+  void reserve(std::size_t count) {
+    names_.reserve(count);
+    edges_.reserve(count);
+  }
+
   /// The same, but nothing for a name that was never met; the buffer stays as it is.
   std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
 

@@ -161,6 +161,17 @@ TEST_F(SweptBoxTest, ContainsBothSidesOfAJump) {
   }
 }
 
+// As tf2 may do for so small an angle, depending on its compiler. Here it interpolates.
+TEST_F(SweptBoxTest, ContainsATinyTurnThatJumps) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(-4.2e-8, Eigen::Vector3d::UnitZ()));
+  sendQuaternion("base", "tip", 10, Eigen::Quaterniond::Identity(), {0, 0, 0});
+  sendQuaternion("base", "tip", 11, turn, {1, 1, 0});
+  const SweptBox swept = sweep(10, 11);
+  ASSERT_TRUE(swept.box);
+  EXPECT_TRUE(swept.box->contains(Eigen::Vector3d(2, 1 - 4.2e-8, 0)));
+  EXPECT_TRUE(swept.box->contains(Eigen::Vector3d(2, 1, 0)));
+}
+
 TEST_F(SweptBoxTest, AGapLongerThanTheTimeoutIsAProblem) {
   for (const double stamp : {10.0, 11.0, 14.0, 15.0})
     send("base", "tip", stamp, 0, {stamp, 0, 0});

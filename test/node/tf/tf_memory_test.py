@@ -10,13 +10,14 @@ import rostest
 from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
 from node_testing import (ALL, ARMS, SANITIZED, ArmsTf, Diagnostics, NodeProcess, resident_bytes,
                           value_of)
+from patience import PATIENCE
 from tf2_msgs.msg import TFMessage
 
 MANY = 300000  # transforms in one message
 ROUNDS = 3
 MEBIBYTE = 1 << 20
 KEPT = 4 * MEBIBYTE  # by the C library and in roscpp's buffers
-DEADLINE = 60.0  # wall seconds to send, receive and read one of them
+DEADLINE = 60.0 * PATIENCE  # wall seconds to send, receive and read one of them
 
 
 class Repetition(TFMessage):

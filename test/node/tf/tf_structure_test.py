@@ -7,6 +7,7 @@ import rostest
 from arms_testing import ArmsTest
 from bounds_testing import Pose, box_of, corners_of, difference, transform, turn
 from node_testing import SIZES, TOLERANCE, arm_bounds, at_angles, joint_pose, shows
+from patience import PATIENCE
 from tf2_msgs.msg import TFMessage
 
 LEFT = ["left", "left_tip"]
@@ -16,7 +17,7 @@ FRAMES = 10000
 PER_MESSAGE = 5000
 DEEP = (2000, 20000)  # frames; tf2 reports a chain of more than a thousand as a loop
 DEEP_TOLERANCE = 1e-9  # m; each frame adds a rounding error
-DEEP_DEADLINE = 60.0  # wall seconds to send, receive and answer the largest message
+DEEP_DEADLINE = 60.0 * PATIENCE  # wall seconds to send, receive and answer the largest message
 PLACEHOLDER, NOT_UTF8 = b"not_utf8", b"\xff\xfe\x80\xc0\xaf\xed\xa0\x80"
 
 
