@@ -42,8 +42,12 @@ TARGETS = {
     'paper_loop': 'paper_loop / ', 'bullet_slow': 'bullet_slow / ', 'fcl_exact': 'fcl_exact / ',
     'geometric_shapes': OURS + ' / geometric_shapes', 'sse2': 'ours_sse2 / corners8',
     'avx2': 'ours_avx2 / corners8', 'unchanged': 'ours_unchanged / eigen',
-    'dragon': OURS + ', dragon of 100,000 vertices', 'links': OURS + ', per link, 1000 links',
+    'dragon': OURS + ', dragon of 100,000 vertices',
+    'links': OURS + ', per link, 1000 links / 50 links, 16 meshes',
+    'distinct': OURS + ', per link, 1000 links / 50 links, distinct meshes',
+    'cold_corners8': 'cold: ' + OURS + ' / corners8',
     'deserialize': 'ours / deserialize', 'usual_tf2': 'usual_tf2 / ours',
+    'cold_deserialize': 'cold: ours / deserialize', 'cold_usual_tf2': 'cold: usual_tf2 / ours',
     'growth': 'ours per link, 1000 links', 'points': 'ours, 100,000 points / 10,000 points',
     'minmax': 'ours / minmax', 'kept_points': 'ours_kept, 100,000 points / 10,000 points',
     'kept_minmax': 'ours_kept / minmax', 'overlaps_1000': 'overlaps / faster peer, 1000 boxes  ',
@@ -58,8 +62,15 @@ TARGETS = {
     'distance_panda': 'us per update, mesh level, all pairs of the panda',
     'distance_pr2': 'us per update, mesh level, all pairs of the pr2',
     'distance_growth': 'us per pair, hull level, longest', 'distance_bytes': 'bytes per triangle',
+    'cpu_50': 'us above the relay, 50 links at 100 Hz',
+    'cpu_200': 'us above the relay, 200 links at 100 Hz',
+    'cpu_1000': 'us above the relay, 1000 links at 100 Hz',
+    'slow_50': 'p50, ours / relay, medians, 50 links at 100 Hz',
+    'slow_200': 'p50, ours / relay, medians, 200 links at 100 Hz',
+    'slow_1000': 'p50, ours / relay, medians, 1000 links at 100 Hz',
+    'fast_medians': 'p50, ours / relay, medians, 200 links at 1000 Hz',
     'with_distances': 'p50, ours with ~distances / without',
-    'relay': 'p50, ours / relay', 'usual_tf2_p50': 'p50, ours / usual_tf2',
+    'relay': 'p50, ours / relay, 200 links at 1000 Hz  ', 'usual_tf2_p50': 'p50, ours / usual_tf2',
     'answered': 'answered / sent',
     'bag_real_time': 'bag_bounds, times real time', 'bag_rosbag': 'bag_bounds / rosbag',
     'bag_memory': 'bag_bounds, memory', 'bag_out_memory': 'bag_bounds --out, memory',
@@ -109,6 +120,16 @@ def of_core(rows):
     return figures
 
 
+def of_cold_core(rows):
+    robots = [row for row in rows if row['kind'] == 'robot']
+    figures = {'core_cold/%s/ns' % method: median(row['ns'] for row in robots
+                                                  if row['method'] == method)
+               for method in {row['method'] for row in robots}}
+    figures['core_cold/code_percent'] = 100 * (
+        1 - figures['core_cold/%s_warm_code/ns' % OURS] / figures['core_cold/%s/ns' % OURS])
+    return figures
+
+
 def of_pipeline(rows):
     times = {(row['links'], row['depth'], row['method']): row['ns_per_link'] for row in rows}
     figures = {'pipeline/%d/%d/%s' % key: ns for key, ns in times.items()}
@@ -122,6 +143,20 @@ def of_pipeline(rows):
     return figures
 
 
+def of_cold_pipeline(rows):
+    figures = {'cold/%d/%s' % (row['links'], row['method']): row['ns_per_link']
+               for row in rows if 'method' in row}
+    for row in rows:
+        if 'code_lines' in row:
+            key = 'cold/%d/%s/' % (row['links'], row['stage'].replace(' ', '_').replace('~', ''))
+            figures.update({key + name: row[name] for name in (
+                'percent', 'code_lines', 'data_lines')})
+            for name in ('code_lines', 'data_lines'):
+                key = 'cold/%d/%s' % (row['links'], name)
+                figures[key] = figures.get(key, 0) + row[name]
+    return figures
+
+
 def of_end_to_end(rows):
     figures = {'end_to_end/' + count: sum(row[count] for row in rows if row['method'] == 'ours')
                for count in ('sent', 'received')}
@@ -132,6 +167,10 @@ def of_end_to_end(rows):
                         key + 'cpu_us_per_update': row['cpu_us_per_update']})
     for links, hz in {(row['links'], row['hz']) for row in rows if row['links'] == 200}:
         key = 'end_to_end/%d/%d/' % (links, hz)
+        for method in ('ours', 'usual_tf2'):
+            above = (figures['%s%s/cpu_us_per_update' % (key, method)] -
+                     figures[key + 'relay/cpu_us_per_update'])
+            figures['%s%s/ns_per_link' % (key, method)] = 1e3 * above / links
         cpu = {method: figures['%s%s/cpu_us_per_update' % (key, method)]
                for method in ('relay', 'ours_one_link', 'ours_spheres', 'ours')}
         figures.update({key + 'above_relay': cpu['ours'] - cpu['relay'],
@@ -258,7 +297,8 @@ def of_proofs(rows):
     return figures
 
 
-PARTS = {'bag': of_bag, 'core': of_core, 'pipeline': of_pipeline, 'end-to-end': of_end_to_end,
+PARTS = {'bag': of_bag, 'core': of_core, 'core --cold': of_cold_core, 'pipeline': of_pipeline,
+         'pipeline --cold': of_cold_pipeline, 'end-to-end': of_end_to_end,
          'get-boxes': of_get_boxes, 'objects': of_objects, 'many-objects': of_many_objects,
          'overlaps': of_overlaps, 'distances': of_distances, 'parts': of_parts,
          'proofs': of_proofs, 'start-up': of_start_up, 'swept': of_swept, 'volumes': of_volumes}

@@ -42,6 +42,8 @@ packages_of() {
       echo libbenchmark-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
+    count)  # what counts cache lines
+      echo valgrind ;;
     fuzz)  # Debian 11 has libFuzzer in a package that clang depends on
       echo clang libclang-rt-dev ;;
     plot)

@@ -13,12 +13,14 @@
 namespace link_bounds::bench {
 namespace {
 
-Options parseOptions(int argc, char** argv) {
+Options parseOptions(int argc, char** argv, bool has_cold) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--quick") {
       options.quick = true;
+    } else if (argument == "--cold" && has_cold) {
+      options.cold = true;
     } else if (argument == "--json" && i + 1 < argc) {
       options.json = argv[++i];
     } else {
@@ -39,8 +41,9 @@ void run(const Options& options, const Benchmark& benchmark) {
 
 }  // namespace
 
-int runBenchmark(int argc, char** argv, const Benchmark& benchmark) try {
-  run(parseOptions(argc, argv), benchmark);
+int runBenchmark(int argc, char** argv, const Benchmark& benchmark, const Benchmark& cold) try {
+  const Options options = parseOptions(argc, argv, static_cast<bool>(cold));
+  run(options, options.cold ? cold : benchmark);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << std::filesystem::path(argv[0]).filename().string() << ": " << error.what() << "\n";

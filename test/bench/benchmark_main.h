@@ -9,8 +9,9 @@
 
 namespace link_bounds::bench {
 
-/// The command line: [--quick] [--json FILE]
+/// The command line: [--cold] [--quick] [--json FILE]
 struct Options {
+  bool cold = false;
   bool quick = false;
   std::string json;  ///< "" = none
 };
@@ -18,8 +19,10 @@ struct Options {
 /// Measures, prints, and writes its rows to `json` unless that is null.
 using Benchmark = std::function<void(bool quick, std::ostream* json)>;
 
-/// The main function of a benchmark, which then runs on one processor. Errors go to standard error,
-/// with the program's name; returns the exit status.
-int runBenchmark(int argc, char** argv, const Benchmark& benchmark);
+/// The main function of a benchmark, which then runs on one processor. With --cold it runs `cold`
+/// instead, if there is one. Errors go to standard error, with the program's name; returns the exit
+/// status.
+int runBenchmark(int argc, char** argv, const Benchmark& benchmark,
+                 const Benchmark& cold = nullptr);
 
 }  // namespace link_bounds::bench

@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "cold.h"
 #include "tf_traffic.h"
 
 namespace link_bounds::bench {
@@ -27,15 +28,16 @@ double cpuSeconds() {
 /// One method and the messages it is fed with.
 class Contender {
  public:
-  Contender(NamedPipeline named, const TfRobot& robot)
-      : named_(std::move(named)), traffic_(robot, named_.moves) {
+  Contender(NamedPipeline named, const TfRobot& robot, Caches caches)
+      : named_(std::move(named)), traffic_(robot, named_.moves), caches_(caches) {
     for (std::size_t i = 0; i < kHistory; i += TfTraffic::kMessages) {
       traffic_.prepare();
       for (std::size_t k = 0; k < TfTraffic::kMessages; ++k)
         named_.pipeline->receive(traffic_.bytes(k), traffic_.stamp(k));
     }
     batch();
-    batches_ = std::max(1, static_cast<int>(kTurn / batch()));
+    // A batch of cold updates takes longer than a turn, nearly all of it for emptying the caches.
+    if (caches_ == Caches::kWarm) batches_ = std::max(1, static_cast<int>(kTurn / batch()));
   }
 
   const std::string& method() const { return named_.method; }
@@ -51,14 +53,32 @@ class Contender {
  private:
   double batch() {
     traffic_.prepare();
+    return caches_ == Caches::kCold ? coldBatch() : warmBatch();
+  }
+
+  double warmBatch() {
     const double start = cpuSeconds();
     for (std::size_t k = 0; k < TfTraffic::kMessages; ++k)
       named_.pipeline->answer(traffic_.bytes(k), traffic_.stamp(k));
     return cpuSeconds() - start;
   }
 
+  /// The clock is read twice before each update, because its own code was put out of the caches.
+  double coldBatch() {
+    double seconds = 0;
+    for (std::size_t k = 0; k < TfTraffic::kMessages; ++k) {
+      emptyCaches();
+      cpuSeconds();
+      const double start = cpuSeconds();
+      named_.pipeline->answer(traffic_.bytes(k), traffic_.stamp(k));
+      seconds += cpuSeconds() - start;
+    }
+    return seconds;
+  }
+
   NamedPipeline named_;
   TfTraffic traffic_;
+  Caches caches_;
   int batches_ = 1;
 };
 
@@ -93,13 +113,13 @@ void compareBoxes(const TfRobot& robot, const MeasuredMeshes& meshes) {
 
 }  // namespace
 
-Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes,
-                int repetitions) {
+Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes, int repetitions,
+                Caches caches) {
   const TfRobot robot = tfRobot(links, depth);
   compareBoxes(robot, meshes);
   std::vector<Contender> contenders;
   for (NamedPipeline& pipeline : makePipelines(robot, meshes))
-    contenders.emplace_back(std::move(pipeline), robot);
+    contenders.emplace_back(std::move(pipeline), robot, caches);
   Contest result{links, depth, {}};
   std::mt19937 engine(1);
   for (int i = 0; i < repetitions; ++i) {

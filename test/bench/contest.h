@@ -19,9 +19,12 @@ struct Contest {
   std::map<std::string, std::vector<double>> ns_per_link;
 };
 
+/// Whether the caches are emptied before each measured update.
+enum class Caches { kWarm, kCold };
+
 /// `meshes` are shared by the links. Histories hold the ten seconds of tf at 1 kHz before anything
 /// is measured.
-Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes,
-                int repetitions);
+Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& meshes, int repetitions,
+                Caches caches);
 
 }  // namespace link_bounds::bench

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes of single meshes, ours and the peers': core_bench [--quick] [--json FILE]
+// Boxes of single meshes, ours and the peers': core_bench [--cold] [--quick] [--json FILE]
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "benchmark_main.h"
+#include "cold_boxes.h"
 #include "json.h"
 #include "machine.h"
 #include "mesh_choice.h"
@@ -48,11 +49,14 @@ void addBuilds(const MeasuredMeshes& meshes, Results& results) {
   }
 }
 
+MeasuredMeshes choose(bool quick) {
+  const char* data = std::getenv("LINK_BOUNDS_DATA");
+  return chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
+}
+
 void benchmarkCore(bool quick, std::ostream* json) {
   printHead(std::cout);
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  const MeasuredMeshes meshes =
-      chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
+  const MeasuredMeshes meshes = choose(quick);
   const std::string ours = nameOfOurs(queryPath());
   const Suite suite = makeSuite(meshes);
   printLeftOut(suite, std::cout);
@@ -64,9 +68,40 @@ void benchmarkCore(bool quick, std::ostream* json) {
   if (json) writeJson(results, *json);
 }
 
+/// Ours beside two loose peers.
+Suite makeColdSuite(const MeasuredMeshes& meshes, const std::string& ours) {
+  Suite all;
+  for (const MeasuredMesh& mesh : meshes) {
+    const Trial trial(mesh);
+    addOurs(trial, all);
+    addLooseBoxes(trial, all);
+#ifdef LINK_BOUNDS_WITH_GEOMETRIC_SHAPES
+    addGeometricShapes(trial, all);
+#endif
+  }
+  Suite suite;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(suite), [&ours](const Case& entry) {
+    const std::string& method = entry.result.method;
+    return method == ours || method == "corners8" || method == "geometric_shapes";
+  });
+  return suite;
+}
+
+void benchmarkCold(bool quick, std::ostream* json) {
+  printHead(std::cout);
+  const QueryPath path = queryPath();
+  const Suite suite = makeColdSuite(choose(quick), nameOfOurs(path));
+  useQueryPath(path);
+  std::cout << "measuring " << suite.size() << " cases\n\n" << std::flush;
+  const Results results = runCold(suite, quick ? 15 : 25);
+  printCold(results, nameOfOurs(path), std::cout);
+  if (json) writeJson(results, *json);
+}
+
 }  // namespace
 }  // namespace link_bounds::bench
 
 int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkCore);
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkCore,
+                                          link_bounds::bench::benchmarkCold);
 }

@@ -14,8 +14,9 @@ import os
 import statistics
 import subprocess
 import tempfile
+import time
 
-from node_process import PROGRAMS, Master, print_target, random_mesh, wait_for
+from node_process import PROGRAMS, Master, cpu_seconds, print_target, random_mesh, wait_for
 
 DEPTH = 10
 SHARED_MESHES = 16
@@ -23,6 +24,7 @@ REPETITIONS = 11
 MESSAGES = 500  # of one run, but at least
 SHORTEST = 0.5  # seconds, and at most
 LONGEST = 1.5
+IDLE = 3
 METHODS = {"relay": ("end_to_end_relay", "boxes"),
            "ours": ("link_bounds_publisher", "boxes"),
            "usual_tf2": ("end_to_end_usual_tf2", "markers"),
@@ -32,6 +34,9 @@ METHODS = {"relay": ("end_to_end_relay", "boxes"),
 LINKS_OF_ALL = 200  # with others only the first three methods
 # Reads ~distances without time that the others need.
 LISTENER = ["nice", "-n", "19", "rostopic", "hz", "/ours_distances/node/distances"]
+# At 100 Hz: of the processor time of an update above the relay's [us], and of the medians' ratio.
+MAX_ABOVE_RELAY = {50: 15, 200: 40, 1000: 130}
+MAX_RATIO = {50: 1.15, 200: 1.2, 1000: 1.2}
 FIGURES = ["p50_us", "p90_us", "p99_us", "cpu_us_per_update"]
 
 
@@ -82,6 +87,15 @@ def measure(method, process, links, hz):
     return json.loads(output)
 
 
+def print_idle(nodes, links):
+    """What nodes cost that receive nothing: timers, and looking for an end."""
+    start = {method: cpu_seconds(node.pid) for method, node in nodes.items()}
+    time.sleep(IDLE)
+    print("idle, %d links, us of processor time per second: " % links + ", ".join(
+        "%s %.0f" % (method, 1e6 * (cpu_seconds(node.pid) - start[method]) / IDLE)
+        for method, node in nodes.items()), flush=True)
+
+
 def run(links, rates, repetitions, folder):
     """{(method, hz): [figures of each repetition]}"""
     methods = list(METHODS) if links == LINKS_OF_ALL else list(METHODS)[:3]
@@ -92,6 +106,8 @@ def run(links, rates, repetitions, folder):
         set_parameters(master.parameters, links, folder)
         nodes = {method: master.start_node(METHODS[method][0], "/" + method)
                  for method in methods}
+        measure("ours", nodes["ours"], links, rates[0])  # from here on it has its robot
+        print_idle(nodes, links)
         if "ours_distances" in methods:
             start_listener(master)
         for repetition in range(repetitions):
@@ -128,6 +144,15 @@ def print_targets(runs, links, hz):
         pairs = zip(runs["ours_distances", hz], runs["ours", hz][1::2])
         print_target("p50, ours with ~distances / without" + where, 1.1,
                      [listened["p50_us"] / alone["p50_us"] for listened, alone in pairs])
+    def median(method, figure):
+        return statistics.median(run[figure] for run in runs[method, hz])
+    if hz == 100:
+        print_target("us above the relay" + where, MAX_ABOVE_RELAY[links],
+                     [own["cpu_us_per_update"] - other["cpu_us_per_update"]
+                      for own, other in zip(runs["ours", hz], runs["relay", hz])])
+    if hz == 100 or links == LINKS_OF_ALL:
+        print_target("p50, ours / relay, medians" + where, MAX_RATIO[links],
+                     [median("ours", "p50_us") / median("relay", "p50_us")])
     if (links, hz) == (200, 1000):
         print_target("p50, ours / relay" + where, 1.25, ratios("p50_us", "relay"))
         print_target("p50, ours / usual_tf2" + where, 0.6, ratios("p50_us", "usual_tf2"))

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the bytes of a TFMessage to boxes: pipeline_bench [--quick] [--json FILE]
+// From the bytes of a TFMessage to boxes: pipeline_bench [--cold] [--quick] [--json FILE]
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 
 #include "benchmark_main.h"
+#include "cold_stages.h"
 #include "contest.h"
-#include "geometry/support/direction_table.h"
 #include "machine.h"
-#include "mesh_choice.h"
 #include "result.h"
+#include "shared_meshes.h"
 #include "target.h"
 
 namespace link_bounds::bench {
@@ -23,22 +22,8 @@ constexpr std::array<std::size_t, 2> kDepths{10, 30};
 constexpr std::array<const char*, 7> kMethods{"deserialize", "relay",       "ours_standing", "ours",
                                               "time_cache",  "buffer_core", "usual_tf2"};
 constexpr std::size_t kMostLinksOfATarget = 200;
-constexpr std::size_t kSharedMeshes = 16;
-
-/// Some of all robots.
-MeasuredMeshes sharedMeshes(std::ostream& notes) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  MeasuredMeshes meshes = chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, false, notes);
-  const auto end = std::remove_if(meshes.begin(), meshes.end(), [](const MeasuredMesh& mesh) {
-    return mesh.kind != "robot" || mesh.points->size() <= kScannedPoints;
-  });
-  meshes.erase(end, meshes.end());
-  const std::size_t wanted = std::min(meshes.size(), kSharedMeshes);
-  MeasuredMeshes chosen;
-  for (std::size_t i = 0; i < wanted; ++i)
-    chosen.push_back(std::move(meshes[i * meshes.size() / wanted]));
-  return chosen;
-}
+constexpr std::array<std::size_t, 3> kColdLinkCounts{50, 200, 1000};
+constexpr std::size_t kColdDepth = 10;
 
 double medianOf(const Contest& contest, const std::string& method) {
   return median(contest.ns_per_link.at(method));
@@ -81,6 +66,18 @@ void printTargets(const Contest& contest, std::ostream& out) {
   show({"usual_tf2 / ours" + where, Wanted::kAtLeast, 10, ratio("usual_tf2", "ours")});
 }
 
+void printColdTargets(const Contest& contest, std::ostream& out) {
+  if (contest.links > kMostLinksOfATarget) return;
+  const std::string where = ", " + std::to_string(contest.links) + " links";
+  const auto& times = contest.ns_per_link;
+  print({"cold: ours / deserialize" + where, Wanted::kAtMost, 4,
+         ratiosOf(times.at("ours"), times.at("deserialize"))},
+        "repetition", "repetitions", out);
+  print({"cold: usual_tf2 / ours" + where, Wanted::kAtLeast, 6,
+         ratiosOf(times.at("usual_tf2"), times.at("ours"))},
+        "repetition", "repetitions", out);
+}
+
 /// From 50 to 1000 links; the repetitions of different robots are not from the same moment.
 void printGrowth(const std::vector<Contest>& contests, std::size_t depth, std::ostream& out) {
   const auto find = [&](std::size_t links) {
@@ -96,6 +93,7 @@ void printGrowth(const std::vector<Contest>& contests, std::size_t depth, std::o
         "repetition", "repetitions", out);
 }
 
+/// The rows of a JSON list, without its end.
 void writeJson(const std::vector<Contest>& contests, std::ostream& out) {
   const char* separator = "[\n";
   for (const Contest& contest : contests) {
@@ -106,17 +104,31 @@ void writeJson(const std::vector<Contest>& contests, std::ostream& out) {
       separator = ",\n";
     }
   }
-  out << "\n]\n";
+}
+
+void printStages(std::size_t links, const std::vector<StageTime>& stages, std::ostream& out) {
+  out << "\nours by stage, " << links << " links, ns per link\n";
+  for (const StageTime& stage : stages)
+    out << "  " << std::left << std::setw(20) << stage.name << std::right << std::setw(10)
+        << stage.ns_per_link << "\n";
+  out << std::flush;
+}
+
+/// Rows after others.
+void writeStages(std::size_t links, const std::vector<StageTime>& stages, std::ostream& out) {
+  for (const StageTime& stage : stages)
+    out << ",\n{\"stage\": \"" << stage.name << "\", \"links\": " << links
+        << ", \"ns_per_link\": " << stage.ns_per_link << "}";
 }
 
 void benchmarkPipeline(bool quick, std::ostream* json) {
-  const MeasuredMeshes meshes = sharedMeshes(std::cout);
+  const MeasuredMeshes meshes = sharedMeshes(false, std::cout);
   printHead(std::cout);
   std::vector<Contest> contests;
   for (const std::size_t links : kLinkCounts) {
     for (const std::size_t depth : kDepths) {
       if (quick && links > kMostLinksOfATarget) continue;
-      contests.push_back(contest(links, depth, meshes, quick ? 5 : 15));
+      contests.push_back(contest(links, depth, meshes, quick ? 5 : 15, Caches::kWarm));
       printRow(contests.back(), std::cout);
       std::cout << std::flush;
     }
@@ -126,12 +138,38 @@ void benchmarkPipeline(bool quick, std::ostream* json) {
     printTargets(contest, std::cout);
   for (const std::size_t depth : kDepths)
     printGrowth(contests, depth, std::cout);
+  if (!json) return;
+  writeJson(contests, *json);
+  *json << "\n]\n";
+}
+
+void benchmarkCold(bool quick, std::ostream* json) {
+  const MeasuredMeshes meshes = sharedMeshes(false, std::cout);
+  std::cout << "The caches are emptied before each update.\n";
+  printHead(std::cout);
+  std::vector<Contest> contests;
+  for (const std::size_t links : kColdLinkCounts) {
+    if (quick && links > kMostLinksOfATarget) continue;
+    contests.push_back(contest(links, kColdDepth, meshes, quick ? 5 : 15, Caches::kCold));
+    printRow(contests.back(), std::cout);
+    std::cout << std::flush;
+  }
   if (json) writeJson(contests, *json);
+  for (const Contest& contest : contests) {
+    const auto stages = coldStages(contest.links, kColdDepth, meshes, quick ? 64 : 256);
+    printStages(contest.links, stages, std::cout);
+    if (json) writeStages(contest.links, stages, *json);
+  }
+  if (json) *json << "\n]\n";
+  std::cout << "\nTargets\n" << std::setprecision(2);
+  for (const Contest& contest : contests)
+    printColdTargets(contest, std::cout);
 }
 
 }  // namespace
 }  // namespace link_bounds::bench
 
 int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkPipeline);
+  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkPipeline,
+                                          link_bounds::bench::benchmarkCold);
 }

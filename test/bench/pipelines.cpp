@@ -5,8 +5,7 @@
 
 #include <boost/make_shared.hpp>
 
-#include "node/outputs/box_message.h"
-#include "node/scene/scene.h"
+#include "node_update.h"
 #include "tf2_pipelines.h"
 #include "usual_tf2.h"
 
@@ -75,47 +74,16 @@ class UsualTf2 : public Pipeline {
   tf2::BufferCore buffer_;
 };
 
-std::shared_ptr<const Model> modelOf(const TfRobot& robot, const MeasuredMeshes& meshes) {
-  auto model = std::make_shared<Model>();
-  model->fixed_frame = robot.base;
-  model->frames = robot.links;
-  SceneGroup all;
-  all.name = "robot";
-  for (const std::string& link : robot.links) {
-    Shape shape;
-    shape.points = meshes[all.members.size() % meshes.size()].points;
-    model->links.push_back({link, {shape}, 0, ""});
-    all.members.push_back(all.members.size());
-  }
-  model->groups.push_back(all);
-  return model;
-}
-
 class Ours : public Pipeline {
  public:
-  explicit Ours(const std::shared_ptr<const Model>& model) { scene_.adopt(model, ros::Time(1)); }
+  explicit Ours(const std::shared_ptr<const Model>& model) : update_(model) {}
 
-  void receive(Bytes& bytes, ros::Time now) override {
-    deserialize(bytes, message_);
-    tf_.add(message_.transforms, false, now);
-  }
-
-  void answer(Bytes& bytes, ros::Time now) override {
-    receive(bytes, now);
-    if (!scene_.update(now)) throw std::runtime_error("the update brought nothing new");
-    fillBoxes(scene_, boxes_);
-    fillGroups(scene_, groups_);
-    if (!boxes_.incomplete.empty()) throw std::runtime_error("a link has no box");
-  }
-
-  const AxisAlignedBoxArray* boxes() const override { return &boxes_; }
+  void receive(Bytes& bytes, ros::Time now) override { update_.receive(bytes, now); }
+  void answer(Bytes& bytes, ros::Time now) override { update_.answer(bytes, now); }
+  const AxisAlignedBoxArray* boxes() const override { return &update_.boxes(); }
 
  private:
-  TfMessage message_;
-  TransformBuffer tf_;
-  Scene scene_{tf_};
-  AxisAlignedBoxArray boxes_;
-  AxisAlignedBoxArray groups_;
+  NodeUpdate update_;
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ struct Case {
   Result result;                                ///< its time is there after the run
   std::function<void(benchmark::State&)> body;  ///< a loop of Google Benchmark
   std::size_t boxes_per_iteration = 1;
+  /// A single box, in the pose of this number; empty if the case is no box of one mesh.
+  std::function<void(std::size_t pose)> one_box = {};
 };
 
 using Suite = std::vector<Case>;

@@ -59,7 +59,9 @@ std::vector<Target> targets(const Results& results, const std::string& ours) {
           {ours + ", dragon of 100,000 vertices / base of ur5e", most, 1.3,
            ratioOfMeshes(results, ours, "dragon_vrip_res2.ply", "ur5e/visual/base.dae")},
           {ours + ", per link, 1000 links / 50 links, 16 meshes", most, 1.6,
-           ratioOfMeshes(results, ours, "links:1000:shared16", "links:50:shared16")}};
+           ratioOfMeshes(results, ours, "links:1000:shared16", "links:50:shared16")},
+          {ours + ", per link, 1000 links / 50 links, distinct meshes", most, 1.6,
+           ratioOfMeshes(results, ours, "links:1000:distinct", "links:50:distinct")}};
 }
 
 }  // namespace
