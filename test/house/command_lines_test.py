@@ -14,12 +14,14 @@ import sys
 import unittest
 from xml.etree import ElementTree
 
+from patience import PATIENCE
+
 PACKAGE, PROGRAMS = pathlib.Path(), pathlib.Path()
 NAMES = ('link_bounds_publisher', 'mesh_worker', 'urdf_bounds', 'bag_bounds', 'assert_box',
          'assert_distance', 'boxes_to.py', 'box_table.py', 'joint_mover.py', 'overlap_colors.py',
          'scene_objects.py', 'zone_events.py')
 NODE = 'link_bounds_publisher'
-TIMEOUT = 60  # s
+TIMEOUT = 60 * PATIENCE  # s
 
 
 def programs():

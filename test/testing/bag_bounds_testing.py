@@ -12,6 +12,7 @@ import unittest
 import genpy
 import rosbag
 from node_testing import ARMS, DYNAMIC, arm_transform
+from patience import PATIENCE
 from tf2_msgs.msg import TFMessage
 
 BAG_BOUNDS = ''
@@ -75,7 +76,7 @@ def raw(message):
 
 def run(*arguments, **options):
     """Exit code, standard output and standard error."""
-    done = subprocess.run([BAG_BOUNDS, *arguments], timeout=100, check=False,
+    done = subprocess.run([BAG_BOUNDS, *arguments], timeout=100 * PATIENCE, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8',
                           **options)
     return done.returncode, done.stdout, done.stderr

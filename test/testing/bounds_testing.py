@@ -10,13 +10,14 @@ import roslib.packages
 import rospy
 from geometry_msgs.msg import TransformStamped
 from link_bounds.msg import AxisAlignedBoxArray
+from patience import PATIENCE
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Header
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-DEADLINE = 20.0  # wall seconds
+DEADLINE = 20.0 * PATIENCE  # wall seconds
 
 
 def wait_for(condition, what, deadline=DEADLINE):

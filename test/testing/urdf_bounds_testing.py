@@ -10,6 +10,8 @@ import sys
 import tempfile
 import unittest
 
+from patience import PATIENCE
+
 URDF_BOUNDS = ''
 HEADER = ['link', 'a_x', 'a_y', 'a_z', 'b_x', 'b_y', 'b_z']
 
@@ -67,8 +69,8 @@ def run(*arguments, urdf=ARM, **options):
     text = urdf if isinstance(urdf, bytes) else urdf.encode('utf-8')
     options.setdefault('stdout', subprocess.PIPE)
     options.setdefault('stderr', subprocess.PIPE)
-    done = subprocess.run([URDF_BOUNDS] + list(arguments), input=text, timeout=60, check=False,
-                          **options)
+    done = subprocess.run([URDF_BOUNDS] + list(arguments), input=text, check=False,
+                          timeout=60 * PATIENCE, **options)
     out, err = ((stream or b'').decode('utf-8') for stream in (done.stdout, done.stderr))
     return done.returncode, out, err
 

@@ -17,6 +17,7 @@
 #include "robot/worker/child_process.h"
 #include "robot/worker/mesh_import.h"
 #include "robot/worker/mesh_reply.h"
+#include "testing/emulated.h"
 #include "testing/mesh_texts.h"
 #include "testing/ordinary_user.h"
 #include "testing/process_census.h"
@@ -124,6 +125,7 @@ TEST_F(MeshProcess, TheRealWorkerOpensNothingOutsideTheRoot) {
 }
 
 TEST_F(MeshProcess, AMissingWorker) {
+  if (!missesPrograms()) GTEST_SKIP() << "skipped: this emulator starts what does not exist";
   expectReason(folder_ / "nowhere", "cannot run", MeshFault::kReader);
 }
 

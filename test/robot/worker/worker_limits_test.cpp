@@ -21,6 +21,7 @@
 #include <functional>
 #include <system_error>
 
+#include "testing/emulated.h"
 #include "testing/ordinary_user.h"
 #include "testing/sanitized.h"
 #include "testing/temporary_folder.h"
@@ -46,6 +47,7 @@ int statusOf(const std::function<bool()>& body, long cpu_seconds = 100) {
 
 TEST(WorkerLimits, MemoryEnds) {
   if (kIsSanitized) GTEST_SKIP() << "skipped: no such limit under a sanitizer";
+  if (!limitsMemory()) GTEST_SKIP() << "skipped: this emulator ignores limits of memory";
   EXPECT_EQ(statusOf([] {
               return mmap(nullptr, kMemory, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) ==
                      MAP_FAILED;
@@ -66,6 +68,7 @@ bool canTake(std::uint64_t bytes) {
 
 TEST(WorkerLimits, TheMemoryLimitRisesToItsMaxAndNeverFalls) {
   if (kIsSanitized) GTEST_SKIP() << "skipped: no such limit under a sanitizer";
+  if (!limitsMemory()) GTEST_SKIP() << "skipped: this emulator ignores limits of memory";
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {

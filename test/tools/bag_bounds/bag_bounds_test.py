@@ -156,6 +156,8 @@ class FormatsTest(BagBoundsTest):
 
     def test_interrupt_reports_what_was_read(self):
         """The signal comes while the program waits for the robot."""
+        if self.catches(os.getpid(), signal.SIGUSR1):
+            self.skipTest('skipped: this emulator catches all signals before the program does')
         command = [bag_bounds_testing.BAG_BOUNDS, self.bag(arms(50)), '--urdf', '-']
         process = subprocess.Popen(command + ['--format', 'json'], encoding='utf-8',
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE,

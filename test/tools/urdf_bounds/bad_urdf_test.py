@@ -14,9 +14,10 @@ import sys
 import unittest
 
 import bad_inputs
+from patience import PATIENCE
 
 URDF_BOUNDS = ''
-TIMEOUT_SECONDS = 90 if bad_inputs.SANITIZED else 20  # for one robot
+TIMEOUT_SECONDS = PATIENCE * (90 if bad_inputs.SANITIZED else 20)  # for one robot
 MEMORY_BYTES = 4000000 * 1024
 
 
