@@ -37,7 +37,7 @@ class PastBoxMaker {
   PastBoxMaker(PastScene& scene, const BoxRequest& request)
       : scene_(scene), tf_(scene.excerpt.buffer()), request_(request), tracker_(tf_) {
     if (request_.stamp != 0) return;
-    tracker_.setTarget(tf_.name(scene_.target), scene_.model->parameters.timeout, scene_.now);
+    tracker_.setTarget(scene_.target, scene_.model->parameters.timeout, scene_.now);
   }
 
   PastBox make(const PastBody& body) {

@@ -8,19 +8,17 @@ namespace link_bounds {
 FrameNames::Frame FrameNames::frame(std::string_view name) {
   const auto found = frames_.find(name);
   if (found != frames_.end()) return found->second;
-  const Frame frame = names_.size();
-  frames_.emplace(names_.emplace_back(name), frame);
-  keys_.emplace_back();
-  parents_.push_back(0);
-  followers_.push_back(0);
+  const Frame frame = borrow(own_.emplace_back(name));
+  frames_.emplace(own_.back(), frame);
+  keys_.resize(frame + 1);
+  parents_.resize(frame + 1);
+  followers_.resize(frame + 2);
   return frame;
 }
 
-void FrameNames::reserve(std::size_t count) {
-  frames_.reserve(count);
-  keys_.reserve(count);
-  parents_.reserve(count);
-  followers_.reserve(count + 1);
+FrameNames::Frame FrameNames::borrow(const std::string& name) {
+  names_.push_back(&name);
+  return names_.size() - 1;
 }
 
 std::optional<FrameNames::Frame> FrameNames::known(std::string_view name) const {

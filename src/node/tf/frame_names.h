@@ -20,6 +20,10 @@ class FrameNames {
  public:
   using Frame = std::size_t;
 
+  FrameNames() = default;
+  FrameNames(const FrameNames&) = delete;
+  FrameNames& operator=(const FrameNames&) = delete;
+
   struct Edge {
     Frame child;
     Frame parent;
@@ -31,8 +35,12 @@ class FrameNames {
   /// Nothing if no frame has this name.
   std::optional<Frame> known(std::string_view name) const;
 
-  /// Makes room for so many names.
-  void reserve(std::size_t count);
+  /// A new number for a name that lives elsewhere, at least as long as this object. Only name()
+  /// knows it.
+  Frame borrow(const std::string& name);
+
+  /// Makes room for so many names that are borrowed.
+  void reserve(std::size_t count) { names_.reserve(count); }
 
   /// Before the first next() of a message.
   void beginMessage() { last_ = 0; }
@@ -48,13 +56,14 @@ class FrameNames {
     return {guess, parents_[guess]};
   }
 
-  const std::string& name(Frame frame) const { return names_[frame]; }
+  const std::string& name(Frame frame) const { return *names_[frame]; }
   std::size_t size() const { return names_.size(); }
 
  private:
   Edge find(std::string_view parent, std::string_view child, std::string_view key);
 
-  std::deque<std::string> names_;  ///< a deque, because the keys of `frames_` point into it
+  std::deque<std::string> own_;  ///< a deque, because `names_` and `frames_` point into it
+  std::vector<const std::string*> names_;
   std::unordered_map<std::string_view, Frame> frames_;
   std::vector<std::string> keys_;    ///< by child: of its last edge
   std::vector<Frame> parents_;       ///< by child: in that edge

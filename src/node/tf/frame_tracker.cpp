@@ -28,8 +28,8 @@ FrameTracker::Node FrameTracker::rootNode() {
   return node;
 }
 
-void FrameTracker::setTarget(std::string_view fixed_frame, double timeout, ros::Time now) {
-  fixed_frame_ = tf_.frame(fixed_frame);
+void FrameTracker::setTarget(Frame fixed_frame, double timeout, ros::Time now) {
+  fixed_frame_ = fixed_frame;
   timeout_ = timeout;
   updateAll(now);
 }

@@ -68,7 +68,10 @@ class FrameTracker {
 
   /// Starts over with another fixed frame. A pose is stale if an edge of its path was not received
   /// for longer than `timeout` [ROS s]; 0 = never. Before the first call no frame has a pose.
-  void setTarget(std::string_view fixed_frame, double timeout, ros::Time now);
+  void setTarget(Frame fixed_frame, double timeout, ros::Time now);
+  void setTarget(std::string_view fixed_frame, double timeout, ros::Time now) {
+    setTarget(tf_.frame(fixed_frame), timeout, now);
+  }
 
   /// Nothing before the first setTarget().
   std::optional<Frame> fixedFrame() const { return fixed_frame_; }

@@ -16,14 +16,28 @@ constexpr std::size_t kChunk = 128;       // samples, some microseconds
 }  // namespace
 
 TfExcerpt::Frame TfExcerpt::add(const TransformBuffer& tf, Frame frame) {
-  if (!epoch_) epoch_ = tf.epoch();
+  if (!epoch_) {
+    epoch_ = tf.epoch();
+    copies_.begin(tf.size());
+  }
   added_.push_back(frame);
   return include(tf, frame);
 }
 
+void TfExcerpt::reserve(std::size_t frames) {
+  buffer_->names_.reserve(frames);
+  buffer_->edges_.reserve(frames);
+  originals_.reserve(frames);
+  oldest_.reserve(frames);
+}
+
 TfExcerpt::Frame TfExcerpt::include(const TransformBuffer& tf, Frame frame) {
-  const Frame copy = buffer_->frame(tf.name(frame));
-  if (copy == originals_.size()) originals_.push_back(frame);
+  copies_.grow(tf.size());
+  if (const auto known = copies_.position(frame)) return *known;
+  const Frame copy = buffer_->names_.borrow(tf.name(frame));
+  buffer_->edges_.emplace_back();
+  originals_.push_back(frame);
+  copies_.set(frame, copy);
   return copy;
 }
 
@@ -46,6 +60,7 @@ bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget)
 /// The frames that were added keep their numbers.
 void TfExcerpt::restart(const TransformBuffer& tf) {
   buffer_ = std::make_unique<TransformBuffer>();
+  copies_.begin(tf.size());
   originals_.clear();
   oldest_.clear();
   for (const Frame frame : added_)

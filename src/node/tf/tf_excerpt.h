@@ -33,7 +33,7 @@ class TfExcerpt {
       : stamp_(stamp), span_(span), stale_before_(stale_before) {}
 
   /// Makes room for so many frames.
-  void reserve(std::size_t frames) { buffer_->reserve(frames); }
+  void reserve(std::size_t frames);
 
   /// The number in buffer() of a frame of `tf`. To be called before the first copy().
   Frame add(const TransformBuffer& tf, Frame frame);
@@ -42,7 +42,8 @@ class TfExcerpt {
   bool copy(const TransformBuffer& tf, std::chrono::nanoseconds budget);
 
   /// At the times of the excerpt, poses between added frames have the bits that they have in the
-  /// original.
+  /// original. It looks up no names; those that it returns belong to the original, which must live
+  /// longer.
   TransformBuffer& buffer() { return *buffer_; }
   const TransformBuffer& buffer() const { return *buffer_; }
 
@@ -65,6 +66,7 @@ class TfExcerpt {
   std::int64_t stale_before_;
   std::unique_ptr<TransformBuffer> buffer_ = std::make_unique<TransformBuffer>();
   std::vector<Frame> added_;      ///< numbers in the original
+  WalkMarks copies_;              ///< by frame of the original: its number in buffer()
   std::vector<Frame> originals_;  ///< by frame: its number in the original
   std::vector<std::int64_t> oldest_;
   std::optional<std::uint64_t> epoch_;        ///< of the original, when it began

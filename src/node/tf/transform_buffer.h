@@ -51,12 +51,6 @@ class TransformBuffer {
   /// A number for the name, which never changes.
   Frame frame(std::string_view name);
 
-  /// Makes room for so many frames.
-  void reserve(std::size_t count) {
-    names_.reserve(count);
-    edges_.reserve(count);
-  }
-
   /// The same, but nothing for a name that was never met; the buffer stays as it is.
   std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
 
@@ -135,7 +129,7 @@ class TransformBuffer {
   std::int64_t settled() const { return settled_; }
 
  private:
-  friend class TfExcerpt;  // fills a buffer edge by edge
+  friend class TfExcerpt;  // fills a buffer edge by edge, with the names of another one
 
   struct Edge {
     std::uint64_t message = 0;  ///< the last one with this edge

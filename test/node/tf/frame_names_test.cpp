@@ -51,5 +51,16 @@ TEST(FrameNames, WithoutAKeyNamesAreLookedAt) {
   }
 }
 
+TEST(FrameNames, OfABorrowedNameOnlyTheNumberIsKnown) {
+  const std::string name = "a";
+  FrameNames frames;
+  EXPECT_EQ(frames.borrow(name), 0u);
+  EXPECT_EQ(&frames.name(0), &name);
+  EXPECT_FALSE(frames.known("a"));
+  EXPECT_EQ(frames.frame("a"), 1u);
+  EXPECT_EQ(frames.name(1), "a");
+  EXPECT_EQ(frames.known("a"), 1u);
+}
+
 }  // namespace
 }  // namespace link_bounds
