@@ -106,7 +106,8 @@ def run(links, rates, repetitions, folder):
         set_parameters(master.parameters, links, folder)
         nodes = {method: master.start_node(METHODS[method][0], "/" + method)
                  for method in methods}
-        measure("ours", nodes["ours"], links, rates[0])  # from here on it has its robot
+        for method in methods:  # from here on ours has its robot
+            measure(method, nodes[method], links, rates[0])
         print_idle(nodes, links)
         if "ours_distances" in methods:
             start_listener(master)
