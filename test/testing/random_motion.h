@@ -54,6 +54,9 @@ class RandomMotion {
            std::all_of(from_target.begin(), from_target.end(), is_static);
   }
 
+  /// True if the lengths of its quaternions differ.
+  bool isSloppy() const { return is_sloppy_; }
+
   static std::string sourceName() { return "source_0"; }
   std::string targetName() const { return from_target.empty() ? "top" : "target_0"; }
 

@@ -34,18 +34,29 @@ class EdgeMotion {
   EdgeStep stepIn(std::int64_t duration) const;
 
   /// True if the edge jumps at the newer of these two samples.
-  bool isSudden() const { return is_sudden_; }
+  bool isSudden() const { return is_sudden_ != isOtherwise(); }
+
+  /// True if the library tf2 decides otherwise whether it does, as it may be compiled in another
+  /// way: see step 6 in motion_bound.h.
+  bool isAmbiguous() const { return is_ambiguous_; }
+
+  /// Whether at() and isSudden() follow the library. They do not at first.
+  void followLibrary(bool is_library) { is_library_ = is_library; }
 
  private:
   bool hasNext() const { return place_ + 1 < samples_.size(); }
   const EdgeSample& older() const { return *samples_[place_]; }
   const EdgeSample& newer() const { return *samples_[place_ + 1]; }
+  bool isOtherwise() const { return is_library_ && is_ambiguous_; }
   void goTo(std::size_t place);
+  double partOf(std::int64_t duration) const;
 
   std::vector<const EdgeSample*> samples_;
   std::size_t place_ = 0;  ///< of the older one
   EdgeStep step_;          ///< between these two
   bool is_sudden_ = false;
+  bool is_ambiguous_ = false;
+  bool is_library_ = false;
 };
 
 }  // namespace link_bounds

@@ -110,7 +110,10 @@ EdgeStep stepBetween(const Tf2Pose& older, const Tf2Pose& newer) {
   const double angle = tf2::angleShortestPath(from, to);
   const double half_angle = angle / 2 + kAngleError;
   const double length_change = (longer - shorter) / shorter;
-  if (angle < kMayJump) step.jump = kJump + (length_change <= kMaxLengthJump ? length_change : 0);
+  if (angle < kMayJump) {
+    step.is_jump_partial = length_change > kMaxLengthJump;
+    step.jump = kJump + (step.is_jump_partial ? 0 : length_change);
+  }
   step.turn = half_angle * std::sqrt(longer) + M_PI / 2 * change;
   step.stretch = step.stretch2 = 20 * change / std::sqrt(shorter);
   return step;

@@ -42,8 +42,9 @@
 //    as Debian's for 64-bit ARM, it is elsewhere. Where it may happen, let j be that angle and
 //    (l^2 - m^2) / m^2 together. Then a point may be off by J more, with J <- l^2 (J + j X) for
 //    each edge, beginning with the sum of all j times |y / r|. Squares of lengths that differ by
-//    more than 1e-5, which are no rounding errors, are left out of j: there the box is that of
-//    tf2's formula as it is compiled here.
+//    more than 1e-5, which are no rounding errors, would make J too large. They are left out of j,
+//    and the box must hold both motions: by tf2's formula as it is compiled here, and by the
+//    library.
 #pragma once
 
 #include <vector>
@@ -54,14 +55,15 @@ namespace link_bounds {
 
 /// What happens to an edge from one sample to the next, or in a part of that time.
 struct EdgeStep {
-  double length2 = 1;      ///< l^2 in 2 above: the square of the larger length
-  double min_length2 = 1;  ///< the square of the smaller length
-  double turn = 0;         ///< g in 1 above [rad]
-  double stretch = 0;      ///< e in 5 above
-  double stretch2 = 0;     ///< of that, what bounds (|q|^2)'' / |q|^2
-  double shift = 0;        ///< d in 3 above [m]
-  double distance = 0;     ///< max(|p0|, |p1|) in 3 above [m]
-  double jump = 0;         ///< j in 6 above
+  double length2 = 1;            ///< l^2 in 2 above: the square of the larger length
+  double min_length2 = 1;        ///< the square of the smaller length
+  double turn = 0;               ///< g in 1 above [rad]
+  double stretch = 0;            ///< e in 5 above
+  double stretch2 = 0;           ///< of that, what bounds (|q|^2)'' / |q|^2
+  double shift = 0;              ///< d in 3 above [m]
+  double distance = 0;           ///< max(|p0|, |p1|) in 3 above [m]
+  double jump = 0;               ///< j in 6 above
+  bool is_jump_partial = false;  ///< j lacks the lengths
 
   /// In one of 1 / `part` equal parts of the time.
   EdgeStep in(double part) const;

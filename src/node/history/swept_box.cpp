@@ -33,22 +33,26 @@ class Sweep {
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
   }
 
-  /// Nothing if a pose is not finite. First the boxes at all samples: most motions between them
-  /// are inside.
-  std::optional<Aabb> box() {
+  /// First the boxes at all samples: most motions between them are inside.
+  SweptBox box() {
+    const SweptBox not_finite{std::nullopt, kNotFinite};
     std::vector<Placed> placed;
     for (const std::int64_t time : times_) {
       seek(time);
       placed.push_back(place(time));
-      if (!isUsable(placed.back())) return std::nullopt;
+      if (!isUsable(placed.back())) return not_finite;
     }
     for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
       seek(times_[i]);
-      if (!coverStep(placed[i], placed[i + 1])) return std::nullopt;
+      if (!coverStep(placed[i], placed[i + 1])) return not_finite;
+      if (isAmbiguous() && !coverAsInLibrary(times_[i], times_[i + 1])) return not_finite;
     }
     // The last pose needs the margin of rounding, too. A link at rest has the box of its pose.
-    if (times_.size() > 1 && !cover(placed.back(), placed.back())) return std::nullopt;
-    return hull_;
+    if (times_.size() > 1 && !cover(placed.back(), placed.back())) return not_finite;
+    const std::int64_t end = times_.back();
+    seek(end);
+    if (isAmbiguous() && !coverAsInLibrary(end, end)) return not_finite;
+    return {hull_, ""};
   }
 
  private:
@@ -99,6 +103,26 @@ class Sweep {
 
   static bool isUsable(const Placed& placed) {
     return placed.box && std::isfinite(placed.distance);
+  }
+
+  bool isAmbiguous() const {
+    return anyEdge([](const EdgeMotion& edge) { return edge.isAmbiguous(); });
+  }
+
+  /// From one sample to the next, where the library moves an edge otherwise.
+  bool coverAsInLibrary(std::int64_t begin, std::int64_t end) {
+    followLibrary(true);
+    const Placed from = place(begin), to = place(end);
+    const bool is_covered = isUsable(from) && isUsable(to) && coverStep(from, to);
+    followLibrary(false);
+    return is_covered;
+  }
+
+  void followLibrary(bool is_library) {
+    for (auto* edges : {&path_.from_source, &path_.from_target}) {
+      for (EdgeMotion& edge : *edges)
+        edge.followLibrary(is_library);
+    }
   }
 
   /// From one sample to the next.
@@ -160,9 +184,7 @@ SweptBox sweptBox(const TransformBuffer& tf, TransformBuffer::Frame target,
   if (link.shapes.empty()) return {std::nullopt, "the link has no geometry"};
   MotionPath path = pathBetween(tf, target, source, span, timeout);
   if (!path.problem.empty()) return {std::nullopt, path.problem};
-  const std::optional<Aabb> box = Sweep(path, link, span).box();
-  if (!box) return {std::nullopt, kNotFinite};
-  return {box, ""};
+  return Sweep(path, link, span).box();
 }
 
 }  // namespace link_bounds

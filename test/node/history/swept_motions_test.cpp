@@ -143,12 +143,26 @@ QuadBox unionOf(const Sampled& sampled, const std::vector<std::int64_t>& extreme
 }
 
 /// What tf2 itself gives.
-void expectContainsTf2(const Sampled& sampled, const Aabb& swept, std::int64_t stamp) {
+Aabb boxInTf2(const Sampled& sampled, std::int64_t stamp) {
   const auto transform =
       sampled.tf2.lookupTransform(sampled.motion.targetName(), RandomMotion::sourceName(),
                                   ros::Time().fromNSec(static_cast<std::uint64_t>(stamp)));
   const Tf2Pose pose = TransformView(transform).parent_from_child;
-  EXPECT_TRUE(swept.contains(*linkBox(sampled.motion.link, MatrixPose(pose).affine))) << stamp;
+  return *linkBox(sampled.motion.link, MatrixPose(pose).affine);
+}
+
+/// Where lengths differ the library may interpolate otherwise than its formula as compiled here.
+/// Its extremes may then be at other stamps.
+void mergeTf2(const Sampled& sampled, const Aabb& swept, QuadBox& all) {
+  for (const std::int64_t stamp : stampsOf(sampled.motion)) {
+    const Aabb box = boxInTf2(sampled, stamp);
+    EXPECT_TRUE(swept.contains(box)) << stamp;
+    for (int k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      all.min[i] = std::min(all.min[i], Quad(box.min()[k]));
+      all.max[i] = std::max(all.max[i], Quad(box.max()[k]));
+    }
+  }
 }
 
 TEST(SweptMotions, ContainAllPosesAndAreTight) {
@@ -163,8 +177,9 @@ TEST(SweptMotions, ContainAllPosesAndAreTight) {
     const Aabb outer = padded(*swept.box, sampled.motion.isAtRest() ? kRounding : 0);
     const std::vector<std::int64_t> extremes = extremeStamps(sampled);
     for (const std::int64_t stamp : extremes)
-      expectContainsTf2(sampled, outer, stamp);
-    const QuadBox all = unionOf(sampled, extremes);
+      EXPECT_TRUE(outer.contains(boxInTf2(sampled, stamp))) << stamp;
+    QuadBox all = unionOf(sampled, extremes);
+    if (sampled.motion.isSloppy()) mergeTf2(sampled, outer, all);
     EXPECT_TRUE(contains(outer, all));
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);
