@@ -12,6 +12,7 @@ tf2::TransformStorage stored(const Tf2Pose& pose, double stamp) {
   result.rotation_ = pose.rotation();
   result.translation_ = pose.translation();
   result.stamp_ = ros::Time(stamp);
+  result.frame_id_ = result.child_frame_id_ = 0;  // tf2 compares them, but does not set them
   return result;
 }
 

@@ -21,6 +21,7 @@ Tf2Pose inLibrary(const EdgeSample& older, const EdgeSample& newer, std::int64_t
     stored.rotation_ = sample->parent_from_child.rotation();
     stored.translation_ = sample->parent_from_child.translation();
     stored.stamp_.fromNSec(static_cast<std::uint64_t>(sample->stamp));
+    stored.frame_id_ = stored.child_frame_id_ = 0;
     cache.insertData(stored);
   }
   tf2::TransformStorage found;
