@@ -21,7 +21,7 @@ constexpr std::array<std::size_t, 4> kLinkCounts{7, 50, 200, 1000};
 constexpr std::array<std::size_t, 2> kDepths{10, 30};
 constexpr std::array<const char*, 7> kMethods{"deserialize", "relay",       "ours_standing", "ours",
                                               "time_cache",  "buffer_core", "usual_tf2"};
-constexpr std::size_t kMostLinksOfATarget = 200;
+constexpr std::size_t kMaxTargetLinks = 200;
 constexpr std::array<std::size_t, 3> kColdLinkCounts{50, 200, 1000};
 constexpr std::size_t kColdDepth = 10;
 
@@ -61,13 +61,13 @@ void printTargets(const Contest& contest, std::ostream& out) {
   const auto show = [&out](const Target& target) {
     print(target, "repetition", "repetitions", out);
   };
-  if (contest.links <= kMostLinksOfATarget)
+  if (contest.links <= kMaxTargetLinks)
     show({"ours / deserialize" + where, Wanted::kAtMost, 4, ratio("ours", "deserialize")});
   show({"usual_tf2 / ours" + where, Wanted::kAtLeast, 10, ratio("usual_tf2", "ours")});
 }
 
 void printColdTargets(const Contest& contest, std::ostream& out) {
-  if (contest.links > kMostLinksOfATarget) return;
+  if (contest.links > kMaxTargetLinks) return;
   const std::string where = ", " + std::to_string(contest.links) + " links";
   const auto& times = contest.ns_per_link;
   print({"cold: ours / deserialize" + where, Wanted::kAtMost, 4,
@@ -127,7 +127,7 @@ void benchmarkPipeline(bool quick, std::ostream* json) {
   std::vector<Contest> contests;
   for (const std::size_t links : kLinkCounts) {
     for (const std::size_t depth : kDepths) {
-      if (quick && links > kMostLinksOfATarget) continue;
+      if (quick && links > kMaxTargetLinks) continue;
       contests.push_back(contest(links, depth, meshes, quick ? 5 : 15, Caches::kWarm));
       printRow(contests.back(), std::cout);
       std::cout << std::flush;
@@ -149,7 +149,7 @@ void benchmarkCold(bool quick, std::ostream* json) {
   printHead(std::cout);
   std::vector<Contest> contests;
   for (const std::size_t links : kColdLinkCounts) {
-    if (quick && links > kMostLinksOfATarget) continue;
+    if (quick && links > kMaxTargetLinks) continue;
     contests.push_back(contest(links, kColdDepth, meshes, quick ? 5 : 15, Caches::kCold));
     printRow(contests.back(), std::cout);
     std::cout << std::flush;

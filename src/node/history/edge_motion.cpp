@@ -53,7 +53,7 @@ Tf2Pose EdgeMotion::at(std::int64_t time) const {
   const Tf2Pose& from = older().parent_from_child;
   if (!hasNext() || time <= older().stamp) return from;
   const Tf2Pose pose = interpolated(older(), newer(), time);
-  if (!isOtherwise()) return pose;
+  if (!isLibraryOther()) return pose;
   if (!is_sudden_) return {from.rotation(), pose.translation()};
   const tf2::Quaternion to = newer().parent_from_child.rotation();
   return {between(from.rotation(), to, partOf(time - older().stamp)), pose.translation()};

@@ -34,7 +34,7 @@ class EdgeMotion {
   EdgeStep stepIn(std::int64_t duration) const;
 
   /// True if the edge jumps at the newer of these two samples.
-  bool isSudden() const { return is_sudden_ != isOtherwise(); }
+  bool isSudden() const { return is_sudden_ != isLibraryOther(); }
 
   /// True if the library tf2 decides otherwise whether it does, as it may be compiled in another
   /// way: see step 6 in motion_bound.h.
@@ -47,7 +47,8 @@ class EdgeMotion {
   bool hasNext() const { return place_ + 1 < samples_.size(); }
   const EdgeSample& older() const { return *samples_[place_]; }
   const EdgeSample& newer() const { return *samples_[place_ + 1]; }
-  bool isOtherwise() const { return is_library_ && is_ambiguous_; }
+  /// True if at() has to give what the library does, and that is not what the formula here does.
+  bool isLibraryOther() const { return is_library_ && is_ambiguous_; }
   void goTo(std::size_t place);
   double partOf(std::int64_t duration) const;
 
