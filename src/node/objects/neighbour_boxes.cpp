@@ -4,10 +4,9 @@
 #include "node/objects/neighbour_boxes.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "link_bounds/geometry/box/aabb.h"
+#include "link_bounds/geometry/box/rounding.h"
 #include "node/loading/model.h"
 
 namespace link_bounds {
@@ -35,9 +34,8 @@ std::string whyRefused(const AxisAlignedBox& box, const std::string& frame) {
 Shape boxBetween(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
   const Eigen::Vector3d center = (min + max) / 2;
   Eigen::Vector3d size = 2 * (max - center).cwiseMax(center - min);
-  for (double& length : size) {
-    if (length > 0) length = std::nextafter(length, std::numeric_limits<double>::infinity());
-  }
+  for (int k = 0; k < 3; ++k)
+    if (size[k] > 0) size[k] = nextUp(size[k]);
   return {nullptr, Solid::kBox, size, Eigen::Affine3d(Eigen::Translation3d(center))};
 }
 

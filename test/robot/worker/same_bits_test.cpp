@@ -72,9 +72,9 @@ std::vector<Eigen::Affine3d> poses() {
 std::string lineOf(const std::string& name, std::size_t pose, const Aabb& box) {
   std::string line = name + " " + std::to_string(pose);
   for (const Eigen::Vector3d& corner : {box.min(), box.max()}) {
-    for (const double number : corner) {
+    for (int k = 0; k < 3; ++k) {
       char text[32];
-      std::snprintf(text, sizeof text, " %a", number);
+      std::snprintf(text, sizeof text, " %a", corner[k]);
       line += text;
     }
   }
