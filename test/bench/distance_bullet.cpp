@@ -8,6 +8,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <algorithm>
+
 #include "distance_methods.h"
 
 namespace link_bounds::bench {

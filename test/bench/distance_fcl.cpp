@@ -6,6 +6,8 @@
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
+
 #include "distance_methods.h"
 
 namespace link_bounds::bench {

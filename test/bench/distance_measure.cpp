@@ -4,8 +4,10 @@
 // is subtracted. The first pose of a motion is not counted.
 #include "distance_measure.h"
 
+#include <algorithm>
 #include <ctime>
 #include <iostream>
+#include <limits>
 
 #include "result.h"
 

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <iostream>
+#include <stdexcept>
 #include <thread>
 
 #include "link_bounds/GetBoxes.h"

@@ -9,6 +9,7 @@
 // the fastest one in a scene counts.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>

@@ -4,6 +4,7 @@
 // little, looks there first.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/distance/convex_sets.h"

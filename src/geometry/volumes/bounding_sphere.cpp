@@ -13,6 +13,7 @@
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

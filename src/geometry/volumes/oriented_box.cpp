@@ -3,6 +3,7 @@
 // Searches over orientations: the size of a box is that of the axis-aligned box of the turned link.
 #include "link_bounds/geometry/volumes/oriented_box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

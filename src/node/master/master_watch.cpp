@@ -10,6 +10,7 @@
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
+#include <chrono>
 #include <utility>
 
 #include "node/log/guarded.h"

@@ -4,6 +4,7 @@
 #include "node/outputs/distance_markers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "node/names/topics.h"

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/single_subscriber_publisher.h>
 
+#include <cstdint>
 #include <functional>
 
 #include "node/log/guarded.h"

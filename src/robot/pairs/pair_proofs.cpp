@@ -9,6 +9,7 @@
 #include <future>
 #include <mutex>
 #include <thread>
+#include <tuple>
 
 #include "link_bounds/robot/urdf/overlap_filter.h"
 

@@ -3,6 +3,8 @@
 // reach_bound.h has the proof.
 #include "robot/reach/arc.h"
 
+#include <limits>
+
 namespace link_bounds {
 namespace {
 

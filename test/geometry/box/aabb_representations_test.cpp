@@ -3,6 +3,8 @@
 // The three representations of a box contain each other, and hardly more.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "link_bounds/geometry/box/aabb.h"
 #include "link_bounds/geometry/box/rounding.h"
 #include "testing/brute_force.h"

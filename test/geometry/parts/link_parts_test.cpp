@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/part_meshes.h"

@@ -3,6 +3,8 @@
 // In quadruple precision: a box is never smaller than its shape, nor larger than shape.h admits.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "link_bounds/geometry/shape/shape.h"
 #include "testing/brute_force.h"
 #include "testing/quad.h"

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include "geometry/support/query/direction_query.h"
 #include "testing/exactness.h"
 #include "testing/linear_maps.h"

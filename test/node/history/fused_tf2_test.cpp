@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <tf2/time_cache.h>
 
+#include <cmath>
+
 #include "node/history/edge_motion.h"
 
 namespace link_bounds {

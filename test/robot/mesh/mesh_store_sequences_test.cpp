@@ -5,6 +5,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <map>
 
 #include "link_bounds/robot/mesh/mesh_store.h"

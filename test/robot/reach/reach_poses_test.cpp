@@ -4,6 +4,7 @@
 // LINK_BOUNDS_DATA. LINK_BOUNDS_TEST_SAMPLES says how many poses of each of those are taken.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "testing/reach_testing.h"
 
 namespace link_bounds {

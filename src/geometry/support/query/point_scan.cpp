@@ -4,6 +4,7 @@
 #include "geometry/support/query/point_scan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/support/query/direction_query.h"
 
