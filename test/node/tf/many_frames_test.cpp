@@ -97,9 +97,14 @@ TEST(ManyFrames, AllExactFromOneMessage) {
   star.expectExact();
 }
 
+/// In turn, so that both begin with the other's data in the caches.
 TEST(ManyFrames, CostAsManyLinks) {
   Star many(kMany), few(kFew);
-  const double many_ms = best(many, 5), few_ms = best(few, 5);
+  double many_ms = many.update(), few_ms = few.update();
+  for (int i = 1; i < 5; ++i) {
+    many_ms = std::min(many_ms, many.update());
+    few_ms = std::min(few_ms, few.update());
+  }
   std::cout << "update of " << kFew << " links: " << few_ms << " ms, of " << kMany << ": "
             << many_ms << " ms\n";
   EXPECT_LT(many_ms, kQuadratic * few_ms);
