@@ -72,7 +72,8 @@ LinkBoxes& LinkBoxes::operator=(LinkBoxes&&) noexcept = default;
 LinkBoxes::~LinkBoxes() = default;
 
 void LinkBoxes::update(const std::vector<MovedLink>& moved) {
-  // There is no other work while its look-ups wait; a batch of one takes 1.07 times as long.
+  // One link alone has no other to work on while it waits for its table: as a batch it takes 1.07
+  // times as long.
   if (moved.size() == 1) return bound(moved.front(), nullptr, 0);
   const MovedLink* const end = moved.data() + moved.size();
   for (const MovedLink* begin = moved.data(); begin != end;) {

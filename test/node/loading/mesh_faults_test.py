@@ -36,8 +36,8 @@ def write_stl(path, triangles):
 
 
 def write_polygons(path, count):
-    """A polygon of 30 corners has 62 bytes in the file and becomes 15 triangles, 180 bytes of indices
-    in memory. Larger ones take assimp 5.4 longer than the square of their corners."""
+    """A polygon of 30 corners has 62 bytes in the file and becomes 15 triangles, 180 bytes of
+    indices in memory. The time that assimp 5.4 takes grows with the square of the corners."""
     polygon = "f" + " 1 2 3" * 10 + "\n"
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + count * polygon)
 
@@ -68,8 +68,8 @@ def has_limits(process):
 
 
 def workers_of(node):
-    """Process numbers of the mesh readers of a node. Reads few files, because a reader may live for a
-    tenth of a second only."""
+    """Process numbers of the mesh readers of a node. Reads few files, because a reader may live for
+    a tenth of a second only."""
     threads = pathlib.Path("/proc/%d/task" % node).glob("*/children")
     return [int(child) for thread in threads for child in read(thread).split()
             if has_limits(child)]

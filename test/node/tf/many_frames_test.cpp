@@ -97,7 +97,7 @@ TEST(ManyFrames, AllExactFromOneMessage) {
   star.expectExact();
 }
 
-/// In turn, so that both begin with the other's data in the caches.
+/// The updates take turns, so that neither set of links has the caches for itself.
 TEST(ManyFrames, CostAsManyLinks) {
   Star many(kMany), few(kFew);
   double many_ms = many.update(), few_ms = few.update();
