@@ -11,6 +11,9 @@ SUBNET = "10.77.0."
 MASTER_PORT = 11311  # nobody else is in these namespaces
 NEIGHBOURS = {"base_reachable": 1000, "retrans": 250, "delay_probe": 0}  # ms
 DELAY, LOSS = "20ms", "5%"
+# What not every kernel allows, and ip does not do under emulation.
+TRIAL = ("ip link add switch type bridge && "
+         "ip ntable change name arp_cache dev lo retrans %d" % NEIGHBOURS["retrans"])
 
 
 def die_with_parent():
@@ -22,8 +25,8 @@ def unshare_command():
     rights = [] if os.geteuid() == 0 else ["--map-root-user"]
     command = ["unshare", "--net", *rights]
     try:
-        tried = subprocess.run([*command, "ip", "link", "add", "switch", "type", "bridge"],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        tried = subprocess.run([*command, "sh", "-c", TRIAL], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
     except FileNotFoundError:
         return None
     return command if tried.returncode == 0 else None

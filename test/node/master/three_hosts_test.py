@@ -200,7 +200,7 @@ class ThreeHosts(unittest.TestCase):
 def main():
     command = unshare_command()
     if command is None:
-        print("skipped: no network namespaces")
+        print("skipped: no network namespaces, or no ip that sets their neighbours")
         return 0
     os.execvp(command[0], [*command, sys.executable, os.path.abspath(__file__), "inside"])
 
