@@ -25,9 +25,9 @@ struct LinkBoxes::PlacedShape {
   ShapeExtents known;
 };
 
-/// What one batch prefetched for its shapes, one after the other. The cells follow from the poses
+/// What one batch prefetched for its shapes, one after the other. The lists follow from the poses
 /// of the batch alone and end with it; shapes beyond the last place look theirs up themselves.
-class LinkBoxes::PrefetchedCells {
+class LinkBoxes::PrefetchedLists {
  public:
   void prefetch(const PlacedShape& shape, const Eigen::Affine3d& world_from_link) {
     if (count_ == kShapesPerBatch) return;
@@ -38,21 +38,22 @@ class LinkBoxes::PrefetchedCells {
     entry.table = is_found ? &shape.known.table : nullptr;
   }
 
-  /// To be called after the last prefetch().
-  void prefetchLists() const {
-    for (std::size_t i = 0; i < count_; ++i)
-      if (entries_[i].table) link_bounds::prefetchLists(*entries_[i].table, entries_[i].cells);
+  /// To be called once, after the last prefetch().
+  void findLists() {
+    for (Entry* entry = entries_.data(); entry != entries_.data() + count_; ++entry)
+      if (entry->table) link_bounds::findLists(*entry->table, entry->cells, entry->lists);
   }
 
   /// Of the shape with this number in the batch; null if there are none.
-  const CellsOfRows* at(std::size_t shape) const {
-    return shape < count_ && entries_[shape].table ? &entries_[shape].cells : nullptr;
+  const ListsOfRows* at(std::size_t shape) const {
+    return shape < count_ && entries_[shape].table ? &entries_[shape].lists : nullptr;
   }
 
  private:
   struct Entry {
     const DirectionTable::Lookup* table;  ///< null: none
     CellsOfRows cells;
+    ListsOfRows lists;
   };
 
   std::size_t count_ = 0;
@@ -88,35 +89,35 @@ void LinkBoxes::update(std::size_t link, const Eigen::Affine3d& world_from_link)
 }
 
 void LinkBoxes::updateBatch(const MovedLink* begin, const MovedLink* end) {
-  PrefetchedCells cells;
+  PrefetchedLists lists;
   for (const MovedLink* moved = begin; moved != end; ++moved) {
     const Link& link = links_[moved->link];
     for (std::size_t i = 0; i < link.shapes; ++i)
-      cells.prefetch(shapes_[link.first_shape + i], *moved->world_from_link);
+      lists.prefetch(shapes_[link.first_shape + i], *moved->world_from_link);
   }
-  cells.prefetchLists();
+  lists.findLists();
   std::size_t first = 0;
   for (const MovedLink* moved = begin; moved != end; ++moved) {
-    bound(*moved, &cells, first);
+    bound(*moved, &lists, first);
     first += links_[moved->link].shapes;
   }
 }
 
 /// `first` is the number of the link's first shape in the batch.
-void LinkBoxes::bound(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first) {
+void LinkBoxes::bound(const MovedLink& moved, const PrefetchedLists* lists, std::size_t first) {
   std::optional<Aabb>& box = boxes_[moved.link];
   if (!box) box.emplace();
-  if (!place(moved, cells, first, *box)) box.reset();
+  if (!place(moved, lists, first, *box)) box.reset();
 }
 
 /// False if there is no box.
-bool LinkBoxes::place(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first,
+bool LinkBoxes::place(const MovedLink& moved, const PrefetchedLists* lists, std::size_t first,
                       Aabb& box) {
   const Link& link = links_[moved.link];
   if (link.shapes == 0) return false;
   const auto place_shape = [&](std::size_t i, Aabb& result) {
     PlacedShape& placed = shapes_[link.first_shape + i];
-    return placeShape(placed.shape, *moved.world_from_link, cells ? cells->at(first + i) : nullptr,
+    return placeShape(placed.shape, *moved.world_from_link, lists ? lists->at(first + i) : nullptr,
                       placed.known, result);
   };
   if (!place_shape(0, box)) return false;

@@ -64,11 +64,11 @@ bool isUsable(const Directions& linear) {
   return (linear.array().abs() <= kLargestLinearEntry).all();
 }
 
-/// By the given cells, or by those found now.
-void scanPoints(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+/// Of the given lists, or of those found now.
+void scanPoints(const Shape& shape, const Directions& linear, const ListsOfRows* lists,
                 ShapeExtents& known) {
-  if (cells) {
-    scanCells(known.table, linear, *cells, known.extents);
+  if (lists) {
+    scanLists(known.table, linear, *lists, known.extents);
   } else if (known.table.cells) {
     known.extents = extents(known.table, linear);
   } else if (shape.points) {
@@ -80,9 +80,9 @@ void scanPoints(const Shape& shape, const Directions& linear, const CellsOfRows*
 
 /// All three rows. False if an entry is too large or not a number; the sum of all entries rules
 /// that out for most poses.
-bool updateAll(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+bool updateAll(const Shape& shape, const Directions& linear, const ListsOfRows* lists,
                ShapeExtents& known) {
-  scanPoints(shape, linear, cells, known);
+  scanPoints(shape, linear, lists, known);
   if (shape.solid != Solid::kNone) addSolid(shape, linear, known.extents);
   known.linear = linear;
   double magnitude = 0;
@@ -115,9 +115,9 @@ bool updateRows(const Shape& shape, const Directions& linear, unsigned rows, Sha
   return true;
 }
 
-bool update(const Shape& shape, const Directions& linear, const CellsOfRows* cells,
+bool update(const Shape& shape, const Directions& linear, const ListsOfRows* lists,
             ShapeExtents& known) {
-  if (cells) return updateAll(shape, linear, cells, known);
+  if (lists) return updateAll(shape, linear, lists, known);
   const unsigned rows = changedRows(linear, known.linear);
   if (rows == 0) return true;
   return rows == kAllRows ? updateAll(shape, linear, nullptr, known)
@@ -130,9 +130,9 @@ bool isFinite(const Aabb& box) {
 }
 
 /// The pad of the translation is added here; the extents have theirs.
-bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const CellsOfRows* cells,
+bool placeAt(const Shape& shape, const Eigen::Affine3d& world_from_shape, const ListsOfRows* lists,
              ShapeExtents& known, Aabb& box) {
-  if (!update(shape, world_from_shape.linear(), cells, known)) return false;
+  if (!update(shape, world_from_shape.linear(), lists, known)) return false;
   for (int k = 0; k < 3; ++k) {
     const double translation = world_from_shape(k, 3);
     const double pad = kRoundingPad * std::abs(translation);
@@ -168,8 +168,8 @@ bool prefetchCells(const Eigen::Affine3d& world_from_shape, const ShapeExtents& 
 }
 
 bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link,
-                const CellsOfRows* cells, ShapeExtents& known, Aabb& box) {
-  if (known.is_in_link_frame) return placeAt(shape, world_from_link, cells, known, box);
+                const ListsOfRows* lists, ShapeExtents& known, Aabb& box) {
+  if (known.is_in_link_frame) return placeAt(shape, world_from_link, lists, known, box);
   return placeAt(shape, world_from_link * shape.link_from_shape, nullptr, known, box);
 }
 

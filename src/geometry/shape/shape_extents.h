@@ -29,8 +29,8 @@ bool prefetchCells(const Eigen::Affine3d& world_from_shape, const ShapeExtents& 
                    CellsOfRows& cells);
 
 /// The box of worldBox(); false if there is none. `known` must have been made for this shape, and
-/// changes speed and nothing else. `cells` are those of this pose, or null.
+/// changes speed and nothing else. `lists` are those of this pose, or null.
 bool placeShape(const Shape& shape, const Eigen::Affine3d& world_from_link,
-                const CellsOfRows* cells, ShapeExtents& known, Aabb& box);
+                const ListsOfRows* lists, ShapeExtents& known, Aabb& box);
 
 }  // namespace link_bounds

@@ -45,11 +45,11 @@ class LinkBoxes {
     double padding;
   };
   struct PlacedShape;
-  class PrefetchedCells;
+  class PrefetchedLists;
 
   void updateBatch(const MovedLink* begin, const MovedLink* end);
-  void bound(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first);
-  bool place(const MovedLink& moved, const PrefetchedCells* cells, std::size_t first, Aabb& box);
+  void bound(const MovedLink& moved, const PrefetchedLists* lists, std::size_t first);
+  bool place(const MovedLink& moved, const PrefetchedLists* lists, std::size_t first, Aabb& box);
 
   std::vector<Link> links_;
   std::vector<PlacedShape> shapes_;

@@ -34,17 +34,18 @@ void find(const DirectionTable::Lookup& table, const Directions& directions, Cel
 }
 
 void scan(const DirectionTable::Lookup& table, const Directions& directions,
-          const CellsOfRows& cells, Extents& result) {
+          const ListsOfRows& lists, Extents& result) {
   for (int k = 0; k < 3; ++k) {
     const double r0 = directions(k, 0);
     const double r1 = directions(k, 1);
     const double r2 = directions(k, 2);
-    const DirectionTable::Cell number = *cells[static_cast<std::size_t>(k)];
-    const PointBlock(&blocks)[2] = table.lists[number].blocks;
+    const DirectionTable::List* const list = lists[static_cast<std::size_t>(k)];
+    const PointBlock(&blocks)[2] = list->blocks;
     const double first = (r0 * blocks[0].x[0] + r1 * blocks[0].y[0]) + r2 * blocks[0].z[0];
     Range range{first, first};
     range.add(blocks[0], r0, r1, r2);
     range.add(blocks[1], r0, r1, r2);
+    const auto number = static_cast<std::size_t>(list - table.lists);
     const auto rest = number < table.rest_count ? table.rests[number] : DirectionTable::Rest{0, 0};
     for (std::uint32_t i = 0; i < rest.count; ++i)
       range.add(table.overflow[rest.first + i], r0, r1, r2);
@@ -57,7 +58,7 @@ Extents findAndScan(const DirectionTable::Lookup& table, const Directions& direc
   CellsOfRows cells;
   find(table, directions, cells);
   Extents result;
-  scan(table, directions, cells, result);
+  scan(table, directions, listsOf(table, cells), result);
   return result;
 }
 
@@ -123,17 +124,17 @@ void findCells(const DirectionTable::Lookup& table, const Directions& directions
     __builtin_prefetch(cell);
 }
 
-void prefetchLists(const DirectionTable::Lookup& table, const CellsOfRows& cells) {
-  for (const DirectionTable::Cell* cell : cells) {
-    const DirectionTable::List& list = table.lists[*cell];
-    __builtin_prefetch(&list.blocks[0].x);
-    __builtin_prefetch(&list.blocks[1].z);
+void findLists(const DirectionTable::Lookup& table, const CellsOfRows& cells, ListsOfRows& lists) {
+  lists = listsOf(table, cells);
+  for (const DirectionTable::List* list : lists) {
+    __builtin_prefetch(&list->blocks[0].x);
+    __builtin_prefetch(&list->blocks[1].z);
   }
 }
 
-void scanCells(const DirectionTable::Lookup& table, const Directions& directions,
-               const CellsOfRows& cells, Extents& result) {
-  query().scan(table, directions, cells, result);
+void scanLists(const DirectionTable::Lookup& table, const Directions& directions,
+               const ListsOfRows& lists, Extents& result) {
+  query().scan(table, directions, lists, result);
 }
 
 }  // namespace link_bounds

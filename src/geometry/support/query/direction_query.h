@@ -23,16 +23,21 @@ inline Extents extents(const DirectionTable& table, const Directions& directions
   return extents(table.lookup(), directions);
 }
 
-/// The cells of three directions.
+/// The cells of three directions, and the lists that these name.
 using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
+using ListsOfRows = std::array<const DirectionTable::List*, 3>;
+
+inline ListsOfRows listsOf(const DirectionTable::Lookup& table, const CellsOfRows& cells) {
+  return {table.lists + *cells[0], table.lists + *cells[1], table.lists + *cells[2]};
+}
 
 /// extents() in three steps. The first two prefetch what the next one reads, so with other work in
 /// between none waits for memory.
 void findCells(const DirectionTable::Lookup& table, const Directions& directions,
                CellsOfRows& cells);
-void prefetchLists(const DirectionTable::Lookup& table, const CellsOfRows& cells);
-void scanCells(const DirectionTable::Lookup& table, const Directions& directions,
-               const CellsOfRows& cells, Extents& result);
+void findLists(const DirectionTable::Lookup& table, const CellsOfRows& cells, ListsOfRows& lists);
+void scanLists(const DirectionTable::Lookup& table, const Directions& directions,
+               const ListsOfRows& lists, Extents& result);
 
 /// The same functions by one path of instructions.
 struct Query {
@@ -41,7 +46,7 @@ struct Query {
   void (*find)(const DirectionTable::Lookup& table, const Directions& directions,
                CellsOfRows& cells);
   void (*scan)(const DirectionTable::Lookup& table, const Directions& directions,
-               const CellsOfRows& cells, Extents& result);
+               const ListsOfRows& lists, Extents& result);
   /// Of `count` points in double, as for PointSet; all but the plain one need kLanes of them.
   Extents (*scan_all)(const double* xyz, std::size_t count, const Directions& directions);
 };

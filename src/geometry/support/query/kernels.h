@@ -101,7 +101,9 @@ LINK_BOUNDS_TARGET inline void find(const DirectionTable::Lookup& table,
            cellAt(table, firstOf(third))};
 }
 
-LINK_BOUNDS_TARGET inline void addRest(const DirectionTable::Lookup& table, Cell number, Row& row) {
+LINK_BOUNDS_TARGET inline void addRest(const DirectionTable::Lookup& table,
+                                       const DirectionTable::List* list, Row& row) {
+  const auto number = static_cast<std::size_t>(list - table.lists);
   if (number >= table.rest_count) return;
   const DirectionTable::Rest rest = table.rests[number];
   for (std::uint32_t i = 0; i < rest.count; ++i)
@@ -110,20 +112,18 @@ LINK_BOUNDS_TARGET inline void addRest(const DirectionTable::Lookup& table, Cell
 
 /// Points beyond the first eight of a list are rare, so one branch serves all three lists.
 LINK_BOUNDS_TARGET inline void scan(const DirectionTable::Lookup& table,
-                                    const Directions& directions, const CellsOfRows& cells,
+                                    const Directions& directions, const ListsOfRows& lists,
                                     Extents& result) {
-  const Cell number0 = *cells[0], number1 = *cells[1], number2 = *cells[2];
-  const DirectionTable::List* const lists = table.lists;
-  Row row0(directions, 0, Points4(lists[number0].blocks[0]));
-  Row row1(directions, 1, Points4(lists[number1].blocks[0]));
-  Row row2(directions, 2, Points4(lists[number2].blocks[0]));
-  row0.add(Points4(lists[number0].blocks[1]));
-  row1.add(Points4(lists[number1].blocks[1]));
-  row2.add(Points4(lists[number2].blocks[1]));
-  if (std::min({number0, number1, number2}) < table.rest_count) {
-    addRest(table, number0, row0);
-    addRest(table, number1, row1);
-    addRest(table, number2, row2);
+  Row row0(directions, 0, Points4(lists[0]->blocks[0]));
+  Row row1(directions, 1, Points4(lists[1]->blocks[0]));
+  Row row2(directions, 2, Points4(lists[2]->blocks[0]));
+  row0.add(Points4(lists[0]->blocks[1]));
+  row1.add(Points4(lists[1]->blocks[1]));
+  row2.add(Points4(lists[2]->blocks[1]));
+  if (std::min({lists[0], lists[1], lists[2]}) < table.lists + table.rest_count) {
+    addRest(table, lists[0], row0);
+    addRest(table, lists[1], row1);
+    addRest(table, lists[2], row2);
   }
   finish(row0, row1, row2, result);
 }
@@ -133,7 +133,7 @@ LINK_BOUNDS_TARGET inline Extents findAndScan(const DirectionTable::Lookup& tabl
   CellsOfRows cells;
   find(table, directions, cells);
   Extents result;
-  scan(table, directions, cells, result);
+  scan(table, directions, listsOf(table, cells), result);
   return result;
 }
 
