@@ -92,8 +92,9 @@ class WorkflowTest(unittest.TestCase):
         start = (PACKAGE / 'README.md').read_text().split('## Quick start')[1].split('```')[1]
         said = re.findall(r'^(scripts/\w+)', start, re.MULTILINE)
         self.assertEqual(said, [command.split()[0] for command in self.commands('debian')])
-        self.assertEqual(self.jobs['debian']['strategy']['matrix']['release'],
-                         ['11', '12', '13', 'sid'])
+        self.assertEqual(self.jobs['debian']['strategy']['matrix'],
+                         {'release': ['11', '12', '13', 'sid'],
+                          'machine': ['ubuntu-latest', 'ubuntu-24.04-arm']})
 
     def test_noetic_and_ros_one_run_the_commands_of_their_page(self):
         page = (PACKAGE / 'doc/deployment.md').read_text()
