@@ -46,6 +46,8 @@ packages_of() {
       echo valgrind ;;
     fuzz)  # Debian 11 has libFuzzer in a package that clang depends on
       echo clang libclang-rt-dev ;;
+    arm64)  # what makes, compiles and emulates a system for ARM
+      echo debootstrap qemu-user-static binfmt-support g++-aarch64-linux-gnu ;;
     plot)
       echo python3-matplotlib ;;
     pictures)
