@@ -47,7 +47,11 @@ bool LiveBoxes::refresh(std::size_t i, const FramePose& pose) {
   BoxState& state = states_[i];
   if (!pose.has_moved && state.box) return std::exchange(state.stamp, pose.stamp) != pose.stamp;
   state.stamp = pose.stamp;
-  waiting_.push_back({i, &pose.fixed_from_frame.affine});
+  // Written in place: push_back would write both members to the stack and read them back at once
+  // as 16 bytes, which waits for both writes (13 instead of 6 cycles per link here).
+  MovedLink& moved = waiting_.emplace_back();
+  moved.link = i;
+  moved.world_from_link = &pose.fixed_from_frame.affine;
   return false;
 }
 
