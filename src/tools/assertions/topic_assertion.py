@@ -200,9 +200,11 @@ class TopicTest(unittest.TestCase):
 
     def _await(self, watch):
         lock = threading.Lock()
+        seen = set()  # names of the topics of which a message has come
 
         def see(message, topic):
             with lock:
+                seen.add(topic.name)
                 topic.see(message, self._now())
 
         subscribers = [(topic, rospy.Subscriber(topic.name, topic.kind, see, topic,
@@ -217,8 +219,9 @@ class TopicTest(unittest.TestCase):
                     return
                 if now > watch.deadline:
                     self.fail(watch.failure(now))
-                # Each time: the last message may be handled after its connection has ended.
-                if any(topic.is_needed and connections(subscriber) == 0
+                # Each time: the last message may be handled after its connection has ended. A topic
+                # of which nothing has come yet may still connect, and has nothing to lose.
+                if any(topic.is_needed and topic.name in seen and connections(subscriber) == 0
                        for topic, subscriber in subscribers):
                     watch.lose_publisher(now)
         self.fail('interrupted\n' + watch.failure(self._now()))

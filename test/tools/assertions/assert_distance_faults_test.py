@@ -8,6 +8,7 @@ import signal
 import rospy
 import rostest
 from assertion_testing import EXPIRES, AssertionTest, Talker
+from bounds_testing import DEADLINE
 from geometry_msgs.msg import Point
 from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap, BoxOverlapArray,
                              Distance, DistanceArray)
@@ -23,6 +24,12 @@ def pair(first, second, distance, distance_max):
                     level=Distance.MESH)
 
 
+def cubes(header, names, incomplete=()):
+    """All boxes are the same cube."""
+    return AxisAlignedBoxArray(header=header, incomplete=list(incomplete), boxes=[
+        AxisAlignedBox(name=name, max=Point(1, 1, 1)) for name in names])
+
+
 class Node:
     """The topics of a node in a namespace."""
 
@@ -34,11 +41,9 @@ class Node:
         self._count = 0
 
     def send(self, names, *pairs, incomplete=(), overlaps=()):
-        """All boxes are the same cube."""
         self._count += 1
         header = Header(frame_id=FRAME, stamp=rospy.Time(self._count))
-        self._boxes.send(AxisAlignedBoxArray(header=header, incomplete=list(incomplete), boxes=[
-            AxisAlignedBox(name=name, max=Point(1, 1, 1)) for name in names]))
+        self._boxes.send(cubes(header, names, incomplete))
         self._overlaps.send(BoxOverlapArray(header=header, overlaps=[
             BoxOverlap(first=first, second=second) for first, second in overlaps]))
         self.distances.send(DistanceArray(header=header, distances=list(pairs),
@@ -128,6 +133,16 @@ class AssertDistanceFaults(AssertionTest):
         self.check_failure(near, "at most for", "0.01 to 0.01 m apart")
         self.check_failure(gone, "at most for", '"table" has no box')
         self.check_failure(ending, "at most for", "nobody publishes")
+
+    def test_boxes_that_connect_after_the_distances_count(self):
+        header = Header(frame_id=FRAME, stamp=rospy.Time(1))
+        distances = Talker("/late/distances", DistanceArray)
+        distances.send(DistanceArray(header=header, distances=[ARM_CUP]))
+        run = self.start("late", dict(ARM_AND_CUP, topic="/late/distances", at_least=0.03,
+                                      deadline=DEADLINE))
+        distances.wait_for_listener()
+        Talker("/late/boxes", AxisAlignedBoxArray).send(cubes(header, NAMES))
+        self.check_passed(run)
 
     def test_a_lower_limit_of_the_publisher_counts(self):
         run = self.start_held("limited")
