@@ -18,11 +18,13 @@ ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes
          'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/distances',
          'node/history', 'node/outputs', 'node/diagnostics', 'node/interface', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
-         'tools/bag_bounds/bag', 'tools/bag_bounds']
+         'tools/bag_bounds/bag', 'tools/bag_bounds',
+         'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
+         'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Folders of test that are no rooms, and folders of tests that look at the node as a whole.
-WITHOUT_RULES = ['test/bench', 'test/consumer', 'test/fuzz', 'test/house', 'test/sanitizers',
-                 'test/soak', 'test/testing']
+WITHOUT_RULES = ['test/consumer', 'test/fuzz', 'test/house', 'test/sanitizers', 'test/soak',
+                 'test/testing']
 WHOLE_NODE = ['test/node/demos', 'test/node/sequences']
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The loose box is that of the eight corners.
+#include "bench/common/usual_tf2.h"
+
+#include <tf2/exceptions.h>
+
+namespace link_bounds::bench {
+namespace {
+
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  const auto& t = transform.translation;
+  return Eigen::Translation3d(t.x, t.y, t.z) * Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+}
+
+visualization_msgs::Marker markerOf(const Aabb& box, const std::string& frame,
+                                    const std_msgs::Header& header) {
+  const Eigen::Vector3d center = box.center();
+  const Eigen::Vector3d size = box.sizes();
+  visualization_msgs::Marker marker;
+  marker.header = header;
+  marker.ns = frame;
+  marker.type = visualization_msgs::Marker::CUBE;
+  marker.action = visualization_msgs::Marker::ADD;
+  marker.pose.position.x = center.x();
+  marker.pose.position.y = center.y();
+  marker.pose.position.z = center.z();
+  marker.pose.orientation.w = 1;
+  marker.scale.x = size.x();
+  marker.scale.y = size.y();
+  marker.scale.z = size.z();
+  marker.color.b = 1;
+  marker.color.a = 0.5;
+  return marker;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray usualMarkers(const tf2::BufferCore& buffer,
+                                             const std::string& fixed_frame,
+                                             const std::vector<UsualLink>& links) {
+  visualization_msgs::MarkerArray markers;
+  for (const UsualLink& link : links) {
+    try {
+      const auto transform = buffer.lookupTransform(fixed_frame, link.frame, ros::Time(0));
+      const Eigen::Isometry3d fixed_from_link = toIsometry(transform.transform);
+      Aabb box;
+      for (const Eigen::Vector3d& corner : corners(link.resting))
+        box.extend(fixed_from_link * corner);
+      markers.markers.push_back(markerOf(box, link.frame, transform.header));
+    } catch (const tf2::TransformException&) {
+      continue;
+    }
+  }
+  return markers;
+}
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// All ways to compute boxes; each file that is named after some of them adds those.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "bench/core/method.h"
+#include "geometry/support/query/query_path.h"
+
+namespace link_bounds::bench {
+
+/// Their names, in the order of addMethods.
+constexpr std::array<const char*, 14> kMethods{
+    "paper_loop",     "welded_scan", "ours_plain", "ours_sse2",       "ours_avx2",
+    "ours_unchanged", "corners8",    "eigen",      "moveit",          "bullet",
+    "bullet_slow",    "fcl",         "fcl_exact",  "geometric_shapes"};
+
+/// Leaves out what this system or processor lacks.
+void addMethods(const Trial& trial, Suite& suite);
+
+void addScans(const Trial& trial, Suite& suite);
+void addOurs(const Trial& trial, Suite& suite);
+void addLooseBoxes(const Trial& trial, Suite& suite);
+void addBullet(const Trial& trial, Suite& suite);
+void addFcl(const Trial& trial, Suite& suite);
+void addGeometricShapes(const Trial& trial, Suite& suite);
+
+/// The cost per link of updates of few and many links.
+void addLinkCounts(const MeasuredMeshes& meshes, Suite& suite);
+
+/// ours_plain, ours_sse2 or ours_avx2.
+std::string nameOfOurs(QueryPath path);
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The results for people.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "bench/common/result.h"
+
+namespace link_bounds::bench {
+
+/// One row per mesh and one column per method, in ns per box; then medians over the robot meshes,
+/// and the cost per link. `ours` is the method that the others are compared with.
+void printTable(const Results& results, const std::string& ours, std::ostream& out);
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Times are of this thread, so that what else the machine does counts less. What a clock read takes
+// is subtracted. The first pose of a motion is not counted.
+#include "bench/distances/distance_measure.h"
+
+#include <algorithm>
+#include <ctime>
+#include <iostream>
+#include <limits>
+
+#include "bench/common/result.h"
+
+namespace link_bounds::bench {
+namespace {
+
+constexpr double kLimit = 0.1;  // m
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// The peers get the meshes in the frames of the links, where they are rounded to float.
+constexpr double kFloat = 1e-6;  // m
+
+double nanoseconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
+}
+
+double clockRead() {
+  std::vector<double> times;
+  for (int i = 0; i < 1000; ++i) {
+    const double start = nanoseconds();
+    times.push_back(nanoseconds() - start);
+  }
+  return median(times);
+}
+
+template <class Run>
+double timeOf(const Run& run) {
+  static const double kClockRead = clockRead();
+  const double start = nanoseconds();
+  run();
+  return std::max(0.0, nanoseconds() - start - kClockRead);
+}
+
+void check(const MeasuredDistance& ours, const MeasuredDistance& peer, const std::string& where) {
+  if (peer.upper < ours.lower - kFloat || peer.lower > ours.upper + kAccuracy + kFloat)
+    std::cout << "DISAGREES: " << where << ": " << peer.lower << " is not within " << ours.lower
+              << " and " << ours.upper << "\n";
+}
+
+/// A pair in a pose of a motion.
+struct Case {
+  std::size_t pose, first, second;
+  MeasuredDistance proven;                        ///< at the mesh level
+  std::map<std::string, double> ns_of_ours = {};  ///< by level
+};
+
+/// One method after the other goes through a motion, so that none finds the caches full of what
+/// another one has read.
+class Measurement {
+ public:
+  Measurement(const DistanceRobot& robot, const std::vector<DistanceSetting>& settings)
+      : robot_(robot), settings_(settings) {
+    for (const DistanceSetting& setting : settings) {
+      if (setting.method != "ours") peers_[setting.method] = setting.make(robot, kUnlimited);
+    }
+  }
+
+  DistanceRows run() {
+    DistanceRows result;
+    for (const bool is_near : {true, false}) {
+      for (const auto& [name, motion] : robot_.motions) {
+        std::vector<Case> cases = casesOf(motion, is_near);
+        for (const DistanceSetting& setting : settings_) {
+          DistanceRow row{
+              robot_.name, name, setting.method, setting.level, is_near ? "near" : "all", 0};
+          if (setting.method == "ours") {
+            measureOurs(setting, motion, is_near, cases, row);
+          } else {
+            measurePeer(setting, motion, cases, row);
+          }
+          row.pairs = row.ns.size();
+          if (row.pairs > 0) result.push_back(std::move(row));
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// The judge decides what is near.
+  std::vector<Case> casesOf(const std::vector<LinkPoses>& motion, bool is_near) const {
+    std::vector<DistanceSetting> ours;
+    addOurDistances(ours);
+    const auto judge = ours.at(1).make(robot_, is_near ? kLimit : kUnlimited);
+    std::vector<Case> result;
+    const std::size_t poses = std::min(robot_.poses_per_peer + 1, motion.size());
+    for (std::size_t pose = 0; pose < poses; ++pose) {
+      judge->prepare(motion[pose]);
+      for (const auto& [first, second] : robot_.pairs) {
+        const MeasuredDistance proven = judge->distance(first, second);
+        if (pose > 0 && (!is_near || proven.lower < kLimit))
+          result.push_back({pose, first, second, proven});
+      }
+    }
+    return result;
+  }
+
+  void measureOurs(const DistanceSetting& setting, const std::vector<LinkPoses>& motion,
+                   bool is_near, std::vector<Case>& cases, DistanceRow& row) const {
+    const auto method = setting.make(robot_, is_near ? kLimit : kUnlimited);
+    auto next = cases.begin();
+    for (std::size_t pose = 0; next != cases.end(); ++pose) {
+      method->prepare(motion[pose]);
+      for (const auto& [first, second] : robot_.pairs) {
+        const double ns = timeOf([&, i = first, j = second] { method->distance(i, j); });
+        if (next == cases.end() || next->pose != pose || next->first != first ||
+            next->second != second)
+          continue;
+        row.ns.push_back(ns);
+        next->ns_of_ours[setting.level] = ns;
+        ++next;
+      }
+    }
+  }
+
+  void measurePeer(const DistanceSetting& setting, const std::vector<LinkPoses>& motion,
+                   const std::vector<Case>& cases, DistanceRow& row) {
+    DistanceMethod& peer = *peers_[setting.method];
+    std::size_t prepared = 0;
+    for (const Case& pair : cases) {
+      if (!peer.has(pair.first, pair.second)) continue;
+      if (prepared != pair.pose) peer.prepare(motion[pair.pose]);
+      prepared = pair.pose;
+      MeasuredDistance found{};
+      row.ns.push_back(timeOf([&] { found = peer.distance(pair.first, pair.second); }));
+      row.ns_beside.push_back(pair.ns_of_ours.at(setting.level));
+      if (setting.level == "mesh") check(pair.proven, found, setting.method + ", " + robot_.name);
+    }
+  }
+
+  const DistanceRobot& robot_;
+  const std::vector<DistanceSetting>& settings_;
+  std::map<std::string, std::unique_ptr<DistanceMethod>> peers_;
+};
+
+}  // namespace
+
+DistanceRows measurePairs(const DistanceRobot& robot,
+                          const std::vector<DistanceSetting>& settings) {
+  return Measurement(robot, settings).run();
+}
+
+DistanceRows measureUpdates(const DistanceRobot& robot) {
+  std::vector<DistanceSetting> settings;
+  addOurDistances(settings);
+  DistanceRows result;
+  for (const auto& [name, motion] : robot.motions) {
+    for (const DistanceSetting& setting : settings) {
+      const auto method = setting.make(robot, kLimit);
+      DistanceRow row{robot.name, name, "ours", setting.level, "update", robot.pairs.size()};
+      for (const LinkPoses& poses : motion) {
+        row.ns.push_back(timeOf([&] {
+          method->prepare(poses);
+          for (const auto& [first, second] : robot.pairs)
+            method->distance(first, second);
+        }));
+      }
+      row.ns.erase(row.ns.begin());
+      result.push_back(row);
+    }
+  }
+  return result;
+}
+
+}  // namespace link_bounds::bench

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sends numbered tf messages to one node and takes the time until each is answered:
+// end_to_end_stopwatch NAMESPACE PID boxes|markers LINKS DEPTH HZ SECONDS
+// Messages go to NAMESPACE/tf, answers come from NAMESPACE/node/boxes. Prints one line of JSON.
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <time.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "bench/common/tf_robot.h"
+#include "link_bounds/AxisAlignedBoxArray.h"
+
+namespace link_bounds::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kWarmUp = 0.3;  // s
+constexpr std::uint32_t kUnlimited = 0;
+constexpr std::chrono::seconds kPatience(20);  // for a connection, and for the last answers
+constexpr std::size_t kPoses = 64;             // messages made beforehand, used in turn
+
+/// When each message went and when its answer came; numbers are those of the messages.
+class Times {
+ public:
+  explicit Times(std::size_t count) : sent_(count), answered_(count) {}
+
+  void send(std::size_t number) { sent_[number] = Clock::now(); }
+
+  void answer(std::size_t number) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (number >= answered_.size() || answered_[number] != Clock::time_point()) return;
+    answered_[number] = Clock::now();
+    ++answers_;
+  }
+
+  std::size_t answers() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return answers_;
+  }
+
+  /// Microseconds, in ascending order, of the messages from the first that counts.
+  std::vector<double> latencies(std::size_t first) const {
+    std::vector<double> result;
+    for (std::size_t i = first; i < sent_.size(); ++i) {
+      if (answered_[i] == Clock::time_point()) continue;
+      result.push_back(std::chrono::duration<double, std::micro>(answered_[i] - sent_[i]).count());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Clock::time_point> sent_;  ///< written before the answer can come
+  std::vector<Clock::time_point> answered_;
+  std::size_t answers_ = 0;
+};
+
+struct Task {
+  std::string name_space;
+  pid_t pid;
+  bool is_markers;
+  TfRobot robot;
+  double hz;
+  double seconds;
+};
+
+double cpuSeconds(pid_t pid) {
+  clockid_t clock;
+  timespec time{};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    throw std::runtime_error("the node is gone");
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
+}
+
+template <class Condition>
+bool waitFor(const Condition& condition) {
+  const auto end = Clock::now() + kPatience;
+  while (!condition()) {
+    if (Clock::now() > end || !ros::ok()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+/// Messages are numbered by their stamps.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const Task& task)
+      : task_(task),
+        first_(static_cast<std::size_t>(kWarmUp * task.hz)),
+        count_(first_ + static_cast<std::size_t>(task.seconds * task.hz)),
+        times_(count_),
+        start_(ros::Time::now()),
+        messages_(swing(task.robot, kPoses)),
+        publisher_(node_.advertise<tf2_msgs::TFMessage>(task.name_space + "/tf", kUnlimited)) {
+    const std::string topic = task.name_space + "/node/boxes";
+    if (task.is_markers) {
+      subscribe<visualization_msgs::MarkerArray>(topic, [](const auto& array) {
+        return array.markers.empty() ? ros::Time() : array.markers.front().header.stamp;
+      });
+    } else {
+      subscribe<AxisAlignedBoxArray>(topic, [](const auto& array) { return array.header.stamp; });
+    }
+  }
+
+  void run() {
+    ros::AsyncSpinner spinner(1);
+    spinner.start();
+    const bool is_connected = waitFor([this] {
+      return publisher_.getNumSubscribers() == 1 && subscriber_.getNumPublishers() == 1;
+    });
+    if (!is_connected) throw std::runtime_error("no connection with " + task_.name_space);
+    double cpu = 0;
+    auto due = Clock::now();
+    for (std::size_t i = 0; i < count_ && ros::ok(); ++i) {
+      if (i == first_) cpu = cpuSeconds(task_.pid);
+      send(i);
+      due += std::chrono::nanoseconds(std::llround(1e9 / task_.hz));
+      std::this_thread::sleep_until(due);
+    }
+    waitFor([this] { return times_.answers() == count_; });
+    spinner.stop();
+    print(cpuSeconds(task_.pid) - cpu);
+  }
+
+ private:
+  template <class Message, class StampOf>
+  void subscribe(const std::string& topic, const StampOf& stampOf) {
+    subscriber_ = node_.subscribe<Message>(
+        topic, kUnlimited,
+        [this, stampOf](const boost::shared_ptr<const Message>& message) {
+          const ros::Time stamp = stampOf(*message);
+          if (stamp >= start_) times_.answer(numberOf(stamp));
+        },
+        {}, ros::TransportHints().tcpNoDelay());
+  }
+
+  ros::Time stampOf(std::size_t number) const {
+    return start_ + ros::Duration(static_cast<double>(number) / task_.hz);
+  }
+
+  std::size_t numberOf(ros::Time stamp) const {
+    return static_cast<std::size_t>(std::llround((stamp - start_).toSec() * task_.hz));
+  }
+
+  void send(std::size_t number) {
+    tf2_msgs::TFMessage& message = messages_[number % kPoses];
+    for (auto& transform : message.transforms)
+      transform.header.stamp = stampOf(number);
+    times_.send(number);
+    publisher_.publish(message);
+  }
+
+  void print(double cpu_seconds) const {
+    const std::vector<double> latencies = times_.latencies(first_);
+    const auto quantile = [&](double part) {
+      if (latencies.empty()) return -1.0;
+      return latencies[static_cast<std::size_t>(part * static_cast<double>(latencies.size() - 1))];
+    };
+    const std::size_t sent = count_ - first_;
+    std::cout << "{\"p50_us\": " << quantile(0.5) << ", \"p90_us\": " << quantile(0.9)
+              << ", \"p99_us\": " << quantile(0.99)
+              << ", \"cpu_us_per_update\": " << 1e6 * cpu_seconds / static_cast<double>(sent)
+              << ", \"sent\": " << sent << ", \"received\": " << latencies.size() << "}\n";
+  }
+
+  ros::NodeHandle node_;  ///< the first, since it starts the clock
+  const Task& task_;
+  std::size_t first_;
+  std::size_t count_;
+  Times times_;
+  ros::Time start_;
+  std::vector<tf2_msgs::TFMessage> messages_;
+  ros::Publisher publisher_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace
+}  // namespace link_bounds::bench
+
+int main(int argc, char** argv) try {
+  using namespace link_bounds::bench;
+  ros::init(argc, argv, "stopwatch", ros::init_options::AnonymousName);
+  if (argc != 8) throw std::runtime_error("wrong number of arguments");
+  const Task task{argv[1],
+                  std::stoi(argv[2]),
+                  argv[3] == std::string("markers"),
+                  tfRobot(std::stoul(argv[4]), std::stoul(argv[5])),
+                  std::stod(argv[6]),
+                  std::stod(argv[7])};
+  Stopwatch(task).run();
+} catch (const std::exception& error) {
+  std::cerr << "end_to_end_stopwatch: " << error.what() << "\n";
+  return 1;
+}

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Asks for boxes while tf is sent, and an empty service in turn: get_boxes_client LINKS DEPTH HZ
+// REPETITIONS CALLS. The services are /ours/node/get_boxes and /empty/node/service. Prints one line
+// of JSON per repetition: the median time of a call of each kind [us].
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+
+#include "bench/common/tf_robot.h"
+#include "link_bounds/GetBoxes.h"
+
+namespace link_bounds::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kPoses = 64;  // messages made beforehand, used in turn
+constexpr const char* kEmpty = "/empty/node/service";
+constexpr const char* kGetBoxes = "/ours/node/get_boxes";
+constexpr double kHistory = 3;  // s, before the first call
+
+/// Sends tf until it ends.
+class Traffic {
+ public:
+  Traffic(ros::NodeHandle& node, const TfRobot& robot, double hz)
+      : publisher_(node.advertise<tf2_msgs::TFMessage>("/ours/tf", 0)),
+        messages_(swing(robot, kPoses)),
+        thread_([this, hz] { run(hz); }) {}
+
+  ~Traffic() {
+    stops_ = true;
+    thread_.join();
+  }
+
+ private:
+  void run(double hz) {
+    auto due = Clock::now();
+    for (std::size_t i = 0; !stops_ && ros::ok(); ++i) {
+      tf2_msgs::TFMessage& message = messages_[i % kPoses];
+      const ros::Time now = ros::Time::now();
+      for (auto& transform : message.transforms)
+        transform.header.stamp = now;
+      publisher_.publish(message);
+      due += std::chrono::nanoseconds(std::llround(1e9 / hz));
+      std::this_thread::sleep_until(due);
+    }
+  }
+
+  std::atomic<bool> stops_{false};
+  ros::Publisher publisher_;
+  std::vector<tf2_msgs::TFMessage> messages_;
+  std::thread thread_;
+};
+
+/// The median time of a call [us].
+template <class Call>
+double median(int calls, Call&& call) {
+  std::vector<double> times;
+  for (int i = 0; i < calls; ++i) {
+    const auto begin = Clock::now();
+    call();
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+  }
+  std::nth_element(times.begin(), times.begin() + calls / 2, times.end());
+  return times[static_cast<std::size_t>(calls) / 2];
+}
+
+class Client {
+ public:
+  /// The services must be there already.
+  Client(bool persistent, std::size_t links)
+      : empty_(node_.serviceClient<std_srvs::Empty>(kEmpty, persistent)),
+        boxes_(node_.serviceClient<GetBoxes>(kGetBoxes, persistent)),
+        links_(links) {}
+
+  double empty(int calls) {
+    return median(calls, [this] {
+      std_srvs::Empty message;
+      if (!empty_.call(message)) throw std::runtime_error("the empty service did not answer");
+    });
+  }
+
+  /// Boxes so many seconds ago; 0: the latest.
+  double boxes(int calls, double ago, double span) {
+    return median(calls, [&] {
+      GetBoxes message;
+      if (ago > 0) message.request.stamp = ros::Time::now() - ros::Duration(ago);
+      message.request.span = ros::Duration(span);
+      const bool is_answered = boxes_.call(message);
+      if (!is_answered || message.response.boxes.boxes.size() < links_)
+        throw std::runtime_error("not all boxes: " + message.response.message);
+    });
+  }
+
+  /// The model is there.
+  bool hasBoxes() {
+    GetBoxes message;
+    return boxes_.call(message) && message.response.boxes.boxes.size() == links_;
+  }
+
+ private:
+  ros::NodeHandle node_;
+  ros::ServiceClient empty_;
+  ros::ServiceClient boxes_;
+  std::size_t links_;
+};
+
+void run(std::size_t links, std::size_t depth, double hz, int repetitions, int calls) {
+  ros::NodeHandle node;
+  Traffic traffic(node, tfRobot(links, depth), hz);
+  ros::service::waitForService(kEmpty);
+  ros::service::waitForService(kGetBoxes);
+  Client kept(true, links), fresh(false, links);
+  while (ros::ok() && !fresh.hasBoxes())
+    ros::Duration(0.1).sleep();
+  ros::Duration(kHistory).sleep();
+  for (int i = 0; i < repetitions; ++i) {
+    std::cout << "{\"empty\": " << kept.empty(calls) << ", \"latest\": " << kept.boxes(calls, 0, 0)
+              << ", \"0.1 s ago\": " << kept.boxes(calls, 0.1, 0)
+              << ", \"2 s ago\": " << kept.boxes(calls, 2, 0)
+              << ", \"span of 0.1 s\": " << kept.boxes(calls / 10, 0.1, 0.1)
+              << ", \"empty, fresh connection\": " << fresh.empty(calls / 10)
+              << ", \"latest, fresh connection\": " << fresh.boxes(calls / 10, 0, 0) << "}"
+              << std::endl;
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds::bench
+
+int main(int argc, char** argv) try {
+  ros::init(argc, argv, "client");
+  if (argc != 6) throw std::runtime_error("wrong number of arguments");
+  link_bounds::bench::run(std::stoul(argv[1]), std::stoul(argv[2]), std::stod(argv[3]),
+                          std::stoi(argv[4]), std::stoi(argv[5]));
+} catch (const std::exception& error) {
+  std::cerr << "get_boxes_client: " << error.what() << "\n";
+  return 1;
+}

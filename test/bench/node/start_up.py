@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From the start of the node's process to its first boxes that lack nothing, all meshes loaded; and
+the memory of the node then, and of its tables. start_up.py [--quick] [--json FILE]"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import threading
+import time
+import xml.etree.ElementTree as ElementTree
+
+import rospy
+from geometry_msgs.msg import TransformStamped
+from node_process import DEADLINE, PROGRAMS, Master, megabytes
+from tf2_msgs.msg import TFMessage
+
+from link_bounds.msg import AxisAlignedBoxArray
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+DATA = os.environ.get("LINK_BOUNDS_DATA")
+ROBOTS = {"demo": str(REPOSITORY / "launch/demo/demo.urdf")}
+if DATA:
+    ROBOTS["panda"] = DATA + "/robots/franka_description/urdf/panda.urdf"
+    ROBOTS["pr2"] = DATA + "/robots/pr2_description/urdf/pr2.urdf"
+
+
+def transforms_of(description):
+    """All joints as static transforms; where they are does not matter here."""
+    message = TFMessage()
+    for joint in ElementTree.fromstring(description).iterfind("joint"):
+        transform = TransformStamped()
+        transform.header.frame_id = joint.find("parent").get("link")
+        transform.child_frame_id = joint.find("child").get("link")
+        transform.transform.rotation.w = 1
+        message.transforms.append(transform)
+    return message
+
+
+def start_once(master, name_space):
+    """Starts the node, and ends it when its boxes are complete. Returns the seconds it took, and
+    the memory of the node: its peak and at the end [MB]."""
+    complete = threading.Event()
+
+    def on_boxes(message):
+        if message.boxes and not message.incomplete:
+            complete.set()
+
+    subscriber = rospy.Subscriber(name_space + "/node/boxes", AxisAlignedBoxArray, on_boxes,
+                                  tcp_nodelay=True)
+    start = time.monotonic()
+    process = master.start_node("link_bounds_publisher", name_space)
+    if not complete.wait(DEADLINE):
+        raise RuntimeError("no complete boxes within %d s" % DEADLINE)
+    seconds = time.monotonic() - start
+    memory = {"peak_mb": megabytes(process.pid, "VmHWM"),
+              "resident_mb": megabytes(process.pid, "VmRSS")}
+    subscriber.unregister()
+    master.end(process)
+    return {"median_ms": 1e3 * seconds, **memory}
+
+
+def tables_of(path):
+    """The memory of the robot's meshes, and the peak of the program that loads them [MB]."""
+    text = subprocess.run([os.path.join(PROGRAMS, "urdf_bounds"), "--verbose", path], check=True,
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE).stderr.decode()
+    tables = re.search(r"(\d+) bytes in (\d+) mesh files", text)
+    peak = re.search(r"(\d+) kB of memory at the peak", text)
+    return {"tables_mb": round(int(tables.group(1)) / 1e6, 2), "files": int(tables.group(2)),
+            "loading_mb": round(int(peak.group(1)) * 1024 / 1e6, 1)}
+
+
+def measure(robot, repetitions, master):
+    with open(ROBOTS[robot], encoding="utf-8") as file:
+        description = file.read()
+    master.parameters.setParam("/%s/robot_description" % robot, description)
+    publisher = rospy.Publisher("/%s/tf_static" % robot, TFMessage, queue_size=1, latch=True)
+    publisher.publish(transforms_of(description))
+    starts = [start_once(master, "/" + robot) for _ in range(repetitions)]
+    row = {"robot": robot, "starts": repetitions, **tables_of(ROBOTS[robot])}
+    for figure in starts[0]:
+        row[figure] = round(statistics.median(start[figure] for start in starts), 1)
+    row["shortest_ms"] = round(min(start["median_ms"] for start in starts), 1)
+    row["longest_ms"] = round(max(start["median_ms"] for start in starts), 1)
+    return row
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="3 repetitions")
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    options = parser.parse_args()
+    if not DATA:
+        print("LINK_BOUNDS_DATA is not set: only the demo's robot is measured")
+    rows = []
+    with Master() as master:
+        rospy.init_node("start_up", disable_signals=True)
+        for robot in ROBOTS:
+            rows.append(measure(robot, 3 if options.quick else 11, master))
+            print("%(robot)-6s %(median_ms)6.0f ms (from %(shortest_ms).0f to %(longest_ms).0f in "
+                  "%(starts)d starts), node %(resident_mb).0f MB, at the peak %(peak_mb).0f MB; "
+                  "%(files)d mesh files take %(tables_mb).1f MB" % rows[-1], flush=True)
+        rospy.signal_shutdown("done")
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a bag of a robot whose joints all swing, at 100 Hz, and its URDF, a mesh for each link:
+// bag_made BAG URDF MESH LINKS SECONDS
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "bench/common/tf_robot.h"
+#include "testing/bag_testing.h"
+
+namespace link_bounds::bench {
+namespace {
+
+constexpr std::int64_t kPeriod = 10000000;            // ns
+constexpr std::int64_t kBegin = 1700000000000000000;  // ns
+constexpr std::size_t kDepth = 10;
+constexpr std::size_t kPoses = 1000;
+
+void writeUrdf(const TfRobot& robot, const std::string& file, const std::string& mesh) {
+  std::ofstream urdf(file);
+  urdf << "<robot name=\"bench\">\n<link name=\"" << robot.base << "\"/>\n";
+  for (std::size_t i = 0; i < robot.frames.size(); ++i)
+    urdf << "<link name=\"" << robot.frames[i] << "\"><visual><geometry><mesh filename=\"file://"
+         << mesh << "\"/></geometry></visual></link>\n<joint name=\"joint_" << i
+         << "\" type=\"continuous\"><parent link=\"" << robot.parents[i] << "\"/><child link=\""
+         << robot.frames[i] << "\"/></joint>\n";
+  urdf << "</robot>\n";
+  if (!urdf.flush()) throw std::runtime_error(file + " cannot be written");
+}
+
+void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds) {
+  std::vector<tf2_msgs::TFMessage> messages = swing(robot, kPoses);
+  BagWriter writer(file);
+  const std::uint32_t topic =
+      writer.addTopic({"/tf", ros::message_traits::datatype<tf2_msgs::TFMessage>(),
+                       ros::message_traits::md5sum<tf2_msgs::TFMessage>(),
+                       ros::message_traits::definition<tf2_msgs::TFMessage>(), "/bench", false});
+  for (std::int64_t i = 0; i < seconds * 1000000000 / kPeriod; ++i) {
+    const std::int64_t time = kBegin + i * kPeriod;
+    tf2_msgs::TFMessage& message = messages[static_cast<std::size_t>(i) % kPoses];
+    for (geometry_msgs::TransformStamped& transform : message.transforms)
+      transform.header.stamp.fromNSec(static_cast<std::uint64_t>(time));
+    const std::string data = recorded("/tf", time, message).data;
+    writer.write(topic, time, reinterpret_cast<const std::uint8_t*>(data.data()),
+                 static_cast<std::uint32_t>(data.size()));
+  }
+  writer.close();
+}
+
+void make(char** arguments) {
+  const TfRobot robot = tfRobot(std::stoul(arguments[4]), kDepth);
+  writeUrdf(robot, arguments[2], arguments[3]);
+  writeTf(robot, arguments[1], std::stol(arguments[5]));
+}
+
+}  // namespace
+}  // namespace link_bounds::bench
+
+int main(int argc, char** argv) try {
+  if (argc == 6) link_bounds::bench::make(argv);
+  return argc == 6 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "bag_made: " << error.what() << '\n';
+  return 1;
+}
