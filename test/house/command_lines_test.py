@@ -8,6 +8,7 @@ Run as: command_lines_test.py FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_PROGRAMS
 """
 import os
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -76,6 +77,12 @@ class CommandLinesTest(unittest.TestCase):
             remedy = 'use urdf_bounds' if program.name == 'mesh_worker' else '--help'
             with self.subTest(program.name):
                 self.check_refused(program, '--hepl', remedy)
+
+    def test_the_page_names_all_benchmarks(self):
+        usage = (PACKAGE / 'scripts/bench').read_text().split('usage: scripts/bench ')[1]
+        page = (PACKAGE / 'doc/tools.md').read_text().split('| `scripts/bench` | measures: ')[1]
+        self.assertEqual(re.findall('`(.*?)`', page.split(';')[0]),
+                         re.findall('[a-z-]+', usage.split('[')[0]))
 
     def test_rosrun_finds_each_program_once(self):
         """It also looks in the checkout, for files that are executable."""

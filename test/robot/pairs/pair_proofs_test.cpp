@@ -1,41 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdicts about arms with known answers, and against random poses of robots, of which
-// LINK_BOUNDS_TEST_POSES says how many.
+// Verdicts about arms with known answers.
 #include "robot/pairs/pair_proofs.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <fstream>
-#include <iostream>
-#include <mutex>
+#include <cmath>
 #include <sstream>
 
-#include "link_bounds/geometry/distance/body_distances.h"
-#include "link_bounds/robot/mesh/mesh_uri.h"
-#include "link_bounds/robot/urdf/kinematics.h"
-#include "link_bounds/robot/urdf/overlap_filter.h"
-#include "robot/worker/mesh_import.h"
-#include "testing/brute_force.h"
 #include "testing/distance_bodies.h"
-#include "testing/robot_files.h"
-#include "testing/sanitized.h"
+#include "testing/pair_proofs_testing.h"
 
 namespace link_bounds {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr double kTouch = 1e-7;      // m
-constexpr int kSlicesPerPose = 100;  ///< of work, for each random pose
-constexpr int kMaxSlices = 100000;
-
-struct Model {
-  Robot robot;
-  BoundedRobot bounded;
-};
 
 /// A robot of a chain of links, each with one shape or none.
 class Chain {
@@ -92,26 +69,6 @@ std::vector<PairProof> prove(const Model& model, const PairGoal& goal = {},
   ProofControl control;
   control.threads = threads;
   return provePairs(model.robot, model.bounded, jointRanges(model.robot, given), goal, control);
-}
-
-/// The distance that urdf_bounds --distances prints for the pose of the proof.
-BodyDistance distanceAt(const Model& model, const PairProof& proof,
-                        const std::map<std::string, double>& pose) {
-  const auto poses = linkPoses(model.robot, jointValues(model.robot, pose));
-  const auto& [robot, bounded] = model;
-  const auto at = [&](std::size_t i) { return Eigen::Affine3d(poses[bounded.indices[i]]); };
-  return *bodyDistance(bounded.bodies[proof.first], at(proof.first), bounded.bodies[proof.second],
-                       at(proof.second));
-}
-
-/// What a proof says of its own pose.
-void checkPose(const Model& model, const PairProof& proof, const PairGoal& goal) {
-  const BodyDistance distance = distanceAt(model, proof, proof.pose);
-  const bool collides = proof.verdict == Verdict::kSometimes || proof.verdict == Verdict::kAlways;
-  EXPECT_LE(proof.clearance, distance.upper);
-  EXPECT_LE(distance.lower, proof.nearest);
-  EXPECT_TRUE(!collides || distance.lower <= goal.clearance + kTouch) << distance.lower;
-  EXPECT_TRUE(proof.verdict != Verdict::kNever || proof.clearance > goal.clearance);
 }
 
 /// Of the only pair.
@@ -307,123 +264,6 @@ TEST(PairProofs, EndsWhenItIsOver) {
   EXPECT_EQ(proofs[0].verdict, Verdict::kUndecided);
   EXPECT_EQ(proofs[0].clearance, 0);
   EXPECT_GT(proofs[0].nearest, 0);
-}
-
-int randomPoses() {
-  const char* text = std::getenv("LINK_BOUNDS_TEST_POSES");
-  return text ? std::stoi(text) : repetitions(20);
-}
-
-Model readModel(const fs::path& urdf, const PackagePath& package_path) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  Selection selection;
-  selection.visual = false;
-  selection.collision = selection.triangles = true;
-  std::mutex one_at_a_time;
-  RobotLoader loader([&one_at_a_time](const MeshFile& file) {
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
-    return importMesh(file);
-  });
-  Model model{parseRobot(text.str()), {}};
-  model.bounded = loader.load(model.robot, selection, {package_path});
-  for (const std::string& problem : model.bounded.problems)
-    std::cout << "left out: " << problem << "\n";
-  return model;
-}
-
-/// So many slices of work for all pairs, which does not depend on the speed of the machine.
-std::vector<PairProof> proveInSlices(const Model& model, int slices) {
-  ProofControl control;
-  std::atomic<int> used{0};
-  control.is_over = [&] { return ++used > slices; };
-  return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
-}
-
-/// Values of the joints, also at the ends of their ranges.
-std::map<std::string, double> randomValues(const Model& model,
-                                           const std::vector<JointRange>& ranges,
-                                           brute_force::Random& random) {
-  std::map<std::string, double> values;
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const Joint& joint = model.robot.joints[i];
-    if (joint.motion == Motion::kNone || joint.mimic) continue;
-    const double share = std::min(std::max(random.uniform(-0.1, 1.1), 0.0), 1.0);
-    const auto& range = ranges[i];
-    values[joint.name] = std::min(range.lower + share * (range.upper - range.lower), range.upper);
-  }
-  return values;
-}
-
-/// Checks what the pose can contradict. `distances` has the bodies by their links.
-void checkRandomPose(const Model& model, const std::vector<PairProof>& proofs,
-                     const std::map<std::string, double>& values, BodyDistances& distances) {
-  const auto poses = linkPoses(model.robot, jointValues(model.robot, values));
-  const BoundedRobot& bounded = model.bounded;
-  for (std::size_t i = 0; i < bounded.links.size(); ++i)
-    distances.move(i, Eigen::Affine3d(poses[bounded.indices[i]]));
-  for (const PairProof& proof : proofs) {
-    const bool is_always = proof.verdict == Verdict::kAlways;
-    if (!is_always && proof.clearance == 0) continue;
-    distances.setGoal({1e-5, is_always ? 1 : proof.clearance});
-    const BodyDistance distance = distances.find(proof.first, proof.second).value();
-    const std::string names =
-        bounded.links[proof.first].name + " and " + bounded.links[proof.second].name;
-    ASSERT_GE(distance.upper, proof.clearance) << names;
-    ASSERT_TRUE(!is_always || distance.lower <= kTouch) << names;
-  }
-}
-
-/// The published matrix of the Panda exempts this pair.
-void expectThatLinksFiveAndSevenCollide(const Model& model, const std::vector<PairProof>& proofs) {
-  const auto& links = model.bounded.links;
-  const auto found = std::find_if(proofs.begin(), proofs.end(), [&links](const PairProof& proof) {
-    return links[proof.first].name == "panda_link5" && links[proof.second].name == "panda_link7";
-  });
-  ASSERT_NE(found, proofs.end());
-  EXPECT_EQ(found->verdict, Verdict::kSometimes);
-}
-
-void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
-  SCOPED_TRACE(urdf.stem().string());
-  const Model model = readModel(urdf, package_path);
-  const std::vector<PairProof> proofs =
-      proveInSlices(model, std::min(kSlicesPerPose * randomPoses(), kMaxSlices));
-  // Under a sanitizer the work ends before.
-  if (urdf.stem() == "panda" && !kIsSanitized) expectThatLinksFiveAndSevenCollide(model, proofs);
-  std::map<Verdict, int> counts;
-  for (const PairProof& proof : proofs) {
-    ++counts[proof.verdict];
-    checkPose(model, proof, {});
-  }
-  const std::vector<JointRange> ranges = jointRanges(model.robot);
-  BodyDistances distances;
-  for (std::size_t i = 0; i < model.bounded.bodies.size(); ++i)
-    distances.set(i, std::make_shared<const Body>(model.bounded.bodies[i]));
-  brute_force::Random random(1);
-  const int poses = randomPoses();
-  for (int i = 0; i < poses && !testing::Test::HasFatalFailure(); ++i)
-    checkRandomPose(model, proofs, randomValues(model, ranges, random), distances);
-  std::cout << urdf.stem().string() << ": " << proofs.size()
-            << " pairs: " << counts[Verdict::kNever] << " never, " << counts[Verdict::kAlways]
-            << " always, " << counts[Verdict::kSometimes] << " sometimes, "
-            << counts[Verdict::kUndecided] << " undecided; " << poses << " random poses\n";
-}
-
-TEST(PairProofs, NoRandomPoseOfTheDemoContradictsThem) {
-  const fs::path demo = fs::canonical("../launch/demo/demo.urdf");
-  const fs::path package = demo.parent_path().parent_path().parent_path();
-  checkRobot(demo, [&package](const std::string&) { return package.string(); });
-}
-
-TEST(PairProofs, NoRandomPoseOfPublicRobotsContradictsThem) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: pairs of public robots: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  for (const fs::path& path : robotFiles(folder)) {
-    checkRobot(path, [&](const std::string& name) { return (folder / name).string(); });
-    if (HasFatalFailure()) return;
-  }
 }
 
 }  // namespace
