@@ -73,7 +73,7 @@ LinkBoxes& LinkBoxes::operator=(LinkBoxes&&) noexcept = default;
 LinkBoxes::~LinkBoxes() = default;
 
 void LinkBoxes::update(const std::vector<MovedLink>& moved) {
-  // One link alone has no other to work on while it waits for its table: as a batch it takes 1.07
+  // One link alone has no other to work on while it waits for its table: as a batch it takes 1.1
   // times as long.
   if (moved.size() == 1) return bound(moved.front(), nullptr, 0);
   const MovedLink* const end = moved.data() + moved.size();

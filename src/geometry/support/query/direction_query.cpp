@@ -54,14 +54,6 @@ void scan(const DirectionTable::Lookup& table, const Directions& directions,
   }
 }
 
-Extents findAndScan(const DirectionTable::Lookup& table, const Directions& directions) {
-  CellsOfRows cells;
-  find(table, directions, cells);
-  Extents result;
-  scan(table, directions, listsOf(table, cells), result);
-  return result;
-}
-
 QueryPath bestPath() {
   if (isSupported(QueryPath::kAvx2)) return QueryPath::kAvx2;
   if (isSupported(QueryPath::kNeon)) return QueryPath::kNeon;
@@ -85,7 +77,7 @@ std::atomic<const Query*> chosen_query{nullptr};
 
 }  // namespace
 
-const Query kPlainQuery{QueryPath::kPlain, findAndScan, find, scan, scanPlain};
+const Query kPlainQuery{QueryPath::kPlain, find, scan, scanPlain};
 
 const Query& query() {
   const Query* const chosen = chosen_query.load(std::memory_order_relaxed);
@@ -113,8 +105,13 @@ void useQueryPath(QueryPath path) {
   chosen_query.store(&queryBy(path), std::memory_order_relaxed);
 }
 
-Extents extents(const DirectionTable::Lookup& table, const Directions& directions) {
-  return query().both(table, directions);
+Extents extents(const DirectionTable& table, const Directions& directions) {
+  const DirectionTable::Lookup lookup = table.lookup();
+  CellsOfRows cells;
+  query().find(lookup, directions, cells);
+  Extents result;
+  query().scan(lookup, directions, listsOf(lookup, cells), result);
+  return result;
 }
 
 void findCells(const DirectionTable::Lookup& table, const Directions& directions,

@@ -18,10 +18,7 @@ namespace link_bounds {
 /// Extents along the rows of `directions`, which must not exceed 1e30. Each r . p is evaluated as
 /// (r0 x + r1 y) + r2 z in double, so the result is the same to the bit on every machine and every
 /// path of instructions; a zero is +0.
-Extents extents(const DirectionTable::Lookup& table, const Directions& directions);
-inline Extents extents(const DirectionTable& table, const Directions& directions) {
-  return extents(table.lookup(), directions);
-}
+Extents extents(const DirectionTable& table, const Directions& directions);
 
 /// The cells of three directions, and the lists that these name.
 using CellsOfRows = std::array<const DirectionTable::Cell*, 3>;
@@ -42,7 +39,6 @@ void scanLists(const DirectionTable::Lookup& table, const Directions& directions
 /// The same functions by one path of instructions.
 struct Query {
   QueryPath path;
-  Extents (*both)(const DirectionTable::Lookup& table, const Directions& directions);
   void (*find)(const DirectionTable::Lookup& table, const Directions& directions,
                CellsOfRows& cells);
   void (*scan)(const DirectionTable::Lookup& table, const Directions& directions,

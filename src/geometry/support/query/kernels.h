@@ -128,15 +128,6 @@ LINK_BOUNDS_TARGET inline void scan(const DirectionTable::Lookup& table,
   finish(row0, row1, row2, result);
 }
 
-LINK_BOUNDS_TARGET inline Extents findAndScan(const DirectionTable::Lookup& table,
-                                              const Directions& directions) {
-  CellsOfRows cells;
-  find(table, directions, cells);
-  Extents result;
-  scan(table, directions, listsOf(table, cells), result);
-  return result;
-}
-
 /// From the last points to the first, in portions of four; the last portion may overlap the first
 /// four, which are in the rows already.
 LINK_BOUNDS_TARGET inline Extents scanAll(const double* xyz, std::size_t count,

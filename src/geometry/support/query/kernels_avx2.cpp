@@ -8,7 +8,7 @@
 
 namespace link_bounds {
 
-const Query kAvx2Query{QueryPath::kAvx2, findAndScan, find, scan, scanAll};
+const Query kAvx2Query{QueryPath::kAvx2, find, scan, scanAll};
 
 }  // namespace link_bounds
 #endif

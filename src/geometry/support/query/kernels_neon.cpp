@@ -8,7 +8,7 @@
 
 namespace link_bounds {
 
-const Query kNeonQuery{QueryPath::kNeon, findAndScan, find, scan, scanAll};
+const Query kNeonQuery{QueryPath::kNeon, find, scan, scanAll};
 
 }  // namespace link_bounds
 #endif

@@ -8,7 +8,7 @@
 
 namespace link_bounds {
 
-const Query kSse2Query{QueryPath::kSse2, findAndScan, find, scan, scanAll};
+const Query kSse2Query{QueryPath::kSse2, find, scan, scanAll};
 
 }  // namespace link_bounds
 #endif
