@@ -4,17 +4,26 @@
 import re
 from statistics import median
 
-TARGET = re.compile(r'^(.+?) +(>=|<=) +([\d.]+): +([\d.]+) +(reached|MISSED) +'
-                    r'\(from ([\d.]+) to ([\d.]+) (?:on|in) (\d+) \w+\)$', re.MULTILINE)
+TARGET = re.compile(r'^(.+?) +(>=|<=) +([\d.]+): +(-?[\d.]+) +(reached|MISSED) +'
+                    r'\(from (-?[\d.]+) to (-?[\d.]+) (?:on|in) (\d+) \w+\)$')
 OURS = 'ours_avx2'
 
 
 def targets_of(output):
-    """What a benchmark prints of its targets."""
-    return [{'target': text, 'wanted': wanted, 'limit': float(limit), 'median': float(value),
-             'reached': verdict == 'reached', 'min': float(low), 'max': float(high),
-             'count': int(count)}
-            for text, wanted, limit, value, verdict, low, high, count in TARGET.findall(output)]
+    """What a benchmark prints of its targets. A line that looks like one must be one."""
+    targets = []
+    for line in output.splitlines():
+        if not re.search(r'(reached|MISSED) +\(from ', line):
+            continue
+        found = TARGET.match(line)
+        if not found:
+            raise LookupError('this line of a target cannot be read: ' + line)
+        text, wanted, limit, value, verdict, low, high, count = found.groups()
+        targets.append({
+            'target': text, 'wanted': wanted, 'limit': float(limit), 'median': float(value),
+            'reached': verdict == 'reached', 'min': float(low), 'max': float(high),
+            'count': int(count)})
+    return targets
 
 
 def shortfall(target):

@@ -119,6 +119,13 @@ class MechanismTest(unittest.TestCase):
         self.assertEqual(figures['targets/avx2/verdict'], '**missed by 10 %**')
         self.assertEqual(figures['targets/avx2/max'], 3.11)
 
+    def test_a_target_may_be_below_zero(self):
+        line = 'us above the relay, 50 links at 100 Hz  <= 15.00:  -2.13  reached  (from %s)\n'
+        targets = figure_values.targets_of(line % '-12.43 to 54.88 in 22 repetitions')
+        self.assertEqual(figure_values.of_targets(targets)['targets/cpu_50/min'], -12.43)
+        with self.assertRaisesRegex(LookupError, 'cannot be read: us above the relay'):
+            figure_values.targets_of(line % '-12.43 to nan in 22 repetitions')
+
 
 if __name__ == '__main__':
     unittest.main()
