@@ -15,7 +15,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kObjectsQueue = 1000;
+constexpr std::uint32_t kObjectsQueue = 1000;  // messages, as for a burst of single markers
 const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);

@@ -26,14 +26,15 @@
 #include <cmath>
 
 #include "geometry/distance/triangle_tree.h"
+#include "geometry/support/direction_table.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 64 * kUnitRoundoff;
-constexpr double kTableTolerance = 2e-14;
+constexpr double kRounding = 64 * kUnitRoundoff;  // both are derived above
+constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// What products and squares of tiny numbers may lose [m]. Much smaller lengths have no square.
 constexpr double kUnderflow = 1e-140;
@@ -82,7 +83,7 @@ std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& wo
     const std::optional<Aabb> box = boxOf(shape, world_from_body);
     const double rho = roundingBound(shape, world_from_body);
     if (!box || !(rho <= kLargest)) return std::nullopt;
-    result.rounding = std::max(result.rounding, (kRounding + kTableTolerance) * rho + kUnderflow);
+    result.rounding = std::max(result.rounding, (kRounding + kPointTolerance) * rho + kUnderflow);
     const Eigen::Affine3d& link_from_shape = shape.shape.link_from_shape;
     const Placement placement{world_from_body.linear() * link_from_shape.linear(),
                               world_from_body.linear() * link_from_shape.translation()};

@@ -11,6 +11,7 @@
 namespace link_bounds {
 namespace {
 
+/// Of vertices and sizes: the products of two such lengths stay finite.
 constexpr double kLargestCoordinate = 1e30;
 
 /// Every box is larger than its triangles by this part of their distance from its centre. The axes

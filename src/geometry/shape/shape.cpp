@@ -12,12 +12,12 @@
 namespace link_bounds {
 namespace {
 
+/// Far beyond any scale. Times a coordinate in single precision, it cannot overflow.
 constexpr double kLargestLinearEntry = 1e30;
 constexpr unsigned kAllRows = 7;  ///< one bit each
 
-/// Tolerance with which vertices may be left out of an accelerated point set, relative to the
-/// largest |coordinate|, and as much again for evaluating it.
-constexpr double kPointTolerance = 2e-14;
+/// For the points that a table leaves out, and as much again for evaluating the others.
+constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// Eight roundings bound every evaluation below: five of a dot product, one each for adding the
 /// solid, the translation and the pad.

@@ -146,6 +146,7 @@ BoundingSphere throughPoints(const std::vector<Eigen::Vector3d>& points) {
 }
 
 bool contains(const BoundingSphere& sphere, const std::vector<Eigen::Vector3d>& points) {
+  // More than rounding, in the unit of the link. It decides only which centre is tried next.
   constexpr double kSlack = 1e-12;
   for (const Eigen::Vector3d& point : points) {
     if (!((point - sphere.center).norm() <= sphere.radius + kSlack)) return false;
@@ -214,6 +215,7 @@ std::optional<BoundingSphere> boundingSphere(const BoundedLink& link) {
 
 std::optional<BoundingSphere> placed(const BoundingSphere& sphere,
                                      const Eigen::Isometry3d& world_from_link) {
+  // The radius is off by less than 9 roundoffs, each coordinate of the centre by 4 of its terms.
   constexpr double kRoundingPad = 16 * kUnitRoundoff;
   const Eigen::Matrix3d linear = world_from_link.linear();
   const Eigen::Vector3d translation = world_from_link.translation();

@@ -26,6 +26,7 @@ constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; se
 constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
 
 constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
+/// Of size and magnitude; two quaternions and a sum round by half of it.
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
 struct Candidate {

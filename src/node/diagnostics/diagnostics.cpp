@@ -17,7 +17,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr std::size_t kMaxObjectLines = 100;
+constexpr std::size_t kMaxObjectLines = 100;  // all are counted
 
 void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);

@@ -15,6 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
 constexpr std::chrono::milliseconds kTick(50);
 
 }  // namespace

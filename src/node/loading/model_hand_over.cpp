@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::milliseconds kPollPeriod(20);
+constexpr std::chrono::milliseconds kPollPeriod(20);  // how late a cancellation is noticed
 
 }  // namespace
 

@@ -16,9 +16,9 @@
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPollPeriod(0.2);    // of the description, until there is one
-const ros::WallDuration kQueuePeriod(10.0);  // then a request or the end wakes the thread
-constexpr std::size_t kMaxAnsweredWarnings = 4;
+const ros::WallDuration kPollPeriod(0.2);        // of the description, until there is one
+const ros::WallDuration kQueuePeriod(10.0);      // then a request or the end wakes the thread
+constexpr std::size_t kMaxAnsweredWarnings = 4;  // the answer of ~reload is one line
 
 ReadParameters readParametersAndWarn(const ParameterServer& server) {
   ReadParameters read = readParameters(server);

@@ -9,7 +9,7 @@ namespace link_bounds {
 namespace {
 
 const ros::WallDuration kPeriod(10.0);
-constexpr std::size_t kMaxNames = 10;
+constexpr std::size_t kMaxNames = 10;       // in a period: then one line for all others
 constexpr std::size_t kMaxNameLength = 80;  // bytes
 
 std::string shown(const std::string& name) {

@@ -20,7 +20,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::seconds kPeriod(1);
+constexpr std::chrono::seconds kPeriod(1);  // how late a new master is noticed
 
 }  // namespace
 

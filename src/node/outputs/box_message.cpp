@@ -18,7 +18,7 @@ ros::Time toTime(std::int64_t nanoseconds) {
 /// Keeps memory for some entries more, but not for ten thousand objects that are gone.
 template <class T>
 void shorten(std::vector<T>& entries, std::size_t size) {
-  constexpr std::size_t kSpare = 1000;
+  constexpr std::size_t kSpare = 1000;  // some 100 KB, as many entries as large robots have
   entries.resize(size);
   if (entries.capacity() > 2 * (size + kSpare)) entries.shrink_to_fit();
 }

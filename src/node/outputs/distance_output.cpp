@@ -13,6 +13,7 @@
 namespace link_bounds {
 namespace {
 
+/// As in scene_output.cpp.
 constexpr std::uint32_t kDistancesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kHeight = 0.05;         ///< of a box whose diagonal is 1 m [m]
 constexpr double kMinHeight = 1e-3;      ///< [m]
 constexpr double kCharacterWidth = 0.6;  ///< of the height, in rviz's font; its mean is about 0.5
-constexpr std::size_t kMaxNeighbours = 64;
+constexpr std::size_t kMaxNeighbours = 64;  ///< the highest so far; bounds the time of many labels
 
 double top(const Label& label) {
   return label.bottom.z() + label.height;

@@ -15,6 +15,7 @@ using visualization_msgs::Marker;
 constexpr char kNamespace[] = "link_bounds/swept";
 
 constexpr double kEdgeWidth = 0.002;  ///< [m]
+/// The robot and its boxes stay visible inside.
 constexpr float kFaceAlpha = 0.15F;
 constexpr float kEdgeAlpha = 0.6F;
 

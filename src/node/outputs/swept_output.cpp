@@ -15,6 +15,7 @@
 namespace link_bounds {
 namespace {
 
+/// As in scene_output.cpp.
 constexpr std::uint32_t kBoxesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 

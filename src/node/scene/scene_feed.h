@@ -49,7 +49,7 @@ class SceneFeed {
 
   void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
-  /// To be called every kTick [s]: finds what has become too old.
+  /// To be called every kTick [s]: finds what has become too old, at most one tick late.
   void onTick(ros::Time now);
   static constexpr double kTick = 0.05;
 

@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kBlocksPerRelease = 16;
+constexpr std::uint32_t kBlocksPerRelease = 16;  // rarely: it reads old samples, in no cache
 constexpr std::size_t kMaxReleased = 64;  // blocks at once: many edges may release in one message
 
 }  // namespace

@@ -75,6 +75,7 @@ class SampleRing {
   void clear() { *this = SampleRing(); }
 
  private:
+  /// With the header of malloc, a block takes 512 bytes.
   static constexpr std::size_t kPerBlock = 7;
   using Block = std::array<EdgeSample, kPerBlock>;
 

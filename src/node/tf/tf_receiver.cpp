@@ -6,7 +6,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kQueue = 5000;  // messages
+constexpr std::uint32_t kQueue = 5000;  // messages: 5 s at 1 kHz, while the update thread waits
 
 }  // namespace
 

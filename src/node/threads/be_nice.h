@@ -12,7 +12,7 @@ namespace link_bounds {
 
 /// Applies to the calling thread.
 inline void beNice() {
-  constexpr int kNiceness = 10;
+  constexpr int kNiceness = 10;  // as of the command nice
   const auto thread = static_cast<id_t>(syscall(SYS_gettid));
   setpriority(PRIO_PROCESS, thread, kNiceness);  // if it is refused, nothing is lost
 }

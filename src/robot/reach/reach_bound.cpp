@@ -9,7 +9,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 256;
+constexpr double kRounding = 256;  // roundoffs per joint: derived in the header
 
 /// Directions between two looks at the clock.
 constexpr std::size_t kDirectionsPerGlance = 64;

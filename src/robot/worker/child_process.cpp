@@ -21,9 +21,9 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kPollMilliseconds = 20;
-constexpr std::chrono::milliseconds kExitPoll(1);
-constexpr std::chrono::seconds kKillTimeout(2);
+constexpr int kPollMilliseconds = 20;              // how late an interrupt is noticed
+constexpr std::chrono::milliseconds kExitPoll(1);  // a reader ends within some milliseconds
+constexpr std::chrono::seconds kKillTimeout(2);    // only a process in an uninterruptible call
 constexpr int kPipeBytes = 1 << 20;  // what Linux allows any user, see /proc/sys/fs/pipe-max-size
 
 [[noreturn]] void throwSystemError(int error) {

@@ -81,7 +81,7 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
 
 /// The PLY reader of assimp makes one triangle of all strips of a mesh.
 void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
-  constexpr std::size_t kMaxHeaderBytes = 1 << 16;
+  constexpr std::size_t kMaxHeaderBytes = 1 << 16;  // headers of real files take less than 1 KiB
   Assimp::IOStream* file = files.Open(path.c_str(), "rb");
   if (!file) throw MeshError("it cannot be opened", MeshFault::kUnreadable);
   std::string header(kMaxHeaderBytes, ' ');

@@ -15,7 +15,7 @@ constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMesh = 0;
 constexpr std::uint32_t kFirstError = 1;
 constexpr std::uint32_t kLastError = kFirstError + static_cast<std::uint32_t>(kLastMeshFault);
-constexpr std::uint64_t kMaxTextBytes = 4096;
+constexpr std::uint64_t kMaxTextBytes = 4096;  // of an error; a path has as many at most
 
 struct Header {
   std::array<char, 8> magic = kMagic;

@@ -16,13 +16,16 @@ namespace {
 
 /// A list passes through at most eight envelopes (four of large sets in parts, then grids of 8, 16,
 /// 32 and 64). Each may drop points that exceed the others by less than this share of the largest
-/// |coordinate|: 1e-14 in all. The difference of two dot products errs by less than 7e-16 of it.
+/// |coordinate|. The difference of two dot products errs by less than 7e-16 of it.
 constexpr double kTolerance = 1.25e-15;
+static_assert(8 * kTolerance <= kTableTolerance, "a table could leave out too much");
 
 /// Each cell is enlarged by this on every side, because rounding may put a direction into the
 /// neighbouring cell.
 constexpr double kGrowth = 2e-6;
 
+/// In coarser grids the cells only drop what single points dominate: their lists are divided
+/// anyway.
 constexpr int kCoarsestEnvelope = 8;
 
 /// The square of a cell in the coordinates of the fold.

@@ -15,9 +15,9 @@ namespace link_bounds {
 namespace {
 
 constexpr std::string_view kVersionLine = kBagVersionLine;
-constexpr int kMaxLosses = 20;                  // lines for one file
-constexpr std::uint64_t kNextHeaderSize = 512;  // bytes, typical
-constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;
+constexpr int kMaxLosses = 20;                       // lines for one file
+constexpr std::uint64_t kNextHeaderSize = 512;       // bytes, typical
+constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;   // bytes, as in record.cpp
 constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
 const char* const kCopyAgain = "; copy it again from where it was recorded";
 
