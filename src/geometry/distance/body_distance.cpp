@@ -13,6 +13,7 @@
 namespace link_bounds {
 namespace {
 
+/// Searches of the hulls of robots end within ten steps; this ends one that rounding keeps alive.
 constexpr int kHullSteps = 100;
 
 /// Of the accuracy, the rest of which is left to the triangles.

@@ -46,6 +46,8 @@ class Front {
   }
 
  private:
+  // In instructions, for meshes of robots that turn by 0.01 rad per search: kSmallest from 4 to 128
+  // changes them by less than 1 %, kLargest of 512 and kSearches of 64 take 8 % and 5 % more.
   static constexpr std::size_t kSmallest = 32;
   static constexpr std::size_t kLargest = 2048;  ///< 40 KiB
   static constexpr int kSearches = 16;

@@ -14,7 +14,8 @@
 namespace link_bounds {
 namespace {
 
-/// directionTable() describes these limits. A list has eight points without overflow.
+/// directionTable() describes these limits. A list has eight points without overflow. Of 21 meshes
+/// of robots none needs more than kBytesPerTable; half of it would make some grids coarser.
 constexpr int kCoarsestGrid = 8;
 constexpr int kFinestGrid = 64;
 constexpr double kMeanListSize = 8;

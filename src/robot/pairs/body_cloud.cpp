@@ -10,6 +10,7 @@
 namespace link_bounds {
 namespace {
 
+/// Points. With 4 or 64, --pairs of the Panda takes 1 % or 6 % more instructions.
 constexpr std::size_t kClusterSize = 16;
 
 /// A cylinder lies in a prism with so many sides.

@@ -11,11 +11,16 @@
 namespace link_bounds {
 namespace {
 
+/// The pairs of the Panda and of the UR5e are decided alike with 30 to 3,000 samples and 1 to 30
+/// descents. Ten times as many samples take 2 to 2.6 times as many instructions, ten times as many
+/// descents 2.9 times. Few find less in robots with more joints.
 constexpr int kSamples = 300;
-constexpr int kSamplesPerSlice = 30;
-constexpr int kBranchesPerSlice = 30;
 constexpr std::size_t kDescents = 3;
 constexpr int kDescentSteps = 600;
+
+/// Between two pairs that are worked on in turn.
+constexpr int kSamplesPerSlice = 30;
+constexpr int kBranchesPerSlice = 30;
 
 /// Of a search for a proof that every pose collides.
 constexpr int kMaxOpenSteps = 20000;

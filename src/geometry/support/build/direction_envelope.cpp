@@ -13,6 +13,8 @@ namespace {
 /// kDeepest, until each candidate has been examined kLooks times on average. That is enough to
 /// reach the strip by which cells are enlarged. Without these limits ties would halve cones without
 /// end: 2^depth cones for ties along a line of directions, nested ones for ties at one direction.
+/// With 12 contenders the tables of robots take 1.2 times as many instructions, with 192 those of a
+/// sphere; with 16 looks that of a polygon of 2,000 corners takes 1.7 times as many.
 constexpr std::size_t kContenders = 48;
 constexpr int kDeepest = 40;
 constexpr std::size_t kLooks = 64;
