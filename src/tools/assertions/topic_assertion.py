@@ -161,7 +161,7 @@ class Topic(NamedTuple):
 
 class Program(NamedTuple):
     """One of the tests. A watch has `title`, `deadline` [s], `topics`, `fault` ('', or why it
-    cannot pass at all), is_passed(now), lose_publisher(now), failure(now); times are in seconds."""
+    cannot pass at all), is_passed(now), lose_publisher(topic, now), failure(now); times are in s."""
     name: str
     example: str  # parameters
     about: str
@@ -221,9 +221,9 @@ class TopicTest(unittest.TestCase):
                     self.fail(watch.failure(now))
                 # Each time: the last message may be handled after its connection has ended. A topic
                 # of which nothing has come yet may still connect, and has nothing to lose.
-                if any(topic.is_needed and topic.name in seen and connections(subscriber) == 0
-                       for topic, subscriber in subscribers):
-                    watch.lose_publisher(now)
+                for topic, subscriber in subscribers:
+                    if topic.is_needed and topic.name in seen and connections(subscriber) == 0:
+                        watch.lose_publisher(topic.name, now)
         self.fail('interrupted\n' + watch.failure(self._now()))
 
 

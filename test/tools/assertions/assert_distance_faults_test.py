@@ -35,7 +35,7 @@ class Node:
 
     def __init__(self, space):
         self.topic = space + "/distances"
-        self._boxes = Talker(space + "/boxes", AxisAlignedBoxArray)
+        self.boxes = Talker(space + "/boxes", AxisAlignedBoxArray)
         self._overlaps = Talker(space + "/overlaps", BoxOverlapArray)
         self.distances = Talker(self.topic, DistanceArray)
         self._count = 0
@@ -43,14 +43,14 @@ class Node:
     def send(self, names, *pairs, incomplete=(), overlaps=()):
         self._count += 1
         header = Header(frame_id=FRAME, stamp=rospy.Time(self._count))
-        self._boxes.send(cubes(header, names, incomplete))
+        self.boxes.send(cubes(header, names, incomplete))
         self._overlaps.send(BoxOverlapArray(header=header, overlaps=[
             BoxOverlap(first=first, second=second) for first, second in overlaps]))
         self.distances.send(DistanceArray(header=header, distances=list(pairs),
                                           incomplete=list(incomplete)))
 
     def wait_for_listener(self):
-        for talker in (self._boxes, self.distances):
+        for talker in (self.boxes, self.distances):
             talker.wait_for_listener()
 
 
@@ -130,9 +130,13 @@ class AssertDistanceFaults(AssertionTest):
         gone.node.send(["arm"])
         ending = self.start_held("ending")
         ending.node.distances.end()
+        without_boxes = self.start_held("without_boxes")
+        without_boxes.node.boxes.end()
         self.check_failure(near, "at most for", "0.01 to 0.01 m apart")
         self.check_failure(gone, "at most for", '"table" has no box')
-        self.check_failure(ending, "at most for", "nobody publishes")
+        self.check_failure(ending, "at most for", "nobody publishes this topic any more")
+        self.check_failure(without_boxes, "at most for",
+                           "nobody publishes /without_boxes/boxes any more")
 
     def test_boxes_that_connect_after_the_distances_count(self):
         header = Header(frame_id=FRAME, stamp=rospy.Time(1))

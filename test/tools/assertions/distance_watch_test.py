@@ -280,9 +280,17 @@ class Time(WatchTest):
         watch = self.watch(at_least=.05, hold=2)
         watch.see_boxes(boxes('arm'), 0.0)
         watch.see(distances(), 0.0)
-        watch.lose_publisher(1.0)
+        watch.lose_publisher(watch.topics[0].name, 1.0)
         self.assertFalse(watch.is_passed(9.0))
         self.check_failure(watch, 'nobody publishes this topic any more')
+
+    def test_nothing_holds_without_a_publisher_of_boxes(self):
+        watch = self.watch(at_least=.05, hold=2)
+        watch.see_boxes(boxes('arm'), 0.0)
+        watch.see(distances(), 0.0)
+        watch.lose_publisher(watch.topics[1].name, 1.0)
+        self.assertFalse(watch.is_passed(9.0))
+        self.check_failure(watch, f'nobody publishes {watch.topics[1].name} any more')
 
     def test_says_that_nothing_came(self):
         self.check_failure(self.watch(at_least=.05), 'no message came')
