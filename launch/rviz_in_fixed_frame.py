@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""usage: rviz_in_fixed_frame.py [--help] [ARGUMENT_OF_RVIZ ...]
+"""usage: rviz_in_fixed_frame.py [--help] [--version] [ARGUMENT_OF_RVIZ ...]
 
 Starts rviz with the fixed frame of a link_bounds_publisher, when its first message on topic
 link_bounds_publisher/boxes is there.
@@ -15,10 +15,18 @@ import sys
 import rospy
 from link_bounds.msg import AxisAlignedBoxArray
 
+# Installed, all programs are in one folder.
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path += [HERE, os.path.join(HERE, 'demo')]
+from demo_arguments import version  # noqa: E402
+
 
 def main():
     if {'-h', '--help'} & set(sys.argv[1:]):
         print(__doc__.strip())
+        return
+    if '--version' in sys.argv[1:]:
+        print('rviz_in_fixed_frame.py', version())
         return
     if not shutil.which('rviz'):
         sys.exit('rviz_in_fixed_frame: rviz is not installed; install its package: '

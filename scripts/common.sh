@@ -68,8 +68,23 @@ jobs_of_machine() {
 
 # Whether the folder was configured to the end, and for this checkout.
 is_configured() {
-  [ -e "$1/Makefile" ] &&
+  [ -s "$1/Makefile" ] &&
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$REPO" "$1/CMakeCache.txt"
+}
+
+# What a build folder without tests takes; with tests, it is 900.
+BUILD_MEGABYTES=600
+
+# check_disk FOLDER: fails, and names the disk, where there is not enough room for what a build still
+# has to write into the folder.
+check_disk() {
+  local free mount taken needed
+  read -r free mount < <(df -Pm "$1" | awk 'NR == 2 { print $4, $6 }')
+  taken=$(du -sm "$1" | cut -f 1)
+  needed=$((BUILD_MEGABYTES - taken))
+  [ "$needed" -ge 200 ] || needed=200  # while it runs, the compiler writes files beside its results
+  [ "$free" -ge "$needed" ] || fail "the disk of $1, mounted on $mount, is full: $free MB are free," \
+    "about $needed MB are needed; make room there and start again"
 }
 
 # configure FOLDER [CMAKE_OPTION ...]
@@ -77,13 +92,17 @@ configure() {
   local folder=$1 log=$1/configure.log
   shift
   mkdir -p "$folder"
+  is_configured "$folder" || check_disk "$folder"
   say "Configuring $folder"
   # Removes what a checkout that was moved, or a configuration that failed, has left.
   is_configured "$folder" || rm -rf "$folder"/{CMakeCache.txt,CMakeFiles,catkin_generated,devel}
-  cmake -S "$REPO" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 || {
+  # On a full disk, cmake may report success and leave no Makefile.
+  if ! cmake -S "$REPO" -B "$folder" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 ||
+    ! is_configured "$folder"; then
     tail -n 40 "$log" >&2
+    check_disk "$folder"
     fail "configuring failed; the complete log is $log"
-  }
+  fi
 }
 
 # build FOLDER TARGET ...
@@ -91,7 +110,10 @@ build() {
   local folder=$1
   shift
   say "Building $folder"
-  cmake --build "$folder" --parallel "$(jobs_of_machine)" --target "$@"
+  cmake --build "$folder" --parallel "$(jobs_of_machine)" --target "$@" || {
+    check_disk "$folder"
+    return 1
+  }
 }
 
 # Prints a port on which nobody listens.

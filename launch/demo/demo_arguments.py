@@ -1,13 +1,20 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of the nodes in this folder."""
+"""The command line of the nodes that are started by launch files."""
 
 import argparse
 import os
 import sys
+from xml.etree import ElementTree
 
 import rospkg
 import rospy
+
+
+def version():
+    """That of package.xml, without rospkg's manifest: that would ask for the data of rosdep."""
+    folder = rospkg.RosPack().get_path('link_bounds')
+    return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
 
 
 def check_arguments(description):
@@ -20,5 +27,5 @@ def check_arguments(description):
     parser.error = lambda text: parser.exit(
         2, f'{parser.prog}: {text}; write parameters as _NAME:=VALUE, or see --help\n')
     if parser.parse_args(rospy.myargv()[1:]).version:
-        print(os.path.basename(sys.argv[0]), rospkg.RosPack().get_manifest('link_bounds').version)
+        print(os.path.basename(sys.argv[0]), version())
         sys.exit()

@@ -3,11 +3,13 @@
 // From what arrives to a scene and its output, in the order of the functions below.
 #include "node/publisher_node.h"
 
-#include <ros/callback_queue.h>
 #include <ros/init.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
+
 #include "node/distances/object_body.h"
+#include "node/loading/mesh_remedy.h"
 #include "node/log/guarded.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
@@ -19,29 +21,54 @@ constexpr std::uint32_t kObjectsQueue = 1000;  // messages, as for a burst of si
 const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
-const ros::WallDuration kMaxWait(0.1);  // until a shutdown is noticed
+constexpr std::chrono::milliseconds kMaxWait(100);  // until a shutdown is noticed
+
+/// Messages that wait for longer than this, or more of them, are taken together.
+constexpr std::chrono::milliseconds kMaxAge(20);
+constexpr std::size_t kMaxWaiting = 64;
+
+/// On the node's own queue.
+ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& queue) {
+  ros::NodeHandle node(ns);
+  node.setCallbackQueue(&queue);
+  return node;
+}
 
 }  // namespace
 
 void PublisherNode::guard(const std::function<void()>& body) {
+  guarded([&] { measure(body); });
+}
+
+void PublisherNode::measure(const std::function<void()>& body) {
+  times_.measure([&] {
+    feed_.update(ros::Time::now());
+    body();
+  });
+}
+
+void PublisherNode::guardMessage(const std::function<void()>& body) {
   guarded([&] { times_.measure(body); });
 }
 
 PublisherNode::PublisherNode()
-    : feed_({[this](const std::string& uri) { loader_->requestMesh(uri); }, [this] { onNews(); }}),
+    : node_(nodeHandle("", queue_)),
+      private_node_(nodeHandle("~", queue_)),
+      feed_({[this](const std::string& uri) { loader_->requestMesh(uri); }, [this] { onNews(); }}),
       output_(
-          node_, private_node_, scene_, [this](const std::function<void()>& body) { guard(body); },
+          periodic_, private_node_, scene_, [this](const std::function<void()>& body) { guard(body); },
           treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {
                      times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
                    }),
-      history_(scene_, [this](const std::function<void()>& body) { guard(body); }),
-      box_service_(private_node_, history_),
+      scene_copier_(
+          scene_, [this](const std::function<void()>& body) { measure(body); }, queue_),
+      box_service_(private_node_, scene_copier_),
       swept_output_(
-          node_, private_node_, [this](const std::function<void()>& body) { guard(body); },
-          history_) {
+          periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
+          scene_copier_) {
   repeat(kTick, &PublisherNode::onTick);
   repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames);
   repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics);
@@ -49,19 +76,18 @@ PublisherNode::PublisherNode()
   output_.onBoxes([this] { swept_output_.request(); });
   ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
-  handlers.adopt = [this](const auto& model) { times_.measure([&] { adopt(model); }); };
+  handlers.adopt = [this](const auto& model) { measure([&] { adopt(model); }); };
   handlers.on_mesh = [this](const auto& uri, const auto& mesh) {
     guard([&] { onMesh(uri, mesh); });
   };
   handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
-  loader_ = std::make_unique<ModelLoader>(private_node_, std::move(handlers));
+  loader_ = std::make_unique<ModelLoader>(private_node_, queue_, std::move(handlers));
   master_watch_ = std::make_unique<MasterWatch>();
 }
 
 /// Distances request trees from the loader.
 PublisherNode::~PublisherNode() {
   output_.distances().stop();
-  history_.stop();
 }
 
 /// Called on the thread of distances, which works only after a model has come from the loader.
@@ -71,15 +97,35 @@ TreeRequests PublisherNode::treeRequests() {
     loader_->requestTree({uri, points});
   };
   requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {
-    loader_->request([this, list] { output_.distances().give(listTree(*list)); });
+    const auto make = [this, waiting = std::weak_ptr<const ObjectContent>(list)](
+                          const MeshReaders::IsCancelled& is_cancelled) {
+      if (const auto content = waiting.lock()) makeListTree(content, is_cancelled);
+    };
+    const auto bytes = list->bounded.shapes.front().points->bytes();
+    loader_->request("list " + list->bounded.name, {[bytes] { return bytes; }, make});
   };
   return requests;
 }
 
-/// On the loader thread.
+/// On a reader. Once no other owner of the list is left, nobody waits for its tree.
+void PublisherNode::makeListTree(const std::shared_ptr<const ObjectContent>& list,
+                                 const MeshReaders::IsCancelled& is_cancelled) {
+  const auto is_unwanted = [&] { return is_cancelled() || list.use_count() == 1; };
+  const auto source = loader_->source(is_unwanted);
+  if (!source) return;
+  MadeTree made{list->bounded.shapes.front().points, nullptr, ""};
+  try {
+    made = listTree(*list, meshDeadline(source->limits, is_unwanted));
+  } catch (const MeshError& error) {
+    made.error = list->bounded.name + ": " + error.what() + "; " + nodeRemedy(error.fault());
+  }
+  if (!is_unwanted()) output_.distances().give(std::move(made));
+}
+
+/// On a reader.
 void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree) {
   MadeTree made{request.points, nullptr, tree.error};
-  if (tree.points == request.points) {
+  if (tree.points == request.points.lock()) {
     made.triangles = tree.triangles;
   } else if (made.error.empty()) {
     made.error = request.uri + " was replaced since it was loaded; call ~reload";
@@ -95,38 +141,65 @@ void PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*funct
 
 void PublisherNode::spin() {
   while (ros::ok()) {
-    ros::getGlobalCallbackQueue()->callAvailable(periodic_.rest(kMaxWait));
+    queue_.wait(std::min<std::chrono::nanoseconds>(kMaxWait, periodic_.rest()));
+    callWaiting();
     if (!ros::isShuttingDown()) periodic_.callDue();
   }
+}
+
+/// While the node keeps up, each message leads to an update. Else all that wait are taken first.
+void PublisherNode::callWaiting() {
+  const auto begin = std::chrono::steady_clock::now();
+  const TimedQueue::Backlog backlog = queue_.backlog();
+  const bool is_behind = backlog.count > kMaxWaiting || backlog.oldest > kMaxAge;
+  feed_.setJoining(is_behind);
+  queue_.callOne();
+  for (std::size_t i = 1; is_behind && i < backlog.count && queue_.callOne(); ++i) {
+    if (!ros::isShuttingDown()) periodic_.callDue();
+  }
+  feed_.setJoining(false);
+  if (is_behind) guard([] {});  // the update
+  const auto delay = backlog.oldest + (std::chrono::steady_clock::now() - begin);
+  if (backlog.count > 0) max_delay_ = std::max(max_delay_, delay);
 }
 
 void PublisherNode::subscribeToObjects() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   objects_subscriber_ =
-      private_node_.subscribe<visualization_msgs::MarkerArray, const MarkersEvent&>(
+      private_node_.subscribe<Received<visualization_msgs::MarkerArray>, const MarkersEvent&>(
           privateName(kObjectsTopic), kObjectsQueue,
           [this](const MarkersEvent& event) {
-            guard([&] {
-              auto& markers = event.getMessage()->markers;
-              onMarkers(markers.data(), markers.size(), event.getPublisherName());
+            guardMessage([&] {
+              const auto message = event.getMessage();
+              if (!incomplete_messages_.accept(*message, kObjectsTopic.name,
+                                               event.getPublisherName()))
+                return;
+              onMarkers(message->markers.data(), message->markers.size(), event.getPublisherName());
             });
           },
           {}, no_delay);
-  object_subscriber_ = private_node_.subscribe<Marker, const MarkerEvent&>(
+  object_subscriber_ = private_node_.subscribe<Received<Marker>, const MarkerEvent&>(
       privateName(kObjectTopic), kObjectsQueue,
       [this](const MarkerEvent& event) {
-        guard([&] { onMarkers(event.getMessage().get(), 1, event.getPublisherName()); });
+        guardMessage([&] {
+          const auto message = event.getMessage();
+          if (!incomplete_messages_.accept(*message, kObjectTopic.name, event.getPublisherName()))
+            return;
+          onMarkers(message.get(), 1, event.getPublisherName());
+        });
       },
       {}, no_delay);
-  neighbours_subscriber_ = private_node_.subscribe<AxisAlignedBoxArray, const NeighbourEvent&>(
-      privateName(kNeighboursTopic), kObjectsQueue,
-      [this](const NeighbourEvent& event) { guard([&] { onNeighbour(event); }); }, {}, no_delay);
+  neighbours_subscriber_ =
+      private_node_.subscribe<Received<AxisAlignedBoxArray>, const NeighbourEvent&>(
+          privateName(kNeighboursTopic), kObjectsQueue,
+          [this](const NeighbourEvent& event) { guardMessage([&] { onNeighbour(event); }); }, {},
+          no_delay);
 }
 
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   model_ = std::move(model);
   feed_.adopt(model_, ros::Time::now());
-  history_.adopt(model_);
+  scene_copier_.adopt(model_);
   swept_output_.adopt(model_->parameters);
   output_.adopt();
 }
@@ -139,6 +212,7 @@ void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static)
 
 void PublisherNode::onTick() {
   feed_.onTick(ros::Time::now());
+  feed_.forgetQuietFrames(ros::SteadyTime::now());
   freeMemory();
   if (feed_.clock().isMissing()) {
     ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
@@ -162,7 +236,9 @@ void PublisherNode::onNeighbour(const NeighbourEvent& event) {
     ROS_WARN_ONCE("~neighbours also carries the boxes of this node itself; they are ignored");
     return;
   }
-  feed_.onNeighbour(*event.getConstMessage(), sender, ros::Time::now());
+  if (!incomplete_messages_.accept(*event.getConstMessage(), kNeighboursTopic.name, sender)) return;
+  feed_.onNeighbour(*event.getConstMessage(), {sender, event.getConnectionHeaderPtr()},
+                    ros::Time::now());
 }
 
 void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
@@ -184,11 +260,16 @@ void PublisherNode::publishDiagnostics() {
   if (loader_->waitsForDescription()) health.awaited_description = loader_->descriptionName();
   health.waits_for_clock = feed_.clock().isMissing();
   health.clock_jumped = feed_.clock().hasJustJumped();
+  health.clock_jumps = feed_.clock().jumps();
   health.updates = updates_;
   health.publications = output_.publications();
+  health.joined = feed_.takeJoined();
   health.lag_ms = output_.takeMaxLag();
+  health.delay_ms = std::chrono::duration<double, std::milli>(max_delay_).count();
+  max_delay_ = std::chrono::nanoseconds(0);
   health.footprint = output_.footprintState();
   health.intake = feed_.tf().intake();
+  health.late_publishers = feed_.takeLatePublishers();
   health.distances = output_.distances().takeHealth();
   diagnostics_.publish(scene_, health, times_);
 }

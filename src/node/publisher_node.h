@@ -12,16 +12,18 @@
 #include "node/diagnostics/callback_times.h"
 #include "node/diagnostics/diagnostics.h"
 #include "node/diagnostics/lost_frames.h"
-#include "node/history/history_thread.h"
+#include "node/history/scene_copier.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/memory/heap.h"
+#include "node/messages/incomplete_messages.h"
 #include "node/outputs/box_service.h"
 #include "node/outputs/scene_output.h"
 #include "node/outputs/swept_output.h"
 #include "node/scene/scene_feed.h"
 #include "node/tf/tf_receiver.h"
 #include "node/threads/periodic.h"
+#include "node/threads/timed_queue.h"
 
 namespace link_bounds {
 
@@ -42,15 +44,24 @@ class PublisherNode {
  private:
   using Marker = visualization_msgs::Marker;
   /// Not const: as the only reader of the topic the node may take points out of the message.
-  using MarkersEvent = ros::MessageEvent<visualization_msgs::MarkerArray>;
-  using MarkerEvent = ros::MessageEvent<Marker>;
-  using NeighbourEvent = ros::MessageEvent<const AxisAlignedBoxArray>;
+  using MarkersEvent = ros::MessageEvent<Received<visualization_msgs::MarkerArray>>;
+  using MarkerEvent = ros::MessageEvent<Received<Marker>>;
+  using NeighbourEvent = ros::MessageEvent<const Received<AxisAlignedBoxArray>>;
 
-  /// Runs a callback: records how long it takes, and lets no exception out.
+  /// Runs a callback that is not that of a message: it finds the scene up to date. Records how long
+  /// it takes.
+  void measure(const std::function<void()>& body);
+
+  /// The same; lets no exception out.
   void guard(const std::function<void()>& body);
+  void guardMessage(const std::function<void()>& body);
+
+  void callWaiting();
 
   void repeat(ros::WallDuration period, void (PublisherNode::*function)());
   TreeRequests treeRequests();
+  void makeListTree(const std::shared_ptr<const ObjectContent>& list,
+                    const MeshReaders::IsCancelled& is_cancelled);
   void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
   void subscribeToObjects();
   void adopt(ModelLoader::ModelPtr model);
@@ -64,6 +75,7 @@ class PublisherNode {
   void warnOfLostFrames();
   void publishDiagnostics();
 
+  TimedQueue queue_;  ///< first: what follows posts into it
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   SceneFeed feed_;
@@ -72,17 +84,19 @@ class PublisherNode {
   ModelLoader::ModelPtr model_;
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
+  std::chrono::nanoseconds max_delay_{0};  ///< of a message in the node, since the last status
+  Periodic periodic_;  ///< before the outputs, which have alarms there
   SceneOutput output_;
   LostFrames lost_frames_;
   Diagnostics diagnostics_;
   TfReceiver tf_receiver_;
-  HistoryThread history_;
+  IncompleteMessages incomplete_messages_;
+  SceneCopier scene_copier_;
   BoxService box_service_;
   SweptOutput swept_output_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::Subscriber neighbours_subscriber_;
-  Periodic periodic_;
   std::unique_ptr<ModelLoader> loader_;  ///< near the end: its thread ends before the rest goes
   std::unique_ptr<MasterWatch> master_watch_;
 };

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -143,10 +144,13 @@ std::unique_ptr<const Packages> findPackages() {
 }  // namespace
 
 PackagePath rosPackages() {
-  const auto packages = std::make_shared<std::unique_ptr<const Packages>>();
-  return [packages](const std::string& name) {
-    if (!*packages) *packages = findPackages();
-    return (*packages)->folderOf(name);
+  struct Found {
+    std::once_flag once;
+    std::unique_ptr<const Packages> packages;
+  };
+  return [found = std::make_shared<Found>()](const std::string& name) {
+    std::call_once(found->once, [&] { found->packages = findPackages(); });
+    return found->packages->folderOf(name);
   };
 }
 

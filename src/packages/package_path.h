@@ -9,7 +9,7 @@ namespace link_bounds {
 
 /// Finds packages along ROS_PACKAGE_PATH, as rospack does. A manifest that cannot be read affects
 /// no other package. The first call of the returned function searches the path and keeps the
-/// result, so each load needs a new one. Not thread-safe.
+/// result, so each load needs a new one. Any number of threads may call it.
 PackagePath rosPackages();
 
 }  // namespace link_bounds

@@ -142,14 +142,23 @@ std::vector<std::vector<LoadedShape>> loadedShapes(const Draft& draft,
 }
 
 /// To be called after dropEmptyShapes: the only part of a link that cannot be split is the link.
+/// Splitting a link may take as long as loading a mesh.
 void addParts(const std::vector<std::vector<LoadedShape>>& loaded, std::size_t max_parts,
-              BoundedRobot& robot) {
+              const MeshSource& source, const MeshRemedy& remedy, BoundedRobot& robot) {
   LinkSplitter splitter(max_parts);
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     std::vector<DivisibleShape> divisible;
     for (const auto& [shape, mesh] : loaded[i])
       divisible.push_back({shape, mesh ? mesh->triangles : nullptr});
-    robot.parts.push_back(splitter.split(robot.links[i], divisible));
+    const BoundedLink& link = robot.links[i];
+    try {
+      const CheckInterrupt deadline = meshDeadline(source.limits, source.is_cancelled);
+      robot.parts.push_back(splitter.split(link, divisible, deadline));
+    } catch (const MeshError& error) {
+      robot.parts.push_back({link});
+      robot.part_problems.push_back("link \"" + link.name + "\" has one part: " + error.what() +
+                                    "; " + remedy(error.fault()));
+    }
   }
 }
 
@@ -188,7 +197,7 @@ std::string treeProblem(const std::string& path, const std::string& error) {
 }
 
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
-                        MeshStore& store) {
+                        MeshStore& store, const MeshRemedy& remedy) {
   Draft draft;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     if (isSelected(robot.links[i], selection)) addLink(draft, robot, i, selection, source);
@@ -197,13 +206,14 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   for (const Request& request : draft.requests)
     files.push_back(request.file);
   const std::vector<LoadedMesh> meshes =
-      store.load(files, source.progress, contentOf(selection), source.limits.max_bytes);
+      store.load(files, source.progress, contentOf(selection), source.limits, source.is_cancelled);
   addPoints(draft, meshes);
   const std::vector<std::vector<LoadedShape>> loaded = loadedShapes(draft, meshes);
   for (BoundedLink& link : draft.robot.links)
     dropEmptyShapes(link);
   if (selection.parts_per_link > 1)
-    addParts(loaded, static_cast<std::size_t>(selection.parts_per_link), draft.robot);
+    addParts(loaded, static_cast<std::size_t>(selection.parts_per_link), source, remedy,
+             draft.robot);
   if (selection.triangles) {
     addBodies(loaded, draft.robot);
     addBodyProblems(draft, meshes, draft.robot.body_problems);

@@ -9,7 +9,7 @@ namespace link_bounds {
 
 /// Selects links and loads their meshes by the store. Bad geometry makes its link incomplete.
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
-                        MeshStore& store);
+                        MeshStore& store, const MeshRemedy& remedy);
 
 /// For the user: why distances take the convex hull of a mesh; `error` is LoadedMesh::tree_error.
 std::string treeProblem(const std::string& path, const std::string& error);

@@ -9,21 +9,21 @@
 
 namespace link_bounds {
 
-RobotLoader::RobotLoader(MeshRemedy remedy, std::function<bool()> is_cancelled)
-    : RobotLoader(
-          [this, worker = meshWorker(),
-           is_cancelled = std::move(is_cancelled)](const MeshFile& file) {
-            return importInProcess(worker, file, limits_, is_cancelled);
+RobotLoader::RobotLoader(MeshRemedy remedy)
+    : remedy_(std::move(remedy)),
+      store_(
+          [worker = meshWorker()](const MeshFile& file, const MeshLimits& limits,
+                                  const CheckInterrupt& deadline) {
+            return importInTime(worker, file, limits, deadline);
           },
-          std::move(remedy)) {}
+          remedy_) {}
 
 RobotLoader::RobotLoader(MeshImporter importer, MeshRemedy remedy)
     : remedy_(std::move(remedy)), store_(std::move(importer), remedy_) {}
 
 BoundedRobot RobotLoader::load(const Robot& robot, const Selection& selection,
                                const MeshSource& source) {
-  limits_ = source.limits;
-  return boundRobot(robot, selection, source, store_);
+  return boundRobot(robot, selection, source, store_, remedy_);
 }
 
 std::vector<LoadedMesh> RobotLoader::loadMeshes(const std::vector<std::string>& uris,
@@ -41,7 +41,6 @@ std::vector<LoadedTree> RobotLoader::loadTrees(const std::vector<std::string>& u
 
 std::vector<LoadedMesh> RobotLoader::loadAll(const std::vector<std::string>& uris,
                                              const MeshSource& source, MeshContent content) {
-  limits_ = source.limits;
   try {
     return loadResolved(uris, source, content);
   } catch (const std::exception& error) {
@@ -64,7 +63,7 @@ std::vector<LoadedMesh> RobotLoader::loadResolved(const std::vector<std::string>
     }
   }
   const std::vector<LoadedMesh> loaded =
-      store_.load(files, source.progress, content, source.limits.max_bytes);
+      store_.load(files, source.progress, content, source.limits, source.is_cancelled);
   for (std::size_t i = 0; i < files.size(); ++i) {
     LoadedMesh& result = results[places[i]];
     result = loaded[i];

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Every program answers --help and --version and refuses an unknown argument in one line, before it
-connects to ROS: a node that registers ends the running one of its name.
+connects to ROS: a node that registers ends the running one of its name. Programs are what CMake
+installs and what is executable in scripts.
 
-Run as: command_lines_test.py FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_PROGRAMS
+Run as: command_lines_test.py FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_PROGRAMS FOLDER_OF_THE_BUILD
 """
 import os
 import pathlib
@@ -12,27 +13,53 @@ import re
 import socket
 import subprocess
 import sys
+import tempfile
 import unittest
 from xml.etree import ElementTree
 
 from patience import PATIENCE
 
-PACKAGE, PROGRAMS = pathlib.Path(), pathlib.Path()
-NAMES = ('link_bounds_publisher', 'mesh_worker', 'urdf_bounds', 'bag_bounds', 'assert_box',
-         'assert_distance', 'boxes_to.py', 'box_table.py', 'joint_mover.py', 'overlap_colors.py',
-         'scene_objects.py', 'zone_events.py')
+PACKAGE, PROGRAMS, BUILD = pathlib.Path(), pathlib.Path(), pathlib.Path()
 NODE = 'link_bounds_publisher'
+RVIZ = 'rviz_in_fixed_frame.py'  # gives unknown arguments to rviz
+# As where rosdep is installed and has never been updated: rospkg then complains on standard error.
+EMPTY_ROSDEP = '''
+def init_rospack_interface(): pass
+def is_view_empty(view): return True
+def is_ros_package(view, name): return False
+def is_system_dependency(view, name): return False
+'''
 TIMEOUT = 60 * PATIENCE  # s
+
+
+def installed(script=None):
+    """The names of the programs that this script of CMake installs, and the scripts it includes."""
+    text = (script or BUILD / 'cmake_install.cmake').read_text()
+    files = re.findall(r'/lib/link_bounds" TYPE (?:EXECUTABLE|PROGRAM) FILES "(.*?)"', text)
+    names = {pathlib.Path(path).name for path in files}
+    for path in re.findall(r'include\("(.*?/cmake_install\.cmake)"\)', text):
+        names |= installed(pathlib.Path(path))
+    return names
 
 
 def programs():
     """Those that are installed, and the scripts of the repository."""
     scripts = [path for path in (PACKAGE / 'scripts').iterdir()
-               if path.is_file() and not path.suffix and os.access(path, os.X_OK)]
-    return [PROGRAMS / name for name in NAMES] + sorted(scripts)
+               if path.is_file() and os.access(path, os.X_OK)]
+    return sorted(PROGRAMS / name for name in installed()) + sorted(scripts)
 
 
 class CommandLinesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        rosdep = pathlib.Path(folder.name) / 'rosdep2'
+        rosdep.mkdir()
+        (rosdep / '__init__.py').touch()
+        (rosdep / 'rospack.py').write_text(EMPTY_ROSDEP)
+        cls.python_path = os.pathsep.join([folder.name, os.environ['PYTHONPATH']])
+
     def setUp(self):
         self.master = socket.create_server(('localhost', 0))
         self.addCleanup(self.master.close)
@@ -41,8 +68,8 @@ class CommandLinesTest(unittest.TestCase):
     def run_program(self, program, *arguments):
         """Exit code, standard output and standard error; fails if the program called the ROS
         master, which here never answers."""
-        environment = dict(os.environ, ROS_MASTER_URI='http://localhost:%d'
-                           % self.master.getsockname()[1])
+        environment = dict(os.environ, PYTHONPATH=self.python_path, ROS_MASTER_URI=
+                           'http://localhost:%d' % self.master.getsockname()[1])
         done = subprocess.run([program, *arguments], env=environment, timeout=TIMEOUT, check=False,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, encoding='utf-8')
@@ -74,9 +101,19 @@ class CommandLinesTest(unittest.TestCase):
 
     def test_unknown_argument(self):
         for program in programs():
+            if program.name == RVIZ:
+                continue
             remedy = 'use urdf_bounds' if program.name == 'mesh_worker' else '--help'
             with self.subTest(program.name):
                 self.check_refused(program, '--hepl', remedy)
+
+    def test_the_page_names_all_programs(self):
+        page = (PACKAGE / 'doc/tools.md').read_text()
+        table = page.split('# Programs')[1].split('Each of them explains itself')[0]
+        self.assertEqual(set(re.findall(r'^\| `(.*?)` \|', table, re.MULTILINE)), installed())
+        table = page.split('## Scripts of the repository')[1]
+        scripts = {path.name for path in programs() if path.parent.name == 'scripts'}
+        self.assertEqual(set(re.findall(r'^\| `scripts/(.*?)` \|', table, re.MULTILINE)), scripts)
 
     def test_the_page_names_all_benchmarks(self):
         usage = (PACKAGE / 'scripts/bench').read_text().split('usage: scripts/bench ')[1]
@@ -98,5 +135,5 @@ class CommandLinesTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    PROGRAMS, PACKAGE = pathlib.Path(sys.argv.pop()), pathlib.Path(sys.argv.pop())
+    BUILD, PROGRAMS, PACKAGE = (pathlib.Path(sys.argv.pop()) for _ in range(3))
     unittest.main()

@@ -166,6 +166,9 @@ class DiagnosticsTest(unittest.TestCase):
         code = code.replace(' " + logText(health.awaited_description)', ' robot_description"')
         code = code.replace('logText(nearestText(*health.nearest))',
                             '"NAME and NAME may be only N m apart"')
+        code = code.replace('ageText(age_ms, health.delay_ms)',
+                            '"boxes were up to N ms old when they were sent; '
+                            'the longest delay in this node was N ms"')
         raised = re.findall(r'raise\(status, DiagnosticStatus::(\w+),\s*(.*?)\);', code, re.DOTALL)
         self.assertGreater(len(raised), 5)
         in_code = {(level, re.sub(r'std::to_string\(\w+\) \+ "', '"N', text).strip('"'))

@@ -81,11 +81,12 @@ TEST_F(RobotLoaderTest, ALaterLoadSharesPointsInUseAndTakesItsOwnLimits) {
 }
 
 TEST_F(RobotLoaderTest, ACancelledLoadEndsEarly) {
-  RobotLoader loader(plainRemedy, [] { return true; });
+  RobotLoader loader;
   const Robot robot = parseRobot(robotWith("package://arm/a.stl"));
-  const BoundedRobot bounded = loader.load(robot, {}, {packages()});
+  const MeshSource source{packages(), "", nullptr, {}, [] { return true; }};
+  const BoundedRobot bounded = loader.load(robot, {}, source);
   ASSERT_EQ(bounded.problems.size(), 1u);
-  EXPECT_NE(bounded.problems[0].find("reading it was cancelled; try again"), std::string::npos);
+  EXPECT_NE(bounded.problems[0].find("loading it was cancelled; try again"), std::string::npos);
 }
 
 std::string folderOf(const std::string& package) {

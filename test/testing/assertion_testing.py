@@ -14,7 +14,8 @@ from xml.etree import ElementTree
 import rospy
 from bounds_testing import DEADLINE, executable, wait_for
 from catkin.test_results import read_junit
-from node_testing import SANITIZED
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from node_testing import SANITIZED, Repeater
 from rosunit import junitxml
 
 # Wall seconds, for what has to fail and until then has to have seen a message.
@@ -42,10 +43,23 @@ class Talker:
         self._publisher.publish(message)
 
     def wait_for_listener(self):
-        wait_for(lambda: self._publisher.get_num_connections() > 0, "the test listens")
+        """Until the latched message has been sent, which is later than the connection."""
+        wait_for(lambda: any(connection.stat_num_msg
+                             for connection in self._publisher.impl.connections),
+                 "the test listens")
 
     def end(self):
         self._publisher.unregister()
+
+
+class Statuses:
+    """In /diagnostics, as a node publishes them, until stop()."""
+
+    def __init__(self):
+        publisher = rospy.Publisher("/diagnostics", DiagnosticArray, queue_size=10)
+        status = DiagnosticStatus(name=rospy.get_name()[1:] + ": boxes")
+        self._repeater = Repeater(1.0, lambda: publisher.publish(DiagnosticArray(status=[status])))
+        self.stop = self._repeater.stop
 
 
 class Run:
@@ -79,6 +93,13 @@ class AssertionTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.mkdtemp()
         cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.statuses = Statuses()
+        cls.addClassCleanup(lambda: cls.statuses.stop())
+
+    def silence(self):
+        """No status until the test ends."""
+        self.statuses.stop()
+        self.addCleanup(lambda: setattr(type(self), "statuses", Statuses()))
 
     def start(self, name, parameters, *arguments):
         run = Run(self.folder, self.PROGRAM, name, parameters, *arguments)

@@ -35,6 +35,8 @@ struct MeshSource {
   std::string base_folder = {};   ///< of relative mesh names; "" = they are refused
   LoadProgress progress = {};     ///< may be null
   MeshLimits limits = {};
+  /// May be null. Called from several threads; true ends a load early.
+  std::function<bool()> is_cancelled = {};
 };
 
 struct BoundedRobot {
@@ -52,6 +54,8 @@ struct BoundedRobot {
   /// shapes in their order. All shapes of one mesh file share its triangles. Empty unless they were
   /// selected.
   std::vector<Body> bodies;
+  /// One per link that is not split although parts were selected: splitting it takes too long.
+  std::vector<std::string> part_problems;
   /// One per mesh element that `bodies` have without triangles, so that distances are those of its
   /// convex hull: link, element, file, reason, remedy.
   std::vector<std::string> body_problems;
@@ -66,15 +70,13 @@ struct LoadedTree {
 };
 
 /// Loads the meshes of robots and of single objects. Owns the store of what has been read: as long
-/// as points are in use, a further load shares them and reads only files that have changed.
-/// Not thread-safe.
+/// as points are in use, a further load shares them and reads only files that have changed. Any
+/// number of threads may use it.
 class RobotLoader {
  public:
   /// Each mesh file is read by a process of its own. `remedy` words what a user can do about a mesh
-  /// that cannot be used; `is_cancelled`, which may be null, is called from several threads and
-  /// ends a load early.
-  explicit RobotLoader(MeshRemedy remedy = plainRemedy,
-                       std::function<bool()> is_cancelled = nullptr);
+  /// that cannot be used.
+  explicit RobotLoader(MeshRemedy remedy = plainRemedy);
 
   /// Mesh files are read by `importer`, which MeshSource::limits do not concern.
   explicit RobotLoader(MeshImporter importer, MeshRemedy remedy = plainRemedy);
@@ -105,7 +107,6 @@ class RobotLoader {
                                        const MeshSource& source, MeshContent content);
   std::string wording(const std::exception& error) const;
 
-  MeshLimits limits_;  ///< of the load that is under way
   MeshRemedy remedy_;
   MeshStore store_;
 };

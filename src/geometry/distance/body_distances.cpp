@@ -34,9 +34,26 @@ class BodyDistances::Memories {
     const auto entry = pairs_.try_emplace({first, second}).first;
     Pair& pair = entry->second;
     if (!pair.isOf(a, b)) pair = {PairMemory(), a.version, b.version};
+    pair.round = round_;
     const BodyDistance result = placedDistance(*a.placed, *b.placed, goal, pair.memory);
     if (!pair.memory.is_known) pairs_.erase(entry);
     return result;
+  }
+
+  std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
+    if (std::max(first, second) >= slots_.size()) return std::nullopt;
+    const Slot& a = slots_[first];
+    const Slot& b = slots_[second];
+    if (!a.placed || !b.placed) return std::nullopt;
+    if (const auto far = distanceBeyond(limit, *a.placed, *b.placed)) return far;
+    PairMemory memory;
+    return placedDistance(*a.placed, *b.placed, {goal.accuracy, limit, goal.max_steps}, memory);
+  }
+
+  void forgetUnused() {
+    for (auto pair = pairs_.begin(); pair != pairs_.end();)
+      pair = pair->second.round == round_ ? std::next(pair) : pairs_.erase(pair);
+    ++round_;
   }
 
   DistanceGoal goal;
@@ -51,6 +68,7 @@ class BodyDistances::Memories {
     PairMemory memory;
     std::uint64_t first_version = 0;
     std::uint64_t second_version = 0;
+    std::uint64_t round = 0;  ///< in which it was searched
 
     bool isOf(const Slot& first, const Slot& second) const {
       return first_version == first.version && second_version == second.version;
@@ -67,6 +85,7 @@ class BodyDistances::Memories {
   std::vector<Slot> slots_;
   std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
   std::uint64_t last_version_ = 0;
+  std::uint64_t round_ = 0;  ///< ends with forgetUnused()
 };
 
 BodyDistances::BodyDistances(const DistanceGoal& goal)
@@ -89,6 +108,15 @@ void BodyDistances::setGoal(const DistanceGoal& goal) {
 
 std::optional<BodyDistance> BodyDistances::find(std::size_t first, std::size_t second) {
   return memories_->find(first, second);
+}
+
+std::optional<BodyDistance> BodyDistances::findOnce(std::size_t first, std::size_t second,
+                                                    double limit) const {
+  return memories_->findOnce(first, second, limit);
+}
+
+void BodyDistances::forgetUnused() {
+  memories_->forgetUnused();
 }
 
 }  // namespace link_bounds

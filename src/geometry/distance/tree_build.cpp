@@ -26,6 +26,10 @@ constexpr std::uint32_t kFewTriangles = 16;
 /// Smaller boxes would lose digits to underflow [m].
 constexpr double kSmallestRadius = 1e-30;
 
+/// What a node costs, in looks of a WorkMeter: along two sets of axes or, where it has few
+/// triangles, along more.
+constexpr std::size_t kLooksPerTriangle = 10;
+
 using Axes = Eigen::Matrix3d;  // columns
 
 struct FittedBox {
@@ -40,7 +44,7 @@ struct FittedBox {
 
 class Builder {
  public:
-  explicit Builder(TriangleTree& tree) : tree_(tree) {}
+  Builder(TriangleTree& tree, WorkMeter& meter) : tree_(tree), meter_(meter) {}
 
   void build() {
     tree_.nodes.emplace_back();
@@ -48,6 +52,7 @@ class Builder {
     while (!open.empty()) {
       const Range range = open.back();
       open.pop_back();
+      meter_.add(kLooksPerTriangle * (range.end - range.begin));
       const FittedBox box = fit(range);
       store(box, range);
       if (range.end - range.begin > kTrianglesPerLeaf) divide(box, range, open);
@@ -175,18 +180,21 @@ class Builder {
   }
 
   TriangleTree& tree_;
+  WorkMeter& meter_;
 };
 
 /// Gives each of the largest small nodes its vertices in a row. A vertex that several of them use
 /// is there several times.
 class VertexBlocks {
  public:
-  explicit VertexBlocks(TriangleTree& tree) : tree_(tree), moved_to_(tree.vertices.size(), 0) {
+  VertexBlocks(TriangleTree& tree, WorkMeter& meter)
+      : tree_(tree), moved_to_(tree.vertices.size(), 0) {
     std::vector<std::uint32_t> open{0};
     while (!open.empty()) {
       TreeNode& node = tree.nodes[open.back()];
       open.pop_back();
       if (node.count <= kSmallNode) {
+        meter.add(kLooksPerTriangle * node.count);
         gather(node);
       } else {
         open.push_back(node.child + 1);
@@ -236,25 +244,28 @@ bool isUsable(const std::vector<Eigen::Vector3d>& vertices,
 std::shared_ptr<const TriangleTree> triangleTree(
     const std::vector<Eigen::Vector3d>& vertices,
     const std::vector<std::array<std::uint32_t, 3>>& triangles, Solid solid,
-    const Eigen::Vector3d& size) {
+    const Eigen::Vector3d& size, const CheckInterrupt& check_interrupt) {
   if (!isUsable(vertices, triangles, size)) return nullptr;
   auto tree = std::make_shared<TriangleTree>();
   tree->vertices = vertices;
   tree->triangles = triangles;
   tree->solid = solid;
   tree->size = size;
-  Builder(*tree).build();
-  VertexBlocks{*tree};
+  WorkMeter meter(check_interrupt);
+  Builder(*tree, meter).build();
+  VertexBlocks(*tree, meter);
   tree->nodes.shrink_to_fit();
   return tree;
 }
 
-std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh) {
+std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh,
+                                                 const CheckInterrupt& check_interrupt) {
   std::vector<Eigen::Vector3d> vertices;
   vertices.reserve(mesh.vertices.size());
   for (const Eigen::Vector3f& vertex : mesh.vertices)
     vertices.push_back(vertex.cast<double>());
-  return triangleTree(vertices, mesh.triangles);
+  return triangleTree(vertices, mesh.triangles, Solid::kNone, Eigen::Vector3d::Zero(),
+                      check_interrupt);
 }
 
 std::size_t bytes(const TriangleTree& tree) {

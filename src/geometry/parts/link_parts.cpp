@@ -17,6 +17,8 @@ namespace {
 /// than 0.1 % smaller.
 constexpr std::size_t kMaxLeaves = 1024;
 
+constexpr std::size_t kLooksPerSort = 20;  ///< what sorting an index costs, in those of a WorkMeter
+
 /// The indices of a part's vertices, by shape. An indivisible shape has none.
 using PartVertices = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 
@@ -38,11 +40,16 @@ PartVertices verticesOf(const PartNode& node, const std::vector<PartItem>& items
 }
 
 std::vector<PartVertices> cutLink(const std::vector<DivisibleShape>& shapes,
-                                  const Eigen::Affine3d& unit_from_link, std::size_t max_parts) {
-  const PartTree tree = growTree(shapes, unit_from_link, kMaxLeaves);
+                                  const Eigen::Affine3d& unit_from_link, std::size_t max_parts,
+                                  const CheckInterrupt& check_interrupt) {
+  WorkMeter meter(check_interrupt);
+  const PartTree tree = growTree(shapes, unit_from_link, kMaxLeaves, meter);
   std::vector<PartVertices> parts;
-  for (const std::size_t index : cutTree(tree, shapes, unit_from_link, max_parts))
-    parts.push_back(verticesOf(tree.nodes[index], tree.items, shapes));
+  for (const std::size_t index : cutTree(tree, shapes, unit_from_link, max_parts, meter)) {
+    const PartNode& node = tree.nodes[index];
+    meter.add(kLooksPerSort * (node.end - node.begin));
+    parts.push_back(verticesOf(node, tree.items, shapes));
+  }
   return parts;
 }
 
@@ -52,7 +59,8 @@ using MeshPoints = std::vector<std::shared_ptr<const PointSet>>;
 /// Stores points in tables where they fit in memory, else in plain lists. Nothing if these are too
 /// large, too.
 std::optional<MeshPoints> pointsOf(const DivisibleShape& divisible, std::uint32_t shape,
-                                   const std::vector<PartVertices>& parts) {
+                                   const std::vector<PartVertices>& parts,
+                                   const CheckInterrupt& check_interrupt) {
   const std::vector<Eigen::Vector3f>& vertices = divisible.mesh->vertices;
   for (const std::size_t max_table_bytes : {kBytesPerPart, std::size_t{0}}) {
     MeshPoints result(parts.size());
@@ -67,7 +75,7 @@ std::optional<MeshPoints> pointsOf(const DivisibleShape& divisible, std::uint32_
       std::vector<Eigen::Vector3f> points;
       for (const std::uint32_t vertex : found->second)
         points.push_back(vertices[vertex]);
-      result[i] = std::make_shared<const PointSet>(points, max_table_bytes);
+      result[i] = std::make_shared<const PointSet>(points, max_table_bytes, check_interrupt);
       bytes += result[i]->bytes();
     }
     if (bytes <= kBytesPerPart * parts.size()) return result;
@@ -76,14 +84,16 @@ std::optional<MeshPoints> pointsOf(const DivisibleShape& divisible, std::uint32_
 }
 
 std::vector<LinkPart> split(std::vector<DivisibleShape> shapes,
-                            const Eigen::Affine3d& unit_from_link, std::size_t max_parts) {
-  const std::vector<PartVertices> parts = cutLink(shapes, unit_from_link, max_parts);
+                            const Eigen::Affine3d& unit_from_link, std::size_t max_parts,
+                            const CheckInterrupt& check_interrupt) {
+  const std::vector<PartVertices> parts =
+      cutLink(shapes, unit_from_link, max_parts, check_interrupt);
   std::vector<LinkPart> result(parts.size());
   bool fits = true;
   for (std::uint32_t shape = 0; shape < shapes.size(); ++shape) {
     std::optional<MeshPoints> points;
     if (shapes[shape].mesh) {
-      points = pointsOf(shapes[shape], shape, parts);
+      points = pointsOf(shapes[shape], shape, parts, check_interrupt);
       fits = fits && points;
       if (!points) shapes[shape].mesh = nullptr;
     }
@@ -94,16 +104,17 @@ std::vector<LinkPart> split(std::vector<DivisibleShape> shapes,
     }
   }
   // Without the meshes that do not fit, the best cut is another one.
-  return fits ? result : split(std::move(shapes), unit_from_link, max_parts);
+  return fits ? result : split(std::move(shapes), unit_from_link, max_parts, check_interrupt);
 }
 
 }  // namespace
 
 std::vector<LinkPart> splitIntoParts(const std::vector<DivisibleShape>& shapes,
-                                     std::size_t max_parts) {
+                                     std::size_t max_parts, const CheckInterrupt& check_interrupt) {
   if (shapes.empty()) return {};
   const std::optional<Eigen::Affine3d> unit_from_link = unitFromLink(shapes);
-  if (max_parts > 1 && unit_from_link) return split(shapes, *unit_from_link, max_parts);
+  if (max_parts > 1 && unit_from_link)
+    return split(shapes, *unit_from_link, max_parts, check_interrupt);
   LinkPart all;
   for (const DivisibleShape& shape : shapes)
     all.push_back(shape.shape);

@@ -17,19 +17,21 @@ bool isEqual(const DivisibleShape& a, const DivisibleShape& b) {
 
 }  // namespace
 
-const std::vector<LinkPart>& LinkSplitter::partsOf(const std::vector<DivisibleShape>& shapes) {
+const std::vector<LinkPart>& LinkSplitter::partsOf(const std::vector<DivisibleShape>& shapes,
+                                                   const CheckInterrupt& check_interrupt) {
   for (const SplitLink& link : known_) {
     if (std::equal(link.shapes.begin(), link.shapes.end(), shapes.begin(), shapes.end(), isEqual))
       return link.parts;
   }
-  known_.push_back({shapes, splitIntoParts(shapes, max_parts_)});
+  known_.push_back({shapes, splitIntoParts(shapes, max_parts_, check_interrupt)});
   return known_.back().parts;
 }
 
 std::vector<BoundedLink> LinkSplitter::split(const BoundedLink& link,
-                                             const std::vector<DivisibleShape>& shapes) try {
+                                             const std::vector<DivisibleShape>& shapes,
+                                             const CheckInterrupt& check_interrupt) try {
   std::vector<BoundedLink> parts;
-  for (const LinkPart& part : partsOf(shapes))
+  for (const LinkPart& part : partsOf(shapes, check_interrupt))
     parts.push_back({link.name, part, link.padding, link.missing});
   return parts;
 } catch (const std::bad_alloc&) {

@@ -15,9 +15,9 @@ class LinkSplitter {
   explicit LinkSplitter(std::size_t max_parts) : max_parts_(max_parts) {}
 
   /// The parts of a link with its name and padding. `shapes` are those of the link. If memory does
-  /// not suffice, the link itself is its only part.
-  std::vector<BoundedLink> split(const BoundedLink& link,
-                                 const std::vector<DivisibleShape>& shapes);
+  /// not suffice, the link itself is its only part. What `check_interrupt` throws ends it.
+  std::vector<BoundedLink> split(const BoundedLink& link, const std::vector<DivisibleShape>& shapes,
+                                 const CheckInterrupt& check_interrupt);
 
  private:
   struct SplitLink {
@@ -25,7 +25,8 @@ class LinkSplitter {
     std::vector<LinkPart> parts;
   };
 
-  const std::vector<LinkPart>& partsOf(const std::vector<DivisibleShape>& shapes);
+  const std::vector<LinkPart>& partsOf(const std::vector<DivisibleShape>& shapes,
+                                       const CheckInterrupt& check_interrupt);
 
   std::size_t max_parts_;
   std::vector<SplitLink> known_;

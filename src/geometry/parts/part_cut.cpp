@@ -14,7 +14,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kMinGain = 1e-9;  ///< of a volume; less is rounding
+constexpr std::size_t kLooksPerItem = 10;  ///< of volumes, in those of a WorkMeter
+constexpr double kMinGain = 1e-9;          ///< of a volume; less is rounding
 
 /// A link moves. Parts that are tight only in the axes of the link would help little once it is
 /// turned, so their boxes are measured along several sets of axes.
@@ -96,7 +97,7 @@ void extendByShape(const AxisSets& axis_sets, const Shape& shape,
 /// Of each node. Boxes of leaves are made from their items, the others from their children's.
 std::vector<NodeVolumes> nodeVolumes(const PartTree& tree,
                                      const std::vector<DivisibleShape>& shapes,
-                                     const Eigen::Affine3d& unit_from_link) {
+                                     const Eigen::Affine3d& unit_from_link, WorkMeter& meter) {
   const AxisSets axis_sets = axisSets();
   std::vector<TurnedShape> turned_shapes;
   for (const DivisibleShape& shape : shapes)
@@ -114,6 +115,7 @@ std::vector<NodeVolumes> nodeVolumes(const PartTree& tree,
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const PartNode& node = tree.nodes[i];
     if (node.isLeaf()) {
+      meter.add(kLooksPerItem * (node.end - node.begin));
       for (std::size_t k = node.begin; k < node.end; ++k)
         extend(tree.items[k], boxes[i]);
     } else {
@@ -194,8 +196,9 @@ double volumeAtRest(const std::vector<std::size_t>& chosen,
 }  // namespace
 
 std::vector<std::size_t> cutTree(const PartTree& tree, const std::vector<DivisibleShape>& shapes,
-                                 const Eigen::Affine3d& unit_from_link, std::size_t max_parts) {
-  const std::vector<NodeVolumes> volumes = nodeVolumes(tree, shapes, unit_from_link);
+                                 const Eigen::Affine3d& unit_from_link, std::size_t max_parts,
+                                 WorkMeter& meter) {
+  const std::vector<NodeVolumes> volumes = nodeVolumes(tree, shapes, unit_from_link, meter);
   const std::vector<Cuts> cuts = allCuts(tree.nodes, volumes, max_parts);
   std::vector<std::size_t> best{0};
   for (std::size_t parts = 2; parts <= cuts[0].maxParts(); ++parts) {

@@ -13,6 +13,7 @@ namespace link_bounds {
 /// the axes of the link and in turned axes. In the axes of the link the sum of their volumes is not
 /// larger than for any smaller `max_parts`. Returns indices of nodes.
 std::vector<std::size_t> cutTree(const PartTree& tree, const std::vector<DivisibleShape>& shapes,
-                                 const Eigen::Affine3d& unit_from_link, std::size_t max_parts);
+                                 const Eigen::Affine3d& unit_from_link, std::size_t max_parts,
+                                 WorkMeter& meter);
 
 }  // namespace link_bounds

@@ -18,6 +18,8 @@ namespace {
 /// smaller and take a quarter more instructions.
 constexpr std::size_t kBins = 32;
 
+constexpr std::size_t kLooksPerItem = 10;  ///< what a split costs, in those of a WorkMeter
+
 float surfaceOf(const Eigen::Vector3f& size) {
   return 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
 }
@@ -180,7 +182,7 @@ std::optional<Eigen::Affine3d> unitFromLink(const std::vector<DivisibleShape>& s
 }
 
 PartTree growTree(const std::vector<DivisibleShape>& shapes, const Eigen::Affine3d& unit_from_link,
-                  std::size_t max_leaves) {
+                  std::size_t max_leaves, WorkMeter& meter) {
   PartTree tree;
   tree.items = itemsOf(shapes, unit_from_link);
   tree.nodes.push_back({0, tree.items.size()});
@@ -189,6 +191,7 @@ PartTree growTree(const std::vector<DivisibleShape>& shapes, const Eigen::Affine
   for (std::size_t count = 1; count < max_leaves && !leaves.empty();) {
     const std::size_t index = leaves.top().second;
     leaves.pop();
+    meter.add(kLooksPerItem * (tree.nodes[index].end - tree.nodes[index].begin));
     if (!splitLeaf(tree, index)) continue;
     ++count;
     for (const std::size_t child : {tree.nodes[index].left, tree.nodes[index].right})

@@ -42,6 +42,6 @@ struct PartTree {
 std::optional<Eigen::Affine3d> unitFromLink(const std::vector<DivisibleShape>& shapes);
 
 PartTree growTree(const std::vector<DivisibleShape>& shapes, const Eigen::Affine3d& unit_from_link,
-                  std::size_t max_leaves);
+                  std::size_t max_leaves, WorkMeter& meter);
 
 }  // namespace link_bounds

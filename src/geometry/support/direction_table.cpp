@@ -118,30 +118,44 @@ CandidateGrid coarsestLists(GridBuilder& builder) {
   return grid;
 }
 
-void appendNamed(const std::vector<Eigen::Vector3f>& points, std::vector<Eigen::Vector3f>& named) {
-  GridBuilder builder(toDouble(points));
+std::vector<Eigen::Vector3f> named(const std::vector<Eigen::Vector3f>& points, Effort effort,
+                                   const CheckInterrupt& check_interrupt) {
+  GridBuilder builder(toDouble(points), effort, check_interrupt);
+  std::vector<Eigen::Vector3f> result;
   for (const std::uint32_t index : coarsestLists(builder).named())
-    named.push_back(points[index]);
+    result.push_back(points[index]);
+  return result;
 }
 
-/// The points of a large set that can be extreme in their part. A part fits into the cache.
-std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points) {
+/// The points of a large set that can be extreme in their part. A part fits into the cache. Once
+/// most points of a part can be extreme, little is gained by examining the next ones as closely.
+std::vector<Eigen::Vector3f> reducedByParts(const std::vector<Eigen::Vector3f>& points,
+                                            const CheckInterrupt& check_interrupt) {
   std::vector<Eigen::Vector3f> left;
+  Effort effort = Effort::kMinimal;
   for (std::size_t first = 0; first < points.size(); first += kPart) {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto size = static_cast<std::ptrdiff_t>(std::min(kPart, points.size() - first));
-    appendNamed({begin, begin + size}, left);
+    const auto size = std::min(kPart, points.size() - first);
+    const std::vector<Eigen::Vector3f> part =
+        named({begin, begin + static_cast<std::ptrdiff_t>(size)}, effort, check_interrupt);
+    left.insert(left.end(), part.begin(), part.end());
+    if (2 * part.size() > size) effort = Effort::kQuick;
   }
   return left;
+}
+
+Effort effortFor(std::size_t points) {
+  return points > 2 * kPart ? Effort::kQuick : Effort::kMinimal;
 }
 
 bool isWithinLimit(const DirectionTable& table, const CandidateGrid& grid) {
   return table.bytes() <= std::max(kBytesPerTable, kBytesPerPoint * grid.named().size());
 }
 
-DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
+DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points,
+                          const CheckInterrupt& check_interrupt) {
   if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
-  GridBuilder builder(toDouble(points));
+  GridBuilder builder(toDouble(points), effortFor(points.size()), check_interrupt);
   CandidateGrid grid = coarsestLists(builder);
   DirectionTable table = packed(points, grid);
   // The search ends at the first table above the limit.
@@ -155,9 +169,10 @@ DirectionTable wholeTable(const std::vector<Eigen::Vector3f>& points) {
   return table;
 }
 
-DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes) {
+DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+                          const CheckInterrupt& check_interrupt) {
   if (points.size() <= kScannedPoints) return packed(points, listOfAll(points.size()));
-  GridBuilder builder(toDouble(points));
+  GridBuilder builder(toDouble(points), effortFor(points.size()), check_interrupt);
   const CandidateGrid grid = coarsestLists(builder);
   const PointIndices named = grid.named();
   if (named.size() > kGriddedPoints) {
@@ -169,25 +184,24 @@ DirectionTable smallTable(const std::vector<Eigen::Vector3f>& points, std::size_
   return packed(points, list);
 }
 
-/// `finish` makes the table of the remaining points.
-template <class Finish>
-DirectionTable reducedTable(const std::vector<Eigen::Vector3f>& points, int passes,
-                            const Finish& finish) {
-  if (passes == 0 || points.size() <= 2 * kPart) return finish(points);
-  const std::vector<Eigen::Vector3f> left = reducedByParts(points);
-  return reducedTable(left, 2 * left.size() < points.size() ? passes - 1 : 0, finish);
+/// The points that are left of a large set.
+std::vector<Eigen::Vector3f> reduced(const std::vector<Eigen::Vector3f>& points, int passes,
+                                     const CheckInterrupt& check_interrupt) {
+  if (passes == 0 || points.size() <= 2 * kPart) return points;
+  const std::vector<Eigen::Vector3f> left = reducedByParts(points, check_interrupt);
+  return reduced(left, 2 * left.size() < points.size() ? passes - 1 : 0, check_interrupt);
 }
 
 }  // namespace
 
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points) {
-  return reducedTable(points, kPasses, wholeTable);
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points,
+                              const CheckInterrupt& check_interrupt) {
+  return wholeTable(reduced(points, kPasses, check_interrupt), check_interrupt);
 }
 
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes) {
-  return reducedTable(points, kPasses, [max_bytes](const std::vector<Eigen::Vector3f>& left) {
-    return smallTable(left, max_bytes);
-  });
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+                              const CheckInterrupt& check_interrupt) {
+  return smallTable(reduced(points, kPasses, check_interrupt), max_bytes, check_interrupt);
 }
 
 DirectionGrid::DirectionGrid(int cells_per_side)

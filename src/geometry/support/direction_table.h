@@ -28,6 +28,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "link_bounds/geometry/support/check_interrupt.h"
+
 namespace link_bounds {
 
 constexpr std::size_t kLanes = 4;
@@ -101,11 +103,16 @@ constexpr double kTableTolerance = 1e-14;
 /// `kScannedPoints` points go into one list. Otherwise the grid is the coarsest of 8, 16, 32 and 64
 /// with at most 8 points per list on average, or the last one before a table takes more memory than
 /// 96 KiB or 48 bytes per point that can be extreme, whichever is more.
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points);
+///
+/// Where more than 131,072 points can be extreme, as of a fine ball, lists name some more points
+/// than they need: making them minimal would take 10 us per point. A query is as exact.
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points,
+                              const CheckInterrupt& check_interrupt = nullptr);
 
 /// The same in less memory, for a set that is one of many: a grid of 8 if there are many points and
 /// it takes no more than `max_bytes`, else one list of all points that can be extreme.
-DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes);
+DirectionTable directionTable(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+                              const CheckInterrupt& check_interrupt = nullptr);
 
 constexpr std::size_t kScannedPoints = 16;
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "geometry/support/query/direction_query.h"
 #include "geometry/support/query/farthest_point.h"
@@ -21,17 +20,45 @@ Eigen::Vector3d magnitudeOf(const std::vector<Eigen::Vector3f>& points) {
   return result.cast<double>();
 }
 
+using Coordinates = std::array<float, 3>;
+
+std::vector<Coordinates> distinctPoints(const DirectionTable& table,
+                                        const CheckInterrupt& check_interrupt) {
+  std::vector<Coordinates> distinct;
+  distinct.reserve(kLanes * (2 * table.lists.size() + table.overflow.size()));
+  const auto add = [&distinct](const PointBlock& block) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      distinct.push_back({block.x[lane], block.y[lane], block.z[lane]});
+  };
+  for (const DirectionTable::List& list : table.lists) {
+    add(list.blocks[0]);
+    add(list.blocks[1]);
+  }
+  for (const PointBlock& block : table.overflow)
+    add(block);
+  WorkMeter meter(check_interrupt);
+  std::sort(distinct.begin(), distinct.end(), [&meter](const Coordinates& a, const Coordinates& b) {
+    meter.add(1);
+    return a < b;
+  });
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  return distinct;
+}
+
 }  // namespace
 
-PointSet::PointSet(const std::vector<Eigen::Vector3f>& points)
-    : table_(std::make_shared<const DirectionTable>(directionTable(points))),
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points,
+                   const CheckInterrupt& check_interrupt)
+    : table_(std::make_shared<const DirectionTable>(directionTable(points, check_interrupt))),
       magnitude_(magnitudeOf(points)),
-      size_(this->points().size()) {}
+      size_(distinctPoints(*table_, check_interrupt).size()) {}
 
-PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes)
-    : table_(std::make_shared<const DirectionTable>(directionTable(points, max_bytes))),
+PointSet::PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+                   const CheckInterrupt& check_interrupt)
+    : table_(std::make_shared<const DirectionTable>(
+          directionTable(points, max_bytes, check_interrupt))),
       magnitude_(magnitudeOf(points)),
-      size_(this->points().size()) {}
+      size_(distinctPoints(*table_, check_interrupt).size()) {}
 
 PointSet::PointSet(std::shared_ptr<const double> xyz, std::size_t count)
     : xyz_(std::move(xyz)), magnitude_(scannedMagnitude(xyz_.get(), count)), size_(count) {}
@@ -57,19 +84,8 @@ bool PointSet::isSame(const PointSet& other) const {
 
 std::vector<Eigen::Vector3f> PointSet::points() const {
   if (!table_) return {};
-  std::set<std::array<float, 3>> distinct;
-  const auto insert = [&distinct](const PointBlock& block) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      distinct.insert({block.x[lane], block.y[lane], block.z[lane]});
-  };
-  for (const DirectionTable::List& list : table_->lists) {
-    insert(list.blocks[0]);
-    insert(list.blocks[1]);
-  }
-  for (const PointBlock& block : table_->overflow)
-    insert(block);
   std::vector<Eigen::Vector3f> result;
-  for (const std::array<float, 3>& point : distinct)
+  for (const Coordinates& point : distinctPoints(*table_, nullptr))
     result.emplace_back(point[0], point[1], point[2]);
   return result;
 }

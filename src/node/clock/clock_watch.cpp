@@ -36,6 +36,7 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
   }
   last_ = now;
   jump_ = steady_now_();
+  ++jumps_;
   return Event::kJumpedBack;
 }
 

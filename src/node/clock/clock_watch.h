@@ -5,6 +5,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <functional>
 
 namespace link_bounds {
@@ -23,6 +24,9 @@ class ClockWatch {
   /// a jump: such transforms were sent before the jump.
   bool isFromBeforeJump(ros::Time stamp, ros::Time now) const;
 
+  /// Jumps back since construction.
+  std::uint64_t jumps() const { return jumps_; }
+
   /// True for five seconds of steady time after a jump.
   bool hasJustJumped() const;
 
@@ -34,6 +38,7 @@ class ClockWatch {
   ros::Time last_;  ///< the newest time since the last jump
   ros::SteadyTime start_;
   ros::SteadyTime jump_;  ///< zero if there was none
+  std::uint64_t jumps_ = 0;
 };
 
 }  // namespace link_bounds

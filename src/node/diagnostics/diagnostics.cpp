@@ -7,6 +7,8 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 #include "node/log/log_text.h"
@@ -18,6 +20,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::size_t kMaxObjectLines = 100;  // all are counted
+constexpr double kMaxAge = 100;               // of boxes when they are sent [ms]
 
 void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);
@@ -131,6 +134,7 @@ void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus
   add(status, "distances", health.is_wanted ? "computed" : "silent: nobody subscribes");
   add(status, "nearest", has_nearest ? nearestText(*health.nearest) : "none");
   add(status, "distance pairs", std::to_string(health.pairs));
+  add(status, "pairs left out of ~distances", std::to_string(health.left_out));
   add(status, "distance pairs decided by boxes", std::to_string(health.levels[Distance::BOX]));
   add(status, "distance pairs decided by hulls", std::to_string(health.levels[Distance::HULL]));
   add(status, "distance pairs decided by meshes", std::to_string(health.levels[Distance::MESH]));
@@ -160,6 +164,21 @@ void addTimes(CallbackTimes& times, DiagnosticStatus& status) {
   add(status, "longest callback, CPU [ms]", std::to_string(times.longestCpu()));
 }
 
+/// Says which part of the age is the node's own.
+std::string ageText(double age_ms, double delay_ms) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "boxes were up to " << age_ms
+       << " ms old when they were sent; the longest delay in this node was " << delay_ms << " ms";
+  return text.str();
+}
+
+/// What max_rate adds is wanted.
+void warnOfAge(const Health& health, double max_rate, DiagnosticStatus& status) {
+  const double age_ms = std::max(health.lag_ms.value_or(0), health.delay_ms);
+  if (age_ms > kMaxAge + (max_rate > 0 ? 1e3 / max_rate : 0))
+    raise(status, DiagnosticStatus::WARN, ageText(age_ms, health.delay_ms));
+}
+
 std::string nodeName() {
   const std::string name = ros::this_node::getName();
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
@@ -176,7 +195,10 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   }
   if (scene.model())
     warnOfDistance(health.distances, scene.model()->parameters.distance_warning, status);
+  if (scene.model()) warnOfAge(health, scene.model()->parameters.max_rate, status);
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
+  if (!health.late_publishers.empty())
+    raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
 }
@@ -194,11 +216,16 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   assess(scene, health, status);
   add(status, "tf messages", std::to_string(times.tf().count));
   addIntake(health.intake, status);
+  add(status, "clock jumps", std::to_string(health.clock_jumps));
+  add(status, "publishers behind",
+      health.late_publishers.empty() ? "none" : health.late_publishers);
   add(status, "updates", std::to_string(health.updates));
   const double seconds = secondsSinceLast();
   const auto updates =
       static_cast<double>(health.updates - std::exchange(last_updates_, health.updates));
   add(status, "updates per second", std::to_string(updates / seconds));
+  add(status, "updates joined, last second", std::to_string(health.joined));
+  add(status, "longest delay of a message in the node [ms]", std::to_string(health.delay_ms));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));

@@ -21,12 +21,18 @@ struct Health {
   std::string awaited_description;  ///< name of the parameter; empty: not waited for
   bool waits_for_clock = false;
   bool clock_jumped = false;       ///< in the last five seconds
+  std::uint64_t clock_jumps = 0;   ///< back, since the start
   std::uint64_t updates = 0;       ///< changes of the scene, since the start
   std::uint64_t publications = 0;  ///< of ~boxes, since the start
-  std::optional<double> lag_ms;    ///< by how much the newest stamp of a ~boxes lay behind ROS time
-                                   ///< when it was published; the maximum since the last status
+  std::size_t joined = 0;          ///< messages that shared an update with a later one, since the
+                                   ///< last status
+  std::optional<double> lag_ms;    ///< by how much a new stamp of a ~boxes lay behind ROS time when
+                                   ///< it was published; the maximum since the last status
+  double delay_ms = 0;             ///< from the arrival of a message until it was handled; the
+                                   ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   TfIntake intake;
+  std::string late_publishers;  ///< in words; "": none
   DistanceHealth distances;
 };
 
@@ -36,7 +42,8 @@ class Diagnostics {
 
   /// Publishes one status named "<node name>: boxes". ERROR: there is no model, or links are
   /// bounded but none has a box. WARN: something is incomplete or waited for, no link is bounded,
-  /// or the clock jumped. Else OK. `times` begins a new period.
+  /// a publisher's stamps run behind, the clock jumped, or boxes were older than 100 ms when they
+  /// were sent. Else OK. `times` begins a new period.
   void publish(const Scene& scene, const Health& health, CallbackTimes& times);
 
  private:

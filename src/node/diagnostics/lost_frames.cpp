@@ -61,7 +61,7 @@ std::string linkLine(const LiveBoxes& links, std::size_t i, std::size_t count) {
   const bool is_stale = links.problem(i) == TransformProblem::kStale;
   return "link " + quoted(links.model()->links[i].name) + andMore(count, "links") +
          " has had no box for 5 s: " + links.reason(i) + "; usual causes: robot_state_publisher " +
-         (is_stale ? "has ended, or its joint_states have stopped"
+         (is_stale ? "has ended, its joint_states have stopped, or its clock was set back"
                    : "does not run, or nobody publishes joint_states for its joints");
 }
 

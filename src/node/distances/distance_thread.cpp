@@ -6,10 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "node/log/guarded.h"
-#include "node/threads/be_nice.h"
-#include "node/threads/start_thread.h"
-
 namespace link_bounds {
 namespace {
 
@@ -26,33 +22,29 @@ DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks,
       keep_(keep),
       distances_(requests),
       requests_(std::move(requests)),
-      thread_(startThread("distances", [this] { run(); })) {}
+      worker_([this] {
+        Worker::Options options;
+        options.name = "distances";
+        options.is_nice = true;
+        options.on_tick = [this] { return onTick(); };
+        options.tick_period = kTick;
+        return options;
+      }()) {}
 
+/// Only taken over here; onTick() computes once for all that waits.
 void DistanceThread::give(std::shared_ptr<const Snapshot> snapshot) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (inbox_.snapshot && inbox_.snapshot->model != snapshot->model)
-      inbox_.replaced.push_back(inbox_.snapshot->model);
-    std::swap(inbox_.snapshot, snapshot);
-  }
-  wake_.notify_one();
+  worker_.post("snapshot", [this, snapshot = std::move(snapshot)] {
+    current_ = snapshot;
+    has_news_ = true;
+  });
 }
 
 void DistanceThread::give(MadeTree tree) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    inbox_.trees.push_back(std::move(tree));
-  }
-  wake_.notify_one();
-}
-
-void DistanceThread::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stops_ = true;
-  }
-  wake_.notify_one();
-  if (thread_.joinable()) thread_.join();
+  const std::string key = "tree " + std::to_string(++trees_);
+  worker_.post(key, [this, tree = std::move(tree)] {
+    distances_.trees().add(tree);
+    has_news_ = true;
+  });
 }
 
 DistanceTimes DistanceThread::takeTimes() {
@@ -65,50 +57,24 @@ std::vector<std::string> DistanceThread::errors() const {
   return errors_;
 }
 
-void DistanceThread::run() {
-  beNice();
-  while (!stops_) {
-    guarded([this] { workSafely(); });
-  }
-}
-
-/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted.
-void DistanceThread::workSafely() {
+/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. True
+/// while there is a snapshot.
+bool DistanceThread::onTick() {
   try {
-    work(next());
+    if (std::exchange(has_news_, false) && current_) compute();
+    distances_.trees().requestSettled(Clock::now());
+    callbacks_.tick();
+    forgetIfUnwanted();
   } catch (...) {
     forget();
     throw;
   }
-}
-
-/// Waits; empty if nothing came for a tick.
-DistanceThread::Inbox DistanceThread::next() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  const auto is_due = [this] { return stops_ || !inbox_.isEmpty(); };
-  if (current_) {
-    wake_.wait_for(lock, kTick, is_due);
-  } else {
-    wake_.wait(lock, is_due);
-  }
-  return std::exchange(inbox_, {});
-}
-
-void DistanceThread::work(Inbox inbox) {
-  if (stops_) return;
-  const bool has_news = inbox.snapshot || !inbox.trees.empty();
-  if (inbox.snapshot) current_ = std::move(inbox.snapshot);
-  for (const MadeTree& tree : inbox.trees)
-    distances_.trees().add(tree);
-  if (has_news && current_) compute();
-  distances_.trees().requestSettled(Clock::now());
-  callbacks_.tick();
-  forgetIfUnwanted();
+  return current_ != nullptr;
 }
 
 void DistanceThread::compute() {
   const auto begin = Clock::now();
-  const auto result = distances_.compute(current_, begin, [this] { return stops_.load(); });
+  const auto result = distances_.compute(current_, begin, [this] { return worker_.isStopping(); });
   if (!result) return;
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   {

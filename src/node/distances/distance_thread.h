@@ -4,15 +4,15 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
+#include <string>
 #include <vector>
 
 #include "node/distances/scene_distances.h"
+#include "node/threads/worker.h"
 
 namespace link_bounds {
 
@@ -36,9 +36,6 @@ class DistanceThread {
   /// std::runtime_error if the thread cannot be started.
   DistanceThread(TreeRequests requests, Callbacks callbacks,
                  std::chrono::milliseconds keep = std::chrono::seconds(10));
-  ~DistanceThread() { stop(); }
-  DistanceThread(const DistanceThread&) = delete;
-  DistanceThread& operator=(const DistanceThread&) = delete;
 
   /// The functions below may be called from any thread and return at once, but for stop().
 
@@ -49,7 +46,7 @@ class DistanceThread {
   void give(MadeTree tree);
 
   /// Ends the thread. What is given later is ignored.
-  void stop();
+  void stop() { worker_.stop(); }
 
   DistanceTimes takeTimes();
 
@@ -57,37 +54,23 @@ class DistanceThread {
   std::vector<std::string> errors() const;
 
  private:
-  /// What was given since the thread looked last.
-  struct Inbox {
-    std::shared_ptr<const Snapshot> snapshot;
-    std::vector<MadeTree> trees;
-    /// Replaced snapshots. Their last owner must not be the thread that gives: freeing a model
-    /// takes long.
-    std::vector<std::shared_ptr<const Model>> replaced;
-    bool isEmpty() const { return !snapshot && trees.empty() && replaced.empty(); }
-  };
-
-  void run();
-  void workSafely();
-  Inbox next();
-  void work(Inbox inbox);
+  bool onTick();
   void compute();
   void forgetIfUnwanted();
   void forget();
 
   Callbacks callbacks_;
   std::chrono::milliseconds keep_;
-  SceneDistances distances_;                 ///< this and the next two: of the thread alone
+  SceneDistances distances_;                 ///< this and the next three: of the thread alone
   std::shared_ptr<const Snapshot> current_;  ///< the newest one
+  bool has_news_ = false;                    ///< since the last computation
   std::chrono::steady_clock::time_point last_wanted_;
   TreeRequests requests_;
-  std::atomic<bool> stops_{false};
+  std::atomic<std::uint64_t> trees_{0};  ///< number of trees that were given: each counts
   mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  Inbox inbox_;                      ///< guarded by mutex_
   DistanceTimes times_;              ///< guarded by mutex_
   std::vector<std::string> errors_;  ///< guarded by mutex_
-  std::thread thread_;
+  Worker worker_;                    ///< last: it ends before the rest goes
 };
 
 }  // namespace link_bounds

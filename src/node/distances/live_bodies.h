@@ -27,6 +27,14 @@ class LiveBodies {
     return distances_.find(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
 
+  /// As find(), with another limit [m], and remembers nothing of the pair.
+  std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
+    return distances_.findOnce(slots_of_bodies_[first], slots_of_bodies_[second], limit);
+  }
+
+  /// Forgets the pairs that were not searched since the last call.
+  void forgetUnused() { distances_.forgetUnused(); }
+
   void setGoal(const DistanceGoal& goal) { distances_.setGoal(goal); }
 
   TriangleTrees& trees() { return trees_; }

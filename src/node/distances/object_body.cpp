@@ -43,13 +43,13 @@ bool hasTree(const ObjectContent& content) {
   return kind != DrawingKind::kSolids && kind != DrawingKind::kArrow;
 }
 
-MadeTree listTree(const ObjectContent& content) {
+MadeTree listTree(const ObjectContent& content, const CheckInterrupt& check_interrupt) {
   const Shape& shape = content.bounded.shapes.front();
   const std::vector<Eigen::Vector3d> points = shape.points->keptPoints();
   const auto count = static_cast<std::uint32_t>(points.size());
   MadeTree made{shape.points, nullptr, ""};
-  made.triangles =
-      triangleTree(points, trianglesOf(content.drawing.kind, count), shape.solid, shape.size);
+  made.triangles = triangleTree(points, trianglesOf(content.drawing.kind, count), shape.solid,
+                                shape.size, check_interrupt);
   if (!made.triangles) made.error = content.bounded.name + ": its numbers are too large";
   return made;
 }

@@ -13,8 +13,9 @@ namespace link_bounds {
 /// solids.
 bool hasTree(const ObjectContent& content);
 
-/// The tree of the triangles, segments or points of a list. Not for a mesh.
-MadeTree listTree(const ObjectContent& content);
+/// The tree of the triangles, segments or points of a list. Not for a mesh. What `check_interrupt`
+/// throws ends it.
+MadeTree listTree(const ObjectContent& content, const CheckInterrupt& check_interrupt = nullptr);
 
 /// `triangles` may be null.
 Body objectBody(const ObjectContent& content, std::shared_ptr<const TriangleTree> triangles);

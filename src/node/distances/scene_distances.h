@@ -12,6 +12,7 @@
 #include "link_bounds/DistanceArray.h"
 #include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "node/distances/live_bodies.h"
+#include "node/distances/pair_heap.h"
 
 namespace link_bounds {
 
@@ -20,6 +21,7 @@ struct ComputedDistances {
   DistanceArray array;
   Distance nearest;
   std::array<std::size_t, 3> levels{};  ///< pairs in the array by what decided them
+  std::size_t left_out = 0;             ///< pairs that may be within the limit, see max_pairs
 };
 
 /// Not thread-safe; belongs to one thread.
@@ -35,9 +37,18 @@ class SceneDistances {
   TriangleTrees& trees() { return bodies_.trees(); }
 
  private:
+  bool findCandidates(const Snapshot& snapshot, const std::function<bool()>& is_cancelled);
+  void measure(const BoxPair& pair, double limit, PairHeap& nearest);
+  void leaveOut(std::size_t first, std::size_t second);
+  ComputedDistances result(const std::shared_ptr<const Snapshot>& snapshot,
+                           const std::vector<FoundPair>& pairs) const;
+
   std::vector<Aabb> boxes_;
   SweepAndPrune search_;
   LiveBodies bodies_;
+  std::vector<BoxPair> candidates_;  ///< not measured yet
+  std::vector<bool> is_incomplete_;  ///< of the bodies
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace link_bounds

@@ -3,12 +3,13 @@
 // All bodies at one moment, for another thread.
 #pragma once
 
+#include <std_msgs/Header.h>
+
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "link_bounds/AxisAlignedBoxArray.h"
 #include "node/scene/scene.h"
 
 namespace link_bounds {
@@ -25,12 +26,17 @@ struct SnapshotBody {
 /// Holds what it needs alive and is never changed.
 struct Snapshot {
   std::shared_ptr<const Model> model;
-  std_msgs::Header header;              ///< that of ~boxes
-  std::vector<std::string> incomplete;  ///< that of ~boxes
-  std::vector<SnapshotBody> bodies;     ///< in the order of ~boxes
+  std_msgs::Header header;                    ///< that of ~boxes
+  std::vector<std::string> incomplete;        ///< that of ~boxes
+  std::vector<std::size_t> incomplete_links;  ///< indices in the model, rising
+  std::vector<SnapshotBody> bodies;           ///< in the order of ~boxes
+
+  const std::string& name(const SnapshotBody& body) const {
+    return body.link ? model->links[*body.link].name : body.object->bounded.name;
+  }
 };
 
-/// `boxes` is the message of this scene.
-std::shared_ptr<const Snapshot> takeSnapshot(const Scene& scene, const AxisAlignedBoxArray& boxes);
+/// There must be a model.
+std::shared_ptr<const Snapshot> takeSnapshot(const Scene& scene);
 
 }  // namespace link_bounds

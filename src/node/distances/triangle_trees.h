@@ -22,6 +22,8 @@ struct MadeTree {
 };
 
 /// How trees are requested. Both return at once; the tree comes back through TriangleTrees::add().
+/// A request must not keep points or a list alive while it waits: once they are replaced or gone,
+/// nobody waits for the tree.
 struct TreeRequests {
   std::function<void(const std::string& mesh_uri, const std::shared_ptr<const PointSet>&)> mesh;
   std::function<void(std::shared_ptr<const ObjectContent> list)> list;

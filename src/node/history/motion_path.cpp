@@ -71,16 +71,20 @@ class Climber {
     for (std::size_t i = 1; i < samples.size(); ++i) {
       const EdgeSample& older = *samples[i - 1];
       const EdgeSample& newer = *samples[i];
-      const std::string where = " between " + seconds(older.stamp) + " and " + seconds(newer.stamp);
-      if (older.parent != newer.parent) {
-        return "frame " + quoted(tf_.name(frame)) + " changes its parent from " +
-               quoted(tf_.name(older.parent)) + " to " + quoted(tf_.name(newer.parent)) + where;
-      }
-      if (timeout_ > 0 && static_cast<double>(newer.stamp - older.stamp) > timeout_ * 1e9)
-        return "frame " + quoted(tf_.name(frame)) + " has no transform" + where +
-               ", which is longer than timeout";
+      const bool is_gap =
+          timeout_ > 0 && static_cast<double>(newer.stamp - older.stamp) > timeout_ * 1e9;
+      if (older.parent != newer.parent || is_gap) return problemBetween(frame, older, newer);
     }
     return "";
+  }
+
+  std::string problemBetween(Frame frame, const EdgeSample& older, const EdgeSample& newer) const {
+    const std::string who = "frame " + quoted(tf_.name(frame));
+    const std::string where = " between " + seconds(older.stamp) + " and " + seconds(newer.stamp);
+    if (older.parent == newer.parent)
+      return who + " has no transform" + where + ", which is longer than timeout";
+    return who + " changes its parent from " + quoted(tf_.name(older.parent)) + " to " +
+           quoted(tf_.name(newer.parent)) + where;
   }
 
   const TransformBuffer& tf_;

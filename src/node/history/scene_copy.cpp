@@ -53,6 +53,7 @@ void SceneCopy::findNames() {
   }
   sortWithoutRepeats(links_);
   sortWithoutRepeats(keys_);
+  unknown_names_.reserve(unknown_names_.size() + keys_.size());
 }
 
 bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseconds budget) {
@@ -70,7 +71,9 @@ void SceneCopy::begin(const Scene& scene, ros::Time now) {
   past_->model = model_;
   past_->now = now;
   past_->unknown_names = std::move(unknown_names_);
-  const std::size_t bodies = links_.size() + keys_.size();
+  const std::size_t objects = scene.objects.objects().size();
+  const std::size_t bodies =
+      links_.size() + (request_.names.empty() ? objects : std::min(keys_.size(), objects));
   past_->bodies.reserve(bodies);
   past_->excerpt.reserve(bodies + 1);
   const TransformBuffer& tf = scene.frames.tf();
@@ -98,12 +101,10 @@ bool SceneCopy::copyNextBody(const Scene& scene) {
   }
   if (next_key_ == keys_.size()) return false;
   const ObjectKey& key = keys_[next_key_++];
-  const auto object = objects.find(key);
-  if (object == objects.end()) {
-    past_->unknown_names.push_back(objectName(key));
-  } else {
+  const auto [begin, end] = scene.objects.named(key);
+  if (begin == end) past_->unknown_names.push_back(objectName(key));
+  for (auto object = begin; object != end; ++object)
     copyObject(scene, object->second);
-  }
   return true;
 }
 

@@ -23,11 +23,8 @@ class SceneCopy {
   /// between two calls it may change in any way.
   bool proceed(const Scene& scene, ros::Time now, std::chrono::nanoseconds budget);
 
-  /// After proceed() returned true. From now on only the result holds the model.
-  std::unique_ptr<PastScene> take() {
-    model_ = nullptr;
-    return std::move(past_);
-  }
+  /// After proceed() returned true.
+  std::unique_ptr<PastScene> take() { return std::move(past_); }
 
  private:
   void findNames();

@@ -16,13 +16,16 @@ constexpr double kTolerance = 4e-4;
 /// No more poses than this between samples: half a second. Beyond it the box is larger.
 constexpr int kMaxPoses = 1000000;
 
+constexpr int kStepsPerLook = 100;  // a tenth of a millisecond, on a path of a few edges
+
 constexpr const char* kNotFinite = "a pose is not finite, or too large for a box";
 
 /// One link on its way.
 class Sweep {
  public:
-  Sweep(MotionPath& path, const BoundedLink& link, MotionSpan span)
-      : path_(path), link_(link), radius_(std::sqrt(3) * magnitude(link)) {
+  Sweep(MotionPath& path, const BoundedLink& link, MotionSpan span,
+        const std::function<bool()>& gives_up)
+      : path_(path), link_(link), gives_up_(gives_up), radius_(std::sqrt(3) * magnitude(link)) {
     times_ = {span.begin};
     for (const auto* edges : {&path.from_source, &path.from_target}) {
       for (const EdgeMotion& edge : *edges)
@@ -33,26 +36,9 @@ class Sweep {
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
   }
 
-  /// First the boxes at all samples: most motions between them are inside.
   SweptBox box() {
-    const SweptBox not_finite{std::nullopt, kNotFinite};
-    std::vector<Placed> placed;
-    for (const std::int64_t time : times_) {
-      seek(time);
-      placed.push_back(place(time));
-      if (!isUsable(placed.back())) return not_finite;
-    }
-    for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
-      seek(times_[i]);
-      if (!coverStep(placed[i], placed[i + 1])) return not_finite;
-      if (isAmbiguous() && !coverAsInLibrary(times_[i], times_[i + 1])) return not_finite;
-    }
-    // The last pose needs the margin of rounding, too. A link at rest has the box of its pose.
-    if (times_.size() > 1 && !cover(placed.back(), placed.back())) return not_finite;
-    const std::int64_t end = times_.back();
-    seek(end);
-    if (isAmbiguous() && !coverAsInLibrary(end, end)) return not_finite;
-    return {hull_, ""};
+    if (coverAll()) return {hull_, ""};
+    return {std::nullopt, is_given_up_ ? kNotInTime : kNotFinite};
   }
 
  private:
@@ -62,6 +48,27 @@ class Sweep {
     std::optional<Aabb> box;
     double distance;  ///< of its origin from that of the target
   };
+
+  /// First the boxes at all samples: most motions between them are inside. False if there is no
+  /// box.
+  bool coverAll() {
+    std::vector<Placed> placed;
+    for (const std::int64_t time : times_) {
+      seek(time);
+      placed.push_back(place(time));
+      if (!isUsable(placed.back())) return false;
+    }
+    for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
+      seek(times_[i]);
+      if (!coverStep(placed[i], placed[i + 1])) return false;
+      if (isAmbiguous() && !coverAsInLibrary(times_[i], times_[i + 1])) return false;
+    }
+    // The last pose needs the margin of rounding, too. A link at rest has the box of its pose.
+    if (times_.size() > 1 && !cover(placed.back(), placed.back())) return false;
+    const std::int64_t end = times_.back();
+    seek(end);
+    return !isAmbiguous() || coverAsInLibrary(end, end);
+  }
 
   void addTimes(const EdgeMotion& edge, MotionSpan span) {
     if (!edge.isMoving()) return;
@@ -89,6 +96,7 @@ class Sweep {
 
   /// The products are those of TransformBuffer::pose.
   Placed place(std::int64_t time) {
+    if (isGivenUp()) return {time, std::nullopt, 0};
     Tf2Pose top_from_source, top_from_target;
     for (const EdgeMotion& edge : path_.from_source)
       top_from_source = edge.at(time) * top_from_source;
@@ -99,6 +107,11 @@ class Sweep {
     Placed placed{time, linkBox(link_, MatrixPose(pose).affine), pose.translation().length()};
     if (placed.box) hull_.extend(*placed.box);
     return placed;
+  }
+
+  bool isGivenUp() {
+    if (!is_given_up_ && ++steps_done_ % kStepsPerLook == 0) is_given_up_ = gives_up_();
+    return is_given_up_;
   }
 
   static bool isUsable(const Placed& placed) {
@@ -139,8 +152,9 @@ class Sweep {
     return anyEdge([](const EdgeMotion& edge) { return edge.isSudden(); });
   }
 
-  /// False if something is not finite.
+  /// False if something is not finite, or given up.
   bool cover(const Placed& from, const Placed& to) {
+    if (isGivenUp()) return false;
     const std::int64_t duration = to.time - from.time;
     const Bulge bulge = bulgeOf(from, to);
     const double margin = bulge.smooth + bulge.jump;
@@ -169,22 +183,25 @@ class Sweep {
 
   MotionPath& path_;
   const BoundedLink& link_;
+  const std::function<bool()>& gives_up_;
   double radius_;
   std::vector<std::int64_t> times_;
   PathSteps steps_;  ///< memory that is reused
   Aabb hull_;
-  int poses_ = 0;
+  int poses_ = 0;       ///< between samples
+  int steps_done_ = 0;  ///< poses and steps between them
+  bool is_given_up_ = false;
 };
 
 }  // namespace
 
 SweptBox sweptBox(const TransformBuffer& tf, TransformBuffer::Frame target,
                   TransformBuffer::Frame source, MotionSpan span, const BoundedLink& link,
-                  double timeout) {
+                  double timeout, const std::function<bool()>& gives_up) {
   if (link.shapes.empty()) return {std::nullopt, "the link has no geometry"};
   MotionPath path = pathBetween(tf, target, source, span, timeout);
   if (!path.problem.empty()) return {std::nullopt, path.problem};
-  return Sweep(path, link, span).box();
+  return Sweep(path, link, span, gives_up).box();
 }
 
 }  // namespace link_bounds

@@ -3,6 +3,7 @@
 // The box that a link never leaves during its motion.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,9 @@
 #include "node/history/motion_path.h"
 
 namespace link_bounds {
+
+/// The problem if it was given up.
+constexpr const char* kNotInTime = "there was no time to compute its box";
 
 struct SweptBox {
   std::optional<Aabb> box;  ///< in the target frame, padded as linkBox() does it
@@ -23,9 +27,11 @@ struct SweptBox {
 ///
 /// There is no box if tf does not know the whole motion: if a history does not cover the span, if
 /// an edge between the frames changes its parent meanwhile, if two samples that follow each other
-/// are further apart than `timeout` (seconds; 0: they may be), or if a pose is not finite.
-SweptBox sweptBox(const TransformBuffer& tf, TransformBuffer::Frame target,
-                  TransformBuffer::Frame source, MotionSpan span, const BoundedLink& link,
-                  double timeout);
+/// are further apart than `timeout` (seconds; 0: they may be), or if a pose is not finite. Nor is
+/// there one if `gives_up`, which is asked often, returns true before the box is proven.
+SweptBox sweptBox(
+    const TransformBuffer& tf, TransformBuffer::Frame target, TransformBuffer::Frame source,
+    MotionSpan span, const BoundedLink& link, double timeout,
+    const std::function<bool()>& gives_up = [] { return false; });
 
 }  // namespace link_bounds

@@ -219,6 +219,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.mesh_uris = std::move(bounded.mesh_uris);
   model.problems = std::move(bounded.problems);
   model.warnings = unknownNames(parameters, ignored_pairs, names);
+  model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
+                        bounded.part_problems.end());
   if (model.links.empty()) {
     model.warnings.push_back(
         "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "

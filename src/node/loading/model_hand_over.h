@@ -3,39 +3,38 @@
 // Hands a model from the loader thread to the update thread.
 #pragma once
 
-#include <ros/callback_queue_interface.h>
-
 #include <functional>
 #include <memory>
 
 #include "node/loading/model.h"
+#include "node/threads/worker.h"
 
 namespace link_bounds {
 
-/// Freeing a model takes long, so the update thread must never hold the last reference. This class
-/// holds one for the loader thread until the update thread uses another model.
 class ModelHandOver {
  public:
   using ModelPtr = std::shared_ptr<const Model>;
 
   /// `adopt` runs on the thread that serves the queue. If it throws, it is called again with the
   /// model in use.
-  ModelHandOver(ros::CallbackQueueInterface& queue, std::function<void(ModelPtr)> adopt);
+  ModelHandOver(Worker& loader, ros::CallbackQueueInterface& queue,
+                std::function<void(ModelPtr)> adopt)
+      : loader_(loader), queue_(queue), adopt_(std::move(adopt)) {}
   ModelHandOver(const ModelHandOver&) = delete;
   ModelHandOver& operator=(const ModelHandOver&) = delete;
 
-  /// Returns true when the update thread uses the model. Returns false if `is_cancelled`, which is
-  /// called often, returns true before; then no further model can be given. Throws what `adopt`
-  /// throws; the old model then stays in use.
-  bool give(ModelPtr model, const std::function<bool()>& is_cancelled);
+  /// On the loader thread, which alone frees the model: that takes long. Returns true when the
+  /// update thread uses the model, false if the loader is stopping. Throws what `adopt` throws; the
+  /// old model then stays in use.
+  bool give(ModelPtr model);
 
  private:
-  void adoptNext();
+  void adopt(const ModelPtr& model);
 
+  Worker& loader_;
   ros::CallbackQueueInterface& queue_;
   std::function<void(ModelPtr)> adopt_;
-  ModelPtr in_use_;
-  ModelPtr next_;  ///< while the update thread may adopt it
+  ModelPtr in_use_;  ///< of the update thread
 };
 
 }  // namespace link_bounds

@@ -1,24 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The thread serves its own callback queue. Until there is a robot, it polls for the description.
+// Until there is a robot, the loader thread polls for the description.
 #include "node/loading/model_loader.h"
 
 #include <ros/init.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 
 #include "node/loading/mesh_remedy.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
 #include "node/parameters/parameter_text.h"
-#include "node/threads/start_thread.h"
+#include "node/threads/queued_function.h"
+#include "packages/package_path.h"
 
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPollPeriod(0.2);        // of the description, until there is one
-const ros::WallDuration kQueuePeriod(10.0);      // then a request or the end wakes the thread
-constexpr std::size_t kMaxAnsweredWarnings = 4;  // the answer of ~reload is one line
+constexpr std::chrono::milliseconds kPollPeriod(200);  // of the description, until there is one
+constexpr std::size_t kMaxAnsweredWarnings = 4;        // the answer of ~reload is one line
+
+/// Packages that are installed later are found, too. Searching takes some 10 ms.
+constexpr std::chrono::seconds kPackagesAge(1);
+
+Worker::Options options(std::function<bool()> on_tick) {
+  Worker::Options options;
+  options.name = "loader";
+  options.on_tick = std::move(on_tick);
+  options.tick_period = kPollPeriod;
+  return options;
+}
 
 ReadParameters readParametersAndWarn(const ParameterServer& server) {
   ReadParameters read = readParameters(server);
@@ -48,48 +61,38 @@ std::string reloadedText(const std::vector<std::string>& warnings) {
 
 }  // namespace
 
-ModelLoader::ModelLoader(ros::NodeHandle& private_node, Handlers handlers)
-    : hand_over_(*ros::getGlobalCallbackQueue(), std::move(handlers.adopt)),
-      server_([this] { return isStopping(); }),
+ModelLoader::ModelLoader(ros::NodeHandle& private_node, ros::CallbackQueueInterface& update_queue,
+                         Handlers handlers)
+    : update_queue_(update_queue),
+      handlers_(std::move(handlers)),
+      server_([this] { return worker_.isStopping(); }),
       description_(server_),
-      robot_loader_(nodeRemedy, [this] { return isStopping(); }),
-      mesh_requests_(
-          queue_,
-          [this](const auto& uris) {
-            return robot_loader_.loadMeshes(uris, meshSource(parameters_));
-          },
-          [on_mesh = std::move(handlers.on_mesh)](const std::string& uri, const LoadedMesh& mesh) {
-            enqueue(*ros::getGlobalCallbackQueue(), [=] { on_mesh(uri, mesh); });
-          }),
-      tree_requests_(
-          queue_, [this](const auto& requests) { return loadTrees(requests); },
-          std::move(handlers.on_tree)) {
-  ros::NodeHandle own_queue_node(private_node);
-  own_queue_node.setCallbackQueue(&queue_);
+      robot_loader_(nodeRemedy),
+      worker_(options([this] { return onTick(); })) {
+  ros::NodeHandle loader_node(private_node);
+  loader_node.setCallbackQueue(&worker_);
   reload_service_ =
-      own_queue_node.advertiseService(privateName(kReloadService), &ModelLoader::onReload, this);
-  thread_ = startThread("loader", [this] { run(); });
+      loader_node.advertiseService(privateName(kReloadService), &ModelLoader::onReload, this);
 }
 
 ModelLoader::~ModelLoader() {
-  stops_ = true;
-  queue_.disable();
-  thread_.join();
+  worker_.stop();
+  readers_.stop();
 }
 
-void ModelLoader::run() {
+bool ModelLoader::onTick() {
+  if (has_loaded_ || has_failed_) return false;
   try {
-    parameters_ = readParametersAndWarn(server_).parameters;
-    while (!isStopping()) {
-      if (!has_loaded_) firstLoad();
-      queue_.callAvailable(has_loaded_ ? kQueuePeriod : kPollPeriod);
-    }
+    if (!has_parameters_) parameters_ = readParametersAndWarn(server_).parameters;
+    has_parameters_ = true;
+    firstLoad();
   } catch (const std::exception& error) {
-    if (isStopping()) return;
+    if (worker_.isStopping()) return false;
     ROS_FATAL("%s", logText(error.what()).c_str());
     has_failed_ = true;
     ros::requestShutdown();
   }
+  return !has_loaded_;
 }
 
 void ModelLoader::firstLoad() {
@@ -110,14 +113,7 @@ void ModelLoader::firstLoad() {
 
 void ModelLoader::serveObjectsMeanwhile() {
   if (parameters_.fixed_frame.empty()) return;
-  serves_objects_ = handOver(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
-}
-
-std::vector<LoadedTree> ModelLoader::loadTrees(const std::vector<TreeRequest>& requests) {
-  std::vector<std::string> uris;
-  for (const TreeRequest& request : requests)
-    uris.push_back(request.uri);
-  return robot_loader_.loadTrees(uris, meshSource(parameters_));
+  serves_objects_ = hand_over_.give(std::make_shared<const Model>(modelWithoutRobot(parameters_)));
 }
 
 /// Throws RobotError, ParameterError, and what `adopt` throws.
@@ -128,10 +124,12 @@ ModelLoader::ModelPtr ModelLoader::load(XmlRpc::XmlRpcValue description) {
                      ", not a string; load the text of the URDF there");
   }
   waits_for_description_ = false;
+  MeshSource source = meshSource(parameters_);
+  source.is_cancelled = [this] { return worker_.isStopping(); };
   const auto model = std::make_shared<const Model>(
-      makeModel(static_cast<std::string&>(description), parameters_, robot_loader_));
+      makeModel(static_cast<std::string&>(description), parameters_, robot_loader_, source));
   report(*model);
-  has_loaded_ = handOver(model) || has_loaded_;
+  has_loaded_ = hand_over_.give(model) || has_loaded_;
   refused_.clear();
   return model;
 }
@@ -169,14 +167,58 @@ std::vector<std::string> ModelLoader::reload() {
   return warnings;
 }
 
-/// Returns true when the update thread uses the model, false if the node stops before.
-bool ModelLoader::handOver(ModelPtr model) {
-  return hand_over_.give(std::move(model), [this] { return isStopping(); });
+/// On the update thread.
+void ModelLoader::adopt(const ModelPtr& model) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    limits_ = meshSource(model->parameters).limits;
+  }
+  handlers_.adopt(model);
 }
 
-/// While roscpp shuts down, ros::ok() is still true, and it waits for services that work.
-bool ModelLoader::isStopping() const {
-  return stops_ || ros::isShuttingDown() || !ros::ok();
+std::optional<MeshSource> ModelLoader::source(const MeshReaders::IsCancelled& is_cancelled) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!limits_) return std::nullopt;
+  if (!packages_ || now - packages_since_ > kPackagesAge) {
+    packages_ = rosPackages();
+    packages_since_ = now;
+  }
+  return MeshSource{packages_, "", nullptr, *limits_, is_cancelled};
+}
+
+/// 0 if there is no such file; loading it then says why.
+std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
+  try {
+    const auto source = this->source({});
+    return source ? std::filesystem::file_size(resolveMeshUri(uri, source->package_path).path) : 0;
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
+
+void ModelLoader::requestMesh(const std::string& uri) {
+  const auto load = [this, uri](const MeshReaders::IsCancelled& is_cancelled) {
+    const auto source = this->source(is_cancelled);
+    if (!source) return;
+    const LoadedMesh mesh = robot_loader_.loadMeshes({uri}, *source).front();
+    if (is_cancelled()) return;
+    enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri, mesh] { on_mesh(uri, mesh); });
+  };
+  readers_.post("mesh " + uri, {[this, uri] { return fileBytes(uri); }, load});
+}
+
+void ModelLoader::requestTree(const TreeRequest& request) {
+  const auto load = [this, request](const MeshReaders::IsCancelled& is_cancelled) {
+    const auto is_unwanted = [&] { return is_cancelled() || request.points.expired(); };
+    const auto source = this->source(is_unwanted);
+    if (!source) return;
+    const LoadedTree tree = robot_loader_.loadTrees({request.uri}, *source).front();
+    if (!is_unwanted()) handlers_.on_tree(request, tree);
+  };
+  std::ostringstream key;  // a file that was replaced may be in use with old points, too
+  key << "tree " << request.points.lock() << " " << request.uri;
+  readers_.post(key.str(), {[this, uri = request.uri] { return fileBytes(uri); }, load});
 }
 
 }  // namespace link_bounds

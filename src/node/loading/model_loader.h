@@ -1,29 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The loader thread: waits for the robot description, loads models, answers ~reload.
+// The loader thread: waits for the robot description, loads models, answers ~reload. Beside it,
+// readers load the meshes of objects.
 #pragma once
 
-#include <ros/callback_queue.h>
+#include <ros/callback_queue_interface.h>
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "node/loading/load_requests.h"
+#include "node/loading/mesh_readers.h"
 #include "node/loading/model.h"
 #include "node/loading/model_hand_over.h"
 #include "node/loading/robot_description.h"
 #include "node/parameters/parameter_server.h"
+#include "node/threads/worker.h"
 
 namespace link_bounds {
 
-/// All that may take long or fail runs on this thread. The update thread, which serves the global
-/// callback queue, adopts a finished model. While there is no usable description but a fixed frame
-/// is set, the model has no robot.
+/// All that may take long or fail runs on these threads. The update thread adopts a finished model.
+/// While there is no usable description but a fixed frame is set, the model has no robot.
 class ModelLoader {
  public:
   using ModelPtr = ModelHandOver::ModelPtr;
@@ -31,7 +35,7 @@ class ModelLoader {
   /// The triangles of a mesh file whose points are in use.
   struct TreeRequest {
     std::string uri;
-    std::shared_ptr<const PointSet> points;
+    std::weak_ptr<const PointSet> points;  ///< once they are gone, nobody waits for the triangles
   };
 
   struct Handlers {
@@ -40,21 +44,27 @@ class ModelLoader {
     std::function<void(ModelPtr)> adopt;
     /// On the update thread.
     std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
-    /// On the loader thread.
+    /// On a reader.
     std::function<void(const TreeRequest& request, const LoadedTree& tree)> on_tree;
   };
 
-  /// Throws std::runtime_error if the thread cannot be started.
-  ModelLoader(ros::NodeHandle& private_node, Handlers handlers);
+  /// The update thread serves `update_queue`. Throws std::runtime_error if a thread cannot be
+  /// started.
+  ModelLoader(ros::NodeHandle& private_node, ros::CallbackQueueInterface& update_queue,
+              Handlers handlers);
   ~ModelLoader();
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// The mesh of an object. This and the next two return at once and may be called on any thread;
-  /// the work is done when the loader thread is free.
-  void requestMesh(const std::string& uri) { mesh_requests_.add(uri); }
-  void requestTree(TreeRequest request) { tree_requests_.add(std::move(request)); }
-  void request(std::function<void()> work) { enqueue(queue_, std::move(work)); }
+  /// The mesh of an object. This and the next two return at once and may be called on any thread.
+  /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
+  void requestMesh(const std::string& uri);
+  void requestTree(const TreeRequest& request);
+  void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
+
+  /// Where meshes of objects are found, and what one may take, by the parameters in use. Nothing
+  /// before the first model.
+  std::optional<MeshSource> source(const MeshReaders::IsCancelled& is_cancelled);
 
   bool waitsForDescription() const { return waits_for_description_; }
   std::string descriptionName() const { return description_.name(); }
@@ -63,32 +73,35 @@ class ModelLoader {
   bool hasFailed() const { return has_failed_; }
 
  private:
-  void run();
+  bool onTick();
   void firstLoad();
   ModelPtr load(XmlRpc::XmlRpcValue description);
   std::vector<std::string> reload();
   void serveObjectsMeanwhile();
-  std::vector<LoadedTree> loadTrees(const std::vector<TreeRequest>& requests);
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
-  bool handOver(ModelPtr model);
-  bool isStopping() const;
+  void adopt(const ModelPtr& model);
+  std::uint64_t fileBytes(const std::string& uri);
 
-  ModelHandOver hand_over_;
+  ros::CallbackQueueInterface& update_queue_;
+  Handlers handlers_;
   ParameterServer server_;
   RobotDescription description_;
   RobotLoader robot_loader_;
+  std::mutex mutex_;
+  std::optional<MeshLimits> limits_;                      ///< guarded by mutex_
+  PackagePath packages_;                                  ///< guarded by mutex_
+  std::chrono::steady_clock::time_point packages_since_;  ///< guarded by mutex_
   Parameters parameters_;
+  bool has_parameters_ = false;  ///< they were read
   bool has_loaded_ = false;      ///< a robot
   bool serves_objects_ = false;  ///< without a robot
   XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while objects are served
   std::atomic<bool> waits_for_description_{false};
   std::atomic<bool> has_failed_{false};
-  std::atomic<bool> stops_{false};
-  ros::CallbackQueue queue_;
-  LoadRequests<std::string, LoadedMesh> mesh_requests_;
-  LoadRequests<TreeRequest, LoadedTree> tree_requests_;
+  MeshReaders readers_;
+  ModelHandOver hand_over_{worker_, update_queue_, [this](const ModelPtr& model) { adopt(model); }};
+  Worker worker_;  ///< after all that its thread uses
   ros::ServiceServer reload_service_;
-  std::thread thread_;
 };
 
 }  // namespace link_bounds

@@ -3,13 +3,15 @@
 // Names and reasons come from the network, so they are shortened and sanitised.
 #include "node/log/refusal_log.h"
 
+#include <iterator>
+
 #include "node/log/log_text.h"
 
 namespace link_bounds {
 namespace {
 
 const ros::WallDuration kPeriod(10.0);
-constexpr std::size_t kMaxNames = 10;       // in a period: then one line for all others
+constexpr std::size_t kMaxNames = 10;       // in any period: then one line for all others
 constexpr std::size_t kMaxNameLength = 80;  // bytes
 
 std::string shown(const std::string& name) {
@@ -21,14 +23,22 @@ std::string shown(const std::string& name) {
 
 std::optional<std::string> RefusalLog::line(const std::string& name, const std::string& reason,
                                             const std::string& publisher, ros::SteadyTime now) {
-  if (now - begin_ > kPeriod) {
-    reported_.clear();
-    begin_ = now;
+  for (auto entry = reported_.begin(); entry != reported_.end();)
+    entry = now - entry->second >= kPeriod ? reported_.erase(entry) : std::next(entry);
+  if (reported_.count(name) > 0) return std::nullopt;
+  if (reported_.size() >= kMaxNames) {
+    if (!others_time_.isZero() && now - others_time_ < kPeriod) return std::nullopt;
+    others_time_ = now;
+    return others_ + " are " + state_;
   }
-  if (reported_.size() > kMaxNames || !reported_.insert(name).second) return std::nullopt;
-  if (reported_.size() > kMaxNames) return others_ + " are refused";
-  return what_ + " " + shown(name) + " from " + shown(publisher) +
-         " is refused: " + logText(reason);
+  reported_[name] = now;
+  return what_ + " " + shown(name) + " from " + shown(publisher) + " is " + state_ + ": " +
+         logText(reason);
+}
+
+void RefusalLog::forget() {
+  reported_.clear();
+  others_time_ = {};
 }
 
 }  // namespace link_bounds

@@ -5,8 +5,8 @@
 
 #include <ros/time.h>
 
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -15,22 +15,24 @@ namespace link_bounds {
 class RefusalLog {
  public:
   /// `what` and `others` begin a line, such as "a transform of" and "transforms of further frames".
-  RefusalLog(std::string what, std::string others)
-      : what_(std::move(what)), others_(std::move(others)) {}
+  /// `state` is what is wrong with them.
+  RefusalLog(std::string what, std::string others, std::string state = "refused")
+      : what_(std::move(what)), others_(std::move(others)), state_(std::move(state)) {}
 
-  /// The line to log, if any. In ten seconds each name is reported once, and at most ten names are;
-  /// then one line says that others are refused, too.
+  /// The line to log, if any. In any ten seconds each name is reported at most once, at most ten
+  /// names are, and one line says that others are refused, too.
   std::optional<std::string> line(const std::string& name, const std::string& reason,
                                   const std::string& publisher, ros::SteadyTime now);
 
   /// Names that were reported may be reported again.
-  void forget() { reported_.clear(); }
+  void forget();
 
  private:
   std::string what_;
   std::string others_;
-  std::set<std::string> reported_;  ///< names, since begin_
-  ros::SteadyTime begin_;
+  std::string state_;
+  std::map<std::string, ros::SteadyTime> reported_;  ///< when, of names in the last ten seconds
+  ros::SteadyTime others_time_;                      ///< of the line about others; zero: never
 };
 
 }  // namespace link_bounds

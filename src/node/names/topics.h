@@ -21,26 +21,29 @@ inline std::string privateName(const TopicName& topic) {
 
 constexpr TopicName kBoxesTopic{"~boxes", "link_bounds/AxisAlignedBoxArray",
                                 "with each tf message that brings a new pose or stamp of a bounded "
-                                "link, and whenever an object "
-                                "or incomplete changes; limited by max_rate; latched"};
+                                "link, and whenever an object or incomplete changes; under load "
+                                "once for all messages that wait; limited by max_rate; latched"};
 constexpr TopicName kGroupsTopic{
     "~groups", "link_bounds/AxisAlignedBoxArray",
     "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
 constexpr TopicName kMarkersTopic{
     "~markers", "visualization_msgs/MarkerArray",
-    "at most marker_rate, computed only while somebody listens; a new subscriber gets all boxes"};
+    "all boxes, at most marker_rate, only while somebody listens; sent at once when somebody "
+    "subscribes"};
 constexpr TopicName kPartsTopic{
     "~parts", "link_bounds/AxisAlignedBoxArray",
-    "with each ~boxes, only while somebody listens and parts_per_link > 1: several boxes of one "
-    "name, which together cover the link; a new subscriber gets all at once"};
+    "several boxes of one name, which together cover the link; with each ~boxes, or the newest one "
+    "where computing takes longer; only while somebody listens and parts_per_link > 1; sent at "
+    "once "
+    "when somebody subscribes"};
 constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
     "and y of the fixed frame, rounded outward; a new subscriber gets one at once"};
 constexpr TopicName kOverlapsTopic{
     "~overlaps", "link_bounds/BoxOverlapArray",
-    "with each ~boxes, also when empty, only while somebody listens; a new subscriber gets one at "
-    "once"};
+    "also when empty; with each ~boxes, or the newest one where computing takes longer; only while "
+    "somebody listens; sent at once when somebody subscribes"};
 constexpr TopicName kDistancesTopic{
     "~distances", "link_bounds/DistanceArray",
     "pairs of bodies with distance <= distance_limit, also when empty; with each ~boxes, or the "

@@ -28,4 +28,9 @@ bool isSame(const ObjectContent& a, const ObjectContent& b) {
                     [](const Shape& x, const Shape& y) { return isSame(x, y); });
 }
 
+std::string whyNameRefused(const LiveObject& other) {
+  return std::string("its name is that of a ") + (other.content->is_neighbour ? "box" : "marker") +
+         " of " + other.content->publisher + "; give one of them another name";
+}
+
 }  // namespace link_bounds

@@ -27,6 +27,7 @@ struct ObjectContent {
   /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:
   /// static.
   bool is_neighbour = false;
+  bool is_refused_name = false;  ///< another object has its name; it has no shapes then
 
   /// A refused marker has no frame.
   bool follows() const { return (stamp == 0 || is_neighbour) && !frame.empty(); }
@@ -66,17 +67,22 @@ struct LiveObject {
 
   std::shared_ptr<const ObjectContent> content;
   LinkBoxes boxes;                ///< of the one link that content->bounded is
-  FrameTracker::Frame frame = 0;  ///< content->frame
+  TransformBuffer::Hold hold;     ///< of content->frame
+  FrameTracker::Frame frame = 0;  ///< the same
   FrameTracker::Handle header;    ///< the same, of an object that follows it
   std::optional<Placement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
   ros::Duration lifetime;     ///< that of the last receipt
+  bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
   std::int64_t waiting_since = 0;   ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again
   TransformProblem problem = TransformProblem::kNone;
   BoxState state;
   BoxedObject boxed;  ///< if there is a box: what it belongs to, maybe an earlier content
 };
+
+/// Why an object that came after `other` cannot have the same name.
+std::string whyNameRefused(const LiveObject& other);
 
 }  // namespace link_bounds

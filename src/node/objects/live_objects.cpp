@@ -4,16 +4,34 @@
 #include "node/objects/live_objects.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace link_bounds {
+
+std::pair<LiveObjects::Objects::const_iterator, LiveObjects::Objects::const_iterator>
+LiveObjects::named(const ObjectKey& key) const {
+  ObjectKey end = key;
+  end.set = std::numeric_limits<std::uint64_t>::max();
+  return {objects_.lower_bound({key.ns, key.id, key.name}), objects_.upper_bound(end)};
+}
+
+const LiveObject* LiveObjects::otherOfName(const ObjectKey& key) const {
+  const auto [begin, end] = named(key);
+  for (auto object = begin; object != end; ++object) {
+    if (object->first.set != key.set && !object->second.content->is_refused_name)
+      return &object->second;
+  }
+  return nullptr;
+}
 
 void LiveObjects::adopt(ros::Time now) {
   const FrameTracker::Frame fixed_frame = *frames_.fixedFrame();
   if (fixed_frame_ && *fixed_frame_ != fixed_frame) leaveFixedFrame();
   fixed_frame_ = fixed_frame;
   const std::int64_t start = clock_.observe(now);
-  removeIf([&](const auto& entry) { return isSilent(entry.second, start); });
+  removeIf(
+      [&](const auto& entry) { return entry.second.is_silent || isSilent(entry.second, start); });
   for (auto& [key, object] : objects_)
     object.waiting_since = object.unplaced_since = start;
   refreshAll(now);
@@ -36,6 +54,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.received = clock_.observe(now);
   object.waiting_since = object.received;
   object.lifetime = content.lifetime;
+  object.is_silent = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
   if (!is_new && !was_given_up && isSame(*object.content, content)) return false;
@@ -60,14 +79,6 @@ bool LiveObjects::removeAll() {
   return removeIf([](const auto& entry) { return !entry.second.content->is_neighbour; });
 }
 
-bool LiveObjects::removeNeighbours(const std::string& sender,
-                                   const std::function<bool(const ObjectKey&)>& stays) {
-  return removeIf([&](const auto& entry) {
-    const ObjectContent& content = *entry.second.content;
-    return content.is_neighbour && content.publisher == sender && !stays(entry.first);
-  });
-}
-
 bool LiveObjects::removeIf(const std::function<bool(const Objects::value_type&)>& is_over) {
   const std::size_t count = objects_.size();
   for (auto entry = objects_.begin(); entry != objects_.end();)
@@ -76,8 +87,10 @@ bool LiveObjects::removeIf(const std::function<bool(const Objects::value_type&)>
 }
 
 void LiveObjects::follow(LiveObject& object) {
+  object.hold = TransformBuffer::Hold();
   if (object.content->frame.empty()) return;
-  object.frame = frames_.tf().frame(object.content->frame);
+  object.hold = TransformBuffer::Hold(frames_.tf(), object.content->frame);
+  object.frame = object.hold.frame();
   if (!object.content->follows()) return;
   object.header = frames_.follow(object.frame);
   followers_[object.frame].insert(&object);
@@ -140,22 +153,30 @@ bool LiveObjects::restart(ros::Time now) {
 
 bool LiveObjects::expire(ros::Time now) {
   const std::int64_t time = clock_.observe(now);
-  bool is_changed = removeIf([&](const auto& entry) { return hasExpired(entry.second, time); });
+  bool is_changed = removeIf([&](const auto& entry) {
+    const LiveObject& object = entry.second;
+    return hasExpired(object, time) || (object.is_silent && isSilent(object, time, kForget));
+  });
   if (!fixed_frame_) return is_changed;
   for (auto& [key, object] : objects_)
-    if (isSilent(object, time)) is_changed |= dropSilent(object, now);
+    if (!object.is_silent && isSilent(object, time)) is_changed |= dropSilent(object, now);
   is_changed |= refreshWaiting(now);
   is_changed |= refreshFollowing(now);
   return is_changed;
 }
 
-/// As with links: what is static never becomes stale.
-bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now) const {
-  return object.content->is_neighbour && object.content->stamp != 0 && frames_.timeout() > 0 &&
-         static_cast<double>(now - object.received) > frames_.timeout() * 1e9;
+/// As with links: a static box never becomes stale.
+bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now, double timeouts) const {
+  const ObjectContent& content = *object.content;
+  const bool is_static = content.stamp == 0 && !content.bounded.shapes.empty();
+  return content.is_neighbour && !is_static && frames_.timeout() > 0 &&
+         static_cast<double>(now - object.received) > timeouts * frames_.timeout() * 1e9;
 }
 
+/// The clock may have jumped ahead: a neighbour is incomplete for a while before it is forgotten.
 bool LiveObjects::dropSilent(LiveObject& object, ros::Time now) {
+  object.is_silent = true;
+  object.received = clock_.observe(now) - static_cast<std::int64_t>(frames_.timeout() * 1e9);
   if (object.content->bounded.shapes.empty()) return false;
   auto content = std::make_shared<ObjectContent>(*object.content);
   content->bounded.shapes.clear();

@@ -28,6 +28,13 @@ class LiveObjects {
   /// In the order of ~boxes.
   const Objects& objects() const { return objects_; }
 
+  /// The objects of a name, whatever their set: at most one that has the name, and those that are
+  /// refused because of it.
+  std::pair<Objects::const_iterator, Objects::const_iterator> named(const ObjectKey& key) const;
+
+  /// The object that has the name of `key`, but for that of `key` itself; null if none has.
+  const LiveObject* otherOfName(const ObjectKey& key) const;
+
   /// Starts over with the fixed frame and timeout that the tracker has now. Objects that were
   /// placed once are carried over by the newest transform between the two frames, as soon as there
   /// is one. Neighbours that are silent are removed.
@@ -39,9 +46,6 @@ class LiveObjects {
   bool remove(const ObjectKey& key);
   /// All objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
-  /// All boxes of another node but those that `stays` names.
-  bool removeNeighbours(const std::string& sender,
-                        const std::function<bool(const ObjectKey&)>& stays);
 
   /// The points of a mesh that objects wait for or have in another version, or why there are none.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
@@ -54,8 +58,10 @@ class LiveObjects {
   bool restart(ros::Time now);
 
   /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
-  /// those of silent neighbours, gives up waiting.
+  /// those of silent neighbours, gives up waiting. A neighbour that has been silent for kForget
+  /// times the timeout is forgotten.
   bool expire(ros::Time now);
+  static constexpr double kForget = 10;
 
   /// The objects that were given up since the last call and still are.
   std::vector<const LiveObject*> takeGivenUp();
@@ -82,7 +88,7 @@ class LiveObjects {
   void release(LiveObject& object);
   Objects::iterator erase(Objects::iterator object);
   bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
-  bool isSilent(const LiveObject& object, std::int64_t now) const;
+  bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;
   bool dropSilent(LiveObject& object, ros::Time now);
   bool refresh(LiveObject& object, ros::Time now);
   bool refreshAll(ros::Time now);

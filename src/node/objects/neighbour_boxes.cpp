@@ -8,6 +8,7 @@
 
 #include "link_bounds/geometry/box/rounding.h"
 #include "node/loading/model.h"
+#include "node/names/object_key.h"
 
 namespace link_bounds {
 namespace {
@@ -42,13 +43,14 @@ Shape boxBetween(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
 /// Collects what one message says.
 class Collector {
  public:
-  Collector(const std::string& sender, std::string frame)
-      : sender_(sender), frame_(std::move(frame)) {}
+  Collector(const std::string& sender, std::string frame) : sender_(sender) {
+    result_.frame = std::move(frame);
+  }
 
   void add(const AxisAlignedBox& box) {
     if (isNeighbourName(box.name)) return;
     ObjectContent& content = contentOf(box.name);
-    const std::string reason = whyRefused(box, frame_);
+    const std::string reason = whyRefused(box, result_.frame);
     if (reason.empty()) {
       cover(box, content);
     } else {
@@ -71,9 +73,7 @@ class Collector {
   };
 
   ObjectContent& contentOf(const std::string& box) {
-    const std::string name = neighbourName(sender_, box);
-    ObjectContent& content = result_.contents[*parseObjectName(name)];
-    content.bounded.name = name;
+    ObjectContent& content = result_.contents[box];
     content.publisher = sender_;
     content.is_neighbour = true;
     return content;
@@ -87,12 +87,11 @@ class Collector {
     Corners& around = entry->second;
     around = {around.min.cwiseMin(min), around.max.cwiseMax(max)};
     content.bounded.shapes = {boxBetween(around.min, around.max)};
-    content.frame = frame_;
+    content.frame = result_.frame;
     content.stamp = is_first ? stamp : olderStamp(content.stamp, stamp);
   }
 
   const std::string& sender_;
-  std::string frame_;
   NeighbourBoxes result_;
   std::map<const ObjectContent*, Corners> corners_;  ///< around all boxes of a name
 };
@@ -106,6 +105,13 @@ NeighbourBoxes neighbourBoxes(const AxisAlignedBoxArray& array, const std::strin
   for (const std::string& name : array.incomplete)
     collector.addIncomplete(name);
   return collector.take();
+}
+
+std::set<std::string> linksOf(const NeighbourBoxes& boxes) {
+  std::set<std::string> links;
+  for (const auto& [name, content] : boxes.contents)
+    if (!parseObjectName(name)) links.insert(name);
+  return links;
 }
 
 }  // namespace link_bounds

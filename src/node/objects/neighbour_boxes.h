@@ -6,21 +6,26 @@
 #include <link_bounds/AxisAlignedBoxArray.h>
 
 #include <map>
+#include <set>
 #include <string>
 
-#include "node/names/object_key.h"
 #include "node/objects/live_object.h"
 
 namespace link_bounds {
 
+/// By name of the box at its sender. The contents have no name yet.
 struct NeighbourBoxes {
-  std::map<ObjectKey, ObjectContent> contents;
-  std::map<std::string, std::string> refused;  ///< why, by name of the box at its sender
+  std::string frame;  ///< of the header, tf name
+  std::map<std::string, ObjectContent> contents;
+  std::map<std::string, std::string> refused;  ///< why
 };
 
 /// What a message of the node `sender` stands for: one object per name in `boxes` or `incomplete`.
 /// Several boxes of one name become one around them. What the sender has from its own neighbours is
 /// left out; else two nodes that hear each other would hand boxes back and forth for ever.
 NeighbourBoxes neighbourBoxes(const AxisAlignedBoxArray& array, const std::string& sender);
+
+/// The names in a message that are no objects, which tell robots apart.
+std::set<std::string> linksOf(const NeighbourBoxes& boxes);
 
 }  // namespace link_bounds

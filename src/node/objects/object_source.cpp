@@ -12,7 +12,6 @@
 
 #include "node/loading/model.h"
 #include "node/objects/marker_shape.h"
-#include "node/objects/neighbour_boxes.h"
 
 namespace link_bounds {
 namespace {
@@ -57,25 +56,15 @@ bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time
   return objects_.put(key, contentOf(key, std::move(marker), publisher), now);
 }
 
-bool ObjectSource::takeNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender,
-                                 ros::Time now) {
-  NeighbourBoxes newest = neighbourBoxes(boxes, sender);
-  bool is_changed = objects_.removeNeighbours(
-      sender, [&newest](const ObjectKey& key) { return newest.contents.count(key) > 0; });
-  for (auto& [key, content] : newest.contents)
-    is_changed |= objects_.put(key, std::move(content), now);
-  for (const auto& [name, reason] : newest.refused) {
-    const auto line = neighbour_log_.line(name, reason, sender, ros::SteadyTime::now());
-    if (line) ROS_ERROR_STREAM(*line);
-  }
-  return is_changed;
-}
-
 ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
                                       const std::string& publisher) {
   ObjectContent content;
   content.bounded.name = objectName(key);
   content.bounded.missing = whyMarkerRefused(marker);
+  if (const LiveObject* other = objects_.otherOfName(key)) {
+    content.bounded.missing = whyNameRefused(*other);
+    content.is_refused_name = true;
+  }
   content.publisher = publisher;
   content.lifetime = marker.lifetime;
   if (!content.bounded.isWhole()) {
@@ -132,7 +121,7 @@ void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
 
 void ObjectSource::reloadMeshes() {
   marker_log_.forget();
-  neighbour_log_.forget();
+  neighbours_.forgetLog();
   mesh_log_.forget();
   std::set<std::string> uris;
   for (const auto& [key, object] : objects_.objects())

@@ -13,6 +13,7 @@
 
 #include "node/log/refusal_log.h"
 #include "node/objects/live_objects.h"
+#include "node/objects/neighbour_sets.h"
 
 namespace link_bounds {
 
@@ -26,8 +27,14 @@ class ObjectSource {
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
 
-  /// ~boxes of another node, whose boxes become what they are in its newest message.
-  bool takeNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender, ros::Time now);
+  /// ~boxes of another node.
+  bool takeNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
+                     ros::Time now) {
+    return neighbours_.take(boxes, sender, now);
+  }
+
+  /// To be called now and then: removes the boxes of nodes that have ended.
+  bool removeEndedNeighbours(ros::SteadyTime now) { return neighbours_.removeEnded(now); }
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
@@ -53,10 +60,10 @@ class ObjectSource {
   void request(const std::string& uri);
 
   LiveObjects& objects_;
+  NeighbourSets neighbours_{objects_};
   std::function<void(const std::string& uri)> request_mesh_;
   std::map<std::string, Mesh> meshes_;  ///< by URI
   RefusalLog marker_log_{"the marker", "further markers"};
-  RefusalLog neighbour_log_{"the box", "further boxes"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
 };
 

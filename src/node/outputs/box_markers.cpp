@@ -80,11 +80,11 @@ void addLabel(Marker marker, const std::string& text, MarkerArray& array) {
   array.markers.push_back(std::move(marker));
 }
 
-void addBox(const BoxState& state, const std::string& name, const std::string& ns,
+void addBox(const Aabb& box, const std::string& name, const std::string& ns,
             const std_msgs::Header& header, const Parameters& parameters, MarkerArray& array,
             std::vector<Label>& labels) {
-  if (!state.box || !isDrawable(*state.box)) return;
-  const auto [center, exact_radius] = toCenterRadius(*state.box);
+  if (!isDrawable(box)) return;
+  const auto [center, exact_radius] = toCenterRadius(box);
   const Eigen::Vector3d radius = exact_radius.cwiseMax(kMinSize / 2);
   const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
   const auto marker = [&, &box_center = center](MarkerId id, int type) {
@@ -98,7 +98,7 @@ void addBox(const BoxState& state, const std::string& name, const std::string& n
   }
   if (parameters.marker_labels) {
     addLabel(marker(kLabel, Marker::TEXT_VIEW_FACING), name, array);
-    labels.push_back(labelOf(*state.box, name));
+    labels.push_back(labelOf(box, name));
   }
 }
 
@@ -117,46 +117,39 @@ void placeLabels(std::vector<Label> labels, MarkerArray& array) {
 
 }  // namespace
 
-MarkerArray boxMarkers(const Scene& scene, const std_msgs::Header& header) {
-  const Model& model = *scene.model();
+MarkerArray boxMarkers(const Snapshot& snapshot) {
+  const Model& model = *snapshot.model;
   MarkerArray array;
   std::vector<Label> labels;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    addBox(scene.links.states()[i], model.links[i].name, model.frames[i], header, model.parameters,
-           array, labels);
-  }
-  for (const auto& [key, object] : scene.objects.objects()) {
-    const std::string& name = object.content->bounded.name;
-    addBox(object.state, name, kObjectsNamespace + name, header, model.parameters, array, labels);
+  for (const SnapshotBody& body : snapshot.bodies) {
+    const std::string& name = snapshot.name(body);
+    addBox(body.box, name, body.link ? model.frames[*body.link] : kObjectsNamespace + name,
+           snapshot.header, model.parameters, array, labels);
   }
   placeLabels(std::move(labels), array);
   return array;
 }
 
-std::set<ShownMarkers::Key> ShownMarkers::appendDeletions(MarkerArray& markers,
-                                                          const std_msgs::Header& header) const {
+void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& header, bool has_lost) {
   std::set<Key> added;
   for (const Marker& marker : markers.markers)
     added.emplace(marker.ns, marker.id);
+  Marker end;
+  end.header = header;
+  end.pose.orientation.w = 1;
+  if (has_lost) {
+    end.action = Marker::DELETEALL;
+    markers.markers.insert(markers.markers.begin(), end);
+    shown_.clear();
+  }
+  end.action = Marker::DELETE;
   for (const auto& [ns, id] : shown_) {
     if (added.count({ns, id})) continue;
-    Marker marker;
-    marker.header = header;
-    marker.ns = ns;
-    marker.id = id;
-    marker.action = Marker::DELETE;
-    marker.pose.orientation.w = 1;
-    markers.markers.push_back(std::move(marker));
+    end.ns = ns;
+    end.id = id;
+    markers.markers.push_back(end);
   }
-  return added;
-}
-
-void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& header) {
-  shown_ = appendDeletions(markers, header);
-}
-
-void ShownMarkers::extendBy(MarkerArray& markers, const std_msgs::Header& header) {
-  shown_.merge(appendDeletions(markers, header));
+  shown_ = std::move(added);
 }
 
 }  // namespace link_bounds

@@ -54,20 +54,11 @@ ros::Time BoxFiller::timeOf(std::int64_t stamp) {
   return time_;
 }
 
+/// Objects of one name follow each other.
 void BoxFiller::addIncomplete(const std::string& name) {
+  if (incomplete_ > 0 && message_.incomplete[incomplete_ - 1] == name) return;
   if (incomplete_ == message_.incomplete.size()) message_.incomplete.emplace_back();
   message_.incomplete[incomplete_++] = name;
-}
-
-std_msgs::Header headerOf(const Scene& scene) {
-  std::int64_t newest = 0;
-  scene.forEach([&newest](const std::string&, const BoxState& state) {
-    if (state.box) newest = std::max(newest, state.stamp);
-  });
-  std_msgs::Header header;
-  header.frame_id = scene.model()->fixed_frame;
-  header.stamp = toTime(newest);
-  return header;
 }
 
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {

@@ -16,12 +16,12 @@ class BoxFiller {
   BoxFiller(AxisAlignedBoxArray& message, const std::string& frame);
 
   void add(const std::string& name, const BoxState& state);
+  void addIncomplete(const std::string& name);
 
   /// To be called after the last add().
   void finish();
 
  private:
-  void addIncomplete(const std::string& name);
   ros::Time timeOf(std::int64_t stamp);
 
   AxisAlignedBoxArray& message_;
@@ -31,9 +31,6 @@ class BoxFiller {
   std::int64_t stamp_ = 0;
   ros::Time time_;  ///< of stamp_
 };
-
-/// The header of a message of all boxes. There must be a model.
-std_msgs::Header headerOf(const Scene& scene);
 
 /// Overwrites `message` with the boxes of links and objects. There must be a model.
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);

@@ -3,31 +3,65 @@
 // From a request to what is computed of it, and back to messages.
 #include "node/outputs/box_service.h"
 
+#include <boost/make_shared.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "node/history/past_boxes.h"
-#include "node/history/pose_gap.h"
 #include "node/log/log_text.h"
 #include "node/names/topics.h"
 #include "node/outputs/past_message.h"
-#include "node/threads/queued_function.h"
 
 namespace link_bounds {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// From the arrival of a request.
+constexpr std::chrono::seconds kDeadline(10);
+
+/// A span makes way for the next one after so long. A turn of roscpp costs some microseconds.
+constexpr std::chrono::milliseconds kTurn(5);
+constexpr std::chrono::hours kNoPause(1000);
+
+/// No further span is begun while the copies for those begun take so much. The largest copy, of 200
+/// edges at 1 kHz, takes 140 MB.
+constexpr std::size_t kMaxCopiedBytes = 32 << 20;
+
 constexpr const char* kStopping = "the node is shutting down";
+constexpr const char* kTooBusy =
+    "there was no time to begin within 10 s, because of other requests or much tf; ask again";
+
+Worker::Options options(const std::string& name, bool is_nice) {
+  Worker::Options options;
+  options.name = name;
+  options.is_nice = is_nice;
+  return options;
+}
 
 /// tf's names have no slash at their beginning.
 std::string tfFrame(const std::string& name) {
   return name.compare(0, 1, "/") == 0 ? name.substr(1) : name;
 }
 
-BoxRequest toRequest(const GetBoxes::Request& message) {
+/// Reads the beginning of a request, without its names, which may be many.
+bool hasSpan(const ros::SerializedMessage& request) {
+  constexpr std::size_t kBeginning = 16;  // bytes of stamp and span
+  if (request.num_bytes < kBeginning) return false;
+  ros::serialization::IStream stream(request.message_start,
+                                     static_cast<std::uint32_t>(request.num_bytes));
+  GetBoxes::Request message;
+  stream.next(message.stamp);
+  stream.next(message.span);
+  return message.span > ros::Duration(0);
+}
+
+BoxRequest toRequest(GetBoxes::Request& message) {
   BoxRequest request;
   request.stamp = static_cast<std::int64_t>(message.stamp.toNSec());
   request.span = message.span.toNSec();
   request.frame = tfFrame(message.frame);
-  request.names = message.names;
+  request.names = std::move(message.names);
   if (request.span < 0) {
     throw std::runtime_error("span is " + std::to_string(message.span.toSec()) +
                              " s; it must be 0 or more");
@@ -35,44 +69,132 @@ BoxRequest toRequest(const GetBoxes::Request& message) {
   return request;
 }
 
-}  // namespace
-
-BoxService::BoxService(const ros::NodeHandle& private_node, HistoryThread& history)
-    : history_(history) {
-  ros::NodeHandle own_queue_node(private_node);
-  own_queue_node.setCallbackQueue(&history_.queue());
-  server_ =
-      own_queue_node.advertiseService(privateName(kGetBoxesService), &BoxService::onRequest, this);
+std::string messageOf(const PastBoxes& boxes) {
+  std::string text = logText(boxes.problem);
+  if (boxes.late > 0) {
+    text += "; " + std::to_string(boxes.late) +
+            " boxes were not computed within 10 s: ask for a shorter span or for fewer names";
+  }
+  return text;
 }
 
-bool BoxService::onRequest(GetBoxes::Request& request, GetBoxes::Response& response) {
+}  // namespace
+
+/// Leaves it to BoxService when the request is read.
+class BoxService::Handler : public ros::ServiceCallbackHelper {
+ public:
+  explicit Handler(BoxService& service) : service_(service) {}
+  bool call(ros::ServiceCallbackHelperCallParams& params) override {
+    service_.onTurn(TurnQueue::current(), params);
+    return true;
+  }
+
+ private:
+  BoxService& service_;
+};
+
+/// What was computed until the next turn.
+struct BoxService::Job {
+  Job(BoxRequest box_request, std::unique_ptr<PastScene> copy, std::atomic<std::size_t>& bytes)
+      : request(std::move(box_request)),
+        scene(std::move(copy)),
+        maker(*scene, request),
+        copied_bytes(bytes) {
+    copied_bytes += scene->excerpt.bytes();
+  }
+  ~Job() { copied_bytes -= scene->excerpt.bytes(); }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  BoxRequest request;
+  std::unique_ptr<PastScene> scene;
+  PastBoxMaker maker;
+  std::atomic<std::size_t>& copied_bytes;
+};
+
+BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
+    : scenes_(scenes),
+      moments_(options("requests for boxes", false)),
+      spans_(options("requests for spans", true)),
+      queue_(moments_, spans_) {
+  ros::AdvertiseServiceOptions options;
+  options.init<GetBoxes::Request, GetBoxes::Response>(privateName(kGetBoxesService), {});
+  options.helper = boost::make_shared<Handler>(*this);
+  options.callback_queue = &queue_;
+  server_ = private_node.advertiseService(options);
+}
+
+/// A request may wait for the update thread, which calls this.
+BoxService::~BoxService() {
+  moments_.stop();
+  spans_.stop();
+}
+
+void BoxService::onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params) {
+  if (!call.state && !call.is_long && hasSpan(params.request)) {
+    call.is_long = true;
+    throw TurnQueue::NextTurn();
+  }
+  GetBoxes::Response response;
   try {
-    answer(request, response);
+    answer(call, params, response);
     response.success = true;
   } catch (const std::exception& error) {
     response = GetBoxes::Response();
     response.message = logText(error.what());
   }
-  return true;
+  params.response = ros::serialization::serializeServiceResponse(true, response);
 }
 
-/// Throws why there is no answer.
-void BoxService::answer(const GetBoxes::Request& message, GetBoxes::Response& response) {
-  const BoxRequest request = toRequest(message);
-  if (!history_.model()) {
+/// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
+/// for requests at one time, which is not nice.
+void BoxService::answer(Call& call, const ros::ServiceCallbackHelperCallParams& params,
+                        GetBoxes::Response& response) {
+  Worker& worker = call.is_long ? spans_ : moments_;
+  if (!call.state) call.state = begin(worker, call, params);
+  Job& job = *std::static_pointer_cast<Job>(call.state);
+  const auto gives_up = [&] {
+    return worker.isStopping() || Clock::now() >= call.arrival + kDeadline;
+  };
+  const std::chrono::nanoseconds budget = call.is_long ? kTurn : kNoPause;
+  if (!job.maker.proceed(budget, gives_up)) throw TurnQueue::NextTurn();
+  if (worker.isStopping()) throw std::runtime_error(kStopping);
+  if (std::exchange(call.is_long, false)) throw TurnQueue::NextTurn();
+  const PastBoxes boxes = job.maker.take();
+  fillBoxes(*job.scene, boxes, job.request, response.boxes);
+  response.message = messageOf(boxes);
+}
+
+/// Throws if the request announces more than there is.
+void BoxService::checkComplete(const Received<GetBoxes::Request>& request,
+                               const ros::ServiceCallbackHelperCallParams& params) {
+  const auto caller = params.connection_header->find("callerid");
+  const std::string name = caller == params.connection_header->end() ? "" : caller->second;
+  const std::lock_guard<std::mutex> lock(log_mutex_);
+  if (!incomplete_messages_.accept(request, kGetBoxesService.name, name))
+    throw std::runtime_error(std::string("the request is refused: ") + kIncompleteMessage);
+}
+
+/// Throws why there is no answer, or NextTurn while there is no room for another span.
+std::shared_ptr<BoxService::Job> BoxService::begin(
+    Worker& worker, const Call& call, const ros::ServiceCallbackHelperCallParams& params) {
+  const auto deadline = call.arrival + kDeadline;
+  const bool is_late = Clock::now() >= deadline;
+  if (call.is_long && copied_bytes_ >= kMaxCopiedBytes && !is_late) throw TurnQueue::NextTurn();
+  if (is_late) throw std::runtime_error(kTooBusy);
+  Received<GetBoxes::Request> message;
+  ros::serialization::deserializeMessage(params.request, message);
+  checkComplete(message, params);
+  BoxRequest box_request = toRequest(message);
+  if (!scenes_.model()) {
     throw std::runtime_error(
         "there are no boxes yet, because no robot was loaded; ask again after the first ~boxes");
   }
-  const std::shared_ptr<PastScene> scene = history_.copy(request);
-  if (!scene) throw std::runtime_error(kStopping);
+  std::unique_ptr<PastScene> scene = scenes_.copy(worker, box_request, deadline);
+  if (!scene) throw std::runtime_error(worker.isStopping() ? kStopping : kTooBusy);
   const std::string refusal = whyRefused(*scene);
   if (!refusal.empty()) throw std::runtime_error(refusal);
-  const PastBoxes found = pastBoxes(*scene, request, [this] { return history_.isStopping(); });
-  if (history_.isStopping()) throw std::runtime_error(kStopping);
-  fillBoxes(*scene, found, request, response.boxes);
-  response.message = logText(found.problem);
-  // Freed after the response has been sent.
-  enqueue(history_.queue(), [scene] {});
+  return std::make_shared<Job>(std::move(box_request), std::move(scene), copied_bytes_);
 }
 
 }  // namespace link_bounds

@@ -3,9 +3,6 @@
 // publish() and publishDueMarkers() run on the thread of distances.
 #include "node/outputs/distance_output.h"
 
-#include <ros/single_subscriber_publisher.h>
-#include <visualization_msgs/MarkerArray.h>
-
 #include <utility>
 
 #include "node/outputs/distance_markers.h"
@@ -17,33 +14,25 @@ namespace {
 constexpr std::uint32_t kDistancesQueue = 200;
 constexpr std::uint32_t kMarkersQueue = 10;
 
-template <class Message>
-ros::Publisher advertise(ros::NodeHandle& private_node, const TopicName& topic, std::uint32_t queue,
-                         const std::function<void()>& on_subscriber) {
-  return private_node.advertise<Message>(
-      privateName(topic), queue,
-      [on_subscriber](const ros::SingleSubscriberPublisher&) { on_subscriber(); });
-}
-
 }  // namespace
 
 DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard,
                                TreeRequests requests, std::function<void()> send)
     : guard_(guard),
       send_(std::move(send)),
-      distances_publisher_(advertise<DistanceArray>(private_node, kDistancesTopic, kDistancesQueue,
-                                                    [this] { guard_(send_); })),
-      nearest_publisher_(advertise<Distance>(private_node, kNearestTopic, kDistancesQueue,
-                                             [this] { guard_(send_); })),
-      markers_publisher_(advertise<visualization_msgs::MarkerArray>(
-          private_node, kDistanceMarkersTopic, kMarkersQueue, [this] { guard_(send_); })),
+      distances_(private_node, privateName(kDistancesTopic), kDistancesQueue,
+                 [this](const auto&) { guard_(send_); }),
+      nearest_(private_node, privateName(kNearestTopic), kDistancesQueue,
+               [this](const auto&) { guard_(send_); }),
+      markers_(private_node, privateName(kDistanceMarkersTopic), kMarkersQueue,
+               [this](const auto&) { guard_(send_); }),
       thread_(std::move(requests),
               {[this](const ComputedDistances& computed) { publish(computed); },
                [this] { publishDueMarkers(); }, [this] { return isWanted(); }}) {}
 
 bool DistanceOutput::isWanted() const {
-  return warning_ > 0 || distances_publisher_.getNumSubscribers() > 0 ||
-         nearest_publisher_.getNumSubscribers() > 0 || markers_publisher_.getNumSubscribers() > 0;
+  return warning_ > 0 || distances_.hasSubscribers() || nearest_.hasSubscribers() ||
+         markers_.hasSubscribers();
 }
 
 void DistanceOutput::publish(const ComputedDistances& computed) {
@@ -51,11 +40,12 @@ void DistanceOutput::publish(const ComputedDistances& computed) {
     const std::lock_guard<std::mutex> lock(mutex_);
     health_.pairs = computed.array.distances.size();
     health_.levels = computed.levels;
+    health_.left_out = computed.left_out;
     health_.nearest = computed.nearest;
   }
-  distances_publisher_.publish(computed.array);
-  nearest_publisher_.publish(computed.nearest);
-  if (markers_publisher_.getNumSubscribers() > 0) unmarked_ = computed;
+  distances_.publish(computed.array);
+  nearest_.publish(computed.nearest);
+  if (markers_.hasSubscribers()) unmarked_ = computed;
 }
 
 void DistanceOutput::publishDueMarkers() {
@@ -65,9 +55,8 @@ void DistanceOutput::publishDueMarkers() {
   if (std::chrono::duration<double>(now - last_markers_).count() < 1 / parameters.marker_rate)
     return;
   last_markers_ = now;
-  markers_publisher_.publish(distanceMarkers(unmarked_->array, unmarked_->nearest,
-                                             parameters.distance_warning,
-                                             parameters.distance_limit));
+  markers_.publish(distanceMarkers(unmarked_->array, unmarked_->nearest,
+                                   parameters.distance_warning, parameters.distance_limit));
   unmarked_.reset();
 }
 

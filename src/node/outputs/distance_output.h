@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <atomic>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include "node/distances/distance_thread.h"
 #include "node/log/guarded.h"
 #include "node/names/topics.h"
+#include "node/outputs/output.h"
 
 namespace link_bounds {
 
@@ -22,6 +24,7 @@ struct DistanceHealth {
   bool is_wanted = false;  ///< somebody listens, or distance_warning is set; if not, no pairs below
   std::size_t pairs = 0;   ///< in the last ~distances, as what follows
   std::array<std::size_t, 3> levels{};
+  std::size_t left_out = 0;         ///< pairs beyond max_pairs
   std::optional<Distance> nearest;  ///< nothing before the first ~distances
   DistanceTimes times;              ///< since the last call
   std::vector<std::string> errors;  ///< of meshes and lists without triangles
@@ -62,9 +65,9 @@ class DistanceOutput {
   Guard guard_;
   std::function<void()> send_;
   std::atomic<double> warning_{0};
-  ros::Publisher distances_publisher_;
-  ros::Publisher nearest_publisher_;
-  ros::Publisher markers_publisher_;
+  Output<DistanceArray> distances_;
+  Output<Distance> nearest_;
+  Output<visualization_msgs::MarkerArray> markers_;
   std::optional<ComputedDistances> unmarked_;  ///< of the thread: without markers so far
   Time last_markers_{};                        ///< of the thread
   mutable std::mutex mutex_;

@@ -3,18 +3,19 @@
 // Finds pairs of boxes and reports those that the model does not exclude.
 #include "node/outputs/overlap_message.h"
 
-#include "link_bounds/ros/messages.h"
-
 namespace link_bounds {
+namespace {
 
-void SceneOverlaps::collect(const AxisAlignedBoxArray& boxes,
-                            const std::vector<std::size_t>& links) {
+constexpr std::size_t kPairsPerLook = 1000;  // some 0.1 ms
+
+}  // namespace
+
+void SceneOverlaps::collect(const Snapshot& snapshot) {
   boxes_.clear();
   owners_.clear();
-  for (const AxisAlignedBox& box : boxes.boxes) {
-    const std::size_t i = boxes_.size();
-    boxes_.push_back(toAabb(box));
-    owners_.push_back({&box.name, i < links.size() ? std::optional(links[i]) : std::nullopt});
+  for (const SnapshotBody& body : snapshot.bodies) {
+    boxes_.push_back(body.box);
+    owners_.push_back({&snapshot.name(body), body.link});
   }
 }
 
@@ -27,15 +28,17 @@ BoxOverlap& SceneOverlaps::nextOf(std::vector<BoxOverlap>& overlaps, std::size_t
   return overlaps.back();
 }
 
-void SceneOverlaps::fill(const Model& model, const AxisAlignedBoxArray& boxes,
-                         const std::vector<std::size_t>& links, BoxOverlapArray& message) {
-  message.header = boxes.header;
-  collect(boxes, links);
+bool SceneOverlaps::fill(const Snapshot& snapshot, BoxOverlapArray& message,
+                         const std::function<bool()>& is_over) {
+  const Model& model = *snapshot.model;
+  message.header = snapshot.header;
+  collect(snapshot);
   std::size_t count = 0;
   for (const BoxPair& pair : search_.find(boxes_, model.parameters.overlap_margin)) {
     const PairMember& first = owners_[pair.first];
     const PairMember& second = owners_[pair.second];
     if (!isPair(model, first, second)) continue;
+    if (count % kPairsPerLook == 0 && is_over()) return false;
     BoxOverlap& overlap = nextOf(message.overlaps, count++);
     overlap.first = *first.name;
     overlap.second = *second.name;
@@ -43,6 +46,7 @@ void SceneOverlaps::fill(const Model& model, const AxisAlignedBoxArray& boxes,
   }
   for (; message.overlaps.size() > count; message.overlaps.pop_back())
     spare_.push_back(std::move(message.overlaps.back()));
+  return true;
 }
 
 }  // namespace link_bounds

@@ -3,27 +3,27 @@
 // Pairs of near boxes as a message.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
 #include "link_bounds/geometry/overlaps/sweep_and_prune.h"
-#include "node/loading/model.h"
+#include "node/distances/snapshot.h"
 
 namespace link_bounds {
 
-/// Searches the boxes of one message after another and reuses its memory.
+/// Searches the boxes of one moment after another and reuses its memory.
 class SceneOverlaps {
  public:
-  /// Overwrites `message`; reuses its memory. `boxes` begins with boxes of links, whose indices in
-  /// the model `links` gives.
-  void fill(const Model& model, const AxisAlignedBoxArray& boxes,
-            const std::vector<std::size_t>& links, BoxOverlapArray& message);
+  /// Overwrites `message`; reuses its memory. False if `is_over`, which is asked now and then, said
+  /// so.
+  bool fill(
+      const Snapshot& snapshot, BoxOverlapArray& message,
+      const std::function<bool()>& is_over = [] { return false; });
 
  private:
-  void collect(const AxisAlignedBoxArray& boxes, const std::vector<std::size_t>& links);
+  void collect(const Snapshot& snapshot);
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
 
   std::vector<Aabb> boxes_;

@@ -3,12 +3,13 @@
 // Limits the rate of an output.
 #pragma once
 
-#include <ros/node_handle.h>
-#include <ros/wall_timer.h>
+#include <ros/time.h>
 
 #include <functional>
+#include <optional>
 
 #include "node/log/guarded.h"
+#include "node/threads/periodic.h"
 
 namespace link_bounds {
 
@@ -16,8 +17,8 @@ namespace link_bounds {
 /// call. Earlier requests lead to one call when the period is over.
 class PacedOutput {
  public:
-  /// `guard` runs `emit` when the timer calls it.
-  PacedOutput(ros::NodeHandle& node, Guard guard, std::function<void()> emit);
+  /// `periodic`, which must outlive this, has `guard` call `emit` when a period is over.
+  PacedOutput(Periodic& periodic, Guard guard, std::function<void()> emit);
   PacedOutput(const PacedOutput&) = delete;
   PacedOutput& operator=(const PacedOutput&) = delete;
 
@@ -26,21 +27,19 @@ class PacedOutput {
 
   void request();
 
-  /// True if a request has not led to a call yet.
-  bool isWaiting() const { return is_waiting_; }
+  bool isLimited() const { return period_ > ros::WallDuration(0); }
 
-  /// Calls `emit` now, at any rate.
+  /// Calls `emit` at once, whatever the rate.
   void emitNow();
 
  private:
-  void startTimer();
-
+  Periodic& periodic_;
   Guard guard_;
   std::function<void()> emit_;
-  double period_ = 0;  ///< s
-  double last_ = 0;    ///< of the last call [s], wall time; 0 = never
-  ros::WallTimer timer_;
-  bool is_waiting_ = false;
+  ros::WallDuration period_;
+  std::optional<ros::SteadyTime> last_;  ///< of the last call
+  bool is_waiting_ = false;              ///< a request has not led to a call yet
+  Periodic::Alarm alarm_;
 };
 
 }  // namespace link_bounds

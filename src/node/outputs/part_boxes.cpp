@@ -1,45 +1,41 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts have the poses of the published boxes of their links, so both always agree.
+// Parts have the poses of the boxes of their links, so both always agree.
 #include "node/outputs/part_boxes.h"
+
+#include <utility>
 
 #include "node/outputs/box_message.h"
 
 namespace link_bounds {
 
-void PartBoxes::adopt(const Model& model) {
-  are_wanted_ = model.parameters.parts_per_link > 1;
+void PartBoxes::adopt(std::shared_ptr<const Model> model) {
+  model_ = std::move(model);
   parts_.clear();
-  states_.clear();
-  for (const std::vector<BoundedLink>& parts : model.parts)
+  for (const std::vector<BoundedLink>& parts : model_->parts)
     parts_.emplace_back(parts);
 }
 
-void PartBoxes::place(const LiveBoxes& links) {
-  if (!are_wanted_) return;
-  states_ = links.states();
-  poses_.resize(states_.size());
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].box) poses_[i] = links.pose(i);
-  }
-}
-
-void PartBoxes::fill(const Model& model, AxisAlignedBoxArray& message) {
-  BoxFiller filler(message, model.fixed_frame);
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    BoxState state = states_[i];
-    if (!state.box) {
-      filler.add(model.links[i].name, state);
-      continue;
-    }
-    for (std::size_t part = 0; part < model.parts[i].size(); ++part) {
-      parts_[i].update(part, poses_[i]);
+bool PartBoxes::fill(const Snapshot& snapshot, AxisAlignedBoxArray& message) {
+  if (snapshot.model->parameters.parts_per_link <= 1) return false;
+  if (snapshot.model != model_) adopt(snapshot.model);
+  BoxFiller filler(message, model_->fixed_frame);
+  for (const std::size_t i : snapshot.incomplete_links)
+    filler.addIncomplete(model_->links[i].name);
+  for (const SnapshotBody& body : snapshot.bodies) {
+    if (!body.link) break;
+    const std::size_t i = *body.link;
+    BoxState state;
+    state.stamp = body.stamp;
+    state.incomplete = false;  // is named once, above
+    for (std::size_t part = 0; part < model_->parts[i].size(); ++part) {
+      parts_[i].update(part, body.fixed_from_body);
       state.box = parts_[i].box(part);
-      filler.add(model.links[i].name, state);
-      state.incomplete = false;  // names the link once
+      filler.add(model_->links[i].name, state);
     }
   }
   filler.finish();
+  return true;
 }
 
 }  // namespace link_bounds

@@ -3,33 +3,25 @@
 // The boxes of the parts of links, computed only when a message needs them.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/scene/live_boxes.h"
+#include "node/distances/snapshot.h"
 
 namespace link_bounds {
 
 class PartBoxes {
  public:
-  void adopt(const Model& model);
-
-  /// True if the model wants more than one part per link.
-  bool areWanted() const { return are_wanted_; }
-
-  /// Copies the states and poses of the links, if parts are wanted. The links must have the adopted
-  /// model.
-  void place(const LiveBoxes& links);
-
-  /// Overwrites `message` with the parts of all links that had a box at the last place(), with
-  /// name, stamp and incompleteness of the link. `model` is the adopted one.
-  void fill(const Model& model, AxisAlignedBoxArray& message);
+  /// Overwrites `message` with the parts of all links that have a box, with name, stamp and
+  /// incompleteness of the link. False if the model wants one part per link.
+  bool fill(const Snapshot& snapshot, AxisAlignedBoxArray& message);
 
  private:
-  bool are_wanted_ = false;
-  std::vector<LinkBoxes> parts_;        ///< by link
-  std::vector<BoxState> states_;        ///< by link, as its pose
-  std::vector<Eigen::Affine3d> poses_;  ///< of links that have a box
+  void adopt(std::shared_ptr<const Model> model);
+
+  std::shared_ptr<const Model> model_;
+  std::vector<LinkBoxes> parts_;  ///< by link
 };
 
 }  // namespace link_bounds

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes the boxes of the last motion, which the history thread computes.
+// Publishes the boxes of the last motion, which a thread of its own computes.
 #pragma once
 
 #include <ros/node_handle.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <atomic>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/history/history_thread.h"
+#include "node/history/scene_copier.h"
+#include "node/outputs/output.h"
 #include "node/outputs/paced_output.h"
 #include "node/parameters/parameters.h"
 
@@ -18,10 +20,9 @@ namespace link_bounds {
 /// the time between two ~boxes, it skips those in between.
 class SweptOutput {
  public:
-  /// `history` must outlive this, which stops it. `guard` runs the callbacks of roscpp.
-  SweptOutput(ros::NodeHandle& node, ros::NodeHandle& private_node, const Guard& guard,
-              HistoryThread& history);
-  ~SweptOutput() { history_.stop(); }
+  /// `periodic` and `scenes` must outlive this. `guard` runs the callbacks of roscpp.
+  SweptOutput(Periodic& periodic, ros::NodeHandle& private_node, const Guard& guard,
+              const SceneCopier& scenes);
   SweptOutput(const SweptOutput&) = delete;
   SweptOutput& operator=(const SweptOutput&) = delete;
 
@@ -33,17 +34,17 @@ class SweptOutput {
 
  private:
   void requestMarkers();
-  void enqueueUnlessWaiting();
+  void postBoxes();
   void publish();
 
-  HistoryThread& history_;
+  const SceneCopier& scenes_;
   std::atomic<std::int64_t> span_{0};         ///< [ns]
-  std::atomic<bool> is_waiting_{false};       ///< publish() is in the queue of the thread
   std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
   AxisAlignedBoxArray message_;               ///< of the thread
-  ros::Publisher publisher_;
-  ros::Publisher markers_publisher_;
+  Output<AxisAlignedBoxArray> boxes_;
+  Output<visualization_msgs::MarkerArray> markers_;
   PacedOutput markers_output_;
+  Worker worker_;  ///< near the end: its thread ends before the rest goes
 };
 
 }  // namespace link_bounds

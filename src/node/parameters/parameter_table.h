@@ -28,6 +28,18 @@ inline std::string positive(double value) {
   return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
 }
 
+/// Lengths beyond it are slips, such as micrometres for metres. Sums of them stay finite and exact
+/// to a nanometre.
+constexpr double kMaxLength = 1e6;  // m
+
+inline std::string length(double value) {
+  return value >= 0 && value <= kMaxLength ? "" : "must be a number of metres from 0 to 1e6";
+}
+
+inline std::string positiveLength(double value) {
+  return value > 0 && value <= kMaxLength ? "" : "must be a number of metres > 0, at most 1e6";
+}
+
 inline std::string notNegativeInt(int value) {
   return value >= 0 ? "" : "must be a whole number >= 0";
 }
@@ -60,8 +72,8 @@ inline std::string color(const std::array<double, 4>& rgba) {
 
 inline std::string linkPadding(const std::map<std::string, double>& value) {
   for (const auto& [link, padding] : value) {
-    if (!notNegative(padding).empty())
-      return "must be finite numbers >= 0; see link \"" + link + "\"";
+    if (!length(padding).empty())
+      return "must be numbers of metres from 0 to 1e6; see link \"" + link + "\"";
   }
   return "";
 }
@@ -91,18 +103,17 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "only these links; [] = every link with geometry");
   visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
         "none of these links");
-  visit("padding", p.padding, rules::notNegative,
-        "metres, >= 0, added on every side of link boxes and their parts (groups and markers "
+  visit("padding", p.padding, rules::length,
+        "metres, 0 to 1e6, added on every side of link boxes and their parts (groups and markers "
         "follow)");
   visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
   visit("groups", p.groups, rules::groups,
         "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
         "namespace");
   visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
-  visit(
-      "timeout", p.timeout, rules::notNegative,
-      "ROS seconds without an accepted transform on the path of a link; then it is stale: no box, "
-      "in incomplete. 0 = never");
+  visit("timeout", p.timeout, rules::notNegative,
+        "ROS seconds without a newer stamp on the path of a link; then it is stale: no box, in "
+        "incomplete. 0 = never");
   visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
         "goes before link names in tf; if not set here, it is found upwards as "
         "robot_state_publisher finds it");
@@ -110,8 +121,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
   visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
   visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
-  visit("overlap_margin", p.overlap_margin, rules::notNegative,
-        "metres, >= 0; pairs of boxes with distance <= it are in ~overlaps");
+  visit("overlap_margin", p.overlap_margin, rules::length,
+        "metres, 0 to 1e6; pairs of boxes with distance <= it are in ~overlaps");
   visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
         "\"a b\": links or objects NS/ID that are never a pair in ~overlaps and ~distances; * in a "
         "name is any "
@@ -119,12 +130,15 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
         "links with this many movable joints between them, or fewer, are never a pair in "
         "~overlaps and ~distances; >= 0");
-  visit("distance_limit", p.distance_limit, rules::notNegative,
-        "metres, >= 0; pairs of bodies with distance <= it are in ~distances");
-  visit("distance_accuracy", p.distance_accuracy, rules::positive,
-        "metres, > 0; distances are refined until distance_max - distance <= it");
-  visit("distance_warning", p.distance_warning, rules::notNegative,
-        "metres, >= 0; /diagnostics warns while ~nearest is at or below it; 0 = never");
+  visit("max_pairs", p.max_pairs, rules::positiveInt,
+        "pairs, > 0, in one message of ~distances: the nearest ones; incomplete names who has "
+        "others, /diagnostics counts those");
+  visit("distance_limit", p.distance_limit, rules::length,
+        "metres, 0 to 1e6; pairs of bodies with distance <= it are in ~distances");
+  visit("distance_accuracy", p.distance_accuracy, rules::positiveLength,
+        "metres, > 0, at most 1e6; distances are refined until distance_max - distance <= it");
+  visit("distance_warning", p.distance_warning, rules::length,
+        "metres, 0 to 1e6; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("swept_span", p.swept_span, rules::notNegative,
         "seconds, >= 0, of motion that the boxes of ~swept cover; 0 = none are sent");
   visit("parts_per_link", p.parts_per_link, rules::partCount,

@@ -34,6 +34,7 @@ struct Parameters {
   double overlap_margin = 0.0;
   std::vector<std::string> ignore_pairs;
   int adjacent_joints = 1;
+  int max_pairs = 10000;
   double distance_limit = 0.1;
   double distance_accuracy = 1e-4;
   double distance_warning = 0.0;

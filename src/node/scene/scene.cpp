@@ -36,12 +36,10 @@ BoxState groupState(const SceneGroup& group, const Scene& scene) {
   BoxState state = groupState(group, scene.links.states());
   const LiveObjects::Objects& objects = scene.objects.objects();
   for (const ObjectKey& key : group.objects) {
-    const auto found = objects.find(key);
-    if (found == objects.end()) {
-      state.incomplete = true;
-    } else {
-      addMember(state, found->second.state);
-    }
+    const auto [begin, end] = scene.objects.named(key);
+    if (begin == end) state.incomplete = true;
+    for (auto object = begin; object != end; ++object)
+      addMember(state, object->second.state);
   }
   for (const std::string& ns : group.namespaces) {
     auto object = objects.lower_bound({ns, std::numeric_limits<std::int32_t>::min()});

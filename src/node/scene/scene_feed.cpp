@@ -25,23 +25,43 @@ void SceneFeed::onTransforms(const std::vector<TransformView>& transforms, bool 
                              const TransformInput::Publisher& publisher, ros::Time now) {
   observeClock(now);
   input_.add(transforms, is_static, publisher, clock_, now, tf_);
-  if (scene_.update(now)) onNews();
+  has_new_transforms_ = true;
+  taken(false, now);
 }
 
-/// All markers of one message lead to one report.
+void SceneFeed::taken(bool is_changed, ros::Time now) {
+  is_changed_ |= is_changed;
+  ++taken_;
+  if (!joins_) update(now);
+}
+
+/// Objects are placed as if all transforms that came before them had been looked at one by one.
+void SceneFeed::updatePoses(ros::Time now) {
+  if (std::exchange(has_new_transforms_, false)) is_changed_ |= scene_.update(now);
+}
+
+void SceneFeed::update(ros::Time now) {
+  if (taken_ == 0) return;
+  joined_ += std::exchange(taken_, 0) - 1;
+  updatePoses(now);
+  if (std::exchange(is_changed_, false)) onNews();
+}
+
 void SceneFeed::onMarkers(visualization_msgs::Marker* markers, std::size_t count,
                           const std::string& publisher, ros::Time now) {
   observeClock(now);
+  updatePoses(now);
   bool is_changed = false;
   for (std::size_t i = 0; i < count; ++i)
     is_changed |= object_source_.take(std::move(markers[i]), publisher, now);
-  if (is_changed) onNews();
+  taken(is_changed, now);
 }
 
-void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender,
+void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
                             ros::Time now) {
   observeClock(now);
-  if (object_source_.takeNeighbour(boxes, sender, now)) onNews();
+  updatePoses(now);
+  taken(object_source_.takeNeighbour(boxes, sender, now), now);
 }
 
 void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
@@ -50,7 +70,9 @@ void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time
 
 void SceneFeed::onTick(ros::Time now) {
   observeClock(now);
-  const bool is_changed = scene_.expire(now);
+  update(now);
+  const bool has_ended = object_source_.removeEndedNeighbours(ros::SteadyTime::now());
+  const bool is_changed = scene_.expire(now) || has_ended;
   object_source_.warnOfGivenUp(now);
   if (is_changed) onNews();
 }
@@ -64,11 +86,18 @@ void SceneFeed::observeClock(ros::Time now) {
       if (scene_.restart(now)) onNews();
       return;
     case ClockWatch::Event::kJumpedBack:
-      ROS_WARN("the clock jumped back; forgetting all transforms that are not static");
+      logJump();
       tf_.clear();
       if (scene_.restart(now)) onNews();
       return;
   }
+}
+
+void SceneFeed::logJump() {
+  const std::string line =
+      jump_log_.line("the clock jumped back; forgetting all transforms that are not static",
+                     ros::SteadyTime::now());
+  if (!line.empty()) ROS_WARN_STREAM(line);
 }
 
 /// Nothing is reported before the first model.

@@ -9,8 +9,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "node/clock/clock_watch.h"
+#include "node/log/repeat_log.h"
 #include "node/objects/object_source.h"
 #include "node/scene/scene.h"
 #include "node/tf/transform_input.h"
@@ -24,7 +26,7 @@ class SceneFeed {
     /// Requests the mesh of an object; returns at once. The mesh comes back through onMesh().
     std::function<void(const std::string& uri)> request_mesh;
     /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
-    /// once for each message, tick and jump of the clock.
+    /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;
   };
 
@@ -37,6 +39,16 @@ class SceneFeed {
   /// Starts over with a model. Objects and transforms stay. Is no news.
   void adopt(std::shared_ptr<const Model> model, ros::Time now);
 
+  /// While `joins`, messages are only taken: they become news with the next update() or tick, which
+  /// must come before anything else reads the scene.
+  void setJoining(bool joins) { joins_ = joins; }
+
+  /// Updates the scene with all that was taken.
+  void update(ros::Time now);
+
+  /// Messages that led to no news of their own because they were joined, since the last call.
+  std::size_t takeJoined() { return std::exchange(joined_, 0); }
+
   void onTransforms(const std::vector<TransformView>& transforms, bool is_static,
                     const TransformInput::Publisher& publisher, ros::Time now);
 
@@ -45,7 +57,7 @@ class SceneFeed {
                  const std::string& publisher, ros::Time now);
 
   /// ~boxes of another node.
-  void onNeighbour(const AxisAlignedBoxArray& boxes, const std::string& sender, ros::Time now);
+  void onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender, ros::Time now);
 
   void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 
@@ -53,12 +65,21 @@ class SceneFeed {
   void onTick(ros::Time now);
   static constexpr double kTick = 0.05;
 
+  /// To be called after onTick(): see TransformBuffer::forgetQuiet().
+  void forgetQuietFrames(ros::SteadyTime now) { tf_.forgetQuiet(now); }
+
+  /// See TransformInput.
+  std::string takeLatePublishers() { return input_.takeLatePublishers(); }
+
   Scene& scene() { return scene_; }
   TransformBuffer& tf() { return tf_; }
   const ClockWatch& clock() const { return clock_; }
 
  private:
+  void taken(bool is_changed, ros::Time now);
+  void updatePoses(ros::Time now);
   void observeClock(ros::Time now);
+  void logJump();
   void onNews();
 
   Handlers handlers_;
@@ -67,6 +88,12 @@ class SceneFeed {
   TransformInput input_;
   ObjectSource object_source_;
   ClockWatch clock_;
+  RepeatLog jump_log_;
+  bool joins_ = false;
+  bool has_new_transforms_ = false;  ///< this and the next two: since the last update
+  bool is_changed_ = false;
+  std::size_t taken_ = 0;   ///< messages
+  std::size_t joined_ = 0;  ///< see takeJoined()
 };
 
 }  // namespace link_bounds

@@ -3,17 +3,39 @@
 // Looks names up where the guess is wrong.
 #include "node/tf/frame_names.h"
 
+#include <utility>
+
 namespace link_bounds {
 
 FrameNames::Frame FrameNames::frame(std::string_view name) {
   const auto found = frames_.find(name);
   if (found != frames_.end()) return found->second;
-  const Frame frame = borrow(own_.emplace_back(name));
-  frames_.emplace(own_.back(), frame);
-  keys_.resize(frame + 1);
-  parents_.resize(frame + 1);
-  followers_.resize(frame + 2);
+  auto own = std::make_unique<const std::string>(name);
+  Frame frame = names_.size();
+  if (reusable_.empty()) {
+    names_.push_back(own.get());
+    own_.resize(frame + 1);  // borrowed names before it have none
+    keys_.resize(frame + 1);
+    parents_.resize(frame + 1);
+    followers_.resize(frame + 2);
+  } else {
+    frame = reusable_.back();
+    reusable_.pop_back();
+    names_[frame] = own.get();
+  }
+  frames_.emplace(*own, frame);
+  own_[frame] = std::move(own);
   return frame;
+}
+
+void FrameNames::forget(Frame frame) {
+  frames_.erase(*names_[frame]);
+  forgetEdge(frame);
+}
+
+void FrameNames::reuse(Frame frame) {
+  own_[frame] = nullptr;
+  reusable_.push_back(frame);
 }
 
 FrameNames::Frame FrameNames::borrow(const std::string& name) {

@@ -7,7 +7,7 @@
 // 200 links takes 1.2 times as long and misses a target of `scripts/bench pipeline`.
 #pragma once
 
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +29,22 @@ class FrameNames {
     Frame parent;
   };
 
-  /// The number of a name, the same for ever: 0 for the first name, then 1, ...
+  /// The number of a name, the same until forget(): 0 for the first name, then 1, ...
   Frame frame(std::string_view name);
+
+  /// The name gets another number when it comes again. name() knows it until reuse().
+  void forget(Frame frame);
+
+  /// Another name may get this number, which was forgotten.
+  void reuse(Frame frame);
+
+  /// The next search for an edge of the child looks its names up.
+  void forgetEdge(Frame child) { keys_[child].clear(); }
+
+  /// The parent that next() may return for the child without looking it up.
+  std::optional<Frame> cachedParent(Frame child) const {
+    return keys_[child].empty() ? std::nullopt : std::optional(parents_[child]);
+  }
 
   /// Nothing if no frame has this name.
   std::optional<Frame> known(std::string_view name) const;
@@ -62,7 +76,8 @@ class FrameNames {
  private:
   Edge find(std::string_view parent, std::string_view child, std::string_view key);
 
-  std::deque<std::string> own_;  ///< a deque, because `names_` and `frames_` point into it
+  std::vector<std::unique_ptr<const std::string>> own_;  ///< `names_` and `frames_` point there
+  std::vector<Frame> reusable_;
   std::vector<const std::string*> names_;
   std::unordered_map<std::string_view, Frame> frames_;
   std::vector<std::string> keys_;    ///< by child: of its last edge

@@ -62,22 +62,24 @@ void FrameTracker::update(ros::Time now) {
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     node.is_changed = node.has_moved = false;
-    node.is_news = nodes_[node.inner].is_news || tf_.isNews(node.edge) || node.was_elsewhere;
+    node.is_news =
+        nodes_[node.inner].is_news || tf_.isNewerThan(seen_, node.edge) || node.was_elsewhere;
     if (node.is_news) place(node);
   }
+  seen_ = tf_.version();
 }
 
 /// A frame that is where it was has not moved.
 void FrameTracker::updateAll(ros::Time now) {
   stale_before_ = staleBefore(timeout_, now);
   const std::vector<Node> old_nodes = std::move(nodes_);
-  const std::vector<Followed> old_followed = followed_;
-  build();
+  const std::vector<Place> places = takePlaces(old_nodes);
+  build(places);
   for (std::size_t i = 1; i < nodes_.size(); ++i)
     place(nodes_[i]);
-  for (Frame frame = 0; frame < followed_.size(); ++frame) {
-    if (followed_[frame].handles == 0) continue;
-    const Node& old = old_nodes[old_followed[frame].place];
+  seen_ = tf_.version();
+  for (const auto& [frame, old_place] : places) {
+    const Node& old = old_nodes[old_place];
     Node& node = nodes_[followed_[frame].place];
     node.has_moved =
         !old.has_pose || !node.fixed_from_frame.isAt(old.fixed_from_frame.rotation,
@@ -86,7 +88,14 @@ void FrameTracker::updateAll(ros::Time now) {
   }
 }
 
+void FrameTracker::watch(Frame frame) {
+  tf_.watch(frame);
+  watched_.push_back(frame);
+}
+
 void FrameTracker::expire(ros::Time now) {
+  for (const Frame frame : watched_)
+    tf_.watch(frame);
   stale_before_ = staleBefore(timeout_, now);
   for (Node& node : nodes_) {
     node.has_moved = false;
@@ -95,17 +104,30 @@ void FrameTracker::expire(ros::Time now) {
   }
 }
 
-void FrameTracker::build() {
+/// Frames without handles lose theirs. Looks at the nodes alone: tf may have any number of frames.
+std::vector<FrameTracker::Place> FrameTracker::takePlaces(const std::vector<Node>& nodes) {
+  std::vector<Place> places;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const Frame frame = nodes[i].frame;
+    if (frame >= followed_.size() || followed_[frame].place != i) continue;
+    if (followed_[frame].handles > 0) places.push_back({frame, i});
+    followed_[frame].place = kNowhere;
+  }
+  return places;
+}
+
+void FrameTracker::build(const std::vector<Place>& places) {
   structure_ = tf_.structure();
   nodes_.assign(1, rootNode());
+  watched_.clear();
   unused_ = 0;
   if (fixed_frame_) {
     findAbove();
     marks_.begin(tf_.size());
     marks_.set(*fixed_frame_, 0);
   }
-  for (Frame frame = 0; frame < followed_.size(); ++frame)
-    followed_[frame].place = followed_[frame].handles == 0 ? kNowhere : add(frame);
+  for (const Place& followed : places)
+    followed_[followed.frame].place = add(followed.frame);
 }
 
 /// If the way up from the fixed frame runs into a loop, a frame must meet the fixed frame itself.
@@ -113,8 +135,10 @@ void FrameTracker::findAbove() {
   above_.assign(1, *fixed_frame_);
   heights_.begin(tf_.size());
   heights_.set(*fixed_frame_, 0);
+  watch(*fixed_frame_);
   while (tf_.hasParent(above_.back())) {
     const Frame parent = tf_.parent(above_.back());
+    watch(parent);
     if (heights_.position(parent)) {
       above_.resize(1);
       heights_.begin(tf_.size());
@@ -144,6 +168,7 @@ std::size_t FrameTracker::addPath(Frame frame) {
   Frame top = frame;
   while (!marks_.position(top) && !heights_.position(top)) {
     marks_.set(top, kNowhere);
+    watch(top);
     if (!tf_.hasParent(top)) return kNowhere;
     way_.push_back(top);
     top = tf_.parent(top);

@@ -66,8 +66,8 @@ class FrameTracker {
   FrameTracker(const FrameTracker&) = delete;
   FrameTracker& operator=(const FrameTracker&) = delete;
 
-  /// Starts over with another fixed frame. A pose is stale if an edge of its path was not received
-  /// for longer than `timeout` [ROS s]; 0 = never. Before the first call no frame has a pose.
+  /// Starts over with another fixed frame. A pose is stale if an edge of its path got no newer
+  /// stamp for longer than `timeout` [ROS s]; 0 = never. Before the first call no frame has a pose.
   void setTarget(Frame fixed_frame, double timeout, ros::Time now);
   void setTarget(std::string_view fixed_frame, double timeout, ros::Time now) {
     setTarget(tf_.frame(fixed_frame), timeout, now);
@@ -81,7 +81,7 @@ class FrameTracker {
   Handle follow(Frame frame);
   Handle follow(std::string_view name) { return follow(tf_.frame(name)); }
 
-  /// To be called after each message.
+  /// To be called after one message or several.
   void update(ros::Time now);
 
   /// Computes everything again, as is needed after tf was cleared.
@@ -103,7 +103,7 @@ class FrameTracker {
 
   /// A frame on the path of one that is followed.
   struct Node : FramePose {
-    bool is_news = false;   ///< an edge of its path was received in the last message
+    bool is_news = false;   ///< an edge of its path was received since the last update
     bool has_pose = false;  ///< the histories reach its time
     Step step = Step::kNone;
     bool is_static = true;           ///< the complete path
@@ -121,11 +121,19 @@ class FrameTracker {
     std::size_t place = kNowhere;  ///< in nodes_; may remain for some time without handles
   };
 
+  /// Of a followed frame, before a build.
+  struct Place {
+    Frame frame;
+    std::size_t old_place;
+  };
+
   static Node rootNode();
   const FramePose& pose(Frame frame) const { return nodes_[followed_[frame].place]; }
   void release(Frame frame);
 
-  void build();
+  std::vector<Place> takePlaces(const std::vector<Node>& nodes);
+  void watch(Frame frame);
+  void build(const std::vector<Place>& places);
   void findAbove();
   std::size_t add(Frame frame);
   std::size_t addPath(Frame frame);
@@ -148,8 +156,10 @@ class FrameTracker {
   std::vector<Frame> above_;  ///< the fixed frame and those above it, without a loop
   std::vector<Tf2Pose> above_from_fixed_;  ///< where their nodes are not elsewhere
   WalkMarks heights_;                      ///< places in above_
+  std::vector<Frame> watched_;             ///< since the tree was built
   std::vector<Frame> way_;                 ///< of one frame, upwards; kept for its memory
   std::uint64_t structure_ = 0;            ///< of tf, when the tree was built
+  std::uint64_t seen_ = 0;                 ///< version of tf at the last update
 };
 
 /// What was received before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0:

@@ -4,6 +4,7 @@
 #include "node/tf/tf_excerpt.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -17,8 +18,8 @@ constexpr std::size_t kChunk = 128;       // samples, some microseconds
 
 TfExcerpt::Frame TfExcerpt::add(const TransformBuffer& tf, Frame frame) {
   if (!epoch_) {
+    readers_ = TransformBuffer::Readers(tf);
     epoch_ = tf.epoch();
-    copies_.begin(tf.size());
   }
   added_.push_back(frame);
   return include(tf, frame);
@@ -32,12 +33,12 @@ void TfExcerpt::reserve(std::size_t frames) {
 }
 
 TfExcerpt::Frame TfExcerpt::include(const TransformBuffer& tf, Frame frame) {
-  copies_.grow(tf.size());
-  if (const auto known = copies_.position(frame)) return *known;
+  const auto known = copies_.find(frame);
+  if (known != copies_.end()) return known->second;
   const Frame copy = buffer_->names_.borrow(tf.name(frame));
   buffer_->edges_.emplace_back();
   originals_.push_back(frame);
-  copies_.set(frame, copy);
+  copies_.emplace(frame, copy);
   return copy;
 }
 
@@ -59,14 +60,14 @@ bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget)
 
 /// The frames that were added keep their numbers.
 void TfExcerpt::restart(const TransformBuffer& tf) {
-  buffer_ = std::make_unique<TransformBuffer>();
-  copies_.begin(tf.size());
+  former_.push_back(std::exchange(buffer_, std::make_unique<TransformBuffer>()));
+  copies_.clear();
   originals_.clear();
   oldest_.clear();
   for (const Frame frame : added_)
     include(tf, frame);
   epoch_ = tf.epoch();
-  heads_ = complete_ = 0;
+  heads_ = complete_ = samples_ = 0;
   common_ = kEnd;
   begin_.reset();
   copied_until_.reset();
@@ -96,7 +97,10 @@ void TfExcerpt::copyHead(const TransformBuffer& tf, Frame child) {
 bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
   if (!begin_) begin_ = (stamp_ == 0 ? common_ : stamp_) - span_;
   const EdgeHistory* const history = tf.history(originals_[child]);
-  if (!history || !buffer_->history(child)) return true;
+  if (!history || !buffer_->history(child)) {
+    copied_until_.reset();  // the frame was forgotten meanwhile
+    return true;
+  }
   if (stamp_ != 0 && span_ == 0) {
     copyTransform(tf, *history, child);
     return true;
@@ -107,6 +111,7 @@ bool TfExcerpt::copySamples(const TransformBuffer& tf, Frame child) {
   for (const std::size_t end = i + kChunk; i < end && !is_complete; ++i) {
     const Frame parent = parentOf(tf, samples[i]);
     buffer_->edges_[child].history->insert(samples[i].stamp, parent, samples[i].parent_from_child);
+    ++samples_;
     copied_until_ = samples[i].stamp;
     is_complete = i + 1 == samples.size() || (stamp_ != 0 && samples[i].stamp > stamp_);
   }

@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,9 @@ class TfExcerpt {
   /// The number in buffer() of a frame of `tf`. To be called before the first copy().
   Frame add(const TransformBuffer& tf, Frame frame);
 
+  /// How much memory the samples take that were copied.
+  std::size_t bytes() const { return samples_ * sizeof(EdgeSample); }
+
   /// Copies for about that time; true when everything is there. It must always be the same `tf`.
   bool copy(const TransformBuffer& tf, std::chrono::nanoseconds budget);
 
@@ -61,17 +65,20 @@ class TfExcerpt {
   std::size_t firstNeeded(const EdgeHistory& history) const;
   Frame parentOf(const TransformBuffer& tf, const EdgeSample& sample);
 
+  TransformBuffer::Readers readers_;  ///< of the original: first, it ends last
   std::int64_t stamp_;
   std::int64_t span_;
   std::int64_t stale_before_;
   std::unique_ptr<TransformBuffer> buffer_ = std::make_unique<TransformBuffer>();
-  std::vector<Frame> added_;      ///< numbers in the original
-  WalkMarks copies_;              ///< by frame of the original: its number in buffer()
-  std::vector<Frame> originals_;  ///< by frame: its number in the original
+  std::vector<std::unique_ptr<TransformBuffer>> former_;  ///< not freed on the update thread
+  std::vector<Frame> added_;                              ///< numbers in the original
+  std::unordered_map<Frame, Frame> copies_;  ///< by frame of the original: its number in buffer()
+  std::vector<Frame> originals_;             ///< by frame: its number in the original
   std::vector<std::int64_t> oldest_;
   std::optional<std::uint64_t> epoch_;        ///< of the original, when it began
   std::size_t heads_ = 0;                     ///< edges that were copied without their samples
   std::size_t complete_ = 0;                  ///< edges that were copied
+  std::size_t samples_ = 0;                   ///< of these
   std::int64_t common_ = kEnd;                ///< the oldest of the newest stamps
   std::optional<std::int64_t> begin_;         ///< of the times, once samples are copied
   std::optional<std::int64_t> copied_until_;  ///< within the next edge

@@ -10,11 +10,18 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::int64_t kSilence = 1000000000;  // ns without a good transform that deserve a warning
+/// Without a transform for so long, a frame that nobody needs is forgotten.
+const ros::WallDuration kQuiet(60);
+constexpr std::size_t kSlice = 1000;  // edges and samples to look at in one go: some 50 us
+
+constexpr std::int64_t kSilence = 1000000000;  // ns without a newer stamp that deserve a warning
 constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
+constexpr const char* kLate =
+    "its stamp is older than the newest one of the frame, and none newer has come for 1 s; "
+    "synchronise the clocks";
 
 std::int64_t nanoseconds(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());
@@ -25,7 +32,16 @@ std::int64_t nanoseconds(ros::Time time) {
 TransformBuffer::Frame TransformBuffer::frame(std::string_view name) {
   const Frame frame = names_.frame(name);
   edges_.resize(names_.size());
+  adoptNumber(frame);
+  ++edges_[frame].holds;
   return frame;
+}
+
+/// A number that was forgotten may have been given to another name.
+void TransformBuffer::adoptNumber(Frame frame) {
+  if (!edges_[frame].is_unused) return;
+  edges_[frame].is_unused = false;
+  --unused_;
 }
 
 std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& transforms,
@@ -34,55 +50,74 @@ std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& tran
   ++message_;
   names_.beginMessage();
   for (std::size_t i = 0; i < transforms.size(); ++i) {
-    const char* reason = whyRefused(transforms[i]);
-    if (reason) ++intake_.unusable;
-    if (!reason) reason = insert(transforms[i], is_static, nanoseconds(now));
-    if (reason) refusals.push_back({i, reason});
+    Refusal refusal{i, whyRefused(transforms[i])};
+    if (refusal.reason) ++intake_.unusable;
+    if (refusal.reason || !insert(transforms[i], is_static, nanoseconds(now), refusal))
+      refusals.push_back(refusal);
   }
   return refusals;
 }
 
-/// Returns why it was refused, if that is to be reported.
-const char* TransformBuffer::insert(const TransformView& transform, bool is_static,
-                                    std::int64_t now) {
+/// False if the transform is to be reported: `refusal` then says why.
+bool TransformBuffer::insert(const TransformView& transform, bool is_static, std::int64_t now,
+                             Refusal& refusal) {
   const auto [child, parent] = names_.next(transform.parent, transform.child, transform.names);
   if (names_.size() > edges_.size()) edges_.resize(names_.size());
+  if (unused_ > 0) {
+    adoptNumber(child);
+    adoptNumber(parent);
+  }
   if (child == parent) {
     ++intake_.unusable;
-    return kOwnParent;
+    refusal.reason = kOwnParent;
+    return false;
   }
   Edge& edge = edges_[child];
+  if (!edge.has_parent || edge.parent != parent) {
+    edges_[parent].referenced = pass_;
+    edge.had_others |= edge.has_parent;
+  }
   if (!edge.history) edge.history.emplace(edge.is_static = is_static);
   const std::int64_t stamp = nanoseconds(transform.stamp);
-  if (!edge.history->insert(stamp, parent, transform.parent_from_child)) {
-    if (!edge.is_distrusted || !isTooOld(child, stamp)) return refuse(child, stamp, now);
-    edge.clear();
-    edge.history->insert(stamp, parent, transform.parent_from_child);
-  }
-  ++intake_.accepted;
-  record(edge, parent, stamp);
-  edge.received = now;
-  edge.message = message_;
-  edge.is_distrusted = false;
-  return nullptr;
+  const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
+  if (is_accepted ? record(edge, parent, stamp, now) : refuse(edge, stamp)) return true;
+  if (now - edge.received <= kSilence) return true;
+  refusal.reason = is_accepted ? kLate : kTooOld;
+  refusal.is_accepted = is_accepted;
+  refusal.behind = static_cast<double>(edge.newest - stamp) / 1e9;
+  return false;
 }
 
-/// Parent and stamp of a transform that was accepted. A late one leaves the newest in place.
-void TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp) {
+/// False if the transform is refused.
+bool TransformBuffer::insert(Edge& edge, std::int64_t stamp, Frame parent, const Tf2Pose& pose) {
+  if (edge.history->insert(stamp, parent, pose)) return true;
+  if (!edge.is_distrusted || !edge.isTooOld(stamp)) return false;
+  edge.clear();
+  return edge.history->insert(stamp, parent, pose);
+}
+
+/// Parent and stamp of a transform that was accepted. A late one leaves the newest in place, and
+/// the time when that was received: false.
+bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now) {
+  ++intake_.accepted;
+  edge.message = message_;
+  edge.is_distrusted = false;
   const bool is_new = !edge.has_parent;
   const bool is_other = !is_new && edge.parent != parent;
   if (is_new || is_other) {
-    ++structure_;
+    if (edge.watched > 0) ++structure_;
     edge.is_met = edges_[parent].is_met = true;
   }
   if (is_other) settled_ = std::max({settled_, stamp, edge.newest});
   if (stamp < edge.newest) {
     ++intake_.late;
-    return;
+    return false;
   }
   edge.newest = edge.is_static ? 0 : stamp;
+  edge.received = now;
   edge.parent = parent;
   edge.has_parent = true;
+  return true;
 }
 
 /// Static edges stay.
@@ -93,18 +128,11 @@ void TransformBuffer::Edge::clear() {
   has_parent = false;
 }
 
-/// Otherwise there is one of that stamp.
-bool TransformBuffer::isTooOld(Frame child, std::int64_t stamp) const {
-  return stamp + EdgeHistory::kLength < newest(child);
-}
-
-const char* TransformBuffer::refuse(Frame child, std::int64_t stamp, std::int64_t now) {
-  if (!isTooOld(child, stamp)) {
-    ++intake_.repeated;
-    return nullptr;
-  }
-  ++intake_.too_old;
-  return now - received(child) > kSilence ? kTooOld : nullptr;
+/// A transform that is not too old repeats a stamp: true.
+bool TransformBuffer::refuse(const Edge& edge, std::int64_t stamp) {
+  const bool is_repeated = !edge.isTooOld(stamp);
+  ++(is_repeated ? intake_.repeated : intake_.too_old);
+  return is_repeated;
 }
 
 /// Climbs from the source as far as it can, then from the target until it meets that way.
@@ -158,6 +186,66 @@ void TransformBuffer::startClock(ros::Time now) {
   for (Edge& edge : edges_) {
     if (edge.received == 0) edge.received = nanoseconds(now);
   }
+}
+
+/// In passes over all frames. A quiet frame that nobody needs loses its edge. One pass later, if no
+/// edge has led to it meanwhile, it loses its name. Its number waits until those who may read it on
+/// other threads have ended.
+void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
+  if (noted_at_.isZero() || now - noted_at_ >= kQuiet) {
+    if (!noted_at_.isZero()) quiet_since_ = noted_message_;
+    noted_message_ = message_;
+    noted_at_ = now;
+  }
+  std::size_t work = 0;
+  for (; work < kSlice && !waiting_.empty() && *readers_before_ == 0; ++work) {
+    names_.reuse(waiting_.back());
+    waiting_.pop_back();
+  }
+  while (work < kSlice && inUse() > kept) {
+    if (next_ == edges_.size()) return endPass();
+    work += visit(next_++);
+  }
+}
+
+/// Returns how many edges and samples it looked at.
+std::size_t TransformBuffer::visit(Frame frame) {
+  Edge& edge = edges_[frame];
+  if (edge.is_unused) return 1;
+  const bool is_watched = edge.watched > 0 && edge.watched + 1 >= pass_;
+  if (edge.holds > 0 || is_watched || edge.message > quiet_since_) return reference(frame);
+  names_.forgetEdge(frame);
+  Edge forgotten;
+  forgotten.is_met = edge.is_met;
+  forgotten.referenced = edge.referenced;
+  edge = std::move(forgotten);
+  if (edge.referenced + 1 >= pass_) return 1;
+  names_.forget(frame);
+  edge.is_met = false;
+  edge.is_unused = true;
+  ++unused_;
+  forgotten_.push_back(frame);
+  return 1;
+}
+
+/// Notes that an edge leads to its parents.
+std::size_t TransformBuffer::reference(Frame child) {
+  const Edge& edge = edges_[child];
+  if (const auto parent = names_.cachedParent(child)) edges_[*parent].referenced = pass_;
+  if (edge.has_parent) edges_[edge.parent].referenced = pass_;
+  if (!edge.had_others || !edge.history) return 1;
+  const SampleRing& samples = edge.history->samples();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    edges_[samples[i].parent].referenced = pass_;
+  return 1 + samples.size();
+}
+
+void TransformBuffer::endPass() {
+  ++pass_;
+  next_ = 0;
+  if (!waiting_.empty() || *readers_before_ > 0) return;
+  waiting_ = std::exchange(forgotten_, {});
+  readers_before_ = std::exchange(readers_, std::make_shared<std::atomic<int>>(0));
 }
 
 }  // namespace link_bounds

@@ -9,10 +9,13 @@
 
 #include <ros/time.h>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "node/tf/edge_history.h"
@@ -22,10 +25,12 @@
 
 namespace link_bounds {
 
-/// A transform that was not accepted.
+/// A transform that was not accepted, or that came late while none with a newer stamp comes.
 struct Refusal {
-  std::size_t index;   ///< its place in the message
-  const char* reason;  ///< with the remedy
+  std::size_t index;               ///< its place in the message
+  const char* reason;              ///< with the remedy
+  std::optional<double> behind{};  ///< the newest stamp of its frame [s], if that is the reason
+  bool is_accepted = false;        ///< into the history; the newest transform stays
 };
 
 /// How many transforms were accepted and refused since the start.
@@ -48,19 +53,71 @@ class TransformBuffer {
   TransformBuffer(const TransformBuffer&) = delete;
   TransformBuffer& operator=(const TransformBuffer&) = delete;
 
-  /// A number for the name, which never changes.
+  /// A number for the name, which never changes. The frame is never forgotten.
   Frame frame(std::string_view name);
+
+  /// A frame that is not forgotten as long as this lives.
+  class Hold {
+   public:
+    Hold() = default;
+    Hold(TransformBuffer& tf, std::string_view name) : tf_(&tf), frame_(tf.frame(name)) {}
+    Hold(Hold&& other) noexcept : tf_(std::exchange(other.tf_, nullptr)), frame_(other.frame_) {}
+    Hold& operator=(Hold&& other) noexcept {
+      std::swap(tf_, other.tf_);
+      std::swap(frame_, other.frame_);
+      return *this;
+    }
+    ~Hold() {
+      if (tf_) --tf_->edges_[frame_].holds;
+    }
+
+    Frame frame() const { return frame_; }
+
+   private:
+    TransformBuffer* tf_ = nullptr;
+    Frame frame_ = 0;
+  };
+
+  /// Counts those who read numbers and names of frames on other threads: what they read stays.
+  class Readers {
+   public:
+    Readers() = default;
+    explicit Readers(const TransformBuffer& tf) : count_(tf.readers_) { ++*count_; }
+    Readers(Readers&&) = default;
+    Readers& operator=(Readers&& other) noexcept {
+      std::swap(count_, other.count_);
+      return *this;
+    }
+    ~Readers() {
+      if (count_) --*count_;
+    }
+
+   private:
+    std::shared_ptr<std::atomic<int>> count_;
+  };
+
+  /// To be called every tick. Of more than `kept` frames, forgets those that nobody holds or
+  /// watches and that had no transform for a minute of steady time, or two. Looks at some hundred
+  /// frames.
+  void forgetQuiet(ros::SteadyTime now, std::size_t kept = kKeptFrames);
+
+  /// Enough for any robot and its surroundings.
+  static constexpr std::size_t kKeptFrames = 10000;
+
+  /// The number of frames that are not forgotten.
+  std::size_t inUse() const { return edges_.size() - unused_; }
 
   /// The same, but nothing for a name that was never met; the buffer stays as it is.
   std::optional<Frame> find(std::string_view name) const { return names_.known(name); }
 
   const std::string& name(Frame frame) const { return names_.name(frame); }
 
-  /// The number of frames.
+  /// All numbers of frames are below this.
   std::size_t size() const { return edges_.size(); }
 
   /// Adds the transforms of one message, received at `now`. Refused ones change nothing. Repeated
-  /// stamps, and old ones on an edge that still receives good data, are counted but not reported.
+  /// stamps, and late or old ones on an edge that still receives newer stamps, are counted but not
+  /// reported.
   std::vector<Refusal> add(const std::vector<TransformView>& transforms, bool is_static,
                            ros::Time now);
 
@@ -85,8 +142,10 @@ class TransformBuffer {
 
   const TfIntake& intake() const { return intake_; }
 
-  /// True if the last message had this edge.
-  bool isNews(Frame child) const { return edges_[child].message == message_; }
+  /// True if a message had this edge after the buffer had that version.
+  bool isNewerThan(std::uint64_t version, Frame child) const {
+    return edges_[child].message > version;
+  }
 
   /// True once an accepted transform had the frame, as child or as parent.
   bool isMet(Frame frame) const { return edges_[frame].is_met; }
@@ -103,7 +162,7 @@ class TransformBuffer {
   /// The newest stamp; 0 if the edge is static or has no transform.
   std::int64_t newest(Frame child) const { return edges_[child].newest; }
 
-  /// When the last transform was accepted.
+  /// When the newest stamp was accepted. What comes late does not count.
   std::int64_t received(Frame child) const { return edges_[child].received; }
 
   /// The transform of one edge, see EdgeHistory.
@@ -119,7 +178,11 @@ class TransformBuffer {
   /// Changes with each message and each clear().
   std::uint64_t version() const { return message_; }
 
-  /// Changes whenever an edge may lead to another parent, now or in the past.
+  /// From now on structure() counts changes of this edge. Where others change, nobody looked. To be
+  /// repeated with each forgetQuiet(), so that the frame is not forgotten.
+  void watch(Frame child) { edges_[child].watched = pass_; }
+
+  /// Changes whenever a watched edge may lead to another parent, now or in the past.
   std::uint64_t structure() const { return structure_; }
 
   /// Changes with each clear().
@@ -136,13 +199,19 @@ class TransformBuffer {
     std::int64_t received = 0;
     std::int64_t newest = 0;
     Frame parent = 0;
+    std::uint64_t watched = 0;     ///< pass of the last watch(); 0: never
+    std::uint64_t referenced = 0;  ///< pass in which another edge was seen that leads here
+    std::uint32_t holds = 0;
     bool is_met = false;  ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
     bool is_distrusted = false;          ///< see distrustStampsAhead()
+    bool had_others = false;             ///< the history may have other parents, too
+    bool is_unused = false;              ///< the frame was forgotten
     std::optional<EdgeHistory> history;  ///< none before the first transform
 
     void clear();
+    bool isTooOld(std::int64_t stamp) const { return stamp + EdgeHistory::kLength < newest; }
   };
 
   /// A step of a climb.
@@ -151,10 +220,14 @@ class TransformBuffer {
     Tf2Pose frame_from_source;
   };
 
-  const char* insert(const TransformView& transform, bool is_static, std::int64_t now);
-  void record(Edge& edge, Frame parent, std::int64_t stamp);
-  bool isTooOld(Frame child, std::int64_t stamp) const;
-  const char* refuse(Frame child, std::int64_t stamp, std::int64_t now);
+  bool insert(const TransformView& transform, bool is_static, std::int64_t now, Refusal& refusal);
+  static bool insert(Edge& edge, std::int64_t stamp, Frame parent, const Tf2Pose& pose);
+  bool record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now);
+  bool refuse(const Edge& edge, std::int64_t stamp);
+  void adoptNumber(Frame frame);
+  std::size_t visit(Frame frame);
+  std::size_t reference(Frame frame);
+  void endPass();
   bool climb(Frame source, Frame target, std::int64_t stamp) const;
 
   FrameNames names_;
@@ -164,6 +237,16 @@ class TransformBuffer {
   std::uint64_t structure_ = 1;
   std::uint64_t epoch_ = 1;
   std::int64_t settled_ = 0;
+  std::uint64_t pass_ = 1;           ///< over all frames: this and what follows is of forgetQuiet()
+  Frame next_ = 0;                   ///< to be visited
+  std::size_t unused_ = 0;           ///< frames that were forgotten and whose numbers are free
+  ros::SteadyTime noted_at_;         ///< a minute ago, or less
+  std::uint64_t noted_message_ = 0;  ///< at that time
+  std::uint64_t quiet_since_ = 0;    ///< the message before the last full minute
+  std::vector<Frame> forgotten_;     ///< in this pass
+  std::vector<Frame> waiting_;       ///< in an earlier pass: until readers_before_ have ended
+  std::shared_ptr<std::atomic<int>> readers_ = std::make_shared<std::atomic<int>>(0);
+  std::shared_ptr<std::atomic<int>> readers_before_ = std::make_shared<std::atomic<int>>(0);
   mutable std::vector<Step> steps_;  ///< the last climb, from the source upwards
   mutable WalkMarks marks_;          ///< places in steps_
 };

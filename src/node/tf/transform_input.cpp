@@ -27,11 +27,27 @@ void TransformInput::add(const std::vector<TransformView>& transforms, bool is_s
 
 void TransformInput::addAll(const std::vector<TransformView>& transforms, bool is_static,
                             const Publisher& publisher, ros::Time now, TransformBuffer& tf) {
-  for (const Refusal& refusal : tf.add(transforms, is_static, now)) {
-    const auto line = log_.line(std::string(transforms[refusal.index].child), refusal.reason,
-                                publisher(), ros::SteadyTime::now());
-    if (line) ROS_WARN_STREAM(*line);
+  for (const Refusal& refusal : tf.add(transforms, is_static, now))
+    report(refusal, transforms[refusal.index], publisher());
+}
+
+void TransformInput::report(const Refusal& refusal, const TransformView& transform,
+                            const std::string& publisher) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  std::string reason = refusal.reason;
+  if (refusal.behind) {
+    late_publishers_.add(publisher, transform.child, *refusal.behind, now);
+    reason = "it is " + std::to_string(*refusal.behind) + " s behind: " + reason;
   }
+  RefusalLog& log = refusal.is_accepted ? late_log_ : log_;
+  if (const auto line = log.line(std::string(transform.child), reason, publisher, now))
+    ROS_WARN_STREAM(*line);
+}
+
+void TransformInput::forgetLog() {
+  log_.forget();
+  late_log_.forget();
+  late_publishers_.clear();
 }
 
 }  // namespace link_bounds

@@ -9,6 +9,7 @@
 
 #include "node/clock/clock_watch.h"
 #include "node/log/refusal_log.h"
+#include "node/tf/late_publishers.h"
 #include "node/tf/tf_message.h"
 #include "node/tf/transform_buffer.h"
 
@@ -20,18 +21,25 @@ class TransformInput {
   using Publisher = std::function<std::string()>;
 
   /// Adds the transforms of a message that arrived at `now`, without those that were sent before
-  /// the clock jumped back. Logs what tf refuses.
+  /// the clock jumped back. Logs what tf refuses, and who sends late.
   void add(const std::vector<TransformView>& transforms, bool is_static, const Publisher& publisher,
            const ClockWatch& clock, ros::Time now, TransformBuffer& tf);
 
+  /// Who sends stamps behind the newest ones; see LatePublishers.
+  std::string takeLatePublishers() { return late_publishers_.takeText(ros::SteadyTime::now()); }
+
   /// What was logged may be logged again.
-  void forgetLog() { log_.forget(); }
+  void forgetLog();
 
  private:
   void addAll(const std::vector<TransformView>& transforms, bool is_static,
               const Publisher& publisher, ros::Time now, TransformBuffer& tf);
 
+  void report(const Refusal& refusal, const TransformView& transform, const std::string& publisher);
+
   RefusalLog log_{"a transform of", "transforms of further frames"};
+  RefusalLog late_log_{"a transform of", "transforms of further frames", "late"};
+  LatePublishers late_publishers_;
 };
 
 }  // namespace link_bounds

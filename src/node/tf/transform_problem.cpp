@@ -14,7 +14,7 @@ std::string describe(TransformProblem problem, const std::string& frame,
     case TransformProblem::kNoTransform:
       return "no transform " + from + " " + to;
     case TransformProblem::kStale:
-      return "stale: no transform accepted for longer than timeout";
+      return "stale: no transform accepted with a newer stamp for longer than timeout";
     case TransformProblem::kPoseNotFinite:
       return "its pose is not finite or too large";
     case TransformProblem::kWaiting:

@@ -10,7 +10,7 @@ namespace link_bounds {
 enum class TransformProblem {
   kNone,
   kNoTransform,    ///< tf does not connect the frame with the fixed frame at the time of its pose
-  kStale,          ///< a transform on the path is older than the timeout
+  kStale,          ///< an edge of the path got no newer stamp for longer than the timeout
   kPoseNotFinite,  ///< or so large that no box can be computed
   kWaiting,        ///< for the transform at the stamp of an object
   kGivenUp,        ///< the object has waited longer than the timeout

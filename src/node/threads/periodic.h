@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that a thread calls now and then, between the callbacks of its queue.
+// Functions that a thread calls now and then, or at a time, between the callbacks of its queue.
 //
 // Timers of roscpp wake up a thread of their own, and that one the thread of the callbacks: with
 // them an idle node of 50 links took 1.1 ms of processor time more per second, in each of four
@@ -10,7 +10,9 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,28 +25,40 @@ class Periodic {
     due_.push_back({ros::SteadyTime::now() + period, period, std::move(function)});
   }
 
-  /// Calls what is due. What is late is called once.
+  /// A function that is called once, whenever a time has been set.
+  using Alarm = std::size_t;
+  Alarm addAlarm(std::function<void()> function) {
+    due_.push_back({std::nullopt, std::nullopt, std::move(function)});
+    return due_.size() - 1;
+  }
+
+  /// Replaces the time that was set; nothing: it is not called.
+  void setAlarm(Alarm alarm, std::optional<ros::SteadyTime> time) { due_[alarm].next = time; }
+
+  /// Calls what is due. What is late is called once. The functions may set alarms.
   void callDue() {
     const ros::SteadyTime now = ros::SteadyTime::now();
     for (Entry& entry : due_) {
-      if (entry.next > now) continue;
-      entry.next = now + entry.period;
+      if (!entry.next || *entry.next > now) continue;
+      entry.next.reset();
+      if (entry.period) entry.next = now + *entry.period;
       entry.function();
     }
   }
 
-  /// How long nothing is due, but at most `limit`.
-  ros::WallDuration rest(ros::WallDuration limit) const {
+  /// How long nothing is due; a day if nothing ever is.
+  std::chrono::nanoseconds rest() const {
+    std::chrono::nanoseconds rest = std::chrono::hours(24);
     const ros::SteadyTime now = ros::SteadyTime::now();
     for (const Entry& entry : due_)
-      limit = std::min(limit, std::max(entry.next - now, ros::WallDuration(0)));
-    return limit;
+      if (entry.next) rest = std::min(rest, std::chrono::nanoseconds((*entry.next - now).toNSec()));
+    return std::max(rest, std::chrono::nanoseconds(0));
   }
 
  private:
   struct Entry {
-    ros::SteadyTime next;
-    ros::WallDuration period;
+    std::optional<ros::SteadyTime> next;
+    std::optional<ros::WallDuration> period;  ///< none: an alarm
     std::function<void()> function;
   };
 

@@ -94,11 +94,13 @@ MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
 }
 
 LoadedMesh MeshStore::cached(const MeshFile& file) const {
+  const Version version = versionOf(file.path);
+  const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = entries_.find(file.path);
   if (found == entries_.end()) return {};
   const Entry& entry = found->second;
   if (!entry.error.empty()) return {nullptr, entry.error};
-  if (!(entry.version == versionOf(file.path))) return {};
+  if (!(entry.version == version)) return {};
   return {entry.points.lock(), ""};
 }
 
@@ -106,12 +108,14 @@ LoadedMesh MeshStore::cached(const MeshFile& file) const {
 LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
                              const Request& request) const {
   try {
-    const auto mesh = std::make_shared<const TriangleMesh>(importer_(file));
+    const CheckInterrupt deadline = meshDeadline(request.limits, request.is_cancelled);
+    const auto mesh =
+        std::make_shared<const TriangleMesh>(importer_(file, request.limits, deadline));
     if (!(versionOf(file.path) == version)) return failure(kChangedReason, MeshFault::kChanged);
     LoadedMesh result{cached(file).points, ""};
-    if (!result.points) result.points = std::make_shared<const PointSet>(mesh->vertices);
+    if (!result.points) result.points = std::make_shared<const PointSet>(mesh->vertices, deadline);
     if (hasTriangles(request.content)) result.triangles = mesh;
-    if (hasTree(request.content)) addTree(*mesh, request.max_tree_bytes, result);
+    if (hasTree(request.content)) addTree(*mesh, request, deadline, result);
     return result;
   } catch (const std::bad_alloc&) {
     return failure("it does not fit into memory", MeshFault::kComputer);
@@ -125,8 +129,9 @@ LoadedMesh MeshStore::import(const MeshFile& file, const Version& version,
   }
 }
 
-void MeshStore::addTree(const TriangleMesh& mesh, std::uint64_t max_bytes,
-                        LoadedMesh& result) const {
+void MeshStore::addTree(const TriangleMesh& mesh, const Request& request,
+                        const CheckInterrupt& deadline, LoadedMesh& result) const {
+  const std::uint64_t max_bytes = request.limits.max_bytes;
   const auto fail = [&](const char* reason, MeshFault fault) {
     result.tree_error = failure(reason, fault).error;
   };
@@ -139,69 +144,87 @@ void MeshStore::addTree(const TriangleMesh& mesh, std::uint64_t max_bytes,
                                  std::to_string(max_bytes) + " allowed";
       return fail(reason.c_str(), MeshFault::kTooLarge);
     }
-    result.tree = triangleTree(mesh);
+    result.tree = triangleTree(mesh, deadline);
     if (!result.tree) fail("a coordinate exceeds 1e30 m", MeshFault::kFile);
   } catch (const std::bad_alloc&) {
     fail("its triangles do not fit into memory", MeshFault::kComputer);
+  } catch (const MeshError& error) {
+    if (error.fault() == MeshFault::kCancelled) throw;
+    fail(error.what(), error.fault());
   }
 }
 
 /// If even the words do not fit into memory, shorter ones that need no allocation.
 LoadedMesh MeshStore::failure(const char* reason, MeshFault fault) const noexcept {
   try {
-    return {nullptr, std::string(reason) + "; " + remedy_(fault)};
+    LoadedMesh result{nullptr, std::string(reason) + "; " + remedy_(fault)};
+    result.is_cancelled = fault == MeshFault::kCancelled;
+    return result;
   } catch (const std::exception&) {
     return {nullptr, "out of memory"};
   }
 }
 
-std::map<std::string, MeshStore::Imported> MeshStore::importAll(
-    const std::map<std::string, MeshFile>& files, const Request& request) const {
-  std::map<std::string, Imported> results;
-  std::vector<std::pair<const MeshFile*, Imported*>> jobs;
-  for (const auto& [path, file] : files)
-    jobs.emplace_back(&file, &results[path]);
-  std::mutex mutex;
-  std::size_t done = 0;
-  inParallel(jobs.size(), [&](std::size_t i) {
-    const MeshFile& file = *jobs[i].first;
-    const Version version = settledVersionOf(file.path);
-    *jobs[i].second = {version, import(file, version, request)};
-    const std::lock_guard<std::mutex> lock(mutex);
-    ++done;
-    if (request.progress) request.progress(done, jobs.size());
-  });
-  return results;
+LoadedMesh MeshStore::importAndRemember(const MeshFile& file, const Request& request) {
+  const Version version = settledVersionOf(file.path);
+  LoadedMesh mesh = import(file, version, request);
+  remember(file, version, request, mesh);
+  return mesh;
+}
+
+/// If another load has read the same file meanwhile, its points become those of this one.
+void MeshStore::remember(const MeshFile& file, const Version& version, const Request& request,
+                         LoadedMesh& mesh) {
+  const auto in_use = cached(file).points;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!mesh.points) {
+    const bool is_outdated = mesh.is_cancelled || request.generation != generation_;
+    // If points are in use, only reading the triangles failed.
+    if (!is_outdated && !in_use) entries_[file.path] = {version, {}, mesh.error};
+    return;
+  }
+  Entry& entry = entries_[file.path];
+  const auto points = entry.version == version ? entry.points.lock() : nullptr;
+  if (points) mesh.points = points;
+  entry = {version, mesh.points, ""};
 }
 
 std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
                                         const LoadProgress& progress, MeshContent content,
-                                        std::uint64_t max_tree_bytes) {
+                                        const MeshLimits& limits,
+                                        const std::function<bool()>& is_cancelled) {
+  const Request request{content, limits, is_cancelled, generation()};
   std::map<std::string, LoadedMesh> meshes;
-  std::map<std::string, MeshFile> missing;
+  std::vector<std::pair<const MeshFile*, LoadedMesh*>> missing;
   for (const MeshFile& file : files) {
-    if (meshes.count(file.path) || missing.count(file.path)) continue;
-    LoadedMesh mesh = cached(file);
+    const auto [entry, is_new] = meshes.try_emplace(file.path);
+    if (!is_new) continue;
+    LoadedMesh& mesh = entry->second = cached(file);
     const bool has_content = mesh.points && content == MeshContent::kPoints;
-    if (has_content || !mesh.error.empty()) {
-      meshes.emplace(file.path, std::move(mesh));
-    } else {
-      missing.emplace(file.path, file);
-    }
+    if (!has_content && mesh.error.empty()) missing.emplace_back(&file, &mesh);
   }
-  for (auto& [path, imported] : importAll(missing, {progress, content, max_tree_bytes})) {
-    const bool only_triangles_failed = !imported.mesh.points && cached(missing.at(path)).points;
-    if (!only_triangles_failed)
-      entries_[path] = {imported.version, imported.mesh.points, imported.mesh.error};
-    meshes.emplace(path, std::move(imported.mesh));
-  }
+  std::mutex mutex;
+  std::size_t done = 0;
+  inParallel(missing.size(), [&](std::size_t i) {
+    *missing[i].second = importAndRemember(*missing[i].first, request);
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (progress) progress(done, missing.size());
+  });
   std::vector<LoadedMesh> results;
   for (const MeshFile& file : files)
     results.push_back(meshes.at(file.path));
   return results;
 }
 
+std::uint64_t MeshStore::generation() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return generation_;
+}
+
 void MeshStore::forgetFailures() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++generation_;
   // A failure has no points, so it is erased with the entries whose points nobody uses.
   for (auto entry = entries_.begin(); entry != entries_.end();)
     entry = entry->second.points.expired() ? entries_.erase(entry) : std::next(entry);

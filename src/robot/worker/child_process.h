@@ -6,14 +6,12 @@
 #include <sys/types.h>
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
-namespace link_bounds {
+#include "link_bounds/geometry/support/check_interrupt.h"
 
-/// Called again and again while something is waited for; throws to end the waiting.
-using CheckInterrupt = std::function<void()>;
+namespace link_bounds {
 
 /// From the standard output of a child process to this process.
 class Pipe {

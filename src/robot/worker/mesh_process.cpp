@@ -9,11 +9,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <system_error>
 
 #include "robot/worker/child_process.h"
@@ -22,30 +19,11 @@
 namespace link_bounds {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Bytes that a mesh may take beyond the limit of its file, because a small file of text may give a
 /// larger mesh: the 10 bytes of "f 1 2 3 4" become two triangles of 12 bytes each.
 constexpr std::uint64_t kExpansionBytes = 16 << 20;
 
-constexpr double kMaxTimeout = 1e8;  // s; three years, whose nanoseconds fit the clock
-
-[[noreturn]] void throwTooSlow(const MeshLimits& limits) {
-  std::ostringstream reason;
-  reason << "reading it takes longer than " << limits.timeout << " s";
-  throw MeshError(reason.str(), MeshFault::kTooSlow);
-}
-
-CheckInterrupt interruptOf(const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
-  const std::chrono::duration<double> wait(std::min(limits.timeout, kMaxTimeout));
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
-  return [end, limits, &is_cancelled] {
-    if (is_cancelled && is_cancelled()) {
-      throw MeshError("reading it was cancelled", MeshFault::kCancelled);
-    }
-    if (Clock::now() >= end) throwTooSlow(limits);
-  };
-}
+constexpr double kMaxTimeout = 1e8;  // s; three years of processor time
 
 void checkSize(const MeshFile& file, const MeshLimits& limits) {
   std::error_code error;
@@ -145,11 +123,15 @@ std::string meshWorker() {
 
 TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits, const std::function<bool()>& is_cancelled) {
-  const CheckInterrupt check_interrupt = interruptOf(limits, is_cancelled);
-  check_interrupt();
+  return importInTime(worker, file, limits, meshDeadline(limits, is_cancelled));
+}
+
+TriangleMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+                          const CheckInterrupt& deadline) {
+  deadline();
   try {
     checkSize(file, limits);
-    return replyOf(worker, file, limits, check_interrupt);
+    return replyOf(worker, file, limits, deadline);
   } catch (const std::system_error& error) {
     throw MeshError("cannot run " + worker + " (" + error.code().message() + ")",
                     faultOf(error.code()));

@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 import rosgraph
 import rospkg
 import rospy
+from sign_of_life import MAX_AGE
 
 PERIOD = 0.01  # wall s between two looks at the deadline
 REQUIRED = None  # the default of a parameter that has none
@@ -72,8 +73,8 @@ class Parameter(NamedTuple):
         return value
 
 
-def deadline_and_hold(check):
-    """The two parameters that every test has."""
+def times_of(check):
+    """The parameters that every test has."""
     return (
         Parameter('deadline', 'double', 10.0, lambda seconds: 0 < seconds < math.inf,
                   'must be a finite number > 0',
@@ -81,7 +82,11 @@ def deadline_and_hold(check):
         Parameter('hold', 'double', 0.0, lambda seconds: 0 <= seconds < math.inf,
                   'must be a finite number >= 0',
                   f'wall seconds, >= 0 and less than deadline, for which {check} must stay true '
-                  'without a break; 0 = once is enough'))
+                  'without a break; 0 = once is enough'),
+        Parameter('max_age', 'double', MAX_AGE, lambda seconds: seconds > 0, 'must be a number > 0',
+                  'seconds, > 0, of wall time and of ROS time: silence for longer than that is a '
+                  'break. A publisher that sends nothing new lives by its /diagnostics; .inf = not '
+                  'checked'))
 
 
 def read_parameters(table, values):
@@ -136,6 +141,13 @@ class Hold:
         elif self._since is None:
             self._since = now
 
+    def look(self, is_true, silent_since, now):
+        """As update(), but from silent_since on, if that is not None, it is not true."""
+        if silent_since is None:
+            self.update(is_true, now)
+        else:
+            self.update(False, silent_since)
+
     def is_kept(self, now):
         return self._was_kept or (self._since is not None and now - self._since >= self._seconds)
 
@@ -160,8 +172,9 @@ class Topic(NamedTuple):
 
 
 class Program(NamedTuple):
-    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `fault` ('', or why it
-    cannot pass at all), is_passed(now), lose_publisher(topic, now), failure(now); times are in s."""
+    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `life` (SignOfLife), `fault`
+    ('', or why it cannot pass at all), look(now) for what time alone changes, is_passed(now),
+    lose_publisher(topic, now), failure(now), and evidence() of what has passed; times are in s."""
     name: str
     example: str  # parameters
     about: str
@@ -179,6 +192,7 @@ class TopicTest(unittest.TestCase):
     def __init__(self, program, start):
         super().__init__()
         self.title = 'parameters'  # what the report calls the test; then what it asserts
+        self.evidence = ''  # what the verdict rests on, where that needs to be said
         self._program = program
         self._start = start
 
@@ -207,15 +221,18 @@ class TopicTest(unittest.TestCase):
                 seen.add(topic.name)
                 topic.see(message, self._now())
 
+        topics = watch.topics + watch.life.topics(Topic, rospy.get_param('/use_sim_time', False))
         subscribers = [(topic, rospy.Subscriber(topic.name, topic.kind, see, topic,
-                                                tcp_nodelay=True)) for topic in watch.topics]
+                                                tcp_nodelay=True)) for topic in topics]
         while not rospy.is_shutdown():
             time.sleep(PERIOD)
             with lock:
                 now = self._now()
                 if watch.fault:
                     self.fail(watch.fault)
+                watch.look(now)
                 if watch.is_passed(now):
+                    self.evidence = watch.evidence()
                     return
                 if now > watch.deadline:
                     self.fail(watch.failure(now))
@@ -280,6 +297,12 @@ def node_name(default):
     return names.ns_join(names.get_ros_namespace(), name)
 
 
+def version():
+    """That of package.xml, without rospkg's manifest: that would ask for the data of rosdep."""
+    folder = rospkg.RosPack().get_path('link_bounds')
+    return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
+
+
 def run(program):
     """The exit status of the program."""
     start = time.monotonic()
@@ -288,14 +311,14 @@ def run(program):
         print(program.usage(), end='')
         return 0
     if '--version' in arguments:
-        print(program.name, rospkg.RosPack().get_manifest('link_bounds').version)
+        print(program.name, version())
         return 0
     test, verdict = TopicTest(program, start), Verdict()
     test.run(verdict)
     if verdict.failure:
         print('failed:', verdict.failure, file=sys.stderr)
     else:
-        print('passed:', printable(test.title))
+        print('passed:', printable(test.title + test.evidence))
     for path in [argument[len(OUTPUT):] for argument in arguments if argument.startswith(OUTPUT)]:
         try:
             write_file(path, junit_xml(node_name(program.name)[1:], test.title,

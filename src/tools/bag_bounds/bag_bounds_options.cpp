@@ -38,7 +38,7 @@ as one, by their record times.
 
 Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
-     the frame of a zone
+     the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT
   4  a part of the bags was not read: damage, or interrupted
   2  see --strict

@@ -27,6 +27,8 @@ class Writer {
     if (!report_.zones.empty()) writeZones();
     if (report_.distances) writeDistances();
     writeIncomplete(incompleteOf(report_), out_);
+    for (const std::string& loss : report_.losses)
+      out_ << "partial: " << printable(loss) << '\n';
   }
 
   void writeCsv() const {

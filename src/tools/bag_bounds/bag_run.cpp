@@ -18,7 +18,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint64_t kMessagesPerGlance = 256;  // at the progress
+constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
 
 std::vector<Zone> readZones(const std::string& file) {
   return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
@@ -44,22 +44,27 @@ std::int64_t after(std::int64_t begin, double seconds) {
   return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
 }
 
-void refuseToOverwrite(const BagBoundsOptions& options) {
-  for (const std::string& bag : options.bags) {
+/// Refuses to overwrite what is read. One file may have several names: links, and paths that begin
+/// elsewhere. Standard input has none after it has been read.
+const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
+  std::vector<std::string> inputs = options.bags;
+  inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
+  inputs.push_back(options.zones);
+  for (const std::string& input : inputs) {
     std::error_code ignored;
-    if (std::filesystem::equivalent(bag, options.out, ignored))
-      throw UsageError("--out is " + bag + ", which is read; name another file");
+    if (std::filesystem::equivalent(input, options.out, ignored))
+      throw UsageError("--out is " + input + ", which is read; name another file");
   }
+  return options;
 }
 
 }  // namespace
 
 BagRun::BagRun(const BagBoundsOptions& options)
-    : options_(options),
-      mesh_source_{rosPackages(), folderOf(options.urdf), progressBar()},
-      loader_(plainRemedy, isInterrupted),
+    : options_(checkedOut(options)),
+      mesh_source_{rosPackages(), folderOf(options.urdf), progressBar(), {}, isInterrupted},
       zones_(readZones(options.zones)),
-      reader_(options.bags, topicsOf(options)),
+      reader_(options.bags, topicsOf(options), [this] { return glance(); }),
       model_(std::make_shared<const Model>(loadModel())),
       scene_(
           [this](const std::string& uri) {
@@ -73,9 +78,7 @@ BagRun::BagRun(const BagBoundsOptions& options)
     pairs_.emplace(
         [this](const std::string& uri) { return loader_.loadTrees({uri}, mesh_source_).front(); });
   }
-  if (options.out.empty()) return;
-  refuseToOverwrite(options);
-  out_.emplace(options.out);
+  if (!options.out.empty()) out_.emplace(options.out);
 }
 
 Model BagRun::loadModel() {
@@ -91,11 +94,12 @@ Model BagRun::loadModel() {
   return model;
 }
 
-/// The first message may be of any topic, as for rosbag play.
+/// The first message may be of any topic, as for rosbag play. If reading it was interrupted, the
+/// report begins at 0 and ends there.
 void BagRun::begin() {
-  BagMessage first;
-  BagReader all(options_.bags, {});
-  if (!all.next(first)) {
+  BagMessage first{};
+  BagReader all(options_.bags, {}, isInterrupted);
+  if (!all.next(first) && !all.wasInterrupted()) {
     const auto& losses = all.losses();
     throw std::runtime_error("there is no message to read" +
                              (losses.empty() ? "; the bags are empty" : ": " + losses.front()));
@@ -117,7 +121,7 @@ void BagRun::read() {
   boxes_.finish(last_);
   zones_.finish(last_);
   if (out_) out_->close();
-  for (const std::string& topic : unused_topics_)
+  for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
     warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
   if (was_interrupted_) {
     say("interrupted " + shortSeconds(scene_.now(), begin_) + " s after the begin, " +
@@ -130,18 +134,21 @@ void BagRun::readMessages() {
   BagMessage message;
   while (reader_.next(message)) {
     if (message.time > to_) {
-      scene_.passTo(to_);
+      was_interrupted_ = !scene_.passTo(to_);
       return;
     }
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
-    scene_.take(message);
-    ++messages_;
-    if (isInterrupted()) {
-      was_interrupted_ = true;
-      return;
-    }
-    if (messages_ % kMessagesPerGlance == 0) showProgress();
+    if (scene_.take(message)) ++messages_;
+    was_interrupted_ = isInterrupted();
+    if (was_interrupted_) return;
   }
+  was_interrupted_ = reader_.wasInterrupted();
+}
+
+/// Called by the reader now and then.
+bool BagRun::glance() {
+  showProgress();
+  return isInterrupted();
 }
 
 void BagRun::showProgress() {
@@ -159,6 +166,7 @@ void BagRun::onNews(std::int64_t now) {
 
 /// What is there when the report begins is recorded, too.
 void BagRun::onStep(std::int64_t now, bool is_tick) {
+  if (++steps_ % kStepsPerGlance == 0) showProgress();
   zones_.onStep(now, is_tick, isReported(now));
   if (!isReported(now)) return;
   last_ = now;
@@ -197,6 +205,23 @@ BagReport BagRun::report() const {
   return report;
 }
 
+/// "" if the report is about something.
+std::string BagRun::whyUseless(const BagReport& report) const {
+  if (scene_.transforms() == 0)
+    return "there is no message on /tf or /tf_static; record them, or name the bags that have them";
+  if (!has_recorded_)
+    return "nothing was recorded between --start and --end; the bags end " +
+           shortSeconds(scene_.now(), begin_) + " s after their begin";
+  if (!boxes_.hasLinkBox())
+    return "no link ever had a box: " + report.boxes.front().reason +
+           "; is it the bag of this robot, and does --fixed-frame exist in it?";
+  if (const Zone* zone = zones_.neverCompared())
+    return "zone \"" + zone->name +
+           "\" was never compared with a link: tf does not connect its frame \"" + zone->frame +
+           "\" with the robot; correct the frame, or record what connects it";
+  return "";
+}
+
 int BagRun::exitCode(const BagReport& report) const {
   for (const std::string& loss : report.losses)
     warn(loss);
@@ -204,22 +229,10 @@ int BagRun::exitCode(const BagReport& report) const {
     for (const std::string& problem : pairs_->problems())
       warn("distances to the convex hull only: " + problem);
   }
-  if (scene_.transforms() == 0) {
-    say("error: there is no message on /tf or /tf_static; record them, or name the bags that have "
-        "them");
-    return 1;
-  }
-  if (!boxes_.hasLinkBox()) {
-    say(!has_recorded_ ? "error: nothing was recorded between --start and --end; the bags end " +
-                             shortSeconds(scene_.now(), begin_) + " s after their begin"
-                       : "error: no link ever had a box: " + report.boxes.front().reason +
-                             "; is it the bag of this robot, and does --fixed-frame exist in it?");
-    return 1;
-  }
-  if (const Zone* zone = zones_.neverCompared()) {
-    say("error: zone \"" + zone->name +
-        "\" was never compared with a link: tf does not connect its frame \"" + zone->frame +
-        "\" with the robot; correct the frame, or record what connects it");
+  // Who interrupts knows that there may be more.
+  const std::string useless = was_interrupted_ ? "" : whyUseless(report);
+  if (!useless.empty()) {
+    say("error: " + useless);
     return 1;
   }
   if (zones_.wasEntered() || (pairs_ && pairs_->wasUndercut())) return 3;

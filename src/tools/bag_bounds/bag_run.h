@@ -40,8 +40,9 @@ class BagRun {
   void onNews(std::int64_t now);
   void onStep(std::int64_t now, bool is_tick);
   void record(std::int64_t now);
+  bool glance();
   void showProgress();
-  void warnOfUnused(const std::string& topic);
+  std::string whyUseless(const BagReport& report) const;
 
   const BagBoundsOptions& options_;
   MeshSource mesh_source_;
@@ -60,6 +61,7 @@ class BagRun {
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
+  std::uint64_t steps_ = 0;
   std::set<std::string> unused_topics_;
   std::optional<std::size_t> shown_percent_;
 };

@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/nearest_pairs.h"
 
 #include "node/distances/object_body.h"
+#include "tools/command_line/interrupt.h"
 
 namespace link_bounds {
 namespace {
@@ -37,13 +38,13 @@ TreeRequests NearestPairs::requests() {
 }
 
 void NearestPairs::add(const Scene& scene, std::int64_t now) {
-  const auto snapshot = takeSnapshot(scene, AxisAlignedBoxArray());
-  const auto is_cancelled = [] { return false; };
-  auto computed = distances_.compute(snapshot, kNow, is_cancelled);
+  const auto snapshot = takeSnapshot(scene);
+  auto computed = distances_.compute(snapshot, kNow, isInterrupted);
   const std::uint64_t version = distances_.trees().version();
   distances_.trees().requestSettled(kSettled);
   if (distances_.trees().version() != version)
-    computed = distances_.compute(snapshot, kNow, is_cancelled);
+    computed = distances_.compute(snapshot, kNow, isInterrupted);
+  if (!computed) return;
   const double limit = scene.model()->parameters.distance_limit;
   for (const Distance& distance : computed->array.distances) {
     was_undercut_ |= distance.distance < limit;

@@ -3,15 +3,15 @@
 // The steps of the node, in record time.
 #include "tools/bag_bounds/recorded_scene.h"
 
-#include <ros/serialization.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "node/messages/checked_stream.h"
 #include "node/names/topics.h"
-#include "tools/bag_bounds/marker_bytes.h"
 #include "tools/bag_bounds/moment.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 
 namespace link_bounds {
@@ -40,12 +40,8 @@ void checkType(const BagMessage& message, std::initializer_list<const char*> typ
 
 /// Throws what ros::serialization throws.
 template <class Message>
-Message deserialized(const BagMessage& message) {
-  // The stream only reads.
-  ros::serialization::IStream stream(const_cast<std::uint8_t*>(message.data), message.size);
-  Message result;
-  ros::serialization::deserialize(stream, result);
-  return result;
+void deserialize(const BagMessage& message, Message& result) {
+  if (!readComplete(message.data, message.size, result)) ros::serialization::throwStreamOverrun();
 }
 
 }  // namespace
@@ -67,8 +63,8 @@ void RecordedScene::adopt(std::shared_ptr<const Model> model, std::int64_t now) 
   feed_.adopt(std::move(model), toRosTime(now));
 }
 
-void RecordedScene::take(const BagMessage& message) {
-  passTo(message.time);
+bool RecordedScene::take(const BagMessage& message) {
+  if (!passTo(message.time)) return false;
   try {
     if (isTransforms(message)) {
       takeTransforms(message);
@@ -79,21 +75,24 @@ void RecordedScene::take(const BagMessage& message) {
     ++damaged_;
   }
   on_step_(now_, false);
+  return true;
 }
 
 /// Where time goes back, a tick comes before the message, so that all see tf as it is then.
-void RecordedScene::passTo(std::int64_t time) {
+bool RecordedScene::passTo(std::int64_t time) {
   const std::int64_t begin = now_;
   if (time < begin) {
     tick(time);
     next_tick_ = time + kTick;
   }
   while (next_tick_ < time) {
+    if (isInterrupted()) return false;
     tick(next_tick_);
     next_tick_ += std::max(kTick, (next_tick_ - begin) / kTicksPerGap);
   }
   passed_ = std::min(passed_ + std::max<std::int64_t>(time - begin, 0), kMaxTime);
   now_ = time;
+  return true;
 }
 
 void RecordedScene::tick(std::int64_t time) {
@@ -114,12 +113,11 @@ void RecordedScene::takeTransforms(const BagMessage& message) {
 void RecordedScene::takeMarkers(const BagMessage& message) {
   checkType(message, {"visualization_msgs/Marker", kMarkerArray});
   const bool is_array = *message.type == kMarkerArray;
-  checkMarkerBytes(message.data, message.size, is_array);
   visualization_msgs::MarkerArray array;
   if (is_array) {
-    array = deserialized<visualization_msgs::MarkerArray>(message);
+    deserialize(message, array);
   } else {
-    array.markers.push_back(deserialized<visualization_msgs::Marker>(message));
+    deserialize(message, array.markers.emplace_back());
   }
   ++markers_;
   feed_.onMarkers(array.markers.data(), array.markers.size(), *message.publisher, toRosTime(now_));

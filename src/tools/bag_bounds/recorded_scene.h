@@ -30,11 +30,12 @@ class RecordedScene {
   void adopt(std::shared_ptr<const Model> model, std::int64_t now);
 
   /// Lets time pass to that of the message, with the ticks on the way, then takes the message.
-  /// Throws UsageError if the topic has messages of another type than transforms or markers.
-  void take(const BagMessage& message);
+  /// False if it was interrupted on the way; then the message was not taken, and nothing may be any
+  /// more. Throws UsageError if the topic has messages of another type than transforms or markers.
+  bool take(const BagMessage& message);
 
-  /// Lets time pass, with its ticks, without a message.
-  void passTo(std::int64_t time);
+  /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
+  bool passTo(std::int64_t time);
 
   std::int64_t now() const { return now_; }
 

@@ -13,6 +13,7 @@ import importlib
 import os
 import sys
 import zlib
+from xml.etree import ElementTree
 
 import rospkg
 import rospy
@@ -54,6 +55,12 @@ TYPES = {'jsk': ('jsk_recognition_msgs', 'BoundingBoxArray', to_jsk),
          'vision': ('vision_msgs', 'BoundingBox3DArray', to_vision)}
 
 
+def version():
+    """That of package.xml, without rospkg's manifest: that would ask for the data of rosdep."""
+    folder = rospkg.RosPack().get_path('link_bounds')
+    return ElementTree.parse(os.path.join(folder, 'package.xml')).findtext('version')
+
+
 def parse_arguments():
     """Before the node connects to ROS, because one that registers ends the running one of its
     name."""
@@ -67,7 +74,7 @@ def parse_arguments():
         2, f'{parser.prog}: {text}; write parameters as _NAME:=VALUE, or see --help\n')
     arguments = parser.parse_args(rospy.myargv()[1:])
     if arguments.version:
-        print(os.path.basename(sys.argv[0]), rospkg.RosPack().get_manifest('link_bounds').version)
+        print(os.path.basename(sys.argv[0]), version())
         sys.exit()
     if arguments.type is None:
         parser.error('--type is missing, which is jsk or vision')

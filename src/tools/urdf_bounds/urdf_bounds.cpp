@@ -28,9 +28,8 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   selection.visual = options.visual;
   selection.collision = options.collision;
   selection.triangles = options.distances || options.report == Report::kPairs;
-  BoundedRobot bounded =
-      RobotLoader(plainRemedy, isInterrupted)
-          .load(robot, selection, {rosPackages(), folderOf(options.file), progressBar()});
+  const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
+  BoundedRobot bounded = RobotLoader().load(robot, selection, source);
   for (const std::string& problem : bounded.problems)
     warn(problem);
   for (const std::string& problem : bounded.body_problems)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stdexcept>
 
 #include "testing/distance_bodies.h"
 #include "testing/part_meshes.h"
@@ -173,6 +174,24 @@ TEST(BodyDistance, OfPosesOfAnySizeIsProven) {
     const auto exact = distance_oracle::distance(body.placed(pose), body.placed(other));
     ASSERT_LE(found->lower, exact);
     ASSERT_GE(found->upper, exact);
+  }
+}
+
+TEST(TriangleTree, AnInterruptEndsTheWork) {
+  TriangleMesh mesh;
+  Random random(21);
+  mesh.vertices = random.points(20000, 1);
+  for (std::uint32_t i = 0; i + 2 < mesh.vertices.size(); ++i)
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  std::size_t calls = 0;
+  triangleTree(mesh, [&calls] { ++calls; });
+  EXPECT_GT(calls, 10u);
+  for (const std::size_t end : {std::size_t{1}, calls / 2, calls}) {
+    std::size_t left = end;
+    const auto interrupt = [&left] {
+      if (--left == 0) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(triangleTree(mesh, interrupt), std::runtime_error);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iostream>
 #include <set>
+#include <stdexcept>
 
 #include "testing/part_meshes.h"
 #include "testing/sanitized.h"
@@ -176,6 +177,20 @@ TEST(PartLimits, AScaleThatGivesNoBoxLeavesTheLinkUndivided) {
 TEST(PartLimits, TinyAndHugeSolids) {
   expectUndivided({solid(Solid::kBox, {1e-40, 1e-40, 1e-40}, {0, 0, 0})});
   expectUndivided({solid(Solid::kBox, {1e300, 1e300, 1e300}, {0, 0, 0})});
+}
+
+TEST(PartLimits, AnInterruptEndsTheWork) {
+  const DivisibleShape shape = divisible(hook(300, 100));
+  std::size_t calls = 0;
+  splitIntoParts({shape}, 64, [&calls] { ++calls; });
+  EXPECT_GT(calls, 10u);
+  for (const std::size_t end : {std::size_t{1}, calls / 2, calls}) {
+    std::size_t left = end;
+    const auto interrupt = [&left] {
+      if (--left == 0) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(splitIntoParts({shape}, 64, interrupt), std::runtime_error);
+  }
 }
 
 TEST(PartLimits, ManyTrianglesInReasonableTime) {

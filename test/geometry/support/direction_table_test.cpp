@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <iostream>
+#include <stdexcept>
 
 #include "geometry/support/query/direction_query.h"
 #include "testing/exactness.h"
@@ -113,6 +115,50 @@ TEST(DirectionTable, TessellatedPlate) {
 
 TEST(DirectionTable, Sphere) {
   expectExact(onSphere(10000), 10, 500);
+}
+
+/// More points than are examined one by one.
+TEST(DirectionTable, FineSphere) {
+  const Points points = onSphere(140000);
+  expectExact(points, 11, 100);
+  EXPECT_LT(PointSet(points).bytes(), 64 * points.size());
+}
+
+/// The first part of the points is the ball, so the plate is examined as coarsely as that.
+TEST(DirectionTable, AFinePlateAfterABall) {
+  Points points = onSphere(70000);
+  for (int i = 0; i < 500; ++i) {
+    for (int j = 0; j < 400; ++j)
+      points.emplace_back(0.01f * static_cast<float>(i), 0.01f * static_cast<float>(j), 2.0f);
+  }
+  expectExact(points, 12, 100);
+  EXPECT_LT(PointSet(points).size(), 71000u);
+}
+
+TEST(DirectionTable, AnInterruptEndsTheWork) {
+  const Points points = onSphere(140000);
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last = Clock::now();
+  std::chrono::duration<double> longest(0);
+  std::size_t calls = 0;
+  const auto measure = [&] {
+    ++calls;
+    longest = std::max<std::chrono::duration<double>>(longest, Clock::now() - last);
+    last = Clock::now();
+  };
+  const PointSet whole(points, measure);
+  measure();
+  EXPECT_GT(calls, 100u);
+  std::cout << "asked " << calls << " times, at most " << longest.count() << " s apart\n";
+  EXPECT_LT(longest.count(), 1.0);
+  for (const std::size_t end : {std::size_t{1}, calls / 2, calls - 1}) {
+    std::size_t left = end;
+    const auto interrupt = [&left] {
+      if (--left == 0) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(PointSet(points, interrupt), std::runtime_error);
+    EXPECT_EQ(left, 0u);
+  }
 }
 
 TEST(DirectionTable, TwoLongLines) {

@@ -2,18 +2,22 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Clock jumps: what is forgotten, what is kept, and that nothing of the old era returns."""
+import itertools
 import time
 import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, at, box_of, corners_of, difference, load, names_of, wait_for
+from bounds_testing import (NodeLog, Recorder, at, box_of, corners_of, difference, load, names_of,
+                            wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
-from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, SimulatedClock,
-                          arm_bounds, value_of)
+from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, Repeater,
+                          SimulatedClock, arm_bounds, value_of)
+from rosgraph_msgs.msg import Log
 
 TOLERANCE = 1e-12  # m
 BACK_AGAIN = 0.5  # wall seconds in which boxes of the new era must appear
+JUMPS = 10
 DOUBT = 0.5  # wall seconds after a jump in which stamps far ahead are dropped
 
 
@@ -133,6 +137,23 @@ class TimeJump(unittest.TestCase):
         status = self.wait_for_level(DiagnosticStatus.WARN)
         self.assertIn("clock", status.message)
         self.wait_for_level(DiagnosticStatus.OK)
+
+    def test_jumps_in_a_loop_are_counted_and_logged_at_most_once_in_ten_seconds(self):
+        log = NodeLog(NODE)
+        log.connect()
+        begin, start = len(log.messages), time.monotonic()
+        steps = itertools.cycle([0, -5])
+        sender = Repeater(10, lambda: self.clock.publish(self.now + next(steps)))
+        self.addCleanup(sender.stop)
+
+        def jumps(status):
+            return int(value_of(status, "clock jumps"))
+
+        before = jumps(self.diagnostics.wait_for_new(lambda *_: True, "a status"))
+        self.diagnostics.wait_for_new(lambda _, s: jumps(s) > before + JUMPS, "some jumps")
+        sender.stop()
+        lines = [line for line in log.lines(Log.WARN, begin, None) if "jumped back" in line]
+        self.assertLessEqual(len(lines), 1 + (time.monotonic() - start) / 10)
 
     def test_forward_jump_loses_nothing_but_stale_links(self):
         self.wait_for_level(DiagnosticStatus.OK)

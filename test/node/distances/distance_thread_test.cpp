@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
 

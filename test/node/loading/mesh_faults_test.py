@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that are no meshes, readers that hang, and nodes that end while they load."""
 import itertools
+import math
 import os
 import pathlib
 import re
@@ -27,12 +28,29 @@ TRIANGLES = 300000  # the reader needs so long for them that the test can stop i
 SHORT_TIMEOUT = 3.0  # s
 MAX_CALLBACK = 50.0  # ms of the update thread's own time
 MAX_DELAY = 0.5  # wall seconds beyond what the machine takes
+LARGE = 400000  # triangles of a file that the node counts as large
+BALL = 1000000  # triangles; preparing it takes ten seconds and more
 PROMPT = 5.0  # s, for the end of a node
+ENDS = 10.0  # s; ten times what is promised
 
 
 def write_stl(path, triangles):
     triangle = struct.pack("<12fH", *[0] * 3, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0)
     path.write_bytes(bytes(80) + struct.pack("<I", triangles) + triangle * triangles)
+
+
+def write_ball(path, triangles):
+    """Each triangle has three points of its own on a sphere, so all of them can be extreme."""
+    data = bytearray(84 + 50 * triangles)
+    struct.pack_into("<I", data, 80, triangles)
+    for i in range(triangles):
+        corners = []
+        for k in range(3 * i, 3 * i + 3):
+            z = (k + 0.5) / (1.5 * triangles) - 1
+            r = math.sqrt(1 - z * z)
+            corners += [r * math.cos(2.4 * k), r * math.sin(2.4 * k), z]
+        struct.pack_into("<12fH", data, 84 + 50 * i, 0, 0, 0, *corners, 0)
+    path.write_bytes(data)
 
 
 def write_polygons(path, count):
@@ -217,6 +235,49 @@ class MeshFaults(unittest.TestCase):
         print("boxes after at most %.1f ms, those of a node beside it %.1f ms"
               % (1e3 * own, 1e3 * machine))
         self.assertLess(own, machine + MAX_DELAY)
+
+    def test_small_meshes_and_a_reload_wait_for_no_large_mesh(self):
+        write_stl(self.large, LARGE)
+        write_stl(self.package / "small.stl", 1)
+        node = self.start(robot([box_link("base", (1, 2, 3))], []), mesh_timeout=600.0)
+        boxes, objects = Recorder(node.name + "/boxes"), ObjectSender(node.name)
+        boxes.wait(lambda m: names_of(m) == ["base"], "the base")
+
+        def send(name, path):
+            objects.send(marker(name, Marker.MESH_RESOURCE, frame="base",
+                                mesh_resource="file://%s" % path))
+        send("large/0", self.large)
+        worker = self.catch_worker(node)
+        for i in range(5):
+            shutil.copy(self.package / "small.stl", self.package / ("small_%d.stl" % i))
+            send("small/%d" % i, self.package / ("small_%d.stl" % i))
+        small = ["small/%d" % i for i in range(5)]
+        boxes.wait(lambda m: names_of(m) == ["base"] + small and m.incomplete == ["large/0"],
+                   "the small ones")
+        self.assertTrue(is_alive(worker))
+        self.reload(node)  # starts reading the large one again
+        wait_for(lambda: not is_alive(worker), "the end of the reader")
+        boxes.wait_newest(lambda m: sorted(names_of(m)) == ["base", "large/0"] + small and
+                          not m.incomplete, "all of them")
+        self.assertNotIn("ERROR", node.output)
+
+    def test_preparing_a_mesh_counts_to_its_time(self):
+        ball = self.package / "ball.stl"
+        write_ball(ball, BALL)
+        self.check_refused("file://%s" % ball, "mesh_timeout", mesh_timeout=4.0)
+
+    def test_a_node_that_is_stopped_waits_for_no_preparation(self):
+        ball = self.package / "ball.stl"
+        write_ball(ball, BALL)
+        node = self.start(mesh_robot("file://%s" % ball), mesh_timeout=600.0)
+        worker = wait_for(lambda: workers_of(node.pid), "a mesh reader")[0]
+        wait_for(lambda: not is_alive(worker), "the end of the reader")
+        start = time.monotonic()
+        node.interrupt(signal.SIGINT)
+        self.assertEqual(node.wait(), 0)
+        print("ended after %.2f s" % (time.monotonic() - start))
+        self.assertLess(time.monotonic() - start, ENDS)
+        self.assertNotIn("bounding 2 links", node.output)  # it was still loading
 
     def test_a_node_that_is_killed_leaves_no_reader(self):
         node = self.start(mesh_robot("file://%s" % self.large))

@@ -22,27 +22,38 @@ using ModelPtr = ModelHandOver::ModelPtr;
 
 constexpr int kModels = 5000;
 
-/// The test is the loader thread; another thread serves the queue.
+/// The worker is the loader thread; another thread serves the queue.
 class ModelHandOverTest : public testing::Test {
  protected:
   ModelHandOverTest() { ros::Time::init(); }  // for the log
   ~ModelHandOverTest() override {
     ends_ = true;
     update_thread_.join();
+    worker_.stop();
   }
 
-  /// Counts models that another thread than this one frees.
+  /// Counts models that another thread than the loader frees.
   ModelPtr makeModel(const std::string& fixed_frame) {
     auto* model = new Model;
     model->fixed_frame = fixed_frame;
-    return ModelPtr(model, [this, loader = std::this_thread::get_id()](const Model* freed) {
-      if (std::this_thread::get_id() != loader) ++freed_elsewhere_;
+    return ModelPtr(model, [this](const Model* freed) {
+      if (std::this_thread::get_id() != loader_) ++freed_elsewhere_;
       delete freed;
     });
   }
 
-  bool give(ModelPtr model) {
-    return hand_over_.give(std::move(model), [] { return false; });
+  /// On the loader thread. Throws what giving throws.
+  bool give(const std::string& fixed_frame) {
+    std::promise<bool> answer;
+    worker_.post("give", [&] {
+      loader_ = std::this_thread::get_id();
+      try {
+        answer.set_value(hand_over_.give(makeModel(fixed_frame)));
+      } catch (...) {
+        answer.set_exception(std::current_exception());
+      }
+    });
+    return answer.get_future().get();
   }
 
   void adopt(ModelPtr model) {
@@ -55,25 +66,33 @@ class ModelHandOverTest : public testing::Test {
       queue_.callAvailable(ros::WallDuration(1e-3));
   }
 
+  static Worker::Options options() {
+    Worker::Options options;
+    options.name = "loader";
+    return options;
+  }
+
+  std::atomic<std::thread::id> loader_;
   std::atomic<int> freed_elsewhere_{0};
   std::atomic<bool> ends_{false};
   ros::CallbackQueue queue_;
   ModelPtr model_;  ///< of the update thread
-  ModelHandOver hand_over_{queue_, [this](ModelPtr model) { adopt(std::move(model)); }};
+  Worker worker_{options()};
+  ModelHandOver hand_over_{worker_, queue_, [this](ModelPtr model) { adopt(std::move(model)); }};
   std::thread update_thread_{[this] { serve(); }};
 };
 
 TEST_F(ModelHandOverTest, TheUpdateThreadFreesNoModel) {
   for (int i = 0; i < kModels; ++i)
-    ASSERT_TRUE(give(makeModel("good")));
+    ASSERT_TRUE(give("good"));
   EXPECT_EQ(freed_elsewhere_, 0);
 }
 
 TEST_F(ModelHandOverTest, AModelThatCannotBeAdoptedLeavesTheOldOne) {
-  ASSERT_TRUE(give(makeModel("good")));
+  ASSERT_TRUE(give("good"));
   for (int i = 0; i < kModels; ++i) {
     try {
-      give(makeModel("bad"));
+      give("bad");
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& error) {
       EXPECT_STREQ(error.what(), "it is bad");
@@ -84,22 +103,28 @@ TEST_F(ModelHandOverTest, AModelThatCannotBeAdoptedLeavesTheOldOne) {
 }
 
 TEST_F(ModelHandOverTest, TheFirstModelThatCannotBeAdoptedIsReported) {
-  EXPECT_THROW(give(makeModel("bad")), std::runtime_error);
-  EXPECT_TRUE(give(makeModel("good")));
+  EXPECT_THROW(give("bad"), std::runtime_error);
+  EXPECT_TRUE(give("good"));
 }
 
-TEST_F(ModelHandOverTest, AModelThatIsTakenAfterAllIsNotFreedThereEither) {
-  ASSERT_TRUE(give(makeModel("good")));
+TEST_F(ModelHandOverTest, AModelThatIsNotTakenBeforeTheLoaderStopsIsNotTakenLater) {
+  ASSERT_TRUE(give("good"));
   std::promise<void> goes_on;
   enqueue(queue_, [goes_on = goes_on.get_future().share()] { goes_on.wait(); });
-  EXPECT_FALSE(hand_over_.give(makeModel("late"), [] { return true; }));
-  EXPECT_FALSE(hand_over_.give(makeModel("later"), [] { return true; }));
+  std::promise<void> begins;
+  std::atomic<bool> is_given{true};
+  worker_.post("give", [&] {
+    begins.set_value();
+    is_given = hand_over_.give(makeModel("late"));
+  });
+  begins.get_future().wait();
+  worker_.stop();
+  EXPECT_FALSE(is_given);
   std::promise<void> is_done;
   enqueue(queue_, [&] { is_done.set_value(); });
   goes_on.set_value();
   is_done.get_future().wait();
-  EXPECT_EQ(model_->fixed_frame, "late");
-  EXPECT_EQ(freed_elsewhere_, 0);
+  EXPECT_EQ(model_->fixed_frame, "good");
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
+#include <string>
+
 namespace link_bounds {
 namespace {
 
@@ -27,6 +30,19 @@ TEST_F(RefusalLogTest, ReportsAFrameOnceInTenSeconds) {
   EXPECT_FALSE(line("arm", 9));
   EXPECT_TRUE(line("leg", 9));
   EXPECT_TRUE(line("arm", 11));
+  EXPECT_FALSE(line("leg", 18)) << "arm began a period of its own";
+  EXPECT_TRUE(line("leg", 19));
+}
+
+TEST_F(RefusalLogTest, AnyTenSecondsHaveAtMostElevenLines) {
+  std::deque<double> lines;  // their times in the last ten seconds
+  for (int i = 0; i < 20000; ++i) {
+    const double time = i * 0.01;
+    if (line("frame_" + std::to_string(i % 97), time)) lines.push_back(time);
+    while (!lines.empty() && time - lines.front() > 10 - 1e-6)
+      lines.pop_front();
+    ASSERT_LE(lines.size(), 11u) << time;
+  }
 }
 
 TEST_F(RefusalLogTest, ManyFramesEndInOneLine) {

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "node/outputs/box_message.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/quad.h"
 
@@ -56,7 +55,7 @@ TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
            now);
     ASSERT_TRUE(scene.update(now));
     const Aabb box = scene.links.states()[0].box.value();
-    const QuadBox cube = boxOf(boxMarkers(scene, headerOf(scene)).markers.front());
+    const QuadBox cube = boxOf(boxMarkers(*takeSnapshot(scene)).markers.front());
     for (int k = 0; k < 3; ++k) {
       const auto axis = static_cast<std::size_t>(k);
       ASSERT_LE(cube.min[axis], static_cast<Quad>(box.min()[k]));
@@ -81,26 +80,18 @@ TEST(ShownMarkers, DeletesWhatVanishedOnce) {
   EXPECT_TRUE(deleted(third).empty());
 }
 
-TEST(ShownMarkers, ANewSubscriberTakesNoDeletionFromTheOthers) {
+TEST(ShownMarkers, DeletesAllWhereADeleteMayBeLost) {
   ShownMarkers shown;
   const std_msgs::Header header;
-  MarkerArray all = arrayOf({"a", "b"});
-  shown.replaceBy(all, header);
-  MarkerArray for_one = arrayOf({"a"});
-  shown.extendBy(for_one, header);
-  MarkerArray for_all = arrayOf({"a"});
-  shown.replaceBy(for_all, header);
-  EXPECT_EQ(deleted(for_all), std::vector<std::string>{"b"});
-}
-
-TEST(ShownMarkers, WhatOnlyANewSubscriberSawIsDeletedToo) {
-  ShownMarkers shown;
-  const std_msgs::Header header;
-  MarkerArray for_one = arrayOf({"a"});
-  shown.extendBy(for_one, header);
-  MarkerArray for_all = arrayOf({});
-  shown.replaceBy(for_all, header);
-  EXPECT_EQ(deleted(for_all), std::vector<std::string>{"a"});
+  MarkerArray first = arrayOf({"a", "b"});
+  shown.replaceBy(first, header);
+  MarkerArray second = arrayOf({"a"});
+  shown.replaceBy(second, header, true);
+  EXPECT_EQ(second.markers.front().action, visualization_msgs::Marker::DELETEALL);
+  EXPECT_TRUE(deleted(second).empty());
+  MarkerArray third = arrayOf({});
+  shown.replaceBy(third, header);
+  EXPECT_EQ(deleted(third), std::vector<std::string>{"a"}) << "the first marker comes after it";
 }
 
 }  // namespace

@@ -4,19 +4,16 @@
 """~get_boxes before there is a robot, under many large requests, with clients that die, beside
 reloads and clock jumps, and at the end of the node. ~boxes go on undisturbed beside a node that
 nobody asks."""
-import io
 import itertools
 import signal
-import socket
-import struct
 import threading
 import unittest
 
-import rosgraph
 import rospy
 import rostest
 from bounds_testing import (DEADLINE, Recorder, TfSender, box_link, box_of, corners_of, load,
                             names_of, robot, transform, wait_for)
+from dying_client import DyingClient
 from link_bounds.srv import GetBoxes, GetBoxesRequest
 from node_testing import SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, SimulatedClock
 from tf2_msgs.msg import TFMessage
@@ -30,25 +27,6 @@ NAMES = ["arm_%d" % i for i in range(LINKS)]
 MANY = robot([box_link(name, (1, 1, 1)) for name in ["base"] + NAMES],
              [("base", name) for name in NAMES])
 WHOLE = GetBoxesRequest(span=rospy.Duration(9))
-
-
-def sent(request):
-    data = io.BytesIO()
-    request.serialize(data)
-    data = data.getvalue()
-    return struct.pack("<I", len(data)) + data
-
-
-class DyingClient:
-    """Sends a request and is gone before the answer comes."""
-
-    def __init__(self, service, request):
-        uri = rosgraph.Master("/dying").lookupService(service)
-        host, port = rosgraph.network.parse_http_host_and_port(uri.replace("rosrpc", "http"))
-        header = {"callerid": "/dying", "service": service, "md5sum": GetBoxes._md5sum}
-        with socket.create_connection((host, port), DEADLINE) as connection:
-            connection.sendall(rosgraph.network.encode_ros_handshake_header(header))
-            connection.sendall(sent(request))
 
 
 class GetBoxesFaults(unittest.TestCase):

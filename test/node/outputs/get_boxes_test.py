@@ -6,7 +6,8 @@
 import rospy
 import rostest
 from arms_testing import ArmsTest
-from bounds_testing import DEADLINE, Pose, box_of, corners_of, difference, load, names_of
+from bounds_testing import (DEADLINE, Pose, box_link, box_of, corners_of, difference, load,
+                            names_of, robot, visual)
 from link_bounds.srv import GetBoxes, GetBoxesRequest
 from node_testing import ALL, DYNAMIC, NODE, SIZES, STATIC, arm_bounds, joint_pose, shows
 from object_testing import ObjectSender, marker, shows_box
@@ -151,6 +152,19 @@ class GetBoxesTest(ArmsTest):
             self.assertEqual(names_of(answer.boxes), ALL)
             self.assertIn("bad/1: ", answer.message)
         self.refuse('"nowhere"', frame="nowhere")
+
+    def test_the_message_explains_the_first_incomplete_name(self):
+        """Also if that one has a box."""
+        base = '<link name="base">%s%s</link>' % (
+            visual('<box size="1 1 1"/>'), visual('<mesh filename="file:///none/missing.stl"/>'))
+        load(NODE, robot([base, box_link("unsent", (1, 1, 1))], [("base", "unsent")]))
+        for stamp in (0, self.now):
+            answer = self.ask(stamp)
+            self.assertEqual(answer.boxes.incomplete, ["base", "unsent"])
+            self.assertEqual(names_of(answer.boxes), ["base"])
+            self.assertTrue(answer.message.startswith("base: "), answer.message)
+            self.assertIn("missing.stl", answer.message)
+            self.assertTrue(answer.message.endswith("; incomplete are 1 more"), answer.message)
 
     def test_padding(self):
         load(NODE, padding=0.5)

@@ -16,6 +16,7 @@ from link_bounds.msg import BoxOverlapArray
 from node_testing import NODE
 from object_testing import ObjectSender, deletion, marker
 from overlap_testing import agree, expected, joined_links, pairs_of, pairs_that_fit
+from raw_subscriber import Reader
 
 TOPIC = NODE + "/overlaps"
 DEMO = rospkg.RosPack().get_path("link_bounds") + "/launch/demo/demo.urdf"
@@ -181,6 +182,17 @@ class Overlaps(unittest.TestCase):
             self.assertEqual(message.header.stamp, boxes.header.stamp)
         finally:
             type(self).overlaps = Recorder(TOPIC, BoxOverlapArray)
+
+    def test_a_new_subscriber_alone_gets_a_message(self):
+        load(NODE, TWO, parts_per_link=2, timeout=0.0)
+        self.place_two(0.5)
+        for topic in ("overlaps", "parts", "markers", "footprint"):
+            readers = []
+            for _ in range(3):
+                readers.append(Reader(NODE, NODE + "/" + topic))
+                self.addCleanup(readers[-1].end)
+                wait_for(lambda: readers[-1].count, "a message on ~" + topic)
+            self.assertEqual([reader.count for reader in readers], [1, 1, 1], topic)
 
     def test_objects_against_links_and_each_other(self):
         load(NODE, TWO, ignore_pairs=["crate/3 base", "crate/1 crate/4"])

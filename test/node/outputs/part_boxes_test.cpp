@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts have the poses of the boxes at the last place().
+// Parts have the poses of the boxes in the snapshot.
 #include "node/outputs/part_boxes.h"
 
 #include <gtest/gtest.h>
@@ -24,10 +24,7 @@ std::shared_ptr<const Model> modelInParts(int parts_per_link) {
 
 class PartBoxesTest : public testing::Test {
  protected:
-  void adopt(const std::shared_ptr<const Model>& model) {
-    scene_.adopt(model, ros::Time(1));
-    parts_.adopt(*model);
-  }
+  void adopt(const std::shared_ptr<const Model>& model) { scene_.adopt(model, ros::Time(1)); }
 
   void turn(double degrees) {
     const double stamp = ++stamp_;
@@ -44,11 +41,10 @@ class PartBoxesTest : public testing::Test {
 };
 
 TEST_F(PartBoxesTest, AreWantedOnlyIfThereAreSeveral) {
-  EXPECT_FALSE(parts_.areWanted());
   adopt(modelInParts(2));
-  EXPECT_TRUE(parts_.areWanted());
+  EXPECT_TRUE(parts_.fill(*takeSnapshot(scene_), message_));
   adopt(modelInParts(1));
-  EXPECT_FALSE(parts_.areWanted());
+  EXPECT_FALSE(parts_.fill(*takeSnapshot(scene_), message_));
 }
 
 TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
@@ -56,8 +52,7 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   for (const int turns : {1, 3, 1}) {
     for (int i = 0; i < turns; ++i)
       turn(30 + 15 * i);
-    parts_.place(scene_.links);
-    parts_.fill(*scene_.links.model(), message_);
+    parts_.fill(*takeSnapshot(scene_), message_);
     ASSERT_EQ(message_.boxes.size(), 2u);
     const Aabb box = *scene_.links.states()[0].box;
     const Aabb larger = padded(box, 1);
@@ -65,25 +60,38 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
     EXPECT_EQ(message_.boxes[1].max.z, larger.max().z());
     EXPECT_EQ(message_.boxes[1].name, "arm");
     EXPECT_EQ(message_.boxes[1].stamp, ros::Time(stamp_));
+    EXPECT_EQ(message_.header.stamp, ros::Time(stamp_));
   }
 }
 
-TEST_F(PartBoxesTest, StayWhereTheLinksWerePlacedLast) {
+TEST_F(PartBoxesTest, AgreeWithTheSnapshotAfterTheLinksHaveMovedOn) {
   adopt(modelInParts(2));
   turn(30);
   const Aabb box = *scene_.links.states()[0].box;
-  parts_.place(scene_.links);
+  const auto snapshot = takeSnapshot(scene_);
   turn(60);
-  parts_.fill(*scene_.links.model(), message_);
+  parts_.fill(*snapshot, message_);
   EXPECT_EQ(message_.boxes[0].min.x, box.min().x());
+  EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
+}
+
+TEST_F(PartBoxesTest, BelongToTheModelOfTheSnapshot) {
+  adopt(modelInParts(2));
+  turn(30);
+  const auto before = takeSnapshot(scene_);
+  parts_.fill(*before, message_);
+  adopt(modelInParts(3));
+  turn(45);
+  parts_.fill(*takeSnapshot(scene_), message_);
+  EXPECT_EQ(message_.boxes[0].min.x, scene_.links.states()[0].box->min().x());
+  parts_.fill(*before, message_);
   EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
 }
 
 TEST_F(PartBoxesTest, NameALinkWithoutBoxOnce) {
   adopt(modelInParts(2));
   turn(45);
-  parts_.place(scene_.links);
-  parts_.fill(*scene_.links.model(), message_);
+  parts_.fill(*takeSnapshot(scene_), message_);
   EXPECT_EQ(message_.incomplete, std::vector<std::string>{"lost"});
 }
 

@@ -19,8 +19,8 @@ BAD_PARAMETERS = {
     "geometry": ["mesh", 1],
     "links": ["base", [1], {"a": 1}],
     "ignore_links": ["base"],
-    "padding": [-0.1, "0.1", float("nan"), float("inf")],
-    "link_padding": [[0.1], {"base": "wide"}, {"base": -1.0}],
+    "padding": [-0.1, "0.1", float("nan"), float("inf"), 1e308],
+    "link_padding": [[0.1], {"base": "wide"}, {"base": -1.0}, {"base": 1.1e6}],
     "groups": [["base"], {"arm": "base"}, {"robot": ["base"]}],
     "max_rate": [-1.0, "fast"],
     "timeout": [-1, float("nan"), True],
@@ -29,6 +29,10 @@ BAD_PARAMETERS = {
     "marker_style": ["lines", True],
     "marker_color": [[1, 1, 1], [1, 1, 1, 2.0], "red"],
     "marker_labels": ["yes", 1],
+    "overlap_margin": [-1.0, 1.1e6, float("nan")],
+    "distance_limit": [-1.0, 1e308, float("inf")],
+    "distance_accuracy": [0, 1.1e6],
+    "distance_warning": [-1.0, 1.1e6],
     "mesh_timeout": [0, -1.0, "30", float("inf")],
     "max_mesh_bytes": [0, -1, 1e6, "1000"],
 }
@@ -36,6 +40,8 @@ QUOTED = {  # as messages quote them
     "['base']": '["base"]', "{'a': 1}": "{a: 1}", "{'base': 'wide'}": '{base: "wide"}',
     "{'base': -1.0}": "{base: -1.0}", "{'arm': 'base'}": '{arm: "base"}', "True": "true",
     "{'robot': ['base']}": '{robot: ["base"]}', "1000000.0": "1e+06",
+    "1100000.0": "1.1e+06",
+    "{'base': 1100000.0}": "{base: 1.1e+06}",
     **{repr(text): '"%s"' % text for text in ("base", "mesh", "0.1", "fast", "30", "lines", "red",
                                               "yes", "1000")}}
 BAD_NAMES = ["__name:=a/b", "__ns:=a b", "~boxes:=a b", "boxes:=a//b!"]

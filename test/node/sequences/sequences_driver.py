@@ -34,6 +34,7 @@ class Driver:
             for topic, kind in (("/tf", TFMessage), ("/tf_static", TFMessage),
                                 (node + "/objects", MarkerArray), (node + "/object", Marker))}
         self._fences = 0
+        self._judged = {}  # by topic: the last ~boxes for which a message came
         self._fence_stamp = 0
         self._path = Path(oracle.state())
 
@@ -210,31 +211,53 @@ class Driver:
         self._path.arrive(self._oracle.state(), is_must)
 
     def _judge(self):
-        """~groups and ~overlaps have a message for each one on ~boxes."""
-        self._inbox.wait(lambda m: len(m["groups"]) >= len(m["boxes"]) and
-                         len(m["overlaps"]) >= len(m["boxes"]), "what belongs to ~boxes")
+        """~groups has a message for each one on ~boxes; ~overlaps and ~parts for the last one, and for
+        others in their order."""
+        self._inbox.wait(lambda m: len(m["groups"]) >= len(m["boxes"]), "~groups of ~boxes")
         taken = self._inbox.take()
         states = self._path.match(taken["boxes"])
-        for boxes, groups, overlaps, state in zip(
-                taken["boxes"], taken["groups"], taken["overlaps"], states):
+        for boxes, groups, state in zip(taken["boxes"], taken["groups"], states):
             complain(judge.wrong_groups(groups, boxes, state.model))
-            complain(judge.wrong_overlaps(overlaps, boxes, state.model))
-        self._judge_parts(taken, states)
+        self._judge_derived("overlaps", taken, states, lambda message, boxes, state:
+                            judge.wrong_overlaps(message, boxes, state.model))
+        self._judge_derived("parts", taken, [
+            state if state.model.parameters["parts_per_link"] > 1 else None for state in states],
+                            lambda message, boxes, _: judge.wrong_parts(message, boxes))
+        self._judge_footprint(taken)
         self._path = Path(self._path.states[-1])
 
-    def _judge_parts(self, taken, states):
-        wanted = [boxes for boxes, state in zip(taken["boxes"], states)
-                  if state.model.parameters["parts_per_link"] > 1]
-        outlines = [g for g in taken["groups"] if judge.footprint(g) is not None]
+    def _judge_derived(self, topic, taken, states, fault_of):
+        """Each message belongs to one of ~boxes, none to an older one than the message before it. The
+        first may still belong to the last ~boxes of an earlier step."""
+        wanted = [(boxes, state) for boxes, state in zip(taken["boxes"], states) if state]
+        if not wanted:
+            return
+        candidates = self._judged.get(topic, []) + wanted
+        is_done = False
+        while not is_done:
+            for message in taken[topic]:
+                faults = [fault_of(message, *pair) for pair in candidates]
+                complain(faults[-1] if all(faults) else None)
+                candidates = candidates[faults.index(""):]
+                is_done = not fault_of(message, *wanted[-1])
+            taken[topic] = [] if is_done else self._more(topic)
+        self._judged[topic] = wanted[-1:]
 
-        def take_missing(messages):
-            for topic in ("parts", "footprint"):
-                taken[topic] += messages[topic]
-                messages[topic].clear()
-            return len(taken["parts"]) >= len(wanted) and len(taken["footprint"]) >= len(outlines)
-        self._inbox.wait(take_missing, "~parts or ~footprint")
-        for parts, boxes in zip(taken["parts"], wanted):
-            complain(judge.wrong_parts(parts, boxes))
+    def _more(self, topic):
+        """What comes next on the topic; waits for it."""
+        more = []
+
+        def take(messages):
+            more.extend(messages[topic])
+            messages[topic].clear()
+            return more
+        self._inbox.wait(take, "~%s of the last ~boxes" % topic)
+        return more
+
+    def _judge_footprint(self, taken):
+        outlines = [g for g in taken["groups"] if judge.footprint(g) is not None]
+        while len(taken["footprint"]) < len(outlines):
+            taken["footprint"] += self._more("footprint")
         for polygon, groups in zip(taken["footprint"], outlines):
             complain(judge.wrong_footprint(polygon, groups))
 

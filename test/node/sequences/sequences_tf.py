@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The oracle of tf: poses from tf2's own buffer, and when each edge was received. Times in ns."""
+"""The oracle of tf: poses from tf2's own buffer, and when each edge got its newest stamp. Times in ns."""
 import bisect
 import math
 
@@ -157,7 +157,9 @@ class TfOracle:
             edge.clear()
             self._rebuild()
         edge.add(stamp, transform)
-        edge.received, edge.is_distrusted = now, False
+        edge.is_distrusted = False
+        if edge.is_static or stamp == edge.newest:
+            edge.received = now
         self._insert(transform, edge)
 
     def _insert(self, transform, edge):
@@ -228,7 +230,7 @@ class TfOracle:
             frame = parent
 
     def oldest_receipt(self, target, source):
-        """When the edge that has been silent longest was last received; None if all are static."""
+        """When the edge whose newest stamp is the oldest receipt got it; None if all are static."""
         ups = [self._way_up(frame) for frame in (source, target)]
         meeting = meeting_of(target, *ups)
         path = [frame for up in ups if meeting for frame in up[:up.index(meeting)]]

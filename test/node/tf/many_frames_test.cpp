@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kMany = 10000;
 constexpr int kFew = 1000;
+constexpr int kStrangers = 200000;
 constexpr int kDeep = 20000;
 constexpr int kShallow = 2000;
 constexpr double kTolerance = 1e-9;  // m
@@ -124,6 +125,34 @@ TEST(ManyFrames, NewFramesOneByOneBesideALink) {
   tf.add({edge("base", "link", 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
   EXPECT_TRUE(scene.update(ros::Time(1)));
   EXPECT_TRUE(scene.links.states()[0].box);
+}
+
+/// The tree of followed frames is built again only when one of its own edges gets another parent.
+TEST(ManyFrames, OfStrangersDoNotRebuildTheTree) {
+  TransformBuffer tf;
+  FrameTracker tracker(tf);
+  tracker.setTarget("base", 0, ros::Time(1));
+  const auto send = [&](const std::string& parent, const std::string& child) {
+    tf.add({edge(parent, child, 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
+    tracker.update(ros::Time(1));
+  };
+  for (int i = 0; i < kStrangers; ++i)
+    tf.add({edge("base", name(i), 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
+  const FrameTracker::Handle newest = tracker.follow(name(kStrangers - 1));
+  const FrameTracker::Handle unknown = tracker.follow("unknown");
+  tracker.update(ros::Time(1));
+  ASSERT_EQ(newest.pose().problem, TransformProblem::kNone);
+  const std::uint64_t structure = tf.structure();
+  for (int i = 0; i < kFew; ++i) {
+    send("base", "new_" + std::to_string(i));
+    send(name(kStrangers - 1), "below_" + std::to_string(i));
+    send("elsewhere_" + std::to_string(i), "beside_" + std::to_string(i));
+  }
+  EXPECT_EQ(tf.structure(), structure);
+  EXPECT_EQ(unknown.pose().problem, TransformProblem::kNoTransform);
+  send("below_0", "unknown");
+  EXPECT_NE(tf.structure(), structure);
+  EXPECT_EQ(unknown.pose().problem, TransformProblem::kNone);
 }
 
 /// Links on a chain, a step each, and one link beside it. tf2 takes more than a thousand steps for

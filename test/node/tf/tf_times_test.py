@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Stamps from the future, the past and twice, gaps, and publishers that disagree."""
+import re
 import threading
 import time
 import unittest
@@ -10,8 +11,9 @@ import rospy
 import rostest
 from bounds_testing import (NodeLog, Recorder, TfSender, box_of, corners_of, difference, load,
                             names_of, wait_for)
-from node_testing import (ALL, ARMS, NODE, TOLERANCE, ArmsTf, NodeProcess, Repeater, arm_bounds,
-                          at_angles, shows)
+from diagnostic_msgs.msg import DiagnosticStatus
+from node_testing import (ALL, ARMS, NODE, TOLERANCE, ArmsTf, Diagnostics, NodeProcess, Repeater,
+                          arm_bounds, at_angles, shows, value_of)
 from rosgraph_msgs.msg import Log
 
 LEFT = ["left", "left_tip"]
@@ -27,6 +29,7 @@ class TfTimes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.boxes = Recorder(NODE + "/boxes")
+        cls.diagnostics = Diagnostics()
         cls.tf = ArmsTf()
         cls.log = NodeLog(NODE)
         wait_for(lambda: load(NODE, ARMS, no_such_parameter=1) or cls.log.messages,
@@ -108,8 +111,8 @@ class TfTimes(unittest.TestCase):
         self.now_on(self.send_left)
         self.wait_for(at_angles(30, 30))
 
-    def test_stamps_that_run_backwards_neither_move_nor_lose_a_link(self):
-        """They are accepted into the history, so the timeout counts from them."""
+    def test_stamps_that_run_backwards_become_stale_and_never_move_the_link(self):
+        """They are accepted into the history, but none is newer."""
         self.boxes.clear()
         last = self.boxes.wait(lambda m: shows(m, at_angles(30, 30)), "news")
 
@@ -117,11 +120,53 @@ class TfTimes(unittest.TestCase):
             self.left_stamp -= rospy.Duration(0.001)
             self.tf.send(self.left_stamp, 45, LEFT)
         self.now_on(send_earlier_and_earlier)
-        end = time.monotonic() + 2 * TIMEOUT
-        wait_for(lambda: time.monotonic() > end, "two timeouts")
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
         after = self.boxes.messages[self.boxes.messages.index(last):]
         self.check_others(after)
-        self.assertTrue(all(shows(m, at_angles(30, 30)) for m in after))
+        self.assertTrue(all(shows(m, at_angles(30, 30)) or shows(m, WITHOUT_LEFT, LEFT)
+                            for m in after))
+
+    def test_a_clock_that_steps_back_is_told(self):
+        """The arm moves on with stamps five seconds behind, until they pass the newest one."""
+        begin = len(self.log.messages)
+        self.boxes.clear()
+        step = rospy.Duration(5)
+        self.now_on(lambda stamp: self.tf.send(stamp - step, 45, LEFT))
+        self.boxes.wait(lambda m: shows(m, WITHOUT_LEFT, LEFT), "a stale arm")
+        self.check_others(self.boxes.messages)
+        node = rospy.get_name()
+
+        def is_told(_, status):
+            behind = value_of(status, "publishers behind")
+            return (status.level == DiagnosticStatus.WARN and "run behind" in status.message
+                    and node in behind and "left" in behind and
+                    0 < float(re.search(r" by ([0-9.]+) s", behind).group(1)) < 5)
+        self.diagnostics.wait_for_new(is_told, "the lag, frame and publisher in /diagnostics")
+
+        def warnings():
+            return [line for line in self.log.lines(Log.WARN, begin, None)
+                    if '"left"' in line and node in line and "is late" in line]
+        wait_for(warnings, "a warning that names frame and publisher")
+        self.wait_for(at_angles(45, 30))
+        self.assertEqual(len(warnings()), 1)
+        self.diagnostics.wait_for_new(
+            lambda _, status: value_of(status, "publishers behind") == "none", "all is well again")
+
+    def test_publishers_that_are_a_little_late_are_neither_stale_nor_told(self):
+        begin = len(self.log.messages)
+        older, newer = ArmsTf(), ArmsTf()
+
+        def send_twice(stamp):
+            newer.send(stamp, 30, LEFT)
+            older.send(stamp - rospy.Duration(0.005), 30, LEFT)
+        self.now_on(send_twice)
+        self.boxes.clear()
+        end = time.monotonic() + 2 * TIMEOUT
+        wait_for(lambda: time.monotonic() > end, "two timeouts")
+        self.assertFalse([m for m in self.boxes.messages if m.incomplete])
+        self.assertFalse(self.log.lines(Log.WARN, begin, None))
+        status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        self.assertEqual(value_of(status, "publishers behind"), "none")
 
     def test_stamps_older_than_the_history_become_stale(self):
         self.boxes.clear()

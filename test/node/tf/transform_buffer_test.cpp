@@ -158,21 +158,28 @@ class EdgesTest : public testing::Test {
   ros::Time now_{100};
 };
 
-TEST_F(EdgesTest, StructureChangesOnlyWithParents) {
-  send("a", "b", 1);
+TEST_F(EdgesTest, StructureChangesOnlyWithParentsOfWatchedEdges) {
+  tf_.watch(send("a", "b", 1));
   const auto before = tf_.structure();
   send("a", "b", 2);
+  send("a", "other", 2);
+  send("c", "other", 3);
   EXPECT_EQ(tf_.structure(), before);
   send("c", "b", 3);
   EXPECT_NE(tf_.structure(), before);
 }
 
-TEST_F(EdgesTest, NewsLastForOneMessage) {
+TEST_F(EdgesTest, TellsWhichEdgesAreNewSinceAVersion) {
+  const auto before = tf_.version();
   const auto child = send("a", "b", 1);
-  EXPECT_TRUE(tf_.isNews(child));
-  EXPECT_FALSE(tf_.isNews(tf_.frame("a")));
-  send("a", "c", 1);
-  EXPECT_FALSE(tf_.isNews(child));
+  const auto between = tf_.version();
+  const auto other = send("a", "c", 1);
+  EXPECT_TRUE(tf_.isNewerThan(before, child));
+  EXPECT_TRUE(tf_.isNewerThan(before, other));
+  EXPECT_FALSE(tf_.isNewerThan(before, tf_.frame("a")));
+  EXPECT_FALSE(tf_.isNewerThan(between, child));
+  EXPECT_TRUE(tf_.isNewerThan(between, other));
+  EXPECT_FALSE(tf_.isNewerThan(tf_.version(), other));
 }
 
 TEST_F(EdgesTest, TheFirstTransformDecidesWhatIsStatic) {
@@ -254,6 +261,51 @@ TEST_F(RefusalTest, RepeatedStampsAreRefusedWithoutAWord) {
   EXPECT_EQ(tf_.received(tf_.frame("b")), 1000000000);
   EXPECT_TRUE(tf_.add({good_}, false, ros::Time(2)).empty());
   EXPECT_EQ(tf_.received(tf_.frame("b")), 1000000000);
+}
+
+class LateTest : public testing::Test {
+ protected:
+  LateTest() { send(100, 100); }
+
+  /// What is reported.
+  std::optional<Refusal> send(double now, double stamp) {
+    const auto refusals =
+        tf_.add({edge("a", "b", stamp, kNoTurn, {1, 2, 3})}, false, ros::Time(now));
+    return refusals.empty() ? std::nullopt : std::optional(refusals.front());
+  }
+
+  std::int64_t received() { return tf_.received(tf_.frame("b")) / 1000000000; }
+
+  TransformBuffer tf_;
+};
+
+TEST_F(LateTest, OnlyANewerStampCountsAsReceived) {
+  EXPECT_FALSE(send(101, 99));
+  EXPECT_FALSE(send(101, 100));
+  EXPECT_FALSE(send(101, 80));
+  EXPECT_EQ(received(), 100);
+  EXPECT_FALSE(send(101, 100.5));
+  EXPECT_EQ(received(), 101);
+}
+
+TEST_F(LateTest, IsReportedWithItsLagWhenNoneNewerComes) {
+  const auto late = send(102, 95);
+  ASSERT_TRUE(late && late->behind);
+  EXPECT_TRUE(late->is_accepted);
+  EXPECT_DOUBLE_EQ(*late->behind, 5);
+  const auto too_old = send(102, 80);
+  ASSERT_TRUE(too_old && too_old->behind);
+  EXPECT_FALSE(too_old->is_accepted);
+  EXPECT_DOUBLE_EQ(*too_old->behind, 20);
+  EXPECT_EQ(tf_.intake().late, 1u);
+  EXPECT_EQ(tf_.intake().too_old, 1u);
+}
+
+TEST_F(LateTest, BesideNewerStampsIsOrdinary) {
+  for (int i = 1; i < 100; ++i) {
+    EXPECT_FALSE(send(100 + i, 100 + i));
+    EXPECT_FALSE(send(100.5 + i, 99.9 + i));
+  }
 }
 
 class AheadTest : public testing::Test {

@@ -9,7 +9,6 @@ namespace link_bounds {
 namespace {
 
 const ros::WallDuration kHour(3600);
-const ros::WallDuration kDay(24 * 3600);
 
 TEST(Periodic, CallsWhatIsDueAgainAndAgain) {
   Periodic periodic;
@@ -24,14 +23,39 @@ TEST(Periodic, CallsWhatIsDueAgainAndAgain) {
 
 TEST(Periodic, RestIsUntilTheFirstThatIsDue) {
   Periodic periodic;
-  EXPECT_EQ(periodic.rest(kDay), kDay);
+  EXPECT_EQ(periodic.rest(), std::chrono::hours(24));
   periodic.add(kHour, [] {});
-  const ros::WallDuration rest = periodic.rest(kDay);
-  EXPECT_LE(rest, kHour);
-  EXPECT_GT(rest, ros::WallDuration(0));
-  EXPECT_EQ(periodic.rest(ros::WallDuration(0)), ros::WallDuration(0));
+  EXPECT_LE(periodic.rest(), std::chrono::hours(1));
+  EXPECT_GT(periodic.rest(), std::chrono::nanoseconds(0));
   periodic.add(ros::WallDuration(0), [] {});
-  EXPECT_EQ(periodic.rest(kDay), ros::WallDuration(0));
+  EXPECT_EQ(periodic.rest(), std::chrono::nanoseconds(0));
+}
+
+TEST(Periodic, CallsAnAlarmOnceForEachTimeThatIsSet) {
+  Periodic periodic;
+  int calls = 0;
+  Periodic::Alarm again = 0;
+  const Periodic::Alarm alarm = periodic.addAlarm([&] { ++calls; });
+  again = periodic.addAlarm([&] { periodic.setAlarm(alarm, ros::SteadyTime::now()); });
+  EXPECT_EQ(periodic.rest(), std::chrono::hours(24));
+  periodic.callDue();
+  EXPECT_EQ(calls, 0);
+  periodic.setAlarm(alarm, ros::SteadyTime::now());
+  EXPECT_EQ(periodic.rest(), std::chrono::nanoseconds(0));
+  for (int i = 0; i < 3; ++i)
+    periodic.callDue();
+  EXPECT_EQ(calls, 1);
+  periodic.setAlarm(alarm, ros::SteadyTime::now() + kHour);
+  EXPECT_GT(periodic.rest(), std::chrono::minutes(50));
+  periodic.callDue();
+  periodic.setAlarm(alarm, ros::SteadyTime::now());
+  periodic.setAlarm(alarm, std::nullopt);
+  periodic.callDue();
+  EXPECT_EQ(calls, 1);
+  periodic.setAlarm(again, ros::SteadyTime::now());
+  for (int i = 0; i < 2; ++i)
+    periodic.callDue();
+  EXPECT_EQ(calls, 2) << "the functions may set alarms";
 }
 
 }  // namespace

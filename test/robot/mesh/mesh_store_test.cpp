@@ -9,10 +9,13 @@
 #include <sys/wait.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "testing/ordinary_user.h"
 #include "testing/temporary_folder.h"
@@ -327,6 +330,86 @@ TEST_F(MeshStoreTest, WhereNoThreadCanStartFilesAreImportedOneByOne) {
   int status = -1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
+}
+
+/// Of many points that can all be extreme, so that their table takes more than half a second.
+TriangleMesh ball() {
+  TriangleMesh mesh;
+  for (int i = 0; i < 100000; ++i) {
+    const double z = 1 - 2e-5 * i;
+    const double r = std::sqrt(1 - z * z);
+    mesh.vertices.emplace_back(r * std::cos(2.4 * i), r * std::sin(2.4 * i), z);
+    const auto k = static_cast<std::uint32_t>(i);
+    if (i >= 2) mesh.triangles.push_back({k, k - 1, k - 2});
+  }
+  return mesh;
+}
+
+TEST_F(MeshStoreTest, PreparingAMeshCountsToItsTime) {
+  MeshStore store([mesh = ball()](const MeshFile&) { return mesh; });
+  const MeshFile file = write("ball", "");
+  MeshLimits limits;
+  limits.timeout = 0.05;
+  const LoadedMesh late = store.load({file}, nullptr, MeshContent::kPoints, limits).at(0);
+  EXPECT_FALSE(late.points);
+  EXPECT_EQ(late.error, "loading it takes longer than 0.05 s; simplify the mesh");
+  store.forgetFailures();
+  const LoadedMesh whole = store.load({file}).at(0);
+  EXPECT_EQ(whole.points->size(), 100000u);
+}
+
+TEST_F(MeshStoreTest, ATreeThatTakesTooLongLeavesThePoints) {
+  MeshStore store([mesh = ball()](const MeshFile&) { return mesh; });
+  const MeshFile file = write("ball", "");
+  const auto points = store.load({file}).at(0).points;
+  MeshLimits limits;
+  limits.timeout = 0.01;
+  const LoadedMesh mesh = store.load({file}, nullptr, MeshContent::kPointsAndTree, limits).at(0);
+  EXPECT_EQ(mesh.points, points);
+  EXPECT_FALSE(mesh.tree);
+  EXPECT_EQ(mesh.tree_error, "loading it takes longer than 0.01 s; simplify the mesh");
+}
+
+TEST_F(MeshStoreTest, ACancelledLoadIsNoFailureOfTheFile) {
+  std::atomic<int> calls{0};
+  const MeshFile file = write("ball", "");
+  MeshStore store([mesh = ball()](const MeshFile&) { return mesh; });
+  const LoadedMesh mesh =
+      store.load({file}, nullptr, MeshContent::kAll, {}, [&calls] { return ++calls == 10; }).at(0);
+  EXPECT_TRUE(mesh.is_cancelled);
+  EXPECT_FALSE(mesh.points);
+  EXPECT_EQ(calls, 10);
+  EXPECT_TRUE(store.load({file}).at(0).points);
+}
+
+TEST_F(MeshStoreTest, AFailureThatBeganBeforeFailuresWereForgottenIsNotRemembered) {
+  const MeshFile file = write("a", "1");
+  MeshStore* store = nullptr;
+  int reads = 0;
+  MeshStore forgetful([&](const MeshFile& read) {
+    if (++reads > 1) return readTriangle(read);
+    store->forgetFailures();
+    throw MeshError("it is no number");
+  });
+  store = &forgetful;
+  EXPECT_EQ(store->load({file}).at(0).error, kReason);
+  EXPECT_TRUE(store->load({file}).at(0).points);
+}
+
+TEST_F(MeshStoreTest, LoadsOfOneFileAtOnceShareItsPoints) {
+  const MeshFile file = write("a", "1");
+  MeshStore* store = nullptr;
+  bool is_outer = true;
+  std::shared_ptr<const PointSet> inner;
+  MeshStore shared([&](const MeshFile& read) {
+    if (std::exchange(is_outer, false)) inner = store->load({file}).at(0).points;
+    return readTriangle(read);
+  });
+  store = &shared;
+  const auto outer = store->load({file}).at(0).points;
+  EXPECT_TRUE(outer);
+  EXPECT_EQ(outer, inner);
+  EXPECT_EQ(store->load({file}).at(0).points, inner);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <limits>
 
 #include "robot/reach/reach.h"
 #include "robot/reach/support_table.h"

@@ -117,6 +117,12 @@ class AssertBoxFaults(AssertionTest):
         self.check_failure(box, "at most for", "named in incomplete", LAST_PALM)
         self.check_failure(publisher, "at most for", "nobody publishes", LAST_PALM)
 
+    def test_silence_breaks_the_hold(self):
+        self.silence()
+        run = self.start_held("silent")
+        self.check_failure(run, "at most for", "no status of %s in /diagnostics" % rospy.get_name(),
+                           "silence is no success (max_age 1 s)", LAST_PALM)
+
     def start_held(self, name):
         """Waits for the end of its hold, and listens to a talker of its own."""
         topic = "/%s/boxes" % name

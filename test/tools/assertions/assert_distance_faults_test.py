@@ -77,6 +77,8 @@ FAILING = {  # parameters, and what the failure says
                    ['"lamp" is named in incomplete']),
     "incomplete_partner": ({"first": "arm", "at_least": 0.01, "topic": "/half/distances"},
                            ['"lamp" is named in incomplete']),
+    "nothing_compared": ({"first": "base", "at_least": 0.01},
+                         ['no pair of "base" and any', 'compared: 2 pairs, the nearest "']),
     "no_topic": ({"at_least": 0.01, "topic": "/nobody/distances"}, ["no message came"])}
 INVALID = {  # the other ones are in distance_watch_test.py
     "no_check": (ARM_AND_CUP, "~at_least or ~at_most is required"),
@@ -137,6 +139,11 @@ class AssertDistanceFaults(AssertionTest):
         self.check_failure(ending, "at most for", "nobody publishes this topic any more")
         self.check_failure(without_boxes, "at most for",
                            "nobody publishes /without_boxes/boxes any more")
+
+    def test_silence_breaks_the_hold(self):
+        self.silence()
+        self.check_failure(self.start_held("silent"), "at most for",
+                           "silence is no success (max_age 1 s)", "0.05 to 0.05 m apart")
 
     def test_boxes_that_connect_after_the_distances_count(self):
         header = Header(frame_id=FRAME, stamp=rospy.Time(1))

@@ -156,7 +156,7 @@ class Hold(unittest.TestCase):
 class Parameters(unittest.TestCase):
     def test_become_an_assertion(self):
         self.assertEqual(assert_box.assertion_from(PALM_INSIDE), assert_box.Assertion(
-            '/link_bounds_publisher/boxes', 'palm', 'inside', WANTED, 1e-6, 10.0, 1))
+            '/link_bounds_publisher/boxes', 'palm', 'inside', WANTED, 1e-6, 10.0, 1, 1.0))
 
     def test_are_checked_alone_and_together(self):
         faults = (({'name': None}, 'must be a string'), ({'name': ''}, 'must not be empty'),
@@ -166,6 +166,7 @@ class Parameters(unittest.TestCase):
                   ({'min': [0.0, 2.1, 0.0]}, '~min must not be greater'),
                   ({'hold': 10.0}, '~hold must be less than ~deadline'),
                   ({'check': 'equal', 'max': [1.0, 2.0, INF]}, 'must be finite'),
+                  ({'max_age': 0}, '~max_age is 0, but must be a number > 0'),
                   ({'tolerence': 0.1}, '~tolerence is unknown'))
         for change, text in faults:
             with self.subTest(change):
@@ -217,6 +218,15 @@ class Watch(unittest.TestCase):
         self.watch.see(message_of('palm'), 1.0)
         self.watch.lose_publisher("~boxes", 1.5)
         self.check_failure('nobody publishes')
+
+    def test_silence_is_a_break(self):
+        self.watch = assert_box.BoxWatch(assert_box.assertion_from(dict(PALM_INSIDE, hold=4)))
+        self.watch.see(message_of('palm'), 1.0)
+        self.watch.look(5.1)  # also if nobody looked when it began
+        self.check_failure('for 4.1 s no message came, and no status of its publisher in '
+                           '/diagnostics', 'max_age 1 s', 'at most for 2 s')
+        self.watch.see(message_of('palm'), 10.0)
+        self.assertTrue(self.watch.is_passed(14.0))
 
     def test_a_message_that_comes_after_the_loss_does_not_hold_for_long(self):
         self.watch.lose_publisher("~boxes", 0.5)

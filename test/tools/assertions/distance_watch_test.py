@@ -9,6 +9,7 @@ import unittest
 
 import rospy
 from assertion_testing import load_script
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Point
 from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap, BoxOverlapArray,
                              Distance, DistanceArray)
@@ -48,6 +49,12 @@ def boxes(*places, incomplete=(), stamp=0.0):
                for name, x in places])
 
 
+def status():
+    message = DiagnosticArray(status=[DiagnosticStatus(name='link_bounds_publisher: boxes')])
+    message._connection_header = {'callerid': NODE}
+    return message
+
+
 def overlap(first, second):
     return BoxOverlapArray(overlaps=[BoxOverlap(first=first, second=second)])
 
@@ -55,7 +62,8 @@ def overlap(first, second):
 class Parameters(unittest.TestCase):
     def test_become_an_assertion(self):
         self.assertEqual(assert_distance.assertion_from(dict(ARM_AND_TABLE, at_most=1)),
-                         ('/link_bounds_publisher/distances', 'arm', 'table', .05, 1, 10.0, 0.0))
+                         ('/link_bounds_publisher/distances', 'arm', 'table', .05, 1, 10.0, 0.0,
+                          1.0))
 
     def test_are_checked_alone_and_together(self):
         for parameters, text in (
@@ -71,6 +79,7 @@ class Parameters(unittest.TestCase):
                 ({'at_most': .1, 'at_least': .2}, '~at_least must not be greater than ~at_most'),
                 ({'at_most': .1, 'first': 'a', 'second': 'a'}, 'must differ'),
                 ({'at_most': .1, 'hold': 10}, '~hold must be less than ~deadline'),
+                ({'at_most': .1, 'max_age': 0}, 'must be a number > 0'),
                 ({'at_mots': .1}, '~at_mots is unknown')):
             with self.subTest(parameters):
                 with self.assertRaisesRegex(ParameterError, text):
@@ -78,6 +87,9 @@ class Parameters(unittest.TestCase):
 
     def test_at_most_zero_is_a_check(self):
         self.assertEqual(assert_distance.assertion_from({'at_most': 0}).asked(), 'at most 0 m')
+
+
+FAR = pair('arm', 'cup', .09)
 
 
 class WatchTest(unittest.TestCase):
@@ -128,7 +140,6 @@ class AtLeast(WatchTest):
         watch = self.check(False, self.watch(at_least=.05), names, near)
         self.check_failure(watch, 'of any and any', '"cup" and "lamp" are 0.01 to 0.01 m apart',
                            'the nearest of 2 such pairs')
-        self.check(True, self.watch(at_least=.05), names, distances())
 
     def test_what_is_no_distance_keeps_nothing(self):
         for distance, distance_max in ((NAN, 1), (1, NAN), (INF, INF), (1, .5), (-1, 1)):
@@ -162,6 +173,53 @@ class AtLeast(WatchTest):
         self.check(True, self.watch(None, at_most=.1), boxes('a', 'b'),
                    distances(pair('a', 'b', .05)))
         self.assertEqual(self.limits, [])
+
+
+class Evidence(WatchTest):
+    """Where any pair is asked for, a verdict rests on at least one that was compared."""
+
+    def check_nothing(self, watch, *messages):
+        self.check_failure(self.check(False, watch, *messages), 'nothing was checked: no pair of',
+                           'compared: no pair')
+
+    def test_without_boxes_nothing_is_checked(self):
+        self.check_nothing(self.watch(at_least=.05), boxes(), distances())
+
+    def test_boxes_alone_are_none(self):
+        """As of one rigid body, or with ignore_pairs ["* *"]."""
+        for names in ({}, {'first': 'arm'}, {'second': 'arm'}):
+            self.check_nothing(self.watch(at_least=.05, **names), boxes('arm', ('cup', 9)),
+                               distances())
+
+    def test_a_pair_that_was_compared_once_is_enough(self):
+        watch = self.check(False, self.watch(at_least=.05), boxes('arm', 'cup'),
+                           distances(pair('arm', 'cup', .01)))
+        self.check(True, watch, distances())
+        watch = self.check(False, self.watch(first='arm', at_least=.05), boxes('arm', 'cup'),
+                           distances())
+        self.check(True, watch, overlap('cup', 'arm'))
+
+    def test_is_none_once_its_boxes_have_gone(self):
+        watch = self.check(False, self.watch(at_least=.05), boxes('arm', 'cup'),
+                           distances(pair('arm', 'cup', .01)))
+        self.check(False, watch, boxes('arm', 'lamp', stamp=1), distances(stamp=1))
+        self.check_failure(watch, 'nothing was checked: no pair of any and any',
+                           'compared: "arm" and "cup". ')
+
+    def test_of_other_names_is_told(self):
+        others = distances(pair('arm', 'lamp', .09), pair('arm', 'table', .02))
+        watch = self.check(False, self.watch(first='cup', at_least=.05),
+                           boxes('arm', 'cup', 'lamp', 'table'), others)
+        self.check_failure(watch, 'no pair of "cup" and any',
+                           'compared: 2 pairs, the nearest "arm" and "table"')
+
+    def test_of_a_success_is_told(self):
+        for parameters, text in (({}, '; compared: 2 pairs, the nearest "arm" and "cup"'),
+                                 ({'first': 'lamp'}, '; compared: "arm" and "lamp"')):
+            watch = self.check(True, self.watch(at_least=.05, **parameters),
+                               boxes('arm', 'cup', 'lamp'),
+                               distances(FAR, pair('arm', 'lamp', .095)))
+            self.assertEqual(watch.evidence(), text)
 
 
 class Unpublished(WatchTest):
@@ -212,6 +270,10 @@ class AtMost(WatchTest):
                              (pair('arm', 'cup', .01, .021), False)):
             self.check(is_kept, self.watch(first='arm', at_most=.02), names, distances(cup, far))
 
+    def test_needs_no_other_evidence(self):
+        self.check(True, self.watch(at_most=.1), boxes('arm', 'cup'), distances(FAR))
+        self.check(False, self.watch(at_most=.1), boxes('arm', 'cup'), distances())
+
     def test_together_with_at_least_it_is_a_range(self):
         for distance, is_kept in ((.02, False), (.03, True), (.05, True), (.06, False)):
             self.check(is_kept, self.watch(at_least=.03, at_most=.05), boxes('arm', 'cup'),
@@ -234,32 +296,34 @@ class Incomplete(WatchTest):
                                '"lamp" is named in incomplete')
 
     def test_that_of_boxes_counts_too(self):
-        self.check(False, self.watch(at_least=.05), boxes('arm', incomplete=['cup']), distances())
+        self.check(False, self.watch(at_least=.05), boxes('arm', 'cup', incomplete=['lamp']),
+                   distances(FAR))
 
 
 class Time(WatchTest):
     def test_nothing_is_known_before_the_boxes_of_that_stamp(self):
         watch = self.watch(at_least=.05)
-        self.check(False, watch, distances(stamp=2))
+        self.check(False, watch, distances(FAR, stamp=2))
         self.check_failure(watch, 'no message of /link_bounds_publisher/boxes has the stamp')
-        self.check(False, watch, boxes('arm', stamp=1))
-        self.check(True, watch, boxes('arm', stamp=2))
+        self.check(False, watch, boxes('arm', 'cup', stamp=1))
+        self.check(True, watch, boxes('arm', 'cup', stamp=2))
 
     def test_boxes_may_come_long_before(self):
         watch = self.watch(first='arm', at_least=.05)
-        self.check(False, watch, *(boxes('arm' if i == 0 else 'cup', stamp=i) for i in range(999)))
-        self.check(True, watch, distances(stamp=0))
+        self.check(False, watch, *(boxes('arm' if i == 0 else 'lamp', 'cup', stamp=i)
+                                   for i in range(999)))
+        self.check(True, watch, distances(FAR, stamp=0))
         self.check(False, self.watch(first='arm', at_least=.05),
-                   *(boxes('arm', stamp=i) for i in range(1001)), distances(stamp=0))
+                   *(boxes('arm', 'cup', stamp=i) for i in range(1001)), distances(FAR, stamp=0))
 
     def test_boxes_that_come_later_change_nothing(self):
         """A name that is new in ~boxes is not yet in the distances."""
         watch = self.watch(first='arm', at_least=.05)
-        self.check(False, watch, boxes('cup'), distances(), boxes('arm'))
+        self.check(False, watch, boxes('cup'), distances(FAR), boxes('arm', 'cup'))
 
     def test_a_hold_begins_anew_after_a_break(self):
         watch = self.watch(first='arm', at_least=.05, hold=2)
-        far, near = distances(), distances(pair('arm', 'cup', .01))
+        far, near = distances(FAR), distances(pair('arm', 'cup', .01))
         watch.see_boxes(boxes('arm', 'cup'), 0.0)
         for message, now in ((far, 0.0), (far, 1.0), (near, 1.5), (far, 1.6)):
             watch.see(message, now)
@@ -270,27 +334,56 @@ class Time(WatchTest):
 
     def test_distances_whose_boxes_never_come_are_a_break(self):
         watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm'), 0.0)
-        watch.see(distances(), 0.0)
-        watch.see(distances(stamp=1), 1.0)
-        watch.see(distances(stamp=2), 1.1)
+        watch.see_boxes(boxes('arm', 'cup'), 0.0)
+        watch.see(distances(FAR), 0.0)
+        watch.see(distances(FAR, stamp=1), 1.0)
+        watch.see(distances(FAR, stamp=2), 1.1)
         self.assertFalse(watch.is_passed(3.0))
 
     def test_nothing_holds_without_a_publisher(self):
         watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm'), 0.0)
-        watch.see(distances(), 0.0)
+        watch.see_boxes(boxes('arm', 'cup'), 0.0)
+        watch.see(distances(FAR), 0.0)
         watch.lose_publisher(watch.topics[0].name, 1.0)
         self.assertFalse(watch.is_passed(9.0))
         self.check_failure(watch, 'nobody publishes this topic any more')
 
     def test_nothing_holds_without_a_publisher_of_boxes(self):
         watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm'), 0.0)
-        watch.see(distances(), 0.0)
+        watch.see_boxes(boxes('arm', 'cup'), 0.0)
+        watch.see(distances(FAR), 0.0)
         watch.lose_publisher(watch.topics[1].name, 1.0)
         self.assertFalse(watch.is_passed(9.0))
         self.check_failure(watch, f'nobody publishes {watch.topics[1].name} any more')
+
+    def test_silence_is_a_break(self):
+        watch = self.watch(at_least=.05, hold=4)
+        watch.see_boxes(boxes('arm', 'cup'), 0.0)
+        watch.see(distances(FAR), 0.0)
+        watch.look(2.0)
+        self.assertTrue(watch.is_passed(4.0))
+        watch.look(2.1)
+        self.assertFalse(watch.is_passed(9.0))
+        self.check_failure(watch, 'for 2.1 s no message came, and no status of ' + NODE)
+
+    def test_distances_that_do_not_follow_their_boxes_are_a_break(self):
+        """Though the node lives."""
+        watch = self.watch(at_least=.05, hold=4)
+        watch.see_boxes(boxes('arm', 'cup'), 0.0)
+        watch.see(distances(FAR), 0.0)
+        watch.life.see_status(status(), 2.0)
+        watch.see_boxes(boxes('arm', 'cup', stamp=1), 2.5)
+        watch.see_boxes(boxes('arm', 'cup', stamp=2), 3.4)
+        watch.look(3.5)
+        self.assertTrue(watch.is_passed(4.0))
+        watch.look(3.6)
+        self.assertFalse(watch.is_passed(9.0))
+        self.assertIn('no distances of the last /link_bounds_publisher/boxes came within max_age',
+                      watch.failure(3.6))
+        watch.see(distances(FAR, stamp=2), 4.0)
+        watch.life.see_status(status(), 7.0)
+        watch.look(8.0)
+        self.assertTrue(watch.is_passed(8.0))
 
     def test_says_that_nothing_came(self):
         self.check_failure(self.watch(at_least=.05), 'no message came')
@@ -302,7 +395,7 @@ class Topics(WatchTest):
         self.assertEqual([(topic.name, topic.is_needed) for topic in watch.topics],
                          [('/robot/bounds/distances', True), ('/robot/bounds/boxes', True),
                           ('/robot/bounds/overlaps', False)])
-        self.assertEqual(len(self.watch(first='arm', at_least=.05).topics), 2)
+        self.assertEqual(len(self.watch(first='arm', at_most=.05).topics), 2)
 
 
 if __name__ == '__main__':

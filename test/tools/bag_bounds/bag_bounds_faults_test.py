@@ -63,6 +63,30 @@ class ArgumentsTest(BagBoundsTest):
                 self.check_refused(reason, *arguments)
         self.assertEqual(self.report(bag)['messages'], 4)  # nothing was overwritten
 
+    def test_inputs_are_not_overwritten(self):
+        bag = self.bag(arms(3))
+        zones = self.write('zones.yaml', zone_text('all', [-9] * 3, [9] * 3))
+        for file in (bag, self.urdf, zones):
+            with open(file, 'rb') as opened:
+                before = opened.read()
+            os.symlink(file, self.path('link'))
+            os.link(file, self.path('hard'))
+            for out in (file, os.path.relpath(file), self.path('link'), self.path('hard')):
+                with self.subTest(file=file, out=out):
+                    self.check_refused('--out is %s, which is read' % file, bag, '--urdf', self.urdf,
+                                       '--zones', zones, '--out', out)
+                with open(file, 'rb') as opened:
+                    self.assertEqual(opened.read(), before)
+            os.remove(self.path('link'))
+            os.remove(self.path('hard'))
+
+    def test_standard_input_is_not_overwritten(self):
+        with open(self.urdf, encoding='utf-8') as file:
+            code, _, err = run(self.bag(arms(3)), '--urdf', '-', '--out', self.urdf, stdin=file)
+        self.assertEqual(code, 1)
+        self.assertIn('which is read', err)
+        self.assertGreater(os.path.getsize(self.urdf), 0)
+
     def test_refused_robots(self):
         bag = self.bag(arms(3))
         text = self.write('a.urdf', 'text')

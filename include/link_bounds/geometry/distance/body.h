@@ -11,6 +11,7 @@
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "link_bounds/geometry/shape/shape.h"
+#include "link_bounds/geometry/support/check_interrupt.h"
 
 namespace link_bounds {
 
@@ -19,15 +20,17 @@ class TriangleTree;  // private to the library
 /// The triangles of a shape in a tree, in the coordinates of the shape's points [m]. It is made
 /// once and may be shared by any number of shapes and threads. A triangle with two equal corners is
 /// a segment, one with three a point. Null if there is no triangle, an index is too large, or a
-/// coordinate is not finite or exceeds 1e30.
-std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh);
+/// coordinate is not finite or exceeds 1e30. What `check_interrupt` throws ends it.
+std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh,
+                                                 const CheckInterrupt& check_interrupt = nullptr);
 
 /// As above, for vertices in double. `solid` with its `size` sweeps the triangles, as in Shape: so
 /// a list of cubes is a list of points that a box sweeps.
 std::shared_ptr<const TriangleTree> triangleTree(
     const std::vector<Eigen::Vector3d>& vertices,
     const std::vector<std::array<std::uint32_t, 3>>& triangles, Solid solid = Solid::kNone,
-    const Eigen::Vector3d& size = Eigen::Vector3d::Zero());
+    const Eigen::Vector3d& size = Eigen::Vector3d::Zero(),
+    const CheckInterrupt& check_interrupt = nullptr);
 
 /// Bytes kept in memory.
 std::size_t bytes(const TriangleTree& tree);

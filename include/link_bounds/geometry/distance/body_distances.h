@@ -11,10 +11,10 @@ namespace link_bounds {
 
 /// Some bodies at their last poses, and the one owner of what makes distances fast: of each pair it
 /// remembers what was nearest, and the next search of that pair begins there. A memory ends when
-/// one of the two bodies is replaced. Bounds of find() and of bodyDistance() hold alike and are as
-/// near to each other, but they may differ within goal.accuracy. A memory takes up to 41 KiB for a
-/// pair of meshes and less than 1 KiB for others. Throws nothing but std::bad_alloc.
-/// Not thread-safe.
+/// one of the two bodies is replaced, or with forgetUnused(). Bounds of find() and of
+/// bodyDistance() hold alike and are as near to each other, but they may differ within
+/// goal.accuracy. A memory takes up to 41 KiB for a pair of meshes and less than 1 KiB for others.
+/// Throws nothing but std::bad_alloc. Not thread-safe.
 class BodyDistances {
  public:
   explicit BodyDistances(const DistanceGoal& goal = {});
@@ -32,6 +32,12 @@ class BodyDistances {
 
   /// Nothing if one of the two is not there, has had no pose, or has no finite box in its last one.
   std::optional<BodyDistance> find(std::size_t first, std::size_t second);
+
+  /// As find(), with another limit [m], and remembers nothing of the pair.
+  std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const;
+
+  /// Forgets the pairs that find() has not searched since the last call.
+  void forgetUnused();
 
  private:
   class Memories;

@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "link_bounds/geometry/support/check_interrupt.h"
+
 namespace link_bounds {
 
 /// The smallest and largest r . p over the points p of a set, for three directions r; metres.
@@ -28,12 +30,15 @@ struct DirectionTable;  // private to the library
 /// scans all of them.
 class PointSet {
  public:
-  /// `points` must be finite and not empty.
-  explicit PointSet(const std::vector<Eigen::Vector3f>& points);
+  /// `points` must be finite and not empty. Millions of points can take seconds; what
+  /// `check_interrupt` throws ends that.
+  explicit PointSet(const std::vector<Eigen::Vector3f>& points,
+                    const CheckInterrupt& check_interrupt = nullptr);
 
   /// As above, with a table of at most `max_bytes` where that is possible: for a set that is one
   /// of many.
-  PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes);
+  PointSet(const std::vector<Eigen::Vector3f>& points, std::size_t max_bytes,
+           const CheckInterrupt& check_interrupt = nullptr);
 
   /// Points in double: `xyz` is the first of 3 `count` numbers, the coordinates of one point after
   /// the other, which must be finite and must not change while this lives.

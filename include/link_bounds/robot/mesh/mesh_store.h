@@ -7,21 +7,26 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "link_bounds/geometry/distance/body.h"
 #include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "link_bounds/geometry/support/point_set.h"
+#include "link_bounds/robot/mesh/mesh_limits.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 namespace link_bounds {
 
 /// Reads a mesh file, in metres as rviz draws it. Throws MeshError. Called from several threads.
 using MeshImporter = std::function<TriangleMesh(const MeshFile& file)>;
+
+/// The same within limits; what `deadline` throws ends it.
+using TimedMeshImporter = std::function<TriangleMesh(const MeshFile& file, const MeshLimits& limits,
+                                                     const CheckInterrupt& deadline)>;
 
 /// Called after each file that was read, by one thread at a time.
 using LoadProgress = std::function<void(std::size_t done, std::size_t total)>;
@@ -33,6 +38,7 @@ struct LoadedMesh {
   std::shared_ptr<const TriangleTree> tree = nullptr;       ///< only if it was requested
   /// Why there are points but not the tree that was requested, and the remedy; else "".
   std::string tree_error = "";
+  bool is_cancelled = false;  ///< nothing is known about the file, which is no failure of it
 };
 
 /// kAll: points, triangles and tree.
@@ -40,22 +46,29 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
-/// are remembered until forgetFailures(), which is also where dead entries are erased. load() reads
-/// a file again if it was replaced since, and refuses one that changes while it is read. Triangles
-/// and trees are not cached; if reading them fails, points in use stay in use. Not thread-safe;
-/// what it returns is immutable.
+/// are remembered until forgetFailures(), which is also where dead entries are erased; those of
+/// loads that began before are not. load() reads a file again if it was replaced since, and refuses
+/// one that changes while it is read. Triangles and trees are not cached; if reading them fails,
+/// points in use stay in use. Any number of threads may use a store; what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
+      : MeshStore(
+            [importer = std::move(importer)](const MeshFile& file, const MeshLimits&,
+                                             const CheckInterrupt&) { return importer(file); },
+            std::move(remedy)) {}
+  explicit MeshStore(TimedMeshImporter importer, MeshRemedy remedy = plainRemedy)
       : importer_(std::move(importer)), remedy_(std::move(remedy)) {}
 
   /// One result per file, in order. Files are read in parallel, one thread per core, and each
-  /// becomes a tree before its thread reads the next. There is no tree of a mesh for which it could
-  /// take more than `max_tree_bytes`.
-  std::vector<LoadedMesh> load(
-      const std::vector<MeshFile>& files, const LoadProgress& progress = nullptr,
-      MeshContent content = MeshContent::kPoints,
-      std::uint64_t max_tree_bytes = std::numeric_limits<std::uint64_t>::max());
+  /// becomes a tree before its thread reads the next. Reading a file and preparing what `content`
+  /// names takes at most `limits.timeout`, and ends early if `is_cancelled`, which may be null and
+  /// is called from several threads. A tree takes at most `limits.max_bytes`.
+  std::vector<LoadedMesh> load(const std::vector<MeshFile>& files,
+                               const LoadProgress& progress = nullptr,
+                               MeshContent content = MeshContent::kPoints,
+                               const MeshLimits& limits = {},
+                               const std::function<bool()>& is_cancelled = nullptr);
 
   /// The next load() reads these files again.
   void forgetFailures();
@@ -76,28 +89,30 @@ class MeshStore {
     std::weak_ptr<const PointSet> points;
     std::string error;
   };
-  struct Imported {
-    Version version;
-    LoadedMesh mesh;
-  };
   struct Request {
-    LoadProgress progress;
     MeshContent content;
-    std::uint64_t max_tree_bytes;
+    MeshLimits limits;
+    std::function<bool()> is_cancelled;
+    std::uint64_t generation;
   };
 
   static Version versionOf(const std::string& path);
   static Version settledVersionOf(const std::string& path);
   LoadedMesh cached(const MeshFile& file) const;
   LoadedMesh import(const MeshFile& file, const Version& version, const Request& request) const;
-  void addTree(const TriangleMesh& mesh, std::uint64_t max_bytes, LoadedMesh& result) const;
+  void addTree(const TriangleMesh& mesh, const Request& request, const CheckInterrupt& deadline,
+               LoadedMesh& result) const;
   LoadedMesh failure(const char* reason, MeshFault fault) const noexcept;
-  std::map<std::string, Imported> importAll(const std::map<std::string, MeshFile>& files,
-                                            const Request& request) const;
+  LoadedMesh importAndRemember(const MeshFile& file, const Request& request);
+  void remember(const MeshFile& file, const Version& version, const Request& request,
+                LoadedMesh& mesh);
+  std::uint64_t generation() const;
 
-  MeshImporter importer_;
+  TimedMeshImporter importer_;
   MeshRemedy remedy_;
-  std::map<std::string, Entry> entries_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Entry> entries_;  ///< guarded by mutex_
+  std::uint64_t generation_ = 0;          ///< guarded by mutex_; changes with forgetFailures()
 };
 
 }  // namespace link_bounds

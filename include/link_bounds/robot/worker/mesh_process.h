@@ -3,18 +3,13 @@
 /// Mesh files are untrusted input, so each is read by a process of its own.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 
+#include "link_bounds/robot/mesh/mesh_limits.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 
 namespace link_bounds {
-
-struct MeshLimits {
-  double timeout = 30.0;                ///< wall seconds per file, > 0
-  std::uint64_t max_bytes = 536870912;  ///< of a file; its mesh may take 16 MiB more
-};
 
 /// Absolute path of the program mesh_worker. It is looked for in the folder of the running program,
 /// then where it is built or installed with this library. Throws std::system_error.
@@ -27,5 +22,9 @@ std::string meshWorker();
 TriangleMesh importInProcess(const std::string& worker, const MeshFile& file,
                              const MeshLimits& limits,
                              const std::function<bool()>& is_cancelled = nullptr);
+
+/// The same for a deadline that has begun before. It is called at least every 20 ms.
+TriangleMesh importInTime(const std::string& worker, const MeshFile& file, const MeshLimits& limits,
+                          const CheckInterrupt& deadline);
 
 }  // namespace link_bounds

@@ -115,10 +115,12 @@ PointIndices CandidateGrid::named() const {
   return result;
 }
 
-GridBuilder::GridBuilder(std::vector<Eigen::Vector3d> points)
+GridBuilder::GridBuilder(std::vector<Eigen::Vector3d> points, Effort effort,
+                         const CheckInterrupt& check_interrupt)
     : points_(std::move(points)),
       tolerance_(kTolerance * largestMagnitude(points_)),
-      envelope_(points_, tolerance_) {}
+      meter_(check_interrupt),
+      envelope_(points_, tolerance_, effort, meter_) {}
 
 CandidateGrid GridBuilder::coarsest() {
   CellCandidates everything;
@@ -143,6 +145,7 @@ CandidateGrid GridBuilder::refined(const CandidateGrid& parent) {
 
 CellCandidates GridBuilder::reduced(const CellCandidates& candidates, int column, int row,
                                     int grid) {
+  meter_.add(candidates.upper.size() + candidates.lower.size());
   const std::vector<Cone> cones = conesOf(column, row, grid);
   const Cone corners = cornersOf(cones);
   CellCandidates left = candidates;

@@ -29,11 +29,13 @@ struct CandidateGrid {
   PointIndices named() const;
 };
 
-/// Lists for grids of 2, 4, 8 ... cells per side. They are minimal from 8 on; the coarser ones lack
-/// only the points that are cheap to rule out.
+/// Lists for grids of 2, 4, 8 ... cells per side. With Effort::kMinimal they are minimal from 8 on;
+/// the coarser ones lack only the points that are cheap to rule out.
 class GridBuilder {
  public:
-  explicit GridBuilder(std::vector<Eigen::Vector3d> points);
+  /// `check_interrupt` is called about once a millisecond.
+  GridBuilder(std::vector<Eigen::Vector3d> points, Effort effort,
+              const CheckInterrupt& check_interrupt);
 
   /// The envelope refers to the points.
   GridBuilder(const GridBuilder&) = delete;
@@ -47,6 +49,7 @@ class GridBuilder {
 
   std::vector<Eigen::Vector3d> points_;
   double tolerance_;
+  WorkMeter meter_;
   Envelope envelope_;
 };
 

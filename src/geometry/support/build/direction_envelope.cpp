@@ -19,6 +19,10 @@ constexpr std::size_t kContenders = 48;
 constexpr int kDeepest = 40;
 constexpr std::size_t kLooks = 64;
 
+/// For Effort::kQuick. The four corners of a plate beat the rest of it. With 24 the table of a ball
+/// of 600,000 points takes 1.4 times as long.
+constexpr std::size_t kQuicklyKept = 6;
+
 Eigen::Vector3d middle(const Cone& cone) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& edge : cone)
@@ -58,8 +62,24 @@ PointIndices Envelope::neededOf(const PointIndices& candidates, const std::vecto
 
 void Envelope::begin(const PointIndices& candidates, const Cone& cone) {
   const PointIndices left = beyondChampions(candidates, cone);
+  if (effort_ == Effort::kQuick) return searchQuickly(left, cone);
   looks_ = kLooks * left.size();
   search(left, cone, 0);
+}
+
+/// Decides as searchAll() until a few points are kept, and then keeps all that these do not beat.
+void Envelope::searchQuickly(const PointIndices& candidates, const Cone& cone) {
+  for (const std::uint32_t point : candidates) {
+    if (is_needed_[point]) continue;
+    if (kept_.size() < kQuicklyKept) {
+      decide(point, candidates, cone);
+      continue;
+    }
+    region_ = cone;
+    if (!clipByKept(point)) continue;
+    is_needed_[point] = true;
+    needed_.push_back(point);
+  }
 }
 
 void Envelope::search(const PointIndices& candidates, const Cone& cone, int depth) {
@@ -114,6 +134,7 @@ PointIndices Envelope::beyondChampions(const PointIndices& candidates, const Con
 
 std::uint32_t Envelope::farthest(const PointIndices& candidates,
                                  const Eigen::Vector3d& direction) const {
+  meter_.add(candidates.size());
   std::uint32_t best = candidates.front();
   double height = sign_ * points_[best].dot(direction);
   for (const std::uint32_t candidate : candidates) {
@@ -150,6 +171,7 @@ void Envelope::decide(std::uint32_t point, const PointIndices& candidates, const
 }
 
 bool Envelope::clipByKept(std::uint32_t point) {
+  meter_.add(kept_.size());
   for (std::size_t i = kept_.size(); i-- > 0;) {
     if (!clip(point, kept_[i])) return false;
   }

@@ -7,8 +7,13 @@
 #include <vector>
 
 #include "geometry/support/build/direction_dominance.h"
+#include "link_bounds/geometry/support/check_interrupt.h"
 
 namespace link_bounds {
+
+/// kMinimal leaves out every point that is not needed. kQuick takes time in proportion to the
+/// number of candidates, and leaves out only what a few others beat together.
+enum class Effort { kQuick, kMinimal };
 
 /// Finds the upper envelope of linear functionals d -> p . d over a cone of directions d.
 ///
@@ -19,17 +24,19 @@ namespace link_bounds {
 /// for points that stay: tolerances do not add up.
 class Envelope {
  public:
-  /// `points` must outlive this.
-  Envelope(const std::vector<Eigen::Vector3d>& points, double tolerance)
-      : points_(points), tolerance_(tolerance) {}
+  /// `points` and `meter` must outlive this.
+  Envelope(const std::vector<Eigen::Vector3d>& points, double tolerance, Effort effort,
+           WorkMeter& meter)
+      : points_(points), tolerance_(tolerance), effort_(effort), meter_(meter) {}
 
   /// Those of the candidates, in ascending order, that are needed within one of the cones for the
-  /// largest sign * (p . d); |sign| = 1.
+  /// largest sign * (p . d); |sign| = 1. With kQuick, more than those.
   PointIndices neededOf(const PointIndices& candidates, const std::vector<Cone>& cones,
                         double sign);
 
  private:
   void begin(const PointIndices& candidates, const Cone& cone);
+  void searchQuickly(const PointIndices& candidates, const Cone& cone);
   void search(const PointIndices& candidates, const Cone& cone, int depth);
   void searchHalves(const PointIndices& candidates, const Cone& cone, int depth);
   void searchAll(const PointIndices& candidates, const Cone& cone);
@@ -43,6 +50,8 @@ class Envelope {
 
   const std::vector<Eigen::Vector3d>& points_;
   double tolerance_;
+  Effort effort_;
+  WorkMeter& meter_;
   double sign_ = 1;
   std::size_t looks_ = 0;        ///< left for halving
   std::vector<bool> is_needed_;  ///< by point: in any cone so far

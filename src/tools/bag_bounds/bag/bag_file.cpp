@@ -15,6 +15,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::string_view kVersionLine = kBagVersionLine;
+constexpr std::uint64_t kStepsPerGlance = 256;       // at whether it is interrupted
 constexpr int kMaxLosses = 20;                       // lines for one file
 constexpr std::uint64_t kNextHeaderSize = 512;       // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;   // bytes, as in record.cpp
@@ -51,8 +52,13 @@ std::string textOf(ChunkState state) {
 }  // namespace
 
 BagFile::BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
-                 const std::set<std::string>& topics, std::vector<std::string>& losses)
-    : name_(name), bytes_(std::move(bytes)), losses_(losses), connections_(topics) {
+                 const std::set<std::string>& topics, std::vector<std::string>& losses,
+                 std::function<bool()> is_interrupted)
+    : name_(name),
+      bytes_(std::move(bytes)),
+      losses_(losses),
+      is_interrupted_(std::move(is_interrupted)),
+      connections_(topics) {
   readVersion();
   readBagHeader();
 }
@@ -86,9 +92,18 @@ void BagFile::readBagHeader() {
 }
 
 bool BagFile::next(BagMessage& message) {
-  while (!is_at_end_)
+  while (!is_at_end_ && !was_interrupted_) {
     if (step(message)) return true;
+    if (++steps_ % kStepsPerGlance == 0) isInterrupted(position_);
+  }
   return false;
+}
+
+// Stays true.
+bool BagFile::isInterrupted(std::uint64_t position) {
+  looked_at_ = position;
+  was_interrupted_ |= is_interrupted_();
+  return was_interrupted_;
 }
 
 // Reads one record. Whether it is a message that is wanted.
@@ -172,7 +187,9 @@ void BagFile::openChunk(const Record& record) {
     position_ = record.data;
     return;
   }
-  const ChunkData chunk = decompress(record.compression, *bytes_, record.data, chunk_.data);
+  const ChunkData chunk = decompress(record.compression, *bytes_, record.data, chunk_.data,
+                                     [this](auto position) { return isInterrupted(position); });
+  if (was_interrupted_) return;
   const std::uint64_t end = record.data + chunk.consumed;
   chunk_position_ = 0;
   is_chunk_cut_ = false;
@@ -199,7 +216,9 @@ void BagFile::leaveDamagedChunk() {
 // A record that does not fit into the file has a wrong length if another one comes after it.
 void BagFile::skipDamage(const std::string& what, bool is_cut, std::uint64_t next) {
   const std::uint64_t begin = position_;
-  position_ = findRecord(*bytes_, next, is_compressed_);
+  position_ = findRecord(*bytes_, next, is_compressed_,
+                         [this](auto position) { return isInterrupted(position); });
+  if (was_interrupted_) return;
   if (is_cut && position_ == bytes_->size()) {
     loseRest(begin);
   } else {

@@ -7,7 +7,9 @@
 // After damage, reading goes on at the next record.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -24,16 +26,20 @@ class BagFile {
  public:
   /// `name` is for messages. Throws std::runtime_error if these are not the bytes of a bag that can
   /// be read. What it refers to must outlive it.
-  BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
-          const std::set<std::string>& topics, std::vector<std::string>& losses);
+  BagFile(
+      const std::string& name, std::unique_ptr<Bytes> bytes, const std::set<std::string>& topics,
+      std::vector<std::string>& losses,
+      std::function<bool()> is_interrupted = [] { return false; });
 
-  /// The next message; false after the last one.
+  /// The next message; false after the last one, or if interrupted.
   bool next(BagMessage& message);
 
-  std::uint64_t position() const { return position_; }
+  /// As far as the file has been read, also within a compressed chunk.
+  std::uint64_t position() const { return std::max(position_, looked_at_); }
   std::uint64_t size() const { return bytes_->size(); }
 
  private:
+  bool isInterrupted(std::uint64_t position);
   void readVersion();
   void readBagHeader();
   bool step(BagMessage& message);
@@ -51,6 +57,10 @@ class BagFile {
   std::string name_;
   std::unique_ptr<Bytes> bytes_;
   std::vector<std::string>& losses_;
+  std::function<bool()> is_interrupted_;
+  bool was_interrupted_ = false;
+  std::uint64_t looked_at_ = 0;  ///< in the file, by what may be interrupted
+  std::uint64_t steps_ = 0;
   int loss_count_ = 0;
   std::uint64_t position_ = 0;  ///< in the file
   bool is_at_end_ = false;

@@ -16,8 +16,13 @@ struct BagReader::Source {
   bool has_message;
 };
 
-BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics)
+BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics,
+                     const std::function<bool()>& is_interrupted)
     : topics_(topics) {
+  const auto interrupts = [this, is_interrupted] {
+    was_interrupted_ |= is_interrupted();
+    return was_interrupted_;
+  };
   std::vector<const FileBytes*> opened;
   for (const std::string& name : files) {
     auto bytes = std::make_unique<FileBytes>(name);
@@ -26,7 +31,9 @@ BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::
         throw std::runtime_error(name + ": is given twice; give each bag once");
     opened.push_back(bytes.get());
     sources_.push_back(
-        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_), {}, false});
+        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_, interrupts),
+         {},
+         false});
   }
 }
 
@@ -41,6 +48,7 @@ bool BagReader::next(BagMessage& message) {
     last_->has_message = last_->file->next(last_->message);
   }
   last_ = nullptr;
+  if (was_interrupted_) return false;
   for (Source& source : sources_)
     if (source.has_message && (!last_ || source.message.time < last_->message.time))
       last_ = &source;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -34,17 +35,24 @@ class BagFile;
 class BagReader {
  public:
   /// Only messages of these topics; of all topics if there are none. Throws std::runtime_error if a
-  /// file cannot be read at all, or is given twice.
-  BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics);
+  /// file cannot be read at all, or is given twice. `is_interrupted` is called now and then while
+  /// next() looks for a message, also within a compressed chunk; true ends the reading.
+  BagReader(
+      const std::vector<std::string>& files, const std::set<std::string>& topics,
+      const std::function<bool()>& is_interrupted = [] { return false; });
   ~BagReader();
   BagReader(const BagReader&) = delete;
   BagReader& operator=(const BagReader&) = delete;
 
-  /// The next message; false after the last one. The messages of one file come in its own order:
-  /// where their times go back, the clock has jumped. Those of several files are merged by time.
+  /// The next message; false after the last one, or if interrupted. The messages of one file come
+  /// in its own order: where their times go back, the clock has jumped. Those of several files are
+  /// merged by time.
   bool next(BagMessage& message);
 
-  /// How much has been read, 0 to 1, by bytes.
+  /// Whether next() has ended before the last message.
+  bool wasInterrupted() const { return was_interrupted_; }
+
+  /// How much has been read, 0 to 1, by bytes of the files.
   double progress() const;
 
   /// What could not be read so far, a line each: file, place, loss, remedy.
@@ -58,6 +66,7 @@ class BagReader {
   std::vector<Source> sources_;
   Source* last_ = nullptr;  ///< gave the last message
   bool has_begun_ = false;
+  bool was_interrupted_ = false;
 };
 
 }  // namespace link_bounds

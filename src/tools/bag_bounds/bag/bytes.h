@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ class Bytes {
 
   virtual std::uint64_t size() const = 0;
 };
+
+/// Called now and then with the place that is being read; true ends the reading.
+using IsInterrupted = std::function<bool(std::uint64_t position)>;
 
 /// A file, of which one block is in memory.
 class FileBytes : public Bytes {

@@ -75,7 +75,8 @@ void makeRoom(std::vector<std::uint8_t>& output, std::size_t size) {
 }
 
 template <class Decompressor>
-ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& output) {
+ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& output,
+              const IsInterrupted& is_interrupted) {
   Decompressor decompressor;
   std::size_t filled = 0;
   const auto finish = [&](ChunkState state, std::uint64_t consumed) {
@@ -83,6 +84,7 @@ ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& outp
     return ChunkData{state, consumed};
   };
   for (std::uint64_t offset = begin;;) {
+    if (is_interrupted(offset)) return finish(ChunkState::kInterrupted, offset - begin);
     const std::size_t input_size = std::min<std::uint64_t>(kInputSize, bytes.size() - offset);
     const std::uint8_t* const input = bytes.at(offset, input_size);
     if (!input) return finish(ChunkState::kCut, offset - begin);
@@ -101,9 +103,9 @@ ChunkData run(Bytes& bytes, std::uint64_t begin, std::vector<std::uint8_t>& outp
 }  // namespace
 
 ChunkData decompress(std::string_view compression, Bytes& bytes, std::uint64_t begin,
-                     std::vector<std::uint8_t>& output) {
-  if (compression == "bz2") return run<Bzip2>(bytes, begin, output);
-  if (compression == "lz4") return run<Lz4>(bytes, begin, output);
+                     std::vector<std::uint8_t>& output, const IsInterrupted& is_interrupted) {
+  if (compression == "bz2") return run<Bzip2>(bytes, begin, output, is_interrupted);
+  if (compression == "lz4") return run<Lz4>(bytes, begin, output, is_interrupted);
   return {ChunkState::kUnknownCompression, 0};
 }
 

@@ -17,6 +17,7 @@ enum class ChunkState {
   kDamaged,   ///< the output is empty
   kTooLarge,  ///< the output would be larger than a limit, and is empty
   kUnknownCompression,
+  kInterrupted,  ///< the output is empty
 };
 
 struct ChunkData {
@@ -29,8 +30,8 @@ struct ChunkData {
 constexpr std::uint32_t kMaxChunkSize = 256U << 20;
 
 /// Decompresses what begins at `begin`, as far as it says itself. Takes memory for what comes out,
-/// not for what the chunk says about its size.
+/// not for what the chunk says about its size. Calls `is_interrupted` for each piece.
 ChunkData decompress(std::string_view compression, Bytes& bytes, std::uint64_t begin,
-                     std::vector<std::uint8_t>& output);
+                     std::vector<std::uint8_t>& output, const IsInterrupted& is_interrupted);
 
 }  // namespace link_bounds

@@ -151,7 +151,8 @@ RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record) {
 }
 
 // Each header has the field op, which rosbag writes among the first ones.
-std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed) {
+std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
+                         const IsInterrupted& is_interrupted) {
   constexpr char kOpField[] = "\x04\0\0\0op=";
   constexpr std::size_t kFieldSize = sizeof kOpField - 1;
   constexpr std::size_t kBlockSize = 64 << 10;
@@ -159,6 +160,7 @@ std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed)
   Record record;
   std::uint64_t position = offset;
   while (position + kFieldSize <= bytes.size()) {
+    if (is_interrupted(position)) return position;
     const std::size_t size = std::min<std::uint64_t>(kBlockSize, bytes.size() - position);
     const std::uint8_t* const block = bytes.at(position, size);
     if (!block) break;

@@ -49,8 +49,9 @@ RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record);
 
 /// Where the first good record begins from `offset` on; the size of the bytes if there is none.
 /// Records inside of chunks count only if these are not compressed: parts of compressed data look
-/// like records.
-std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed);
+/// like records. Where it is interrupted, if so.
+std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
+                         const IsInterrupted& is_interrupted);
 
 /// The header of a connection, which is the data of its record.
 struct ConnectionHeader {

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// As many pairs as one message may have: the nearest ones.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/geometry/distance/body_distance.h"
+
+namespace link_bounds {
+
+/// Two bodies by their indices.
+struct FoundPair {
+  std::size_t first;
+  std::size_t second;
+  BodyDistance distance;
+};
+
+class PairHeap {
+ public:
+  explicit PairHeap(std::size_t max) : max_(max) {}
+
+  bool isFull() const { return pairs_.size() == max_; }
+
+  /// Lower bound of the farthest pair. There must be one.
+  double farthest() const { return pairs_.front().distance.lower; }
+
+  /// Adds a pair. If that is one too many, removes the farthest pair and returns it.
+  std::optional<FoundPair> add(FoundPair pair) {
+    pairs_.push_back(std::move(pair));
+    std::push_heap(pairs_.begin(), pairs_.end(), isNearer);
+    if (pairs_.size() <= max_) return std::nullopt;
+    std::pop_heap(pairs_.begin(), pairs_.end(), isNearer);
+    FoundPair farthest = std::move(pairs_.back());
+    pairs_.pop_back();
+    return farthest;
+  }
+
+  /// All pairs, sorted by first, then by second. None are left.
+  std::vector<FoundPair> take() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const FoundPair& a, const FoundPair& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
+    return std::exchange(pairs_, {});
+  }
+
+ private:
+  static bool isNearer(const FoundPair& a, const FoundPair& b) {
+    return std::tie(a.distance.lower, a.first, a.second) <
+           std::tie(b.distance.lower, b.first, b.second);
+  }
+
+  std::size_t max_;
+  std::vector<FoundPair> pairs_;  ///< a heap, the farthest first
+};
+
+}  // namespace link_bounds

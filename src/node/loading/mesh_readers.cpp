@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A thread for small meshes looks how large a mesh is, and passes large ones on.
+#include "node/loading/mesh_readers.h"
+
+#include <sched.h>
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+/// A file of STL of this size has 335,000 triangles and takes about a second.
+constexpr std::uint64_t kLargeBytes = 16 << 20;
+
+constexpr unsigned kMaxReaders = 4;  // of small meshes; each may hold one mesh while it is prepared
+
+/// Those that the node may use, of those that the machine has.
+unsigned processors() {
+  cpu_set_t usable;
+  const bool is_known = sched_getaffinity(0, sizeof(usable), &usable) == 0;
+  return is_known ? static_cast<unsigned>(CPU_COUNT(&usable)) : 1;
+}
+
+Worker::Options options() {
+  Worker::Options options;
+  options.name = "mesh reader";
+  return options;
+}
+
+}  // namespace
+
+MeshReaders::MeshReaders() : large_(options()) {
+  const unsigned count = std::clamp(processors(), 1u, kMaxReaders);
+  for (unsigned i = 0; i < count; ++i)
+    small_.push_back(std::make_unique<Worker>(options()));
+}
+
+void MeshReaders::post(const std::string& key, Job job) {
+  Worker& reader = *small_[std::hash<std::string>()(key) % small_.size()];
+  reader.post(key, [this, &reader, key, job = std::move(job)] {
+    large_.cancel(key);
+    if (job.bytes() <= kLargeBytes) {
+      job.work([&reader] { return reader.isCancelled(); });
+    } else {
+      large_.post(key, [this, job] { job.work([this] { return large_.isCancelled(); }); });
+    }
+  });
+}
+
+void MeshReaders::stop() {
+  for (const std::unique_ptr<Worker>& reader : small_)
+    reader->stop();
+  large_.stop();
+}
+
+}  // namespace link_bounds

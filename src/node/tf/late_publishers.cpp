@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Grows with the number of publishers, not with that of frames.
+#include "node/tf/late_publishers.h"
+
+namespace link_bounds {
+namespace {
+
+const ros::WallDuration kMemory(5.0);
+
+}  // namespace
+
+void LatePublishers::add(const std::string& publisher, std::string_view frame, double behind,
+                         ros::SteadyTime now) {
+  publishers_[publisher] = {std::string(frame), behind, now};
+}
+
+std::string LatePublishers::takeText(ros::SteadyTime now) {
+  std::string text;
+  for (auto entry = publishers_.begin(); entry != publishers_.end();) {
+    const auto& [publisher, lateness] = *entry;
+    if (now - lateness.time > kMemory) {
+      entry = publishers_.erase(entry);
+      continue;
+    }
+    text += (text.empty() ? "" : "; ") + publisher + " by " + std::to_string(lateness.behind) +
+            " s (frame " + lateness.frame + ")";
+    ++entry;
+  }
+  return text;
+}
+
+}  // namespace link_bounds

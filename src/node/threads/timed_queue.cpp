@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// No callback is called or freed under the lock.
+#include "node/threads/timed_queue.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace link_bounds {
+
+TimedQueue::Backlog TimedQueue::backlog() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (entries_.empty()) return {};
+  return {entries_.size(), Clock::now() - entries_.front().arrival};
+}
+
+void TimedQueue::wait(std::chrono::nanoseconds longest) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  arrival_.wait_for(lock, longest, [this] { return !entries_.empty(); });
+}
+
+bool TimedQueue::callOne() {
+  Entry entry;
+  if (!takeOne(entry)) return false;
+  if (entry.callback->call() != ros::CallbackInterface::TryAgain) entry.callback.reset();
+  endCall(std::move(entry));
+  return true;
+}
+
+bool TimedQueue::takeOne(Entry& entry) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (entries_.empty()) return false;
+  entry = std::move(entries_.front());
+  entries_.pop_front();
+  is_calling_ = true;
+  caller_ = entry.owner;
+  thread_ = std::this_thread::get_id();
+  return true;
+}
+
+/// One that asks to be called again goes to the end.
+void TimedQueue::endCall(Entry entry) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_calling_ = false;
+    if (entry.callback) entries_.push_back(std::move(entry));
+  }
+  rest_.notify_all();
+}
+
+void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    entries_.push_back({callback, owner, Clock::now()});
+  }
+  arrival_.notify_one();
+}
+
+void TimedQueue::removeByID(std::uint64_t owner) {
+  std::deque<Entry> removed;  // is freed without the lock
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto stays = [owner](const Entry& entry) { return entry.owner != owner; };
+  const auto first = std::stable_partition(entries_.begin(), entries_.end(), stays);
+  std::move(first, entries_.end(), std::back_inserter(removed));
+  entries_.erase(first, entries_.end());
+  if (is_calling_ && thread_ == std::this_thread::get_id()) return;
+  rest_.wait(lock, [&] { return !is_calling_ || caller_ != owner; });
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A callback queue that tells how many callbacks wait and for how long; ros::CallbackQueue does
+// not.
+#pragma once
+
+#include <ros/callback_queue_interface.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace link_bounds {
+
+/// One thread calls the callbacks, in the order of their arrival; any thread may add some.
+class TimedQueue : public ros::CallbackQueueInterface {
+ public:
+  struct Backlog {
+    std::size_t count = 0;
+    std::chrono::nanoseconds oldest{0};  ///< for how long the first one waits
+  };
+
+  Backlog backlog() const;
+
+  /// Returns when a callback waits, or after that time.
+  void wait(std::chrono::nanoseconds longest);
+
+  /// Calls the one that waits longest; false if none waits.
+  bool callOne();
+
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner = 0) override;
+  /// Waits while a callback of that owner runs on another thread.
+  void removeByID(std::uint64_t owner) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Entry {
+    ros::CallbackInterfacePtr callback;
+    std::uint64_t owner;
+    Clock::time_point arrival;
+  };
+
+  bool takeOne(Entry& entry);
+  void endCall(Entry entry);
+
+  mutable std::mutex mutex_;  ///< of everything below
+  std::condition_variable arrival_;
+  std::condition_variable rest_;  ///< a callback has returned
+  std::deque<Entry> entries_;
+  bool is_calling_ = false;
+  std::uint64_t caller_ = 0;  ///< owner of the callback that runs
+  std::thread::id thread_;    ///< that runs it
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The lock is held for moments only: nothing is computed, called or freed under it.
+#include "node/threads/worker.h"
+
+#include <ros/init.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <list>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include "node/log/guarded.h"
+#include "node/threads/be_nice.h"
+#include "node/threads/queued_function.h"
+#include "node/threads/start_thread.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPoll(20);  // how late await() notices a shutdown
+
+/// What another thread is waited for is mostly there before a sleeping thread would wake up:
+/// without this a request of ~get_boxes for 50 links takes 1.2 times as long (`scripts/bench
+/// get-boxes`).
+constexpr std::chrono::microseconds kAwake(200);
+
+struct Item {
+  std::string key;
+  Worker::Work work;
+  std::size_t bytes;
+};
+
+/// What await() shares with the other thread.
+struct Awaited {
+  std::mutex mutex;  ///< held while the piece is called
+  std::condition_variable ready;
+  std::function<bool()> piece;  ///< guarded by mutex; none any more if the worker has gone on
+  std::exception_ptr error;     ///< guarded by mutex
+  std::atomic<bool> is_done{false};
+};
+
+void callPiece(const std::shared_ptr<Awaited>& awaited, ros::CallbackQueueInterface& queue) {
+  {
+    const std::lock_guard<std::mutex> lock(awaited->mutex);
+    if (!awaited->piece) return;
+    try {
+      awaited->is_done = awaited->piece();
+    } catch (...) {
+      awaited->error = std::current_exception();
+      awaited->is_done = true;
+    }
+  }
+  if (awaited->is_done) {
+    awaited->ready.notify_one();
+  } else {
+    enqueue(queue, [awaited, &queue] { callPiece(awaited, queue); });
+  }
+}
+
+}  // namespace
+
+struct Worker::Urgent {
+  ros::CallbackInterfacePtr callback;
+  std::uint64_t owner;
+};
+
+struct Worker::Inbox {
+  mutable std::mutex mutex;  ///< of everything below
+  std::condition_variable wake;
+  std::condition_variable rest;  ///< an urgent work was done
+  std::deque<Urgent> urgent;
+  std::list<Item> posted;
+  std::unordered_map<std::string, std::list<Item>::iterator> by_key;
+  std::vector<std::shared_ptr<const void>> discarded;
+  std::size_t bytes = 0;  ///< of posted
+  std::thread::id thread;
+  std::string running_key;
+  std::uint64_t running_owner = 0;
+  bool is_urgent_running = false;
+  bool is_urgent_removed = false;  ///< the one that runs
+
+  // Changed under the mutex, but read without it: work that takes long asks all the time, and may
+  // be interrupted while it would hold the mutex for which the update thread waits.
+  std::atomic<bool> is_stopped{false};
+  std::atomic<bool> is_running_cancelled{false};
+
+  bool isEmpty() const { return urgent.empty() && posted.empty() && discarded.empty(); }
+
+  Item take(std::list<Item>::iterator item) {
+    Item taken = std::move(*item);
+    bytes -= taken.bytes;
+    by_key.erase(taken.key);
+    posted.erase(item);
+    return taken;
+  }
+};
+
+/// What the thread does next: all that is to be freed, and one work.
+struct Worker::Next {
+  std::vector<std::shared_ptr<const void>> discarded;
+  Urgent urgent{nullptr, 0};
+  Work work;
+};
+
+Worker::Worker(Options options)
+    : options_(std::move(options)),
+      inbox_(std::make_shared<Inbox>()),
+      thread_(startThread(options_.name, [this] { run(); })) {}
+
+bool Worker::post(const std::string& key, Work work, std::size_t bytes) {
+  {
+    const std::lock_guard<std::mutex> lock(inbox_->mutex);
+    if (inbox_->is_stopped) return false;
+    const auto found = inbox_->by_key.find(key);
+    const bool is_waiting = found != inbox_->by_key.end();
+    const std::size_t others = inbox_->bytes - (is_waiting ? found->second->bytes : 0);
+    if (others > 0 && others + bytes > options_.max_bytes) return false;
+    inbox_->bytes = others + bytes;
+    if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
+    if (is_waiting) {
+      std::swap(found->second->work, work);  // the older one is freed without the lock
+      found->second->bytes = bytes;
+    } else {
+      inbox_->posted.push_back({key, std::move(work), bytes});
+      inbox_->by_key[key] = std::prev(inbox_->posted.end());
+    }
+  }
+  inbox_->wake.notify_one();
+  return true;
+}
+
+void Worker::cancel(const std::string& key) {
+  Item cancelled;  // is freed without the lock
+  const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
+  const auto found = inbox_->by_key.find(key);
+  if (found != inbox_->by_key.end()) cancelled = inbox_->take(found->second);
+}
+
+bool Worker::isCancelled() const {
+  return isStopping() || inbox_->is_running_cancelled;
+}
+
+/// While roscpp shuts down, ros::ok() is still true, and it waits for services that work.
+bool Worker::isStopping() const {
+  if (ros::isInitialized() && (ros::isShuttingDown() || !ros::ok())) return true;
+  return inbox_->is_stopped;
+}
+
+std::size_t Worker::waitingBytes() const {
+  const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  return inbox_->bytes;
+}
+
+bool Worker::await(ros::CallbackQueueInterface& queue, std::function<bool()> piece,
+                   Clock::time_point deadline) {
+  const auto awaited = std::make_shared<Awaited>();
+  awaited->piece = std::move(piece);
+  enqueue(queue, [awaited, &queue] { callPiece(awaited, queue); });
+  const auto end = Clock::now() + kAwake;
+  while (!awaited->is_done && Clock::now() < end)
+    std::this_thread::yield();
+  std::unique_lock<std::mutex> lock(awaited->mutex);
+  while (!awaited->ready.wait_for(lock, kPoll, [&] { return awaited->is_done.load(); })) {
+    if (isStopping() || Clock::now() >= deadline) break;
+  }
+  awaited->piece = nullptr;
+  if (awaited->error) std::rethrow_exception(awaited->error);
+  return awaited->is_done;
+}
+
+void Worker::discard(Inbox& inbox, std::shared_ptr<const void> value) {
+  {
+    const std::lock_guard<std::mutex> lock(inbox.mutex);
+    if (inbox.is_stopped) return;
+    inbox.discarded.push_back(std::move(value));
+  }
+  inbox.wake.notify_one();
+}
+
+void Worker::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(inbox_->mutex);
+    inbox_->is_stopped = true;
+  }
+  inbox_->wake.notify_one();
+  if (thread_.joinable()) thread_.join();
+  inbox_->rest.notify_all();
+  std::deque<Urgent> urgent;
+  std::list<Item> posted;
+  std::vector<std::shared_ptr<const void>> discarded;
+  const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  std::swap(urgent, inbox_->urgent);
+  std::swap(posted, inbox_->posted);
+  std::swap(discarded, inbox_->discarded);
+  inbox_->by_key.clear();
+  inbox_->bytes = 0;
+}
+
+void Worker::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+  {
+    const std::lock_guard<std::mutex> lock(inbox_->mutex);
+    if (inbox_->is_stopped) return;
+    inbox_->urgent.push_back({callback, owner});
+  }
+  inbox_->wake.notify_one();
+}
+
+void Worker::removeByID(std::uint64_t owner) {
+  std::vector<Urgent> removed;  // is freed without the lock
+  std::unique_lock<std::mutex> lock(inbox_->mutex);
+  auto& urgent = inbox_->urgent;
+  for (auto entry = urgent.begin(); entry != urgent.end();) {
+    if (entry->owner != owner) {
+      ++entry;
+      continue;
+    }
+    removed.push_back(std::move(*entry));
+    entry = urgent.erase(entry);
+  }
+  if (inbox_->is_urgent_running && inbox_->running_owner == owner) inbox_->is_urgent_removed = true;
+  lock.unlock();
+  removed.clear();
+  lock.lock();
+  if (std::this_thread::get_id() != inbox_->thread) {
+    inbox_->rest.wait(lock,
+                      [&] { return !inbox_->is_urgent_running || inbox_->running_owner != owner; });
+  }
+}
+
+void Worker::run() {
+  if (options_.is_nice) beNice();
+  {
+    const std::lock_guard<std::mutex> lock(inbox_->mutex);
+    inbox_->thread = std::this_thread::get_id();
+  }
+  while (!isStopping()) {
+    Next todo = next();
+    todo.discarded.clear();
+    if (todo.urgent.callback) {
+      doUrgent(std::move(todo.urgent));
+    } else if (todo.work) {
+      doPosted(todo.work);
+    }
+  }
+}
+
+/// Waits; empty if nothing came for a tick.
+Worker::Next Worker::next() {
+  Next todo;
+  std::unique_lock<std::mutex> lock(inbox_->mutex);
+  const auto is_due = [this] { return inbox_->is_stopped || !inbox_->isEmpty(); };
+  if (!is_due()) {
+    lock.unlock();
+    bool ticks = false;
+    guarded([&] { ticks = options_.on_tick(); });
+    lock.lock();
+    if (ticks) {
+      inbox_->wake.wait_for(lock, options_.tick_period, is_due);
+    } else {
+      inbox_->wake.wait(lock, is_due);
+    }
+  }
+  if (inbox_->is_stopped) return todo;
+  std::swap(todo.discarded, inbox_->discarded);
+  if (!inbox_->urgent.empty()) {
+    todo.urgent = std::move(inbox_->urgent.front());
+    inbox_->urgent.pop_front();
+    inbox_->is_urgent_running = true;
+    inbox_->is_urgent_removed = false;
+    inbox_->running_owner = todo.urgent.owner;
+  } else if (!inbox_->posted.empty()) {
+    Item item = inbox_->take(inbox_->posted.begin());
+    todo.work = std::move(item.work);
+    inbox_->running_key = std::move(item.key);
+    inbox_->is_running_cancelled = false;
+  }
+  return todo;
+}
+
+void Worker::doUrgent(Urgent urgent) {
+  auto result = ros::CallbackInterface::Invalid;
+  guarded([&] { result = urgent.callback->call(); });
+  if (result != ros::CallbackInterface::TryAgain) urgent.callback.reset();
+  {
+    const std::lock_guard<std::mutex> lock(inbox_->mutex);
+    inbox_->is_urgent_running = false;
+    if (urgent.callback && !inbox_->is_urgent_removed) inbox_->urgent.push_back(std::move(urgent));
+  }
+  inbox_->rest.notify_all();
+}
+
+void Worker::doPosted(const Work& work) {
+  guarded(work);
+  const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  inbox_->running_key.clear();
+  inbox_->is_running_cancelled = false;
+}
+
+}  // namespace link_bounds

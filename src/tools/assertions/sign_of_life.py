@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the publisher of a topic still lives: silence is no success."""
+from diagnostic_msgs.msg import DiagnosticArray
+from rosgraph_msgs.msg import Clock
+
+MAX_AGE = 1.0  # s, the default
+STATUS_PERIOD = 1.0  # wall s between two statuses of a link_bounds_publisher in /diagnostics
+STATUS_NAME = ': boxes'  # how its status is named, after the name of the node
+
+
+def publisher_of(message):
+    """The node that sent it."""
+    return (getattr(message, '_connection_header', None) or {}).get('callerid', '')
+
+
+class SignOfLife:
+    """How long the last message of a topic counts. Times are seconds of a steady clock.
+
+    It counts for max_age, by the clock of the wall and by that of ROS. A node whose robot stands
+    still sends no boxes, but a status in /diagnostics each second of wall time, on the thread that
+    makes the boxes. The status says that the last message still holds, and counts for max_age after
+    the next one was due, by the wall alone. So does the first message of a node, whose first status
+    may come a second later.
+    """
+
+    def __init__(self, max_age):
+        self._max_age = max_age
+        self._ros_time = 0.0  # s, of the last /clock; 0 without
+        self._publisher = None  # of the last message
+        self._message = None  # the moment of the last message
+        self._status_until = 0.0  # when the last status ceases to count
+        self._last_sign = 0.0  # of either
+        self._silence = 0.0  # s, the longest of those that were too long
+
+    def topics(self, topic_type, is_time_simulated):
+        """What it listens to."""
+        clock = [topic_type('/clock', Clock, self.see_clock, is_needed=False)]
+        return [topic_type('/diagnostics', DiagnosticArray, self.see_status, is_needed=False)] + (
+            clock if is_time_simulated else [])
+
+    def see(self, message, now):
+        """A message of the topic."""
+        is_first = publisher_of(message) != self._publisher
+        self._publisher = publisher_of(message)
+        self._message = self.moment(now)
+        self._see_sign(now, is_status=is_first)
+
+    def see_status(self, message, now):
+        is_of_boxes = any(status.name.endswith(STATUS_NAME) for status in message.status)
+        if is_of_boxes and publisher_of(message) == self._publisher:
+            self._see_sign(now, is_status=True)
+
+    def see_clock(self, message, _now):
+        self._ros_time = message.clock.to_sec()
+
+    def moment(self, now):
+        """Both clocks, for is_past()."""
+        return now, self._ros_time
+
+    def is_past(self, moment, now):
+        """True if it is longer ago than max_age, by one of the clocks."""
+        return max(now - moment[0], self._ros_time - moment[1]) > self._max_age
+
+    def silent_since(self, now):
+        """When the last sign of life ceased to count; None while it does, and before the first."""
+        if self._message is None or now <= self._status_until:
+            return None
+        if not self.is_past(self._message, now):
+            return None
+        self._silence = max(self._silence, now - self._last_sign)
+        return min(now, max(self._status_until, self._message[0] + self._max_age))
+
+    def told(self):
+        """For the report of a failure: the longest silence, if one was too long."""
+        if not self._silence:
+            return []
+        return [f'for {self._silence:.3g} s no message came, and no status of '
+                f'{self._publisher or "its publisher"} in /diagnostics: silence is no success '
+                f'(max_age {self._max_age:.3g} s)']
+
+    def _see_sign(self, now, is_status):
+        self._last_sign = now
+        if is_status:
+            self._status_until = now + STATUS_PERIOD + self._max_age

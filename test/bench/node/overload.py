@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How old ~boxes are when they come: with 200 links at 100 Hz and 300 objects while nobody else
+listens, and while every optional topic has a listener; and then at twice the rate that this machine
+can serve. overload.py [--quick] [--json FILE]
+
+The age of a tf message is the time from sending it until boxes come that are as new. Both rows take
+turns, and the verdict is the median of their ratios: so neither the load nor the speed of the
+machine at one time decides."""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+
+import rospy
+from link_bounds.msg import AxisAlignedBoxArray
+from load_testing import description, touching_cubes
+from node_process import PROGRAMS, Master, print_target, wait_for
+from raw_subscriber import Reader
+from visualization_msgs.msg import MarkerArray
+
+LINKS, OBJECTS, HZ = 200, 300, 100
+NODE = "/ours/node"
+OPTIONAL = ["markers", "parts", "footprint", "overlaps", "distances", "nearest",
+            "distance_markers", "swept", "swept_markers"]
+PARAMETERS = {"timeout": 0.0, "swept_span": 1.0, "parts_per_link": 4}
+SERVED_MS = 20  # median of the age in the first second, while the node keeps up
+SERVED = 0.95  # part of the messages that have boxes of their own then
+HIGHEST = 12800  # Hz; load_driver sends no faster
+BISECTIONS = 3
+TRIALS = 3
+LIMIT_RATIO, LIMIT_MS = 1.5, 100
+FIGURES = ["p50_ms", "p99_ms", "max_ms"]
+
+
+def start(master):
+    """The node with its scene."""
+    master.parameters.setParam("/ours/robot_description", description(LINKS))
+    for name, value in PARAMETERS.items():
+        master.parameters.setParam("%s/%s" % (NODE, name), value)
+    master.start_node("link_bounds_publisher", "/ours")
+    rospy.init_node("overload", disable_signals=True)
+    objects = rospy.Publisher(NODE + "/objects", MarkerArray, queue_size=10)
+    wait_for(lambda: objects.get_num_connections() > 0, "node")
+    objects.publish(MarkerArray(touching_cubes(OBJECTS)))
+
+
+def drive(hz, seconds):
+    """What load_driver measures."""
+    output = subprocess.run(
+        [os.path.join(PROGRAMS, "overload_driver"), str(LINKS), str(hz), str(seconds), NODE,
+         "/tf:=/ours/tf"], check=True, stdout=subprocess.PIPE).stdout
+    return json.loads(output)
+
+
+def boxes_now():
+    return len(rospy.wait_for_message(NODE + "/boxes", AxisAlignedBoxArray).boxes)
+
+
+def with_listeners(function):
+    """What it returns while every optional topic has a listener."""
+    listeners = [Reader(NODE, "%s/%s" % (NODE, topic)) for topic in OPTIONAL]
+    for topic, listener in zip(OPTIONAL, listeners):
+        wait_for(lambda listener=listener: listener.count, "message on ~" + topic)
+    result = function()
+    for listener in listeners:
+        listener.end()
+    return result
+
+
+def is_served(hz):
+    """Whether the machine can serve that rate. Other programs may disturb one trial."""
+    return any(is_served_now(hz) for _ in range(TRIALS))
+
+
+def is_served_now(hz):
+    """Whether nearly each message has boxes of its own, soon."""
+    result = drive(hz, 1)
+    print("%6.0f Hz: %d sent, %d updates, p50 %.1f ms" % (
+        result["hz"], result["sent"], result["updates"], result["p50_ms"]), flush=True)
+    return (result["updates"] > SERVED * result["sent"] and result["p50_ms"] < SERVED_MS and
+            result["hz"] > SERVED * hz)
+
+
+def rate_not_served():
+    """The lowest rate that the machine cannot serve, up to an eighth [Hz]."""
+    high = HZ
+    while high < HIGHEST and is_served(high):
+        high *= 2
+    low = high / 2
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if is_served(middle) else (low, middle)
+    return high
+
+
+def measure(repetitions, seconds):
+    """{row: [figures of each repetition]}"""
+    runs = {"nobody": [], "every topic": [], "every topic, overload": []}
+    with Master() as master:
+        start(master)
+        drive(HZ, 1)
+        wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
+        for repetition in range(repetitions):
+            runs["nobody"].append(drive(HZ, seconds))
+            runs["every topic"].append(with_listeners(lambda: drive(HZ, seconds)))
+            print("%d of %d" % (repetition + 1, repetitions), flush=True)
+        rate = 2 * with_listeners(rate_not_served)
+        for _ in range(3):
+            runs["every topic, overload"].append(
+                with_listeners(lambda: drive(rate, seconds)))
+        rospy.signal_shutdown("done")
+    return runs
+
+
+def row_of(listeners, runs):
+    row = {"listeners": listeners, "links": LINKS, "objects": OBJECTS,
+           "hz": round(statistics.median(run["hz"] for run in runs))}
+    row.update((figure, round(statistics.median(run[figure] for run in runs), 2))
+               for figure in FIGURES)
+    row.update((count, sum(run[count] for run in runs)) for count in ["sent", "updates"])
+    return row
+
+
+def print_table(rows):
+    print("\n" + "".join("%23s" % title if title == "listeners" else "%10s" % title
+                         for title in rows[0]))
+    for row in rows:
+        print("".join("%23s" % value if title == "listeners" else "%10s" % value
+                      for title, value in row.items()))
+    print()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="fewer and shorter repetitions")
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    options = parser.parse_args()
+    runs = measure(*((3, 2) if options.quick else (11, 5)))
+    rows = [row_of(*entry) for entry in runs.items()]
+    print_table(rows)
+    print_target("p99 of the age, every optional topic heard / nobody", LIMIT_RATIO,
+                 [heard["p99_ms"] / alone["p99_ms"]
+                  for heard, alone in zip(runs["every topic"], runs["nobody"])])
+    print_target("ms, oldest boxes at twice the rate that can be served", LIMIT_MS,
+                 [run["max_ms"] for run in runs["every topic, overload"]])
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A node that gets tf faster than it can serve: the newest message counts, and nothing else waits."""
+import signal
+import time
+import unittest
+
+import rospy
+from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
+from load_testing import JOINED, LoadTest, link_names, overlapping_cubes
+from node_testing import NODE
+from patience import PATIENCE
+
+HZ, SECONDS = 500, 10
+TIMEOUT = 1.0  # s, of the node
+LATE = 5 * PATIENCE  # s, that a busy machine may add to a second
+OBJECTS = 500  # far more than a node can answer at 500 Hz, with their overlaps
+AGE = 1000 * PATIENCE  # ms; 100 are promised
+BURST = 500  # messages while the node is stopped
+STOP = 0.5  # s
+FEW = BURST / 2  # boxes that a burst may cause; one or two are usual
+
+
+class Backlog(LoadTest):
+    def test_each_message_has_its_boxes_while_the_node_keeps_up(self):
+        self.start_node()
+        self.add([])
+        start = time.monotonic()
+        result = self.drive(100, 5)
+        time_after = time.monotonic()
+        wait_for(lambda: self.statuses.since(time_after)[1:], "two more diagnostics")
+        self.assertEqual(result["unanswered"], 0)
+        self.assertEqual(result["updates"] + self.statuses.joined(start), result["sent"])
+        self.assertGreater(result["updates"], 0.9 * result["sent"])
+
+    def test_a_listener_of_overlaps_makes_no_boxes_old(self):
+        self.start_node(timeout=TIMEOUT)
+        self.add(overlapping_cubes(OBJECTS))
+        self.listen("overlaps")
+        start = time.monotonic()
+        driver = self.start_drive(HZ, SECONDS)
+        time.sleep(SECONDS - 2)  # most of the load, no wait for a condition
+        reload_seconds = self.reload_seconds()
+        result = self.end_drive(driver)[0]
+        self.statuses.wait_for_new(lambda _, status: "%d links incomplete" % self.LINKS in
+                                   status.message, "stale links", 60)
+        stale_after = time.monotonic() - start - SECONDS
+        gap = self.statuses.longest_gap(start, time.monotonic())
+        print("reload %.2f s, stale after %.2f s, diagnostics silent for %.2f s" % (
+            reload_seconds, stale_after, gap))
+        self.check_age(result, AGE)
+        self.assertLess(reload_seconds, LATE)
+        self.assertLess(stale_after, TIMEOUT + LATE)
+        self.assertLess(gap, 1 + LATE)
+
+    def test_what_waited_is_joined_and_counted(self):
+        self.start_node()
+        self.add([])
+        tf = TfSender()
+        tf.wait_for_listener()
+        boxes = Recorder(NODE + "/boxes")
+        self.addCleanup(boxes.subscriber.unregister)
+        boxes.wait_newest(lambda message: message.boxes, "boxes")
+        boxes.clear()
+        start = time.monotonic()
+        last = self.send_while_stopped(tf)
+        boxes.wait(lambda message: message.header.stamp == last, "the newest")
+        wait_for(lambda: self.statuses.joined(start) and
+                 self.statuses.since(start + STOP + 1), "diagnostics with " + JOINED)
+        count = len(boxes.messages)
+        print("%d messages, %d boxes, %d joined" % (BURST, count, self.statuses.joined(start)))
+        self.assertLess(count, FEW)
+        self.assertEqual(self.statuses.joined(start), BURST - count)
+        self.assertEqual(len(names_of(boxes.messages[-1])), self.LINKS + 1)
+
+    def send_while_stopped(self, tf):
+        """The stamp of the newest message."""
+        self.node.interrupt(signal.SIGSTOP)
+        end = time.monotonic() + STOP
+        for i in range(BURST):
+            stamp = rospy.Time.now() + rospy.Duration(nsecs=1000 * i)
+            tf.send(*(transform("base", name, stamp, (0.001 * i, 0, 0))
+                      for name in link_names(self.LINKS)))
+        while time.monotonic() < end:
+            time.sleep(0.01)  # the rest of the stop
+        self.node.interrupt(signal.SIGCONT)
+        return stamp
+
+
+if __name__ == "__main__":
+    unittest.main()

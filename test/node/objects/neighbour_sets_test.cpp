@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One sender may carry several robots; no two objects have one name; who has ended leaves nothing.
+#include "testing/neighbours_testing.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+using Names = std::set<std::string>;
+
+const char kRelay[] = "/relay";
+
+class NeighbourSetsTest : public NeighboursTest {
+ protected:
+  static AxisAlignedBoxArray boxesOf(const std::vector<std::string>& names,
+                                     const std::string& frame = "map", double x = 0) {
+    AxisAlignedBoxArray array = arrayOf(frame, {});
+    for (const std::string& name : names)
+      array.boxes.push_back(boxAround(name, {x, 0, 0}, 99));
+    return array;
+  }
+
+  Names incomplete() const {
+    Names result;
+    for (const auto& [key, object] : objects_.objects())
+      if (object.state.incomplete) result.insert(object.content->bounded.name);
+    return result;
+  }
+
+  bool takeFrom(const boost::shared_ptr<int>& connection, const AxisAlignedBoxArray& array) {
+    return source_.takeNeighbour(array, {"/right/bounds", connection}, now_);
+  }
+
+  /// After so much wall time [s].
+  bool removeEnded(double seconds) {
+    return source_.removeEndedNeighbours(ros::SteadyTime(1000 + seconds));
+  }
+};
+
+TEST_F(NeighbourSetsTest, ARelayMayCarryTwoRobots) {
+  for (int i = 0; i < 3; ++i) {
+    take(boxesOf({"a_arm", "a_hand"}), kRelay);
+    take(boxesOf({"b_arm", "b_hand"}), kRelay);
+    EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/a_hand", "/relay/b_arm", "/relay/b_hand"}));
+  }
+  take(boxesOf({"a_arm"}), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/b_arm", "/relay/b_hand"}));
+  take(arrayOf("map", {}, {"b_hand"}), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/b_hand"}));
+  EXPECT_EQ(incomplete(), Names{"/relay/b_hand"});
+}
+
+TEST_F(NeighbourSetsTest, RobotsThatKnowTheSameObjectsAreTwo) {
+  take(boxesOf({"a_arm", "scene/1"}), kRelay);
+  take(boxesOf({"b_arm", "scene/1"}), kRelay);
+  EXPECT_EQ(names(),
+            (Names{"/relay/a_arm", "/relay/b_arm", "/relay/scene/1", "/relay/map/scene/1"}));
+  take(boxesOf({"a_arm"}), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/b_arm", "/relay/map/scene/1"}));
+}
+
+TEST_F(NeighbourSetsTest, RobotsOfTheSameLinksDifferInTheirFrames) {
+  hear("map", "a/base", 99, 0, 0);
+  hear("map", "b/base", 99, 0, 50);
+  for (int i = 0; i < 3; ++i) {
+    take(boxesOf({"arm", "hand"}, "a/base"), kRelay);
+    take(boxesOf({"arm", "hand"}, "b/base"), kRelay);
+    EXPECT_EQ(names(),
+              (Names{"/relay/arm", "/relay/hand", "/relay/b/base/arm", "/relay/b/base/hand"}));
+    EXPECT_EQ(incomplete(), Names());
+    EXPECT_NEAR(find("/relay/arm")->state.box->max().x(), 1, kTolerance);
+    EXPECT_NEAR(find("/relay/b/base/arm")->state.box->max().x(), 51, kTolerance);
+  }
+  take(boxesOf({"arm"}, "b/base"), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/arm", "/relay/hand", "/relay/b/base/arm"}));
+}
+
+TEST_F(NeighbourSetsTest, MessagesWithoutLinksAreOneSet) {
+  take(boxesOf({"a_arm"}), kRelay);
+  take(boxesOf({"scene/1"}), kRelay);
+  take(boxesOf({"scene/2"}), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/scene/2"}));
+  EXPECT_FALSE(take(boxesOf({}), kRelay)) << "it does not tell whose it is";
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/scene/2"}));
+  take(boxesOf({"scene/1"}), "/camera");
+  EXPECT_TRUE(take(boxesOf({}), "/camera")) << "the only set there is";
+  EXPECT_EQ(names(), (Names{"/relay/a_arm", "/relay/scene/2"}));
+}
+
+TEST_F(NeighbourSetsTest, AMessageMayShowThatTwoSetsAreOne) {
+  take(boxesOf({"arm"}));
+  take(boxesOf({"hand"}));
+  take(boxesOf({"arm", "hand"}));
+  EXPECT_EQ(incomplete(), Names());
+  take(boxesOf({"hand"}));
+  EXPECT_EQ(names(), Names{"/right/bounds/hand"});
+}
+
+TEST_F(NeighbourSetsTest, MarkersAndNeighboursDoNotTouchEachOther) {
+  const ObjectKey key{"/right/cup", 7};
+  take(boxesOf({"cup/7"}, "map", 5), "/right");
+  takeMarker(Marker::DELETE, key);
+  EXPECT_NEAR(find("/right/cup/7")->state.box->max().x(), 6, kTolerance);
+  takeMarker(Marker::ADD, key);
+  EXPECT_EQ(names(), Names{"/right/cup/7"});
+  EXPECT_EQ(incomplete(), Names{"/right/cup/7"}) << "the marker has no box";
+  const auto [begin, end] = objects_.named(key);
+  ASSERT_EQ(std::distance(begin, end), 2);
+  EXPECT_EQ(objects_.reason(begin->second),
+            "its name is that of a box of /right; give one of them another name");
+  EXPECT_NEAR(std::next(begin)->second.state.box->max().x(), 6, kTolerance);
+  EXPECT_FALSE(take(boxesOf({"cup/7"}, "map", 5), "/right"));
+  takeMarker(Marker::DELETE, key);
+  EXPECT_EQ(incomplete(), Names());
+  takeMarker(Marker::ADD, key);
+  takeMarker(Marker::DELETEALL);
+  EXPECT_EQ(incomplete(), Names());
+  EXPECT_NEAR(find("/right/cup/7")->state.box->max().x(), 6, kTolerance);
+}
+
+TEST_F(NeighbourSetsTest, AMarkerGetsItsNameWhenItIsFree) {
+  const ObjectKey key{"/right", 5};
+  takeMarker(Marker::ADD, key);
+  take(boxesOf({"5", "arm"}), "/right");
+  EXPECT_EQ(names(), (Names{"/right/5", "/right/map/5", "/right/arm"}));
+  EXPECT_EQ(incomplete(), Names());
+  takeMarker(Marker::DELETE, key);
+  take(boxesOf({"5", "arm"}), "/right");
+  EXPECT_EQ(names(), (Names{"/right/5", "/right/arm"}));
+  takeMarker(Marker::ADD, key);
+  EXPECT_EQ(incomplete(), Names{"/right/5"});
+  take(boxesOf({"arm"}), "/right");
+  takeMarker(Marker::ADD, key);
+  EXPECT_EQ(incomplete(), Names());
+}
+
+TEST_F(NeighbourSetsTest, TwoSendersNeverShareAName) {
+  take(boxesOf({"b/c", "x"}, "map", 1), "/a");
+  take(boxesOf({"c", "y"}, "map", 2), "/a/b");
+  EXPECT_EQ(names(), (Names{"/a/b/c", "/a/x", "/a/b/map/c", "/a/b/y"}));
+  EXPECT_NEAR(find("/a/b/c")->state.box->max().x(), 2, kTolerance);
+  EXPECT_NEAR(find("/a/b/map/c")->state.box->max().x(), 3, kTolerance);
+  take(boxesOf({"x"}), "/a");
+  EXPECT_EQ(names(), (Names{"/a/x", "/a/b/map/c", "/a/b/y"}));
+  take(boxesOf({"y"}), "/a/b");
+  EXPECT_EQ(names(), (Names{"/a/x", "/a/b/y"}));
+}
+
+TEST_F(NeighbourSetsTest, ABoxWithoutAFreeNameIsRefused) {
+  takeMarker(Marker::ADD, {"/relay", 1});
+  takeMarker(Marker::ADD, {"/relay/map", 1});
+  take(boxesOf({"1", "arm"}), kRelay);
+  EXPECT_EQ(names(), (Names{"/relay/1", "/relay/map/1", "/relay/arm"}));
+  EXPECT_EQ(incomplete(), Names{"/relay/1"});
+  EXPECT_TRUE(find("/relay/1")->state.box) << "that of the marker";
+}
+
+TEST_F(NeighbourSetsTest, ASenderThatEndsLeavesNothing) {
+  auto connection = boost::make_shared<int>();
+  takeFrom(connection, arrayOf("map", {boxAround("arm", {0, 0, 0}, 99)}, {"hand"}));
+  take(boxesOf({"arm"}), "/left");
+  removeEnded(0);
+  pass(3);
+  EXPECT_EQ(incomplete(), (Names{"/right/bounds/arm", "/right/bounds/hand", "/left/arm"}));
+  connection.reset();
+  EXPECT_FALSE(removeEnded(100));
+  EXPECT_FALSE(removeEnded(100.4));
+  EXPECT_TRUE(removeEnded(100.6));
+  EXPECT_EQ(names(), Names{"/left/arm"});
+}
+
+TEST_F(NeighbourSetsTest, ASenderThatConnectsAgainKeepsItsBoxes) {
+  auto connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({"arm"}));
+  connection = boost::make_shared<int>();
+  removeEnded(0);
+  removeEnded(0.4);
+  takeFrom(connection, boxesOf({"arm"}));
+  EXPECT_FALSE(removeEnded(0.6));
+  EXPECT_FALSE(removeEnded(100));
+  EXPECT_EQ(names(), Names{"/right/bounds/arm"});
+}
+
+TEST_F(NeighbourSetsTest, ASilentSenderIsForgottenAfterTenTimesTheTimeout) {
+  take(
+      arrayOf("map", {boxAround("arm", {0, 0, 0}, 99), boxAround("base", {0, 0, 0}, 0)}, {"hand"}));
+  pass(2.1);
+  EXPECT_EQ(incomplete(), (Names{"/right/bounds/arm", "/right/bounds/hand"}));
+  EXPECT_FALSE(pass(17.8));
+  EXPECT_TRUE(pass(0.3));
+  EXPECT_EQ(names(), Names{"/right/bounds/base"}) << "it is static";
+  take(boxesOf({"arm"}));
+  EXPECT_TRUE(pass(1000)) << "the clock jumped ahead: incomplete first";
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/arm"});
+  EXPECT_FALSE(pass(17));
+  EXPECT_TRUE(pass(2));
+}
+
+}  // namespace
+}  // namespace link_bounds

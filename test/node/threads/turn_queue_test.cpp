@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Short calls beside long ones, turns, clients that are gone, and what a call keeps.
+#include "node/threads/turn_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/make_shared.hpp>
+#include <cstdint>
+#include <future>
+#include <map>
+#include <mutex>
+#include <random>
+#include <thread>
+#include <vector>
+
+namespace link_bounds {
+namespace {
+
+constexpr std::chrono::seconds kDeadline(60);
+
+Worker::Options named(const std::string& name) {
+  Worker::Options options;
+  options.name = name;
+  return options;
+}
+
+/// What roscpp makes of a call: not begun if the client is gone; then the handler.
+class FakeCall : public ros::CallbackInterface {
+ public:
+  FakeCall(std::function<void(TurnQueue::Call&)> handler, std::function<bool()> is_gone)
+      : handler_(std::move(handler)), is_gone_(std::move(is_gone)) {}
+  CallResult call() override {
+    if (is_gone_()) return Invalid;
+    try {
+      handler_(TurnQueue::current());
+    } catch (const std::exception&) {
+      ADD_FAILURE() << "roscpp would answer with it";
+    }
+    return Success;
+  }
+
+ private:
+  std::function<void(TurnQueue::Call&)> handler_;
+  std::function<bool()> is_gone_;
+};
+
+class TurnQueueTest : public testing::Test {
+ protected:
+  ~TurnQueueTest() override {
+    short_.stop();
+    long_.stop();
+  }
+
+  void add(
+      std::function<void(TurnQueue::Call&)> handler, std::uint64_t owner = 0,
+      std::function<bool()> is_gone = [] { return false; }) {
+    queue_.addCallback(boost::make_shared<FakeCall>(std::move(handler), std::move(is_gone)), owner);
+  }
+
+  /// A call that needs so many turns as a long one.
+  void addLong(
+      int turns, const std::string& name, std::uint64_t owner = 0,
+      std::function<bool()> is_gone = [] { return false; }) {
+    add(
+        [=](TurnQueue::Call& call) {
+          const bool is_first = !call.is_long;
+          call.is_long = true;
+          if (is_first) throw TurnQueue::NextTurn();
+          if (!call.state) call.state = std::make_shared<int>(0);
+          const std::lock_guard<std::mutex> lock(mutex_);
+          done_.push_back(name);
+          if (++*std::static_pointer_cast<int>(call.state) < turns) throw TurnQueue::NextTurn();
+        },
+        owner, is_gone);
+  }
+
+  /// Returns when both workers have nothing to do.
+  void drain() {
+    for (Worker* worker : {&short_, &long_}) {
+      std::promise<void> done;
+      ASSERT_TRUE(worker->post("drain", [&done] { done.set_value(); }));
+      ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+    }
+  }
+
+  /// The long worker is busy until then.
+  void holdLong() {
+    std::promise<void> begun;
+    long_.post("hold", [this, &begun] {
+      begun.set_value();
+      hold_.get_future().wait_for(kDeadline);
+    });
+    begun.get_future().wait();
+  }
+  void releaseLong() { hold_.set_value(); }
+
+  std::mutex mutex_;
+  std::vector<std::string> done_;
+  std::promise<void> hold_;
+  Worker short_{named("short")};
+  Worker long_{named("long")};
+  TurnQueue queue_{short_, long_};
+};
+
+TEST_F(TurnQueueTest, AShortCallDoesNotWaitForLongOnes) {
+  holdLong();
+  for (int i = 0; i < 3; ++i)
+    addLong(1, "long");
+  std::promise<bool> is_long;
+  add([&](TurnQueue::Call& call) { is_long.set_value(call.is_long); });
+  auto answer = is_long.get_future();
+  ASSERT_EQ(answer.wait_for(kDeadline), std::future_status::ready);
+  EXPECT_FALSE(answer.get());
+  EXPECT_TRUE(done_.empty());
+  releaseLong();
+  drain();
+  EXPECT_EQ(done_.size(), 3u);
+}
+
+TEST_F(TurnQueueTest, LongCallsTakeTurns) {
+  holdLong();
+  addLong(3, "a");
+  addLong(1, "b");
+  addLong(2, "c");
+  std::promise<void> moved;
+  add([&](TurnQueue::Call&) { moved.set_value(); });
+  moved.get_future().wait();
+  releaseLong();
+  drain();
+  EXPECT_EQ(done_, (std::vector<std::string>{"a", "b", "c", "a", "c", "a"}));
+}
+
+TEST_F(TurnQueueTest, ALongCallMayEndAmongTheShortOnes) {
+  const auto here = [] { return std::this_thread::get_id(); };
+  std::vector<std::thread::id> threads;
+  std::promise<void> done;
+  add([&](TurnQueue::Call& call) {
+    threads.push_back(here());
+    if (threads.size() == 4) return done.set_value();
+    call.is_long = threads.size() < 3;
+    throw TurnQueue::NextTurn();
+  });
+  ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+  EXPECT_EQ(threads[0], threads[3]);
+  EXPECT_EQ(threads[1], threads[2]);
+  EXPECT_NE(threads[0], threads[1]);
+}
+
+TEST_F(TurnQueueTest, ACallWhoseClientIsGoneGetsNoFurtherTurn) {
+  std::atomic<bool> is_gone{false};
+  std::promise<void> second;
+  std::weak_ptr<void> state;
+  add(
+      [&](TurnQueue::Call& call) {
+        if (call.state) {
+          second.set_value();
+          is_gone = true;
+        } else {
+          state = call.state = std::make_shared<int>(0);
+        }
+        throw TurnQueue::NextTurn();
+      },
+      0, [&] { return is_gone.load(); });
+  ASSERT_EQ(second.get_future().wait_for(kDeadline), std::future_status::ready);
+  drain();
+  EXPECT_TRUE(state.expired());
+}
+
+TEST_F(TurnQueueTest, TimeCountsFromTheArrival) {
+  holdLong();
+  const auto before = std::chrono::steady_clock::now();
+  std::vector<std::chrono::steady_clock::time_point> arrivals;
+  add([&](TurnQueue::Call& call) {
+    arrivals.push_back(call.arrival);
+    call.is_long = true;
+    if (arrivals.size() < 3) throw TurnQueue::NextTurn();
+  });
+  const auto after = std::chrono::steady_clock::now();
+  releaseLong();
+  drain();
+  ASSERT_EQ(arrivals.size(), 3u);
+  for (const auto& arrival : arrivals) {
+    EXPECT_GE(arrival, before);
+    EXPECT_LE(arrival, after);
+  }
+}
+
+// Each time while some wait and one runs.
+TEST_F(TurnQueueTest, AfterRemovingNoCallOfTheOwnerRuns) {
+  for (int round = 0; round < 200; ++round) {
+    std::atomic<bool> is_removed{false};
+    std::atomic<int> turns{0};
+    for (int i = 0; i < 3; ++i) {
+      add(
+          [&, count = 0](TurnQueue::Call& call) mutable {
+            EXPECT_FALSE(is_removed);
+            ++turns;
+            call.is_long = ++count < 5;  // goes there once and comes back once
+            throw TurnQueue::NextTurn();
+          },
+          7);
+    }
+    while (turns < round % 20)
+      std::this_thread::yield();
+    queue_.removeByID(7);
+    is_removed = true;
+    drain();
+  }
+}
+
+/// Beside a model without threads: each call gets its turns, until its client is gone.
+TEST_F(TurnQueueTest, RandomCallsGetTheirTurns) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 100; ++round) {
+    std::map<std::string, int> expected;
+    std::map<std::string, int> left;  // looks at a client before it is gone
+    done_.clear();
+    for (int i = 0; i < 20; ++i) {
+      const std::string name = std::to_string(i);
+      const int turns = 1 + static_cast<int>(random() % 5);
+      // The first look is on the worker for short calls.
+      left[name] = random() % 3 == 0 ? static_cast<int>(random() % 5) : 100;
+      expected[name] = std::min(turns, std::max(left[name] - 1, 0));
+      int& looks = left[name];
+      addLong(turns, name, 0, [&looks] { return looks-- <= 0; });
+    }
+    drain();
+    std::map<std::string, int> found;
+    for (const auto& [name, turns] : expected)
+      found[name] = 0;
+    for (const std::string& name : done_)
+      ++found[name];
+    ASSERT_EQ(found, expected) << round;
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The newest work of a key, in order; bounds, cancelling, and who frees a value.
+#include "node/threads/worker.h"
+
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <ros/time.h>
+
+#include <atomic>
+#include <cstdint>
+#include <future>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "node/threads/queued_function.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::chrono::seconds kDeadline(60);
+
+Worker::Options named(const std::string& name) {
+  Worker::Options options;
+  options.name = name;
+  return options;
+}
+
+/// Keeps a worker busy until open() or the end of the test.
+class Gate {
+ public:
+  explicit Gate(Worker& worker) {
+    std::promise<void> begun;
+    worker.post("gate", [this, &begun] {
+      begun.set_value();
+      opened_.get_future().wait_for(kDeadline);
+    });
+    begun.get_future().wait();
+  }
+  void open() { opened_.set_value(); }
+
+ private:
+  std::promise<void> opened_;
+};
+
+/// Returns when everything posted before was done.
+void drain(Worker& worker) {
+  std::promise<void> done;
+  ASSERT_TRUE(worker.post("drain", [&done] { done.set_value(); }));
+  ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+}
+
+TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
+  Worker worker(named("test"));
+  Gate gate(worker);
+  std::vector<std::string> done;
+  for (const char* work : {"a1", "b1", "a2", "c1", "b2", "a3"})
+    worker.post(std::string(work, 1), [&done, work] { done.push_back(work); });
+  gate.open();
+  drain(worker);
+  EXPECT_EQ(done, (std::vector<std::string>{"a3", "b2", "c1"}));
+}
+
+TEST(Worker, DoesUrgentWorkFirst) {
+  Worker worker(named("test"));
+  Gate gate(worker);
+  std::vector<int> done;
+  worker.post("a", [&] { done.push_back(3); });
+  enqueue(worker, [&] { done.push_back(1); });
+  enqueue(worker, [&] { done.push_back(2); });
+  gate.open();
+  drain(worker);
+  EXPECT_EQ(done, (std::vector<int>{1, 2, 3}));
+}
+
+TEST(Worker, RefusesWhatExceedsItsBytesUnlessNothingElseWaits) {
+  Worker::Options options = named("test");
+  options.max_bytes = 100;
+  Worker worker(options);
+  Gate gate(worker);
+  EXPECT_TRUE(worker.post(
+      "large", [] {}, 1000));
+  EXPECT_FALSE(worker.post(
+      "small", [] {}, 1));
+  EXPECT_TRUE(worker.post(
+      "large", [] {}, 60));  // replaces itself
+  EXPECT_TRUE(worker.post(
+      "small", [] {}, 40));
+  EXPECT_FALSE(worker.post(
+      "third", [] {}, 1));
+  EXPECT_FALSE(worker.post(
+      "small", [] {}, 41));
+  EXPECT_EQ(worker.waitingBytes(), 100u);
+  worker.cancel("large");
+  EXPECT_EQ(worker.waitingBytes(), 40u);
+  EXPECT_TRUE(worker.post(
+      "third", [] {}, 60));
+  gate.open();
+  drain(worker);
+  EXPECT_EQ(worker.waitingBytes(), 0u);
+}
+
+TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
+  for (const bool is_replaced : {false, true}) {
+    Worker worker(named("test"));
+    std::promise<void> begun;
+    std::atomic<bool> is_told{false};
+    worker.post("a", [&] {
+      begun.set_value();
+      const auto end = std::chrono::steady_clock::now() + kDeadline;
+      while (!worker.isCancelled() && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+      is_told = worker.isCancelled();
+    });
+    begun.get_future().wait();
+    worker.post("b", [] {});
+    worker.cancel("b");
+    EXPECT_FALSE(worker.isCancelled());
+    if (is_replaced) {
+      worker.post("a", [] {});
+    } else {
+      worker.cancel("a");
+    }
+    drain(worker);
+    EXPECT_TRUE(is_told);
+    EXPECT_FALSE(worker.isCancelled());
+  }
+}
+
+TEST(Worker, GoesOnAfterWorkThatThrows) {
+  ros::Time::init();  // for the log
+  Worker worker(named("test"));
+  worker.post("a", [] { throw std::bad_alloc(); });
+  enqueue(worker, [] { throw std::runtime_error("a test"); });
+  drain(worker);
+}
+
+/// Where it was freed.
+struct Traced {
+  explicit Traced(std::thread::id& thread) : freed_on(thread) {}
+  Traced(const Traced&) = delete;
+  Traced& operator=(const Traced&) = delete;
+  ~Traced() { freed_on = std::this_thread::get_id(); }
+  std::thread::id& freed_on;
+};
+
+TEST(Worker, OwnedValuesAreFreedOnItsThread) {
+  std::thread::id freed, own;
+  {
+    Worker worker(named("test"));
+    worker.post("a", [&] { own = std::this_thread::get_id(); });
+    auto value = worker.owned(std::make_shared<const Traced>(freed));
+    auto copy = value;
+    value.reset();
+    drain(worker);
+    EXPECT_EQ(freed, std::thread::id());
+    copy.reset();
+    drain(worker);
+  }
+  EXPECT_NE(own, std::thread::id());
+  EXPECT_EQ(freed, own);
+}
+
+TEST(Worker, OwnedValuesMayOutliveIt) {
+  std::thread::id freed;
+  std::shared_ptr<const Traced> value;
+  {
+    Worker worker(named("test"));
+    value = worker.owned(std::make_shared<const Traced>(freed));
+  }
+  EXPECT_EQ(freed, std::thread::id());
+  value.reset();
+  EXPECT_EQ(freed, std::this_thread::get_id());
+}
+
+TEST(Worker, AwaitsAnotherThreadPieceByPiece) {
+  Worker worker(named("test"));
+  ros::CallbackQueue queue;
+  int pieces = 0;
+  std::promise<bool> answer;
+  worker.post("a", [&] { answer.set_value(worker.await(queue, [&] { return ++pieces == 3; })); });
+  auto result = answer.get_future();
+  const auto end = std::chrono::steady_clock::now() + kDeadline;
+  while (result.wait_for(std::chrono::milliseconds(0)) != std::future_status::ready &&
+         std::chrono::steady_clock::now() < end)
+    queue.callOne(ros::WallDuration(0.001));
+  EXPECT_TRUE(result.get());
+  EXPECT_EQ(pieces, 3);
+}
+
+TEST(Worker, AwaitingThrowsWhatThePieceThrows) {
+  Worker worker(named("test"));
+  ros::CallbackQueue queue;
+  std::promise<std::string> answer;
+  worker.post("a", [&] {
+    try {
+      worker.await(queue, []() -> bool { throw std::runtime_error("no"); });
+      answer.set_value("nothing");
+    } catch (const std::exception& error) {
+      answer.set_value(error.what());
+    }
+  });
+  queue.callOne(ros::WallDuration(60));
+  EXPECT_EQ(answer.get_future().get(), "no");
+}
+
+TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
+  ros::CallbackQueue queue;
+  int pieces = 0;
+  bool answer = true;
+  {
+    Worker worker(named("test"));
+    std::promise<void> begun;
+    worker.post("a", [&] {
+      begun.set_value();
+      answer = worker.await(queue, [&] { return ++pieces > 0; });
+    });
+    begun.get_future().wait();
+    worker.stop();
+    EXPECT_FALSE(worker.post("b", [] {}));
+  }
+  queue.callAvailable();
+  EXPECT_FALSE(answer);
+  EXPECT_EQ(pieces, 0);
+}
+
+TEST(Worker, TicksWhileItIsWanted) {
+  Worker::Options options = named("test");
+  std::atomic<int> ticks{0};
+  options.tick_period = std::chrono::milliseconds(1);
+  options.on_tick = [&ticks] { return ++ticks < 3; };
+  Worker worker(options);
+  const auto end = std::chrono::steady_clock::now() + kDeadline;
+  while (ticks < 3 && std::chrono::steady_clock::now() < end)
+    std::this_thread::yield();
+  EXPECT_EQ(ticks, 3);
+  drain(worker);  // wakes it up, after which it ticks again
+  while (ticks < 4 && std::chrono::steady_clock::now() < end)
+    std::this_thread::yield();
+  EXPECT_GE(ticks, 4);
+}
+
+TEST(Worker, RemovesTheCallbacksOfAnOwnerAndWaitsForTheOneThatRuns) {
+  Worker worker(named("test"));
+  std::promise<void> begun, added;
+  std::atomic<bool> is_done{false};
+  boost::weak_ptr<QueuedFunction> waiting;
+  worker.addCallback(boost::make_shared<QueuedFunction>([&] {
+                       begun.set_value();
+                       added.get_future().wait_for(kDeadline);
+                       const auto end = std::chrono::steady_clock::now() + kDeadline;
+                       while (!waiting.expired() && std::chrono::steady_clock::now() < end)
+                         std::this_thread::yield();
+                       is_done = true;
+                     }),
+                     7);
+  begun.get_future().wait();
+  auto removed = boost::make_shared<QueuedFunction>([&] { ADD_FAILURE() << "was removed"; });
+  waiting = removed;
+  worker.addCallback(std::move(removed), 7);
+  added.set_value();
+  worker.removeByID(7);
+  EXPECT_TRUE(is_done);
+}
+
+TEST(Worker, KeepsTheCallbacksOfOtherOwners) {
+  Worker worker(named("test"));
+  Gate gate(worker);
+  int others = 0;
+  for (const std::uint64_t owner : {8, 7, 8})
+    worker.addCallback(boost::make_shared<QueuedFunction>([&, owner] {
+                         EXPECT_EQ(owner, 8u);
+                         ++others;
+                       }),
+                       owner);
+  worker.removeByID(7);
+  gate.open();
+  drain(worker);
+  EXPECT_EQ(others, 2);
+}
+
+TEST(Worker, ARemovedCallbackThatRunsIsNotTriedAgain) {
+  Worker worker(named("test"));
+  class Trier : public ros::CallbackInterface {
+   public:
+    CallResult call() override {
+      ++calls;
+      return TryAgain;
+    }
+    std::atomic<int> calls{0};
+  };
+  const auto trier = boost::make_shared<Trier>();
+  for (int round = 1; round <= 200; ++round) {
+    const int calls = trier->calls;
+    worker.addCallback(trier, 7);
+    while (trier->calls < calls + round % 20)
+      std::this_thread::yield();
+    worker.removeByID(7);
+    const int removed = trier->calls;
+    drain(worker);
+    EXPECT_EQ(trier->calls, removed);
+  }
+}
+
+TEST(Worker, AwaitsNoLongerThanTheDeadline) {
+  Worker worker(named("test"));
+  ros::CallbackQueue queue;
+  int pieces = 0;
+  std::promise<bool> answer;
+  worker.post("a", [&] {
+    answer.set_value(worker.await(
+        queue, [&] { return ++pieces > 0; }, std::chrono::steady_clock::now()));
+  });
+  auto result = answer.get_future();
+  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
+  EXPECT_FALSE(result.get());
+  queue.callAvailable();
+  EXPECT_EQ(pieces, 0);
+}
+
+/// Beside a model without threads.
+TEST(Worker, RandomPostsAndCancelsAreDoneAsAMapSays) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 200; ++round) {
+    Worker::Options options = named("test");
+    options.max_bytes = 50;
+    Worker worker(options);
+    Gate gate(worker);
+    std::vector<std::pair<std::string, int>> done;
+    std::map<std::string, std::pair<int, std::size_t>> expected;  // of each key
+    for (int i = 0; i < 40; ++i) {
+      const std::string key(1, static_cast<char>('a' + random() % 6));
+      if (random() % 4 == 0) {
+        worker.cancel(key);
+        expected.erase(key);
+        continue;
+      }
+      const std::size_t bytes = random() % 30;
+      std::size_t others = 0;
+      for (const auto& [other, entry] : expected)
+        others += other == key ? 0 : entry.second;
+      const bool fits = others == 0 || others + bytes <= 50;
+      ASSERT_EQ(worker.post(
+                    key,
+                    [&done, key, i] {
+                      done.push_back({key, i});
+                    },
+                    bytes),
+                fits);
+      if (fits) expected[key] = {i, bytes};
+    }
+    gate.open();
+    drain(worker);
+    ASSERT_EQ(done.size(), expected.size());
+    for (const auto& [key, i] : done)
+      ASSERT_EQ(expected[key].first, i);
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A client of ~get_boxes that is gone before the answer comes."""
+import io
+import socket
+import struct
+
+import rosgraph
+from bounds_testing import DEADLINE
+from link_bounds.srv import GetBoxes
+
+
+def sent(request):
+    data = io.BytesIO()
+    request.serialize(data)
+    data = data.getvalue()
+    return struct.pack("<I", len(data)) + data
+
+
+class DyingClient:
+    """Sends a request and is gone before the answer comes."""
+
+    def __init__(self, service, request):
+        uri = rosgraph.Master("/dying").lookupService(service)
+        host, port = rosgraph.network.parse_http_host_and_port(uri.replace("rosrpc", "http"))
+        header = {"callerid": "/dying", "service": service, "md5sum": GetBoxes._md5sum}
+        with socket.create_connection((host, port), DEADLINE) as connection:
+            connection.sendall(rosgraph.network.encode_ros_handshake_header(header))
+            connection.sendall(sent(request))
