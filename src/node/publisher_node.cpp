@@ -56,8 +56,8 @@ PublisherNode::PublisherNode()
       private_node_(nodeHandle("~", queue_)),
       feed_({[this](const std::string& uri) { loader_->requestMesh(uri); }, [this] { onNews(); }}),
       output_(
-          periodic_, private_node_, scene_, [this](const std::function<void()>& body) { guard(body); },
-          treeRequests()),
+          periodic_, private_node_, scene_,
+          [this](const std::function<void()>& body) { guard(body); }, treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {

@@ -19,7 +19,6 @@ from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
 OTHER = "/other_publisher"  # a node beside NODE, to whose optional topics nobody listens
-JOINED = "updates joined, last second"
 LINK_SIZE = (0.08, 0.1, 0.1)
 PATIENT = 120 * PATIENCE  # s, for what a node without the bounds takes very long for
 
@@ -88,17 +87,10 @@ class Statuses(Diagnostics):
         received = self.received
         return float(value_of(received[-1][1], key) or 0) if received else 0.0
 
-    def since(self, start):
-        return [entry for entry in self.received if entry[2] >= start]
-
     def longest_gap(self, start, end):
         """The longest time without a status between two times [s]."""
         times = [start, *(time for _, _, time in self.since(start) if time < end), end]
         return max(b - a for a, b in zip(times, times[1:]))
-
-    def joined(self, start):
-        """How many messages were answered together with a newer one."""
-        return sum(float(value_of(status, JOINED) or 0) for _, status, _ in self.since(start))
 
     def has(self, key):
         return any(value_of(status, key) is not None for _, status, _ in self.received)

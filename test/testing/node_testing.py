@@ -122,6 +122,9 @@ class Repeater:
         self._thread.join()
 
 
+JOINED = "updates joined, last second"
+
+
 class Diagnostics:
     """The statuses of one node, each with the node's time and the wall time of receipt."""
 
@@ -138,6 +141,13 @@ class Diagnostics:
     @property
     def received(self):
         return list(self._received)
+
+    def since(self, start):
+        return [entry for entry in self.received if entry[2] >= start]
+
+    def joined(self, start):
+        """How many messages were answered together with a newer one, by the statuses since then."""
+        return sum(float(value_of(status, JOINED) or 0) for _, status, _ in self.since(start))
 
     def wait_for_new(self, condition, what, deadline=DEADLINE):
         """The first status received from now on for which condition(stamp, status) is true."""

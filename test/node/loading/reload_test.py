@@ -210,10 +210,12 @@ class Reload(unittest.TestCase):
             sender.stop()
         sent = [stamp_of(i) for i in range(first, self.count + 1)]
         self.boxes.wait(lambda m: m.header.stamp == sent[-1], "the last update")
-        answered = [m.header.stamp for m in self.boxes.messages]
-        self.assertEqual([stamp for stamp in sent if stamp not in answered], [])
-        self.check_delays(other, reload_time)
+        answered = {m.header.stamp for m in self.boxes.messages}
+        unanswered = [stamp for stamp in sent if stamp not in answered]
         status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
+        # A machine that is busy lets messages wait: they have boxes together with a newer one.
+        self.assertLessEqual(len(unanswered), self.diagnostics.joined(start), unanswered)
+        self.check_delays(other, reload_time)
         self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
 
 
