@@ -13,6 +13,12 @@ namespace {
 constexpr TriangleTrees::Time kNow{};
 constexpr TriangleTrees::Time kSettled = kNow + std::chrono::hours(1);
 
+struct Interrupted {};
+
+void throwIfInterrupted() {
+  if (isInterrupted()) throw Interrupted();
+}
+
 }  // namespace
 
 NearestPairs::NearestPairs(LoadTree load_tree)
@@ -32,24 +38,33 @@ TreeRequests NearestPairs::requests() {
     distances_.trees().add(made);
   };
   requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {
-    distances_.trees().add(listTree(*list));
+    throwIfInterrupted();
+    distances_.trees().add(listTree(*list, throwIfInterrupted));
   };
   return requests;
 }
 
 void NearestPairs::add(const Scene& scene, std::int64_t now) {
-  const auto snapshot = takeSnapshot(scene);
-  auto computed = distances_.compute(snapshot, kNow, isInterrupted);
-  const std::uint64_t version = distances_.trees().version();
-  distances_.trees().requestSettled(kSettled);
-  if (distances_.trees().version() != version)
-    computed = distances_.compute(snapshot, kNow, isInterrupted);
+  const auto computed = compute(takeSnapshot(scene));
   if (!computed) return;
   const double limit = scene.model()->parameters.distance_limit;
   for (const Distance& distance : computed->array.distances) {
     was_undercut_ |= distance.distance < limit;
     keep(distance, now);
   }
+}
+
+/// Nothing if it was interrupted: without all trees, distances are smaller than they need be.
+std::optional<ComputedDistances> NearestPairs::compute(
+    const std::shared_ptr<const Snapshot>& snapshot) try {
+  auto computed = distances_.compute(snapshot, kNow, isInterrupted);
+  const std::uint64_t version = distances_.trees().version();
+  distances_.trees().requestSettled(kSettled);
+  if (distances_.trees().version() != version)
+    computed = distances_.compute(snapshot, kNow, isInterrupted);
+  return computed;
+} catch (const Interrupted&) {
+  return std::nullopt;
 }
 
 void NearestPairs::keep(const Distance& distance, std::int64_t now) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,7 +37,7 @@ class NearestPairs {
   NearestPairs(const NearestPairs&) = delete;
   NearestPairs& operator=(const NearestPairs&) = delete;
 
-  /// The scene must have a model.
+  /// The scene must have a model. Adds nothing if it is interrupted.
   void add(const Scene& scene, std::int64_t now);
 
   /// In alphabetical order.
@@ -51,6 +53,7 @@ class NearestPairs {
 
  private:
   TreeRequests requests();
+  std::optional<ComputedDistances> compute(const std::shared_ptr<const Snapshot>& snapshot);
   void keep(const Distance& distance, std::int64_t now);
 
   LoadTree load_tree_;

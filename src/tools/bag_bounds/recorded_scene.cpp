@@ -23,6 +23,7 @@ constexpr std::int64_t kTick = static_cast<std::int64_t>(SceneFeed::kTick * 1e9)
 /// recorder whose clock was set by thirty years costs two thousand ticks.
 constexpr std::int64_t kTicksPerGap = 100;
 
+constexpr std::size_t kMarkersPerGlance = 256;   // at the interrupt flag
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
 constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
 
@@ -68,8 +69,8 @@ bool RecordedScene::take(const BagMessage& message) {
   try {
     if (isTransforms(message)) {
       takeTransforms(message);
-    } else {
-      takeMarkers(message);
+    } else if (!takeMarkers(message)) {
+      return false;
     }
   } catch (const ros::Exception&) {
     ++damaged_;
@@ -110,7 +111,7 @@ void RecordedScene::takeTransforms(const BagMessage& message) {
       [&message] { return *message.publisher; }, toRosTime(now_));
 }
 
-void RecordedScene::takeMarkers(const BagMessage& message) {
+bool RecordedScene::takeMarkers(const BagMessage& message) {
   checkType(message, {"visualization_msgs/Marker", kMarkerArray});
   const bool is_array = *message.type == kMarkerArray;
   visualization_msgs::MarkerArray array;
@@ -120,13 +121,30 @@ void RecordedScene::takeMarkers(const BagMessage& message) {
     deserialize(message, array.markers.emplace_back());
   }
   ++markers_;
-  feed_.onMarkers(array.markers.data(), array.markers.size(), *message.publisher, toRosTime(now_));
-  loadMeshes();
+  return feedMarkers(array.markers, *message.publisher) && loadMeshes();
 }
 
-void RecordedScene::loadMeshes() {
-  for (const std::string& uri : std::exchange(wanted_meshes_, {}))
+/// In pieces, which become news together.
+bool RecordedScene::feedMarkers(std::vector<visualization_msgs::Marker>& markers,
+                                const std::string& publisher) {
+  const ros::Time now = toRosTime(now_);
+  feed_.setJoining(true);
+  for (std::size_t begin = 0; begin < markers.size(); begin += kMarkersPerGlance) {
+    if (isInterrupted()) return false;
+    feed_.onMarkers(&markers[begin], std::min(kMarkersPerGlance, markers.size() - begin), publisher,
+                    now);
+  }
+  feed_.setJoining(false);
+  feed_.update(now);
+  return true;
+}
+
+bool RecordedScene::loadMeshes() {
+  for (const std::string& uri : std::exchange(wanted_meshes_, {})) {
+    if (isInterrupted()) return false;
     feed_.onMesh(uri, load_mesh_(uri), toRosTime(now_));
+  }
+  return true;
 }
 
 }  // namespace link_bounds

@@ -30,8 +30,9 @@ class RecordedScene {
   void adopt(std::shared_ptr<const Model> model, std::int64_t now);
 
   /// Lets time pass to that of the message, with the ticks on the way, then takes the message.
-  /// False if it was interrupted on the way; then the message was not taken, and nothing may be any
-  /// more. Throws UsageError if the topic has messages of another type than transforms or markers.
+  /// False if it was interrupted before the end; then the message was not taken, or in part, and
+  /// nothing may be taken any more. Throws UsageError if the topic has messages of another type
+  /// than transforms or markers.
   bool take(const BagMessage& message);
 
   /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
@@ -52,8 +53,9 @@ class RecordedScene {
  private:
   void tick(std::int64_t time);
   void takeTransforms(const BagMessage& message);
-  void takeMarkers(const BagMessage& message);
-  void loadMeshes();
+  bool takeMarkers(const BagMessage& message);
+  bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
+  bool loadMeshes();
 
   LoadMesh load_mesh_;
   OnNews on_news_;

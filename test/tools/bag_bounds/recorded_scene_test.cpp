@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// An interrupt ends a message of markers in its middle.
+#include "tools/bag_bounds/recorded_scene.h"
+
+#include <gtest/gtest.h>
+#include <ros/serialization.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <csignal>
+
+#include "testing/live_boxes_testing.h"
+#include "testing/marker_testing.h"
+#include "tools/command_line/interrupt.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+class RecordedSceneTest : public testing::Test {
+ protected:
+  RecordedSceneTest() { scene_.adopt(modelOf("frame", {}), kTime); }
+
+  /// As many markers of a type, with a mesh each where they are meshes.
+  bool take(int type, int count) {
+    visualization_msgs::MarkerArray array;
+    for (int i = 0; i < count; ++i) {
+      array.markers.push_back(markerOf(type, {1, 1, 1}));
+      array.markers.back().id = i;
+      if (type == Marker::MESH_RESOURCE)
+        array.markers.back().mesh_resource = "file:///" + std::to_string(i) + ".stl";
+    }
+    const std::string topic = "/objects", kind = "visualization_msgs/MarkerArray", sender = "/a";
+    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(array);
+    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
+    return scene_.take({&topic, &kind, &sender, kTime, bytes.message_start, size});
+  }
+
+  static constexpr std::int64_t kTime = 1'000'000'000;  // ns
+
+  int news_ = 0, loads_ = 0, steps_ = 0;
+  RecordedScene scene_{[this](const std::string&) {
+                         ++loads_;
+                         std::raise(SIGINT);
+                         return LoadedMesh{nullptr, "interrupted"};
+                       },
+                       [this](std::int64_t) { ++news_; }, [this](std::int64_t, bool) { ++steps_; }};
+};
+
+/// One test: an interrupt lasts until the program ends.
+TEST_F(RecordedSceneTest, AnInterruptEndsAMessageOfMarkers) {
+  catchInterrupts();
+  EXPECT_TRUE(take(Marker::CUBE, 1000));
+  EXPECT_EQ(news_, 1) << "one message";
+  EXPECT_EQ(steps_, 1);
+  EXPECT_FALSE(take(Marker::MESH_RESOURCE, 2));
+  EXPECT_EQ(loads_, 1);
+  const int news = news_;
+  EXPECT_FALSE(take(Marker::SPHERE, 1000));
+  EXPECT_EQ(news_, news);
+  EXPECT_EQ(steps_, 1);
+}
+
+}  // namespace
+}  // namespace link_bounds
