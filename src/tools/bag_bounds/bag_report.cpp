@@ -49,6 +49,8 @@ class Writer {
                  stay.left);
       }
     }
+    for (const std::string& loss : report_.losses)
+      out_ << "partial," << csvField(loss) << ",,,,\n";
     if (!report_.distances) return;
     for (const NearestPair& pair : *report_.distances)
       writeRow("distance", pair.distance.first, pair.distance.second, pair.distance.distance,

@@ -5,6 +5,8 @@
 
 Run as: bag_bounds_faults_test.py PATH_OF_bag_bounds
 """
+import csv
+import io
 import os
 import shutil
 import struct
@@ -158,6 +160,10 @@ class BagsTest(BagBoundsTest):
         found = self.report(self.path('open.bag'), code=PARTLY_READ, err='warning: .*open.bag')
         self.assertEqual(found['messages'], COUNT + 1)
         self.assertEqual(len(found['losses']), 1)
+        code, out, _ = run(self.path('open.bag'), '--urdf', self.urdf, '--format', 'csv')
+        self.assertEqual(code, PARTLY_READ)
+        self.assertEqual([row for row in csv.reader(io.StringIO(out)) if row[0] == 'partial'],
+                         [['partial', found['losses'][0], '', '', '', '']])
 
     def test_a_cut_bag(self):
         """Its boxes are the first ones of the whole bag, which bag_beside_node compares with the
