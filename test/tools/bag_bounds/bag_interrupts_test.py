@@ -6,6 +6,7 @@
 Run as: bag_interrupts_test.py PATH_OF_bag_bounds
 """
 import bz2
+import contextlib
 import json
 import os
 import pty
@@ -13,6 +14,7 @@ import re
 import signal
 import struct
 import subprocess
+import threading
 import time
 
 import bag_bounds_testing
@@ -21,10 +23,12 @@ from bag_bounds_testing import (BEGIN, COUNT, PARTLY_READ, BagBoundsTest, arms, 
 from bounds_testing import wait_for
 from emulation import is_emulated
 from object_testing import marker
+from patience import PATIENCE
 from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
 
-PROMPT = 10.0  # s; it takes a tenth of that at most
+PROMPT = 10.0 * PATIENCE  # s; it takes a tenth of that at most
+BEGINS = 60.0 * PATIENCE  # s; chunks of 300 MB take a few seconds before the bar shows them
 YEARS = 1e9  # s
 MEBIBYTE = 1 << 20
 UNPACKED = 20000 * MEBIBYTE  # of a bomb; minutes to decompress
@@ -52,6 +56,26 @@ def bomb(chunk_size):
     return chunk * (UNPACKED // chunk_size)
 
 
+class Terminal:
+    """Keeps what programs show on a terminal."""
+
+    def __init__(self, master):
+        self.shown = b''
+        self._master = master
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def _run(self):
+        with contextlib.suppress(OSError):  # EIO: the last program has ended
+            while True:
+                self.shown += os.read(self._master, 1 << 16)
+
+    def all(self):
+        """To be called when the last program has ended."""
+        self._thread.join()
+        return self.shown
+
+
 class BagInterruptsTest(BagBoundsTest):
     def bag_beside(self, data, is_first=False):
         """A bag of the arms, not closed by its recorder, after or before that data; and after how
@@ -71,34 +95,29 @@ class BagInterruptsTest(BagBoundsTest):
 
     def interrupted(self, bag, *arguments, after=0, signal_number=signal.SIGINT):
         """The report of a run that is interrupted when its bar shows more percent."""
-        master, terminal = pty.openpty()
+        master, slave = pty.openpty()
         self.addCleanup(os.close, master)
-        os.set_blocking(master, False)
         process = subprocess.Popen(
             [bag_bounds_testing.BAG_BOUNDS, bag, '--urdf', self.urdf, '--format', 'json',
-             *arguments], stdout=subprocess.PIPE, stderr=terminal)
+             *arguments], stdout=subprocess.PIPE, stderr=slave)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
-        os.close(terminal)
+        os.close(slave)
         if is_emulated(process.pid):
             self.skipTest('skipped: an emulator catches all signals before the program does')
-        shown = b''
+        terminal = Terminal(master)
 
         def shows_work():
-            nonlocal shown
-            try:
-                shown += os.read(master, 1 << 16)
-            except BlockingIOError:
-                pass
-            self.assertIsNone(process.poll(), shown)
-            return any(int(percent) > after for percent in re.findall(rb'(\d+)/100 %', shown))
+            self.assertIsNone(process.poll(), terminal.shown)
+            return any(int(percent) > after
+                       for percent in re.findall(rb'(\d+)/100 %', terminal.shown))
 
-        wait_for(shows_work, 'the bar shows that it works')
+        wait_for(shows_work, 'the bar shows that it works', BEGINS)
         begin = time.monotonic()
         process.send_signal(signal_number)
-        out = process.communicate(timeout=60)[0]
+        out = process.communicate(timeout=60 * PATIENCE)[0]
         self.assertLess(time.monotonic() - begin, PROMPT)
-        shown += os.read(master, 1 << 16)
+        shown = terminal.all()
         self.assertRegex(shown.decode(), r'interrupted [\d.]+ s after the begin, \d+ % of the bags')
         self.assertEqual(process.returncode, PARTLY_READ, shown)
         found = json.loads(out)
