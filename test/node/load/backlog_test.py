@@ -8,7 +8,7 @@ import unittest
 
 import rospy
 from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
-from load_testing import JOINED, LoadTest, link_names, overlapping_cubes
+from load_testing import LoadTest, link_names, overlapping_cubes
 from node_testing import NODE
 from patience import PATIENCE
 
@@ -23,13 +23,18 @@ FEW = BURST / 2  # boxes that a burst may cause; one or two are usual
 
 
 class Backlog(LoadTest):
+    def wait_for_statuses(self):
+        """Until a status counts all that was joined so far, and none of it is in a later one."""
+        start = time.monotonic()
+        wait_for(lambda: self.statuses.since(start)[1:], "two more diagnostics")
+
     def test_each_message_has_its_boxes_while_the_node_keeps_up(self):
         self.start_node()
         self.add([])
+        self.wait_for_statuses()
         start = time.monotonic()
         result = self.drive(100, 5)
-        time_after = time.monotonic()
-        wait_for(lambda: self.statuses.since(time_after)[1:], "two more diagnostics")
+        self.wait_for_statuses()
         self.assertEqual(result["unanswered"], 0)
         self.assertEqual(result["updates"] + self.statuses.joined(start), result["sent"])
         self.assertGreater(result["updates"], 0.9 * result["sent"])
@@ -63,11 +68,11 @@ class Backlog(LoadTest):
         self.addCleanup(boxes.subscriber.unregister)
         boxes.wait_newest(lambda message: message.boxes, "boxes")
         boxes.clear()
+        self.wait_for_statuses()
         start = time.monotonic()
         last = self.send_while_stopped(tf)
         boxes.wait(lambda message: message.header.stamp == last, "the newest")
-        wait_for(lambda: self.statuses.joined(start) and
-                 self.statuses.since(start + STOP + 1), "diagnostics with " + JOINED)
+        self.wait_for_statuses()
         count = len(boxes.messages)
         print("%d messages, %d boxes, %d joined" % (BURST, count, self.statuses.joined(start)))
         self.assertLess(count, FEW)

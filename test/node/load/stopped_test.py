@@ -12,7 +12,7 @@ from patience import PATIENCE
 from raw_subscriber import stamp_of
 
 HZ, SECONDS = 50, 6
-GROWTH = 64e6  # bytes: twice the bound of a topic and subscriber
+GROWTH = 64e6  # bytes: eight times the bound of a topic and subscriber
 ENOUGH = 2  # times GROWTH that must have been sent, or nothing was shown
 DEADLINE = 60 * PATIENCE  # s
 

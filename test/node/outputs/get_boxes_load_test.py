@@ -179,7 +179,9 @@ class GetBoxesLoad(unittest.TestCase):
             self.assertIn("within 10 s", answer.message)
         self.assertGreater(len(begun), 0)
         self.assertLess(len(begun), CLIENTS)
-        if not SANITIZED:
+        if SANITIZED:
+            print("skipped: memory of many spans, a sanitizer needs more")
+        else:
             self.assertLess(most - before, CLIENTS * COPY / 2)
 
     def test_the_end_of_the_node(self):

@@ -236,7 +236,9 @@ TEST_F(PlainOutputTest, AStoppedSubscriberCostsBoundedMemoryAndGetsTheNewest) {
   }
   const long growth = residentBytes() - before;
   std::printf("%.1f MB waited\n", static_cast<double>(growth) / 1e6);
-  if (!kIsSanitized) {
+  if (kIsSanitized) {
+    std::printf("skipped: memory of a stopped subscriber, a sanitizer needs more\n");
+  } else {
     EXPECT_LT(growth, 5 * static_cast<long>(OutputTopic::kMaxBytes));
   }
   const auto numbers = numbersUntil(*stopped, kCount);
