@@ -21,6 +21,7 @@ from bounds_testing import (Recorder, TfSender, box_link, box_of, names_of, robo
                             visual, wait_for)
 from node_testing import Delays, Diagnostics, NodeProcess, Repeater, value_of
 from object_testing import ObjectSender, marker
+from patience import PATIENCE
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker
 
@@ -29,7 +30,8 @@ SHORT_TIMEOUT = 3.0  # s
 MAX_CALLBACK = 50.0  # ms of the update thread's own time
 MAX_DELAY = 0.5  # wall seconds beyond what the machine takes
 LARGE = 400000  # triangles of a file that the node counts as large
-BALL = 1000000  # triangles; preparing it takes ten seconds and more
+BALL = 1000000  # triangles; preparing it takes ten seconds and more, reading it one or two
+READS = 30.0 * PATIENCE  # s
 PROMPT = 5.0  # s, for the end of a node
 ENDS = 10.0  # s; ten times what is promised
 
@@ -122,13 +124,16 @@ class MeshFaults(unittest.TestCase):
 
     def check_refused(self, uri, *words, **parameters):
         node = self.start(mesh_robot(uri), **parameters)
+        self.check_mast_refused(node, *words)
+        return node
+
+    def check_mast_refused(self, node, *words):
         message = Recorder(node.name + "/boxes").wait(lambda m: m.boxes, "the base")
         self.assertEqual((names_of(message), message.incomplete), (["base"], ["mast"]))
         wait_for(lambda: 'link "mast"' in node.output, "an error")
         for word in words:
             self.assertIn(word, node.output)
         self.assertEqual(node.output.count("ERROR"), 1, node.output)
-        return node
 
     def reload(self, node):
         self.assertTrue(rospy.ServiceProxy(node.name + "/reload", Trigger)().success)
@@ -261,17 +266,27 @@ class MeshFaults(unittest.TestCase):
                           not m.incomplete, "all of them")
         self.assertNotIn("ERROR", node.output)
 
-    def test_preparing_a_mesh_counts_to_its_time(self):
+    def start_preparing(self, **parameters):
+        """A node whose mesh has just been read, in time, and will take long to prepare."""
         ball = self.package / "ball.stl"
         write_ball(ball, BALL)
-        self.check_refused("file://%s" % ball, "mesh_timeout", mesh_timeout=4.0)
+        node = self.start(mesh_robot("file://%s" % ball), **parameters)
+        worker = wait_for(lambda: workers_of(node.pid), "a mesh reader")[0]
+        wait_for(lambda: not is_alive(worker), "the end of the reader", READS)
+        return node
+
+    def test_preparing_a_mesh_counts_to_its_time(self):
+        """The time runs out while the node is stopped, so that nothing depends on its pace."""
+        begin = time.monotonic()
+        node = self.start_preparing(mesh_timeout=READS)
+        node.interrupt(signal.SIGSTOP)
+        self.assertNotIn("mast", node.output)  # neither refused nor prepared
+        wait_for(lambda: time.monotonic() > begin + 1.2 * READS, "the time is over", 2 * READS)
+        node.interrupt(signal.SIGCONT)
+        self.check_mast_refused(node, "mesh_timeout")
 
     def test_a_node_that_is_stopped_waits_for_no_preparation(self):
-        ball = self.package / "ball.stl"
-        write_ball(ball, BALL)
-        node = self.start(mesh_robot("file://%s" % ball), mesh_timeout=600.0)
-        worker = wait_for(lambda: workers_of(node.pid), "a mesh reader")[0]
-        wait_for(lambda: not is_alive(worker), "the end of the reader")
+        node = self.start_preparing(mesh_timeout=600.0)
         start = time.monotonic()
         node.interrupt(signal.SIGINT)
         self.assertEqual(node.wait(), 0)

@@ -12,8 +12,10 @@ from assertion_testing import AssertionTest
 from bounds_testing import (DEADLINE, Recorder, TfSender, box_link, names_of, robot, transform,
                             wait_for)
 from node_testing import NODE, Diagnostics, NodeProcess, Repeater, SimulatedClock
+from patience import PATIENCE
 
-HOLD = 6.0  # s; silence lasts for 2 s at most
+HOLD = 6.0  # s; longer than a status counts
+STOPPED_HOLD = 14.0 * PATIENCE  # s; the second program may start so much later, but for 4 s
 RATE = 50  # Hz, of tf
 FENCE, INSIDE = 1.05, 0.5  # m; the arm is at 0
 DESCRIPTION = robot([box_link(name, (1, 1, 1)) for name in ("arm", "base", "fence")],
@@ -36,12 +38,12 @@ class Silence(AssertionTest):
         self.node = NodeProcess(NODE[1:], fixed_frame="base", **parameters)
         self.addCleanup(self.node.end)
 
-    def start_both(self, name, deadline):
+    def start_both(self, name, hold, deadline):
         """Returns when both hold, and have heard of the node's life."""
         runs = []
         for self.PROGRAM, parameters in (("assert_box", BOX), ("assert_distance", DISTANCE)):
             runs.append(self.start("%s_%s" % (self.PROGRAM, name),
-                                   dict(parameters, hold=HOLD, deadline=deadline)))
+                                   dict(parameters, hold=hold, deadline=deadline)))
         listeners = {"/" + run.name for run in runs}
         wait_for(lambda: listeners <= self.listeners(NODE + "/boxes"), "both listen")
         for _ in range(2):
@@ -70,7 +72,7 @@ class Silence(AssertionTest):
     def check_stopped(self, name):
         self.start_node()
         self.wait_for_boxes()
-        runs = self.start_both(name, HOLD + 4)
+        runs = self.start_both(name, STOPPED_HOLD, DEADLINE)
         self.node.interrupt(signal.SIGSTOP)
         self.arm = INSIDE
         for run in runs:
@@ -85,7 +87,7 @@ class Silence(AssertionTest):
         self.check_stopped("standing")
 
     def check_held(self, name):
-        for run in self.start_both(name, HOLD + DEADLINE):
+        for run in self.start_both(name, HOLD, HOLD + DEADLINE):
             self.check_passed(run)
 
     def test_a_robot_that_stands_still_passes(self):
