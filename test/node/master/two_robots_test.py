@@ -7,6 +7,7 @@ import collections
 import itertools
 import time
 import unittest
+from xml.etree import ElementTree
 
 import rospkg
 import rospy
@@ -45,7 +46,8 @@ def is_complete(side, message):
 
 
 def state_publisher_knows_prefixes():
-    version = rospkg.RosPack().get_manifest("robot_state_publisher").version
+    folder = rospkg.RosPack().get_path("robot_state_publisher")
+    version = ElementTree.parse(folder + "/package.xml").findtext("version")
     return tuple(int(part) for part in version.split(".")) >= FIRST_WITH_PREFIX
 
 
