@@ -46,9 +46,10 @@ constexpr TopicName kOverlapsTopic{
     "somebody listens; sent at once when somebody subscribes"};
 constexpr TopicName kDistancesTopic{
     "~distances", "link_bounds/DistanceArray",
-    "pairs of bodies with distance <= distance_limit, also when empty; with each ~boxes, or the "
-    "newest one where computing takes longer; only while somebody listens; sent at once when "
-    "somebody subscribes, and again when triangles have been loaded"};
+    "pairs of bodies with distance <= distance_limit, at most the max_pairs nearest of them, also "
+    "when empty; with each ~boxes, or the newest one where computing takes longer; only while "
+    "somebody listens; sent at once when somebody subscribes, and again when triangles have been "
+    "loaded"};
 constexpr TopicName kNearestTopic{
     "~nearest", "link_bounds/Distance",
     "with each ~distances: the pair of the smallest distance; without names, and with distance = "
