@@ -28,14 +28,13 @@ constexpr TopicName kGroupsTopic{
     "with each ~boxes: box robot, then one per groups entry in alphabetical order; latched"};
 constexpr TopicName kMarkersTopic{
     "~markers", "visualization_msgs/MarkerArray",
-    "all boxes, at most marker_rate, only while somebody listens; sent at once when somebody "
-    "subscribes"};
+    "all boxes, at most marker_rate, only while somebody listens; a new subscriber gets all at "
+    "once"};
 constexpr TopicName kPartsTopic{
     "~parts", "link_bounds/AxisAlignedBoxArray",
     "several boxes of one name, which together cover the link; with each ~boxes, or the newest one "
-    "where computing takes longer; only while somebody listens and parts_per_link > 1; sent at "
-    "once "
-    "when somebody subscribes"};
+    "where computing takes longer; only while somebody listens and parts_per_link > 1; a new "
+    "subscriber gets all at once"};
 constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "
@@ -43,7 +42,7 @@ constexpr TopicName kFootprintTopic{
 constexpr TopicName kOverlapsTopic{
     "~overlaps", "link_bounds/BoxOverlapArray",
     "also when empty; with each ~boxes, or the newest one where computing takes longer; only while "
-    "somebody listens; sent at once when somebody subscribes"};
+    "somebody listens; a new subscriber gets one at once"};
 constexpr TopicName kDistancesTopic{
     "~distances", "link_bounds/DistanceArray",
     "pairs of bodies with distance <= distance_limit, at most the max_pairs nearest of them, also "

@@ -39,7 +39,8 @@ class OutputTopic {
   /// Takes no lock.
   bool hasSubscribers() const { return count_ > 0; }
 
-  /// True if since the last call a subscriber that may have missed messages has begun to read again.
+  /// True if since the last call a subscriber that may have missed messages has begun to read
+  /// again.
   bool takeLoss() { return has_lost_.exchange(false); }
 
  protected:

@@ -12,8 +12,7 @@ import xmlrpc.client
 import rosgraph
 import rospy
 from bounds_testing import DEADLINE, Recorder, wait_for
-from node_testing import (ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater,
-                          value_of)
+from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
 from own_master import OwnMaster
 from std_srvs.srv import Trigger
 
