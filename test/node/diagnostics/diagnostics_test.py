@@ -24,7 +24,7 @@ MEAN = "time per tf message, mean of the last second [ms]"
 MAXIMUM = "time per tf message, maximum of the last second [ms]"
 LONGEST = "time per tf message, longest [ms]"  # since the start
 CROWD = 400  # objects that all overlap
-GROUPS = 4000  # of the whole crowd
+GROUPS = 8000  # of the whole crowd
 LONG = 10.0  # ms; bounding those groups takes longer, and so does finding and sending 80,000 pairs
 PERIODS = 5
 PERIOD = 1.0  # wall seconds
@@ -132,7 +132,7 @@ class DiagnosticsTest(unittest.TestCase):
 
     def start_fresh(self, **parameters):
         """A node of its own: the longest callback counts since its start."""
-        rospy.set_param("/robot_description", "<robot name='r'><link name='base'/></robot>")
+        rospy.set_param("/robot_description", robot([box_link("base", (1, 2, 3))], []))
         node = NodeProcess("fresh", timeout=0.0, max_rate=0.5, **parameters)
         self.addCleanup(node.end)
         statuses = Diagnostics(node.name)
