@@ -20,7 +20,8 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::size_t kMaxObjectLines = 100;  // all are counted
-constexpr double kMaxAge = 100;               // of boxes when they are sent [ms]
+constexpr std::size_t kMaxPublisherLines = 100;
+constexpr double kMaxAge = 100;  // of boxes when they are sent [ms]
 
 void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
   status.level = std::max<std::int8_t>(status.level, level);
@@ -115,6 +116,15 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms refused, too old", std::to_string(intake.too_old));
   add(status, "transforms refused, unusable", std::to_string(intake.unusable));
   add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
+}
+
+void addLatePublishers(const LatePublishers::Texts& publishers, DiagnosticStatus& status) {
+  add(status, "publishers behind", std::to_string(publishers.size()));
+  std::size_t count = 0;
+  for (const auto& [publisher, text] : publishers) {
+    if (++count > kMaxPublisherLines) return;
+    add(status, "publisher behind: " + publisher, text);
+  }
 }
 
 std::string joined(const std::vector<std::string>& texts) {
@@ -217,8 +227,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "tf messages", std::to_string(times.tf().count));
   addIntake(health.intake, status);
   add(status, "clock jumps", std::to_string(health.clock_jumps));
-  add(status, "publishers behind",
-      health.late_publishers.empty() ? "none" : health.late_publishers);
+  addLatePublishers(health.late_publishers, status);
   add(status, "updates", std::to_string(health.updates));
   const double seconds = secondsSinceLast();
   const auto updates =

@@ -13,6 +13,7 @@
 #include "node/diagnostics/callback_times.h"
 #include "node/outputs/distance_output.h"
 #include "node/scene/scene.h"
+#include "node/tf/late_publishers.h"
 
 namespace link_bounds {
 
@@ -32,7 +33,7 @@ struct Health {
                                    ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   TfIntake intake;
-  std::string late_publishers;  ///< in words; "": none
+  LatePublishers::Texts late_publishers;
   DistanceHealth distances;
 };
 

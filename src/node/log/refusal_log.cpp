@@ -23,17 +23,21 @@ std::string shown(const std::string& name) {
 
 std::optional<std::string> RefusalLog::line(const std::string& name, const std::string& reason,
                                             const std::string& publisher, ros::SteadyTime now) {
-  for (auto entry = reported_.begin(); entry != reported_.end();)
-    entry = now - entry->second >= kPeriod ? reported_.erase(entry) : std::next(entry);
-  if (reported_.count(name) > 0) return std::nullopt;
+  if (isQuiet(name, now)) return std::nullopt;
   if (reported_.size() >= kMaxNames) {
-    if (!others_time_.isZero() && now - others_time_ < kPeriod) return std::nullopt;
     others_time_ = now;
     return others_ + " are " + state_;
   }
   reported_[name] = now;
   return what_ + " " + shown(name) + " from " + shown(publisher) + " is " + state_ + ": " +
          logText(reason);
+}
+
+bool RefusalLog::isQuiet(std::string_view name, ros::SteadyTime now) {
+  for (auto entry = reported_.begin(); entry != reported_.end();)
+    entry = now - entry->second >= kPeriod ? reported_.erase(entry) : std::next(entry);
+  if (reported_.count(name) > 0) return true;
+  return reported_.size() >= kMaxNames && !others_time_.isZero() && now - others_time_ < kPeriod;
 }
 
 void RefusalLog::forget() {

@@ -5,9 +5,11 @@
 
 #include <ros/time.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace link_bounds {
@@ -24,6 +26,9 @@ class RefusalLog {
   std::optional<std::string> line(const std::string& name, const std::string& reason,
                                   const std::string& publisher, ros::SteadyTime now);
 
+  /// True if line() would say nothing of this name: then its arguments need not be made.
+  bool isQuiet(std::string_view name, ros::SteadyTime now);
+
   /// Names that were reported may be reported again.
   void forget();
 
@@ -31,8 +36,9 @@ class RefusalLog {
   std::string what_;
   std::string others_;
   std::string state_;
-  std::map<std::string, ros::SteadyTime> reported_;  ///< when, of names in the last ten seconds
-  ros::SteadyTime others_time_;                      ///< of the line about others; zero: never
+  /// When, of names in the last ten seconds.
+  std::map<std::string, ros::SteadyTime, std::less<>> reported_;
+  ros::SteadyTime others_time_;  ///< of the line about others; zero: never
 };
 
 }  // namespace link_bounds

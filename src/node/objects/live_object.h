@@ -27,7 +27,9 @@ struct ObjectContent {
   /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:
   /// static.
   bool is_neighbour = false;
-  bool is_refused_name = false;  ///< another object has its name; it has no shapes then
+  /// Why it has no box, because another object has its name; "" if none has. A marker gets its box
+  /// when the name is free; of a neighbour no shapes are kept.
+  std::string refused_name;
 
   /// A refused marker has no frame.
   bool follows() const { return (stamp == 0 || is_neighbour) && !frame.empty(); }

@@ -19,7 +19,7 @@ LiveObjects::named(const ObjectKey& key) const {
 const LiveObject* LiveObjects::otherOfName(const ObjectKey& key) const {
   const auto [begin, end] = named(key);
   for (auto object = begin; object != end; ++object) {
-    if (object->first.set != key.set && !object->second.content->is_refused_name)
+    if (object->first.set != key.set && object->second.content->refused_name.empty())
       return &object->second;
   }
   return nullptr;
@@ -108,6 +108,7 @@ void LiveObjects::release(LiveObject& object) {
 
 LiveObjects::Objects::iterator LiveObjects::erase(Objects::iterator object) {
   release(object->second);
+  ++removals_;
   return objects_.erase(object);
 }
 
@@ -158,8 +159,10 @@ bool LiveObjects::expire(ros::Time now) {
     return hasExpired(object, time) || (object.is_silent && isSilent(object, time, kForget));
   });
   if (!fixed_frame_) return is_changed;
-  for (auto& [key, object] : objects_)
+  for (auto& [key, object] : objects_) {
     if (!object.is_silent && isSilent(object, time)) is_changed |= dropSilent(object, now);
+    if (!object.content->refused_name.empty()) is_changed |= nameAgain(key, object, now);
+  }
   is_changed |= refreshWaiting(now);
   is_changed |= refreshFollowing(now);
   return is_changed;
@@ -183,6 +186,15 @@ bool LiveObjects::dropSilent(LiveObject& object, ros::Time now) {
   content->bounded.missing = content->publisher + " has sent no boxes for longer than timeout";
   object.content = std::move(content);
   object.boxes = LinkBoxes({object.content->bounded});
+  return refresh(object, now);
+}
+
+/// A neighbour sends again.
+bool LiveObjects::nameAgain(const ObjectKey& key, LiveObject& object, ros::Time now) {
+  if (object.content->is_neighbour || otherOfName(key)) return false;
+  auto content = std::make_shared<ObjectContent>(*object.content);
+  content->refused_name.clear();
+  object.content = std::move(content);
   return refresh(object, now);
 }
 
@@ -231,9 +243,11 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   const TransformProblem before = std::exchange(object.problem, bound(object, now, state));
   if (object.problem == TransformProblem::kWaiting) ++waiting_;
   const bool is_loading = object.content->isLoading();
+  const bool has_name = object.content->refused_name.empty();
   if (object.problem == TransformProblem::kWaiting || is_loading) state = object.state;
-  state.incomplete =
-      object.problem != TransformProblem::kNone || is_loading || !object.content->bounded.isWhole();
+  if (!has_name) state.box.reset();
+  state.incomplete = object.problem != TransformProblem::kNone || is_loading || !has_name ||
+                     !object.content->bounded.isWhole();
   if (!state.box) object.boxed = BoxedObject();
   const bool is_changed = before != object.problem || !isSame(state, object.state);
   object.state = state;
@@ -284,6 +298,7 @@ const std::string& LiveObjects::neededFrame(const LiveObject& object) const {
 
 std::string LiveObjects::reason(const LiveObject& object) const {
   const ObjectContent& content = *object.content;
+  if (!content.refused_name.empty()) return content.refused_name;
   if (!content.bounded.isWhole()) return content.bounded.missing;
   if (content.isLoading()) return "its mesh " + content.mesh_uri + " is still loading";
   if (!fixed_frame_) return "there is no fixed frame yet";

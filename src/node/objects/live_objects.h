@@ -28,6 +28,9 @@ class LiveObjects {
   /// In the order of ~boxes.
   const Objects& objects() const { return objects_; }
 
+  /// How many objects have been removed so far.
+  std::uint64_t removals() const { return removals_; }
+
   /// The objects of a name, whatever their set: at most one that has the name, and those that are
   /// refused because of it.
   std::pair<Objects::const_iterator, Objects::const_iterator> named(const ObjectKey& key) const;
@@ -90,6 +93,7 @@ class LiveObjects {
   bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
   bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;
   bool dropSilent(LiveObject& object, ros::Time now);
+  bool nameAgain(const ObjectKey& key, LiveObject& object, ros::Time now);
   bool refresh(LiveObject& object, ros::Time now);
   bool refreshAll(ros::Time now);
   bool refreshFollowing(ros::Time now);
@@ -101,6 +105,7 @@ class LiveObjects {
   ObjectPlacer placer_;
   ObjectClock clock_;
   Objects objects_;
+  std::uint64_t removals_ = 0;
   std::map<FrameTracker::Frame, std::set<LiveObject*>> followers_;  ///< by header frame
   std::optional<FrameTracker::Frame> fixed_frame_;                  ///< in which the boxes are
   std::vector<ObjectKey> given_up_;

@@ -40,12 +40,13 @@ bool NeighbourSets::take(const AxisAlignedBoxArray& array, const NeighbourSender
   return is_changed;
 }
 
-/// Null if the message is empty and the sender has several sets or none. A message may show that
-/// two sets are one.
+/// Null if it is not known whose message it is: an empty one of a sender with several sets or none,
+/// or one without a frame that fits several. Other messages may show that two sets are one.
 NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const NeighbourBoxes& boxes,
                                          bool& is_changed) {
   std::set<std::string> links = linksOf(boxes);
   const bool is_empty = boxes.contents.empty();
+  const bool is_merging = !is_empty && !boxes.frame.empty();
   std::list<Set>& sets = sender.sets;
   Set* found = nullptr;
   std::size_t count = 0;
@@ -57,16 +58,16 @@ NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const NeighbourBoxes& b
       continue;
     }
     ++count;
-    if (is_empty || !found) {
+    if (!is_merging || !found) {
       found = &*set++;
       continue;
     }
     is_changed |= removeAll(*set);
     set = sets.erase(set);
   }
-  if (is_empty && count != 1) return nullptr;
+  if (is_empty ? count != 1 : !is_merging && count > 1) return nullptr;
   if (!found) found = &sets.emplace_back(Set{++sets_, "", {}, {}});
-  found->frame = boxes.frame;
+  if (!boxes.frame.empty()) found->frame = boxes.frame;
   if (!is_empty) found->links = std::move(links);
   return found;
 }
@@ -115,8 +116,7 @@ std::map<ObjectKey, ObjectContent> NeighbourSets::named(const Set& set, const st
     content.bounded.name = objectName(key);
     if (const LiveObject* other = objects_.otherOfName(key)) {
       content.bounded.shapes.clear();
-      content.bounded.missing = boxes.refused[box] = whyNameRefused(*other);
-      content.is_refused_name = true;
+      content.bounded.missing = boxes.refused[box] = content.refused_name = whyNameRefused(*other);
     }
     entry->second = std::move(content);
   }
@@ -153,7 +153,8 @@ bool NeighbourSets::hasEnded(Sender& sender, ros::SteadyTime now) const {
 /// Objects end by themselves when they have been silent for long, or with a ~reload.
 void NeighbourSets::forgetEmptySets(Sender& sender) const {
   for (auto set = sender.sets.begin(); set != sender.sets.end();) {
-    if (!std::exchange(set->is_fresh, false)) {
+    if (!std::exchange(set->is_fresh, false) && set->removals != objects_.removals()) {
+      set->removals = objects_.removals();
       for (auto key = set->keys.begin(); key != set->keys.end();)
         key = objects_.objects().count(*key) ? std::next(key) : set->keys.erase(key);
     }

@@ -52,6 +52,7 @@ class NeighbourSets {
     std::set<std::string> links;  ///< in the newest message
     std::set<ObjectKey> keys;     ///< of its objects
     bool is_fresh = false;        ///< since the last call of removeEnded()
+    std::uint64_t removals = 0;   ///< of all objects, when `keys` were last compared with them
   };
 
   struct Sender {

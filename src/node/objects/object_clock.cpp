@@ -19,9 +19,10 @@ std::int64_t lifetime(const LiveObject& object) {
   return std::max<std::int64_t>(object.lifetime.toNSec(), 0);
 }
 
-/// How much of the lifetime has passed.
+/// How much of the lifetime has passed; of a neighbour, for how long it is silent.
 std::int64_t elapsed(const LiveObject& object, std::int64_t now) {
-  return std::min(now - object.received, lifetime(object));
+  const std::int64_t age = now - object.received;
+  return object.content->is_neighbour ? age : std::min(age, lifetime(object));
 }
 
 }  // namespace

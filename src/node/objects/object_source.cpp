@@ -61,18 +61,18 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   ObjectContent content;
   content.bounded.name = objectName(key);
   content.bounded.missing = whyMarkerRefused(marker);
-  if (const LiveObject* other = objects_.otherOfName(key)) {
-    content.bounded.missing = whyNameRefused(*other);
-    content.is_refused_name = true;
-  }
+  if (const LiveObject* other = objects_.otherOfName(key))
+    content.refused_name = whyNameRefused(*other);
   content.publisher = publisher;
   content.lifetime = marker.lifetime;
-  if (!content.bounded.isWhole()) {
-    const auto line = marker_log_.line(content.bounded.name, content.bounded.missing, publisher,
-                                       ros::SteadyTime::now());
+  const std::string& refusal =
+      content.refused_name.empty() ? content.bounded.missing : content.refused_name;
+  if (!refusal.empty()) {
+    const auto line =
+        marker_log_.line(content.bounded.name, refusal, publisher, ros::SteadyTime::now());
     if (line) ROS_ERROR_STREAM(*line);
-    return content;
   }
+  if (!content.bounded.isWhole()) return content;
   content.frame = tfName("", marker.header.frame_id);
   content.stamp = placementStamp(marker);
   MarkerShape shape = markerShape(std::move(marker));

@@ -69,7 +69,7 @@ class SceneFeed {
   void forgetQuietFrames(ros::SteadyTime now) { tf_.forgetQuiet(now); }
 
   /// See TransformInput.
-  std::string takeLatePublishers() { return input_.takeLatePublishers(); }
+  LatePublishers::Texts takeLatePublishers() { return input_.takeLatePublishers(); }
 
   Scene& scene() { return scene_; }
   TransformBuffer& tf() { return tf_; }

@@ -15,19 +15,19 @@ void LatePublishers::add(const std::string& publisher, std::string_view frame, d
   publishers_[publisher] = {std::string(frame), behind, now};
 }
 
-std::string LatePublishers::takeText(ros::SteadyTime now) {
-  std::string text;
+LatePublishers::Texts LatePublishers::take(ros::SteadyTime now) {
+  Texts texts;
   for (auto entry = publishers_.begin(); entry != publishers_.end();) {
     const auto& [publisher, lateness] = *entry;
     if (now - lateness.time > kMemory) {
       entry = publishers_.erase(entry);
       continue;
     }
-    text += (text.empty() ? "" : "; ") + publisher + " by " + std::to_string(lateness.behind) +
-            " s (frame " + lateness.frame + ")";
+    texts[publisher] =
+        "by " + std::to_string(lateness.behind) + " s (frame " + lateness.frame + ")";
     ++entry;
   }
-  return text;
+  return texts;
 }
 
 }  // namespace link_bounds

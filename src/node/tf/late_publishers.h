@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Who sends transforms behind the newest stamp of a frame, which stands still meanwhile.
+// Who sends transforms behind the newest stamp of a frame, which do not move it.
 #pragma once
 
 #include <ros/time.h>
@@ -17,9 +17,12 @@ class LatePublishers {
   void add(const std::string& publisher, std::string_view frame, double behind,
            ros::SteadyTime now);
 
-  /// Those of the last five seconds, each with its last frame and by how much, in words, which are
-  /// not sanitised; "" if there are none. Forgets the others.
-  std::string takeText(ros::SteadyTime now);
+  /// By name of the publisher: by how much, and with which frame last, in words that are not
+  /// sanitised.
+  using Texts = std::map<std::string, std::string>;
+
+  /// Those of the last five seconds. Forgets the others.
+  Texts take(ros::SteadyTime now);
 
   void clear() { publishers_.clear(); }
 

@@ -14,13 +14,15 @@ namespace {
 const ros::WallDuration kQuiet(60);
 constexpr std::size_t kSlice = 1000;  // edges and samples to look at in one go: some 50 us
 
-constexpr std::int64_t kSilence = 1000000000;  // ns without a newer stamp that deserve a warning
+/// Publishers of one frame may differ by so much, and the frame may be without a newer stamp for so
+/// long, without a warning [ns].
+constexpr std::int64_t kTolerance = 1000000000;
 constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
 constexpr const char* kLate =
-    "its stamp is older than the newest one of the frame, and none newer has come for 1 s; "
+    "its stamp is older than the newest one of the frame, so it does not move the frame; "
     "synchronise the clocks";
 
 std::int64_t nanoseconds(ros::Time time) {
@@ -81,7 +83,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   const std::int64_t stamp = nanoseconds(transform.stamp);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
   if (is_accepted ? record(edge, parent, stamp, now) : refuse(edge, stamp)) return true;
-  if (now - edge.received <= kSilence) return true;
+  if (now - edge.received <= kTolerance && edge.newest - stamp <= kTolerance) return true;
   refusal.reason = is_accepted ? kLate : kTooOld;
   refusal.is_accepted = is_accepted;
   refusal.behind = static_cast<double>(edge.newest - stamp) / 1e9;
@@ -188,9 +190,10 @@ void TransformBuffer::startClock(ros::Time now) {
   }
 }
 
-/// In passes over all frames. A quiet frame that nobody needs loses its edge. One pass later, if no
-/// edge has led to it meanwhile, it loses its name. Its number waits until those who may read it on
-/// other threads have ended.
+/// In passes over all frames. A quiet frame that nobody needs loses its edge. Static edges are
+/// quiet but needed, by a marker that is placed once or by the next request: the first `kept` stay.
+/// One pass later, if no edge has led to it meanwhile, it loses its name. Its number waits until
+/// those who may read it on other threads have ended.
 void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
   if (noted_at_.isZero() || now - noted_at_ >= kQuiet) {
     if (!noted_at_.isZero()) quiet_since_ = noted_message_;
@@ -204,28 +207,34 @@ void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
   }
   while (work < kSlice && inUse() > kept) {
     if (next_ == edges_.size()) return endPass();
-    work += visit(next_++);
+    work += visit(next_++, kept);
   }
 }
 
-/// Returns how many edges and samples it looked at.
-std::size_t TransformBuffer::visit(Frame frame) {
+/// Returns how many edges and samples it looked at or forgot.
+std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   Edge& edge = edges_[frame];
   if (edge.is_unused) return 1;
   const bool is_watched = edge.watched > 0 && edge.watched + 1 >= pass_;
   if (edge.holds > 0 || is_watched || edge.message > quiet_since_) return reference(frame);
+  if (edge.is_static && !edge.is_kept && kept_static_ < kept_static) {
+    edge.is_kept = true;
+    ++kept_static_;
+  }
+  if (edge.is_kept) return reference(frame);
+  const std::size_t work = 1 + (edge.history ? edge.history->samples().size() : 0);
   names_.forgetEdge(frame);
   Edge forgotten;
   forgotten.is_met = edge.is_met;
   forgotten.referenced = edge.referenced;
   edge = std::move(forgotten);
-  if (edge.referenced + 1 >= pass_) return 1;
+  if (edge.referenced + 1 >= pass_) return work;
   names_.forget(frame);
   edge.is_met = false;
   edge.is_unused = true;
   ++unused_;
   forgotten_.push_back(frame);
-  return 1;
+  return work;
 }
 
 /// Notes that an edge leads to its parents.

@@ -25,7 +25,7 @@
 
 namespace link_bounds {
 
-/// A transform that was not accepted, or that came late while none with a newer stamp comes.
+/// A transform that was not accepted, or that came late.
 struct Refusal {
   std::size_t index;               ///< its place in the message
   const char* reason;              ///< with the remedy
@@ -97,8 +97,8 @@ class TransformBuffer {
   };
 
   /// To be called every tick. Of more than `kept` frames, forgets those that nobody holds or
-  /// watches and that had no transform for a minute of steady time, or two. Looks at some hundred
-  /// frames.
+  /// watches and that had no transform for a minute of steady time, or two; but not the first
+  /// `kept` static ones. Looks at some hundred frames.
   void forgetQuiet(ros::SteadyTime now, std::size_t kept = kKeptFrames);
 
   /// Enough for any robot and its surroundings.
@@ -116,8 +116,8 @@ class TransformBuffer {
   std::size_t size() const { return edges_.size(); }
 
   /// Adds the transforms of one message, received at `now`. Refused ones change nothing. Repeated
-  /// stamps, and late or old ones on an edge that still receives newer stamps, are counted but not
-  /// reported.
+  /// stamps, and those at most 1 s behind on an edge that still receives newer ones, are counted
+  /// but not reported.
   std::vector<Refusal> add(const std::vector<TransformView>& transforms, bool is_static,
                            ros::Time now);
 
@@ -205,6 +205,7 @@ class TransformBuffer {
     bool is_met = false;  ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
+    bool is_kept = false;                ///< static, and never forgotten
     bool is_distrusted = false;          ///< see distrustStampsAhead()
     bool had_others = false;             ///< the history may have other parents, too
     bool is_unused = false;              ///< the frame was forgotten
@@ -225,7 +226,7 @@ class TransformBuffer {
   bool record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now);
   bool refuse(const Edge& edge, std::int64_t stamp);
   void adoptNumber(Frame frame);
-  std::size_t visit(Frame frame);
+  std::size_t visit(Frame frame, std::size_t kept_static);
   std::size_t reference(Frame frame);
   void endPass();
   bool climb(Frame source, Frame target, std::int64_t stamp) const;
@@ -239,6 +240,7 @@ class TransformBuffer {
   std::int64_t settled_ = 0;
   std::uint64_t pass_ = 1;           ///< over all frames: this and what follows is of forgetQuiet()
   Frame next_ = 0;                   ///< to be visited
+  std::size_t kept_static_ = 0;      ///< edges that are kept because they are static
   std::size_t unused_ = 0;           ///< frames that were forgotten and whose numbers are free
   ros::SteadyTime noted_at_;         ///< a minute ago, or less
   std::uint64_t noted_message_ = 0;  ///< at that time

@@ -7,8 +7,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 namespace link_bounds {
+namespace {
+
+std::string reasonOf(const Refusal& refusal) {
+  if (!refusal.behind) return refusal.reason;
+  return "it is " + std::to_string(*refusal.behind) + " s behind: " + refusal.reason;
+}
+
+}  // namespace
 
 void TransformInput::add(const std::vector<TransformView>& transforms, bool is_static,
                          const Publisher& publisher, const ClockWatch& clock, ros::Time now,
@@ -27,21 +36,26 @@ void TransformInput::add(const std::vector<TransformView>& transforms, bool is_s
 
 void TransformInput::addAll(const std::vector<TransformView>& transforms, bool is_static,
                             const Publisher& publisher, ros::Time now, TransformBuffer& tf) {
-  for (const Refusal& refusal : tf.add(transforms, is_static, now))
-    report(refusal, transforms[refusal.index], publisher());
+  const std::vector<Refusal> refusals = tf.add(transforms, is_static, now);
+  if (!refusals.empty()) report(refusals, transforms, publisher());
 }
 
-void TransformInput::report(const Refusal& refusal, const TransformView& transform,
+/// A publisher that is late has thousands of late transforms: words are made only for those lines
+/// that are logged.
+void TransformInput::report(const std::vector<Refusal>& refusals,
+                            const std::vector<TransformView>& transforms,
                             const std::string& publisher) {
   const ros::SteadyTime now = ros::SteadyTime::now();
-  std::string reason = refusal.reason;
-  if (refusal.behind) {
-    late_publishers_.add(publisher, transform.child, *refusal.behind, now);
-    reason = "it is " + std::to_string(*refusal.behind) + " s behind: " + reason;
+  const Refusal* late = nullptr;
+  for (const Refusal& refusal : refusals) {
+    if (refusal.behind) late = &refusal;
+    RefusalLog& log = refusal.is_accepted ? late_log_ : log_;
+    const std::string_view frame = transforms[refusal.index].child;
+    if (log.isQuiet(frame, now)) continue;
+    if (const auto line = log.line(std::string(frame), reasonOf(refusal), publisher, now))
+      ROS_WARN_STREAM(*line);
   }
-  RefusalLog& log = refusal.is_accepted ? late_log_ : log_;
-  if (const auto line = log.line(std::string(transform.child), reason, publisher, now))
-    ROS_WARN_STREAM(*line);
+  if (late) late_publishers_.add(publisher, transforms[late->index].child, *late->behind, now);
 }
 
 void TransformInput::forgetLog() {

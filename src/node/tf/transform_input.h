@@ -17,7 +17,7 @@ namespace link_bounds {
 
 class TransformInput {
  public:
-  /// The name of the node that sent the message; called only where a log line needs it.
+  /// The name of the node that sent the message; called at most once for each message.
   using Publisher = std::function<std::string()>;
 
   /// Adds the transforms of a message that arrived at `now`, without those that were sent before
@@ -26,7 +26,9 @@ class TransformInput {
            const ClockWatch& clock, ros::Time now, TransformBuffer& tf);
 
   /// Who sends stamps behind the newest ones; see LatePublishers.
-  std::string takeLatePublishers() { return late_publishers_.takeText(ros::SteadyTime::now()); }
+  LatePublishers::Texts takeLatePublishers() {
+    return late_publishers_.take(ros::SteadyTime::now());
+  }
 
   /// What was logged may be logged again.
   void forgetLog();
@@ -35,7 +37,8 @@ class TransformInput {
   void addAll(const std::vector<TransformView>& transforms, bool is_static,
               const Publisher& publisher, ros::Time now, TransformBuffer& tf);
 
-  void report(const Refusal& refusal, const TransformView& transform, const std::string& publisher);
+  void report(const std::vector<Refusal>& refusals, const std::vector<TransformView>& transforms,
+              const std::string& publisher);
 
   RefusalLog log_{"a transform of", "transforms of further frames"};
   RefusalLog late_log_{"a transform of", "transforms of further frames", "late"};

@@ -178,6 +178,11 @@ class DiagnosticsTest(unittest.TestCase):
         """Words in capitals in a key of the page stand for a name."""
         mesh = '<link name="%s"><visual><geometry><mesh filename="%s"/></geometry></visual></link>'
         load(NODE, robot([mesh % ("base", MESH), mesh % ("lost", MESH)], [("base", "lost")]))
+        start = rospy.Time.now() + rospy.Duration(300)  # later than all that was sent so far
+        for seconds in (2, 0):
+            self.tf.send(start + rospy.Duration(seconds), links=["left"])
+        self.diagnostics.wait_for_new(
+            lambda _, status: value_of(status, "publishers behind") == "1", "who is late")
         status = self.wait_for(DiagnosticStatus.WARN, "boxes", "1")
         with open(PAGE, encoding="utf-8") as page:
             rows = rows_below(page.read(), ["key", "value"])

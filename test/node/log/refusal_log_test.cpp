@@ -52,6 +52,18 @@ TEST_F(RefusalLogTest, ManyFramesEndInOneLine) {
   EXPECT_EQ(lines, 11);
 }
 
+TEST_F(RefusalLogTest, IsQuietExactlyIfThereIsNoLine) {
+  int quiet = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double time = i * 0.01;
+    const std::string frame = "frame_" + std::to_string(i % (i % 4000 < 2000 ? 97 : 5));
+    const bool is_quiet = log_.isQuiet(frame, ros::SteadyTime(1000 + time));
+    ASSERT_EQ(line(frame, time).has_value(), !is_quiet) << time;
+    quiet += is_quiet;
+  }
+  EXPECT_GT(quiet, 19000);
+}
+
 TEST_F(RefusalLogTest, LongAndStrangeNamesAreMadeFitForALog) {
   const std::string text = line("a\n\x1b[31m\xff" + std::string(100000, 'x'), 0).value();
   EXPECT_EQ(text.find("a transform of \"a??[31m?xx"), 0u);

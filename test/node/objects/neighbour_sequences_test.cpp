@@ -153,6 +153,8 @@ class NeighbourSequencesTest : public NeighboursTest {
   void passTime(double seconds) {
     pass(seconds);
     forget(18);
+    for (auto& [name, has_name] : markers_)
+      has_name = has_name || !isTaken(name, nullptr);
     for (ModelSet& set : sets_)
       if (!set.silent_since && now_ - set.heard > ros::Duration(2)) set.silent_since = now_;
     endSenders(0);

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One sender may carry several robots; no two objects have one name; who has ended leaves nothing.
+#include <chrono>
+#include <functional>
+
 #include "testing/neighbours_testing.h"
 
 namespace link_bounds {
@@ -97,6 +100,40 @@ TEST_F(NeighbourSetsTest, AMessageMayShowThatTwoSetsAreOne) {
   EXPECT_EQ(names(), Names{"/right/bounds/hand"});
 }
 
+TEST_F(NeighbourSetsTest, AMessageWithoutFrameEndsNoRobot) {
+  hear("map", "a/base", 99, 0, 0);
+  hear("map", "b/base", 99, 0, 50);
+  const Names all{"/relay/arm", "/relay/hand", "/relay/b/base/arm", "/relay/b/base/hand"};
+  for (int i = 0; i < 2; ++i) {
+    take(boxesOf({"arm", "hand"}, "a/base"), kRelay);
+    take(boxesOf({"arm", "hand"}, "b/base"), kRelay);
+    take(boxesOf({"arm", "hand"}, ""), kRelay);
+    EXPECT_EQ(names(), all);
+    take(boxesOf({"arm", "hand"}, "b/base"), kRelay);
+    EXPECT_EQ(names(), all) << "it is no set of another frame now";
+  }
+  take(boxesOf({"arm", "hand"}, "a/base"), kRelay);
+  EXPECT_EQ(incomplete(), Names());
+}
+
+TEST_F(NeighbourSetsTest, ATickLooksAtNoNamesIfNoneIsForgotten) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 20000; ++i)
+    names.push_back("link_" + std::to_string(i));
+  const AxisAlignedBoxArray array = boxesOf(names);
+  const auto seconds = [](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double message = seconds([&] { take(array); });
+  const double ticks = seconds([&] {
+    for (int i = 0; i < 1000; ++i)
+      removeEnded(i);
+  });
+  EXPECT_LT(ticks, message);
+}
+
 TEST_F(NeighbourSetsTest, MarkersAndNeighboursDoNotTouchEachOther) {
   const ObjectKey key{"/right/cup", 7};
   take(boxesOf({"cup/7"}, "map", 5), "/right");
@@ -133,6 +170,43 @@ TEST_F(NeighbourSetsTest, AMarkerGetsItsNameWhenItIsFree) {
   take(boxesOf({"arm"}), "/right");
   takeMarker(Marker::ADD, key);
   EXPECT_EQ(incomplete(), Names());
+}
+
+TEST_F(NeighbourSetsTest, ARefusedMarkerGetsItsBoxWhenTheNeighbourHasEnded) {
+  auto connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({"7", "arm"}, "map", 5));
+  removeEnded(0);
+  EXPECT_TRUE(takeMarker(Marker::ADD, {"/right/bounds", 7}));
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/7"});
+  EXPECT_FALSE(pass(0.05));
+  connection.reset();
+  removeEnded(1);
+  removeEnded(2);
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/7"});
+  EXPECT_TRUE(pass(0.05));
+  EXPECT_EQ(incomplete(), Names());
+  ASSERT_TRUE(find("/right/bounds/7")->state.box);
+  EXPECT_NEAR(find("/right/bounds/7")->state.box->max().x(), 0.5, kTolerance);
+  EXPECT_EQ(objects_.reason(*find("/right/bounds/7")), "");
+}
+
+TEST_F(NeighbourSetsTest, ARefusedMarkerIsPlacedAtItsStampAllTheSame) {
+  takeMarker(Marker::ADD, {"/right/bounds", 7});
+  take(boxesOf({"7"}, "map", 5));
+  visualization_msgs::Marker marker = markerOf(Marker::CUBE, Eigen::Vector3d::Ones());
+  marker.ns = "/right/bounds/map";
+  marker.id = 7;
+  marker.header.frame_id = "moving";
+  marker.header.stamp = now_;
+  hear("map", "moving", now_.toSec(), 0, 8);
+  source_.take(std::move(marker), "/camera", now_);
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/map/7"});
+  hear("map", "moving", now_.toSec() + 20, 0, 30);
+  takeMarker(Marker::DELETE, {"/right/bounds", 7});
+  take(boxesOf({"7"}, "map", 5));
+  EXPECT_TRUE(pass(0.05));
+  EXPECT_EQ(incomplete(), Names());
+  EXPECT_NEAR(find("/right/bounds/map/7")->state.box->max().x(), 8.5, kTolerance);
 }
 
 TEST_F(NeighbourSetsTest, TwoSendersNeverShareAName) {
@@ -195,6 +269,33 @@ TEST_F(NeighbourSetsTest, ASilentSenderIsForgottenAfterTenTimesTheTimeout) {
   EXPECT_EQ(incomplete(), Names{"/right/bounds/arm"});
   EXPECT_FALSE(pass(17));
   EXPECT_TRUE(pass(2));
+}
+
+/// Loops of a bag that are shorter than the time to wait.
+class LoopTest : public NeighbourSetsTest {
+ protected:
+  /// Returns the seconds until `is_reached`, at most 100.
+  double playUntil(double length, const std::function<bool()>& is_reached) {
+    double played = 0;
+    while (played < 100 && !is_reached()) {
+      if (now_.toSec() >= 100 + length) {
+        now_ = ros::Time(100);
+        restart();
+      }
+      pass(0.1);
+      played += 0.1;
+    }
+    return played;
+  }
+};
+
+TEST_F(LoopTest, DoesNotMakeSilenceShorter) {
+  for (const double length : {1.5, 7.0}) {
+    take(boxesOf({"arm"}));
+    const auto is_silent = [&] { return !find("/right/bounds/arm")->state.box; };
+    EXPECT_NEAR(playUntil(length, is_silent), 2, 0.3) << length;
+    EXPECT_NEAR(playUntil(length, [&] { return names().empty(); }), 18, 0.5) << length;
+  }
 }
 
 }  // namespace

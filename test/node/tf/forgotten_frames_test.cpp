@@ -3,9 +3,11 @@
 // Frames that nobody needs are forgotten; those that are needed, and what others read, stay.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "node/tf/frame_tracker.h"
@@ -62,7 +64,8 @@ std::string name(const char* kind, int i) {
 }
 
 TEST(ForgottenFrames, MemoryDoesNotGrowWithTheNamesOfStrangers) {
-  constexpr int kNames = 20000;  // in each round
+  constexpr int kNames = 20000;                  // in each round
+  constexpr std::size_t kFrames = 2 * 1000 + 3;  // static ones, their parents, and ours
   Kept kept(1000);
   kept.send("base", "mount", 1, true);
   const FrameTracker::Handle camera = kept.tracker().follow("camera");
@@ -73,8 +76,8 @@ TEST(ForgottenFrames, MemoryDoesNotGrowWithTheNamesOfStrangers) {
     kept.send("mount", "camera", round + 1);
     kept.pass(130);
     kept.tracker().setTarget("base", 0, kept.time());  // looks at all edges again
-    EXPECT_LE(kept.tf.inUse(), 1000u) << "round " << round;
-    EXPECT_LE(kept.tf.size(), 2 * kNames + 1000u) << "round " << round;
+    EXPECT_LE(kept.tf.inUse(), kFrames) << "round " << round;
+    EXPECT_LE(kept.tf.size(), 2 * kNames + kFrames) << "round " << round;
     EXPECT_EQ(camera.pose().problem, TransformProblem::kNone);
     const Eigen::Vector3d expected =
         Eigen::Vector3d(1, 0, 0) + kTurn * Eigen::Vector3d(round + 1, 0, 0);
@@ -108,6 +111,78 @@ TEST(ForgottenFrames, FewAreNeverForgotten) {
   const std::size_t before = kept.tf.inUse();
   kept.pass(1000, 0.5);
   EXPECT_EQ(kept.tf.inUse(), before);
+}
+
+/// As those of a camera that no link needs, beside strangers.
+class StaticFrames : public testing::Test {
+ protected:
+  StaticFrames() {
+    kept_.send("base", "mount", 1, true);
+    kept_.send("mount", "camera", 2, true);
+    kept_.send("base", "shelf", 3, true);
+  }
+
+  /// Strangers come in so many rounds, and all become quiet.
+  void beAmongStrangers(int rounds, bool is_static = false) {
+    for (int round = 0; round < rounds; ++round) {
+      for (int i = 0; i < 500; ++i)
+        kept_.send("base", name(is_static ? "static" : "moving", 500 * round + i), 1, is_static);
+      kept_.pass(130);
+    }
+  }
+
+  bool isPlaced(const std::string& frame) {
+    const auto base = kept_.tf.find("base"), source = kept_.tf.find(frame);
+    return base && source && kept_.tf.pose(*base, *source, 0);
+  }
+
+  Kept kept_{10};
+};
+
+TEST_F(StaticFrames, StayWhereOnlyTheirEndIsHeld) {
+  const TransformBuffer::Hold camera(kept_.tf, "camera");  // as that of a marker
+  beAmongStrangers(3);
+  EXPECT_TRUE(isPlaced("camera"));
+}
+
+TEST_F(StaticFrames, StayWhereNobodyNeedsThemYet) {
+  beAmongStrangers(3);
+  ASSERT_TRUE(isPlaced("shelf"));
+  kept_.tracker().setTarget(*kept_.tf.find("shelf"), 0, kept_.time());
+  const FrameTracker::Handle camera = kept_.tracker().follow("camera");
+  EXPECT_EQ(camera.pose().problem, TransformProblem::kNone);
+}
+
+TEST_F(StaticFrames, OfStrangersStayIfTheyAreFew) {
+  beAmongStrangers(3, true);
+  EXPECT_TRUE(isPlaced("camera"));
+  EXPECT_TRUE(isPlaced("static0"));
+  EXPECT_FALSE(isPlaced("static1000"));
+  EXPECT_LE(kept_.tf.inUse(), 2 * 10u + 1);
+}
+
+TEST(ForgottenFrames, ATickForgetsFewLongHistories) {
+  constexpr int kEdges = 40, kSamples = 700;
+  Kept kept(10);
+  for (int i = 0; i < kSamples; ++i)
+    for (int k = 0; k < kEdges; ++k)
+      kept.send("base", name("a", k), i, false, 0.01 * (kSamples - i));
+  const auto count = [&] {
+    int histories = 0;
+    for (int k = 0; k < kEdges; ++k) {
+      const auto frame = kept.tf.find(name("a", k));
+      histories += frame && kept.tf.history(*frame);
+    }
+    return histories;
+  };
+  int most = 0;
+  for (int before = count(); before > 10 && kept.time().toSec() < 1200;) {
+    kept.pass(0.05);
+    const int after = count();
+    most = std::max(most, std::exchange(before, after) - after);
+  }
+  EXPECT_GT(most, 0);
+  EXPECT_LE(most, 2);
 }
 
 TEST(ForgottenFrames, AHeldOneStaysAsLongAsItIsHeld) {

@@ -282,7 +282,7 @@ class LateTest : public testing::Test {
 TEST_F(LateTest, OnlyANewerStampCountsAsReceived) {
   EXPECT_FALSE(send(101, 99));
   EXPECT_FALSE(send(101, 100));
-  EXPECT_FALSE(send(101, 80));
+  EXPECT_TRUE(send(101, 80));
   EXPECT_EQ(received(), 100);
   EXPECT_FALSE(send(101, 100.5));
   EXPECT_EQ(received(), 101);
@@ -305,6 +305,20 @@ TEST_F(LateTest, BesideNewerStampsIsOrdinary) {
   for (int i = 1; i < 100; ++i) {
     EXPECT_FALSE(send(100 + i, 100 + i));
     EXPECT_FALSE(send(100.5 + i, 99.9 + i));
+  }
+}
+
+TEST_F(LateTest, BesideAHealthyPublisherIsReportedWithItsLag) {
+  for (int i = 1; i < 100; ++i) {
+    EXPECT_FALSE(send(100 + 0.02 * i, 100 + 0.02 * i));
+    EXPECT_FALSE(send(100 + 0.02 * i, 100 + 0.02 * i)) << "repeated";
+    const auto late = send(100.01 + 0.02 * i, 95.01 + 0.02 * i);
+    ASSERT_TRUE(late && late->behind);
+    EXPECT_TRUE(late->is_accepted);
+    EXPECT_NEAR(*late->behind, 4.99, 1e-6);
+    const auto too_old = send(100.01 + 0.02 * i, 80 + 0.02 * i);
+    ASSERT_TRUE(too_old && too_old->behind);
+    EXPECT_NEAR(*too_old->behind, 20, 1e-6);
   }
 }
 
@@ -339,10 +353,9 @@ TEST_F(AheadTest, BlocksItsEdgeAlone) {
   EXPECT_EQ(x("leg"), 3);
 }
 
-TEST_F(AheadTest, IsToldWhenNothingElseIsTaken) {
+TEST_F(AheadTest, IsToldWithTheNextTransform) {
   EXPECT_FALSE(send("arm", kYear2100, 2));
-  EXPECT_FALSE(send("arm", kNow + 0.5, 3, kNow + 0.5));
-  EXPECT_TRUE(send("arm", kNow + 1.5, 3, kNow + 1.5));
+  EXPECT_TRUE(send("arm", kNow + 0.5, 3, kNow + 0.5));
 }
 
 TEST_F(AheadTest, DistrustedEdgeBeginsAnewWithTheNextTransform) {
