@@ -85,7 +85,7 @@ class PublisherNode {
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
   std::chrono::nanoseconds max_delay_{0};  ///< of a message in the node, since the last status
-  Periodic periodic_;  ///< before the outputs, which have alarms there
+  Periodic periodic_;                      ///< before the outputs, which have alarms there
   SceneOutput output_;
   LostFrames lost_frames_;
   Diagnostics diagnostics_;
