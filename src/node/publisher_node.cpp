@@ -54,7 +54,7 @@ void PublisherNode::guardMessage(const std::function<void()>& body) {
 PublisherNode::PublisherNode()
     : node_(nodeHandle("", queue_)),
       private_node_(nodeHandle("~", queue_)),
-      feed_({[this](const std::string& uri) { loader_->requestMesh(uri); }, [this] { onNews(); }}),
+      feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); }}),
       output_(
           periodic_, private_node_, scene_,
           [this](const std::function<void()>& body) { guard(body); }, treeRequests()),

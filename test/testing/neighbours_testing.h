@@ -68,7 +68,7 @@ class NeighboursTest : public LiveObjectsTest {
 
   const LiveObject& arm() const { return *find("/right/bounds/arm"); }
 
-  ObjectSource source_{objects_, [](const std::string&) {}};
+  ObjectSource source_{objects_, [](const MeshUse&) {}};
 };
 
 }  // namespace link_bounds

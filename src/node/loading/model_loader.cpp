@@ -197,12 +197,15 @@ std::uint64_t ModelLoader::fileBytes(const std::string& uri) {
   }
 }
 
-void ModelLoader::requestMesh(const std::string& uri) {
-  const auto load = [this, uri](const MeshReaders::IsCancelled& is_cancelled) {
-    const auto source = this->source(is_cancelled);
+void ModelLoader::requestMesh(const std::shared_ptr<const std::string>& wanted) {
+  const std::string& uri = *wanted;
+  const std::weak_ptr<const std::string> use = wanted;
+  const auto load = [this, uri, use](const MeshReaders::IsCancelled& is_cancelled) {
+    const auto is_unwanted = [&] { return is_cancelled() || use.expired(); };
+    const auto source = this->source(is_unwanted);
     if (!source) return;
     const LoadedMesh mesh = robot_loader_.loadMeshes({uri}, *source).front();
-    if (is_cancelled()) return;
+    if (is_unwanted()) return;
     enqueue(update_queue_, [on_mesh = handlers_.on_mesh, uri, mesh] { on_mesh(uri, mesh); });
   };
   readers_.post("mesh " + uri, {[this, uri] { return fileBytes(uri); }, load});

@@ -56,9 +56,10 @@ class ModelLoader {
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
-  /// The mesh of an object. This and the next two return at once and may be called on any thread.
+  /// The mesh of objects, as long as somebody has the URI: else loading it ends without an answer.
+  /// This and the next two return at once and may be called on any thread.
   /// Before the first model nothing is loaded: to adopt a model is to request all meshes again.
-  void requestMesh(const std::string& uri);
+  void requestMesh(const std::shared_ptr<const std::string>& uri);
   void requestTree(const TreeRequest& request);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 

@@ -14,6 +14,10 @@
 
 namespace link_bounds {
 
+/// The URI of a mesh, shared by all objects that have it: when the last one is gone, nobody waits
+/// for the mesh.
+using MeshUse = std::shared_ptr<const std::string>;
+
 /// An object as its publisher describes it. Shared with other threads, so it never changes.
 struct ObjectContent {
   BoundedLink bounded;  ///< its shapes, in the header frame; the name is that of the box
@@ -22,6 +26,7 @@ struct ObjectContent {
       0;  ///< nanoseconds; placed once by the transform at this time. 0: follows tf
   ros::Duration lifetime;  ///< ROS time from receipt; 0 or less: for ever
   std::string mesh_uri;    ///< of a mesh, whose shape has no points while it loads
+  MeshUse mesh_use;        ///< null without a mesh
   Drawing drawing;         ///< what the marker draws with the shapes
   std::string publisher;   ///< name of the node that sent it
   /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:

@@ -44,7 +44,7 @@ std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
 }  // namespace
 
 ObjectSource::ObjectSource(LiveObjects& objects,
-                           std::function<void(const std::string& uri)> request_mesh)
+                           std::function<void(const MeshUse& use)> request_mesh)
     : objects_(objects), request_mesh_(std::move(request_mesh)) {}
 
 bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
@@ -83,22 +83,28 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   return content;
 }
 
+/// A mesh that nobody had any more while it was loading was given up.
 void ObjectSource::useMesh(ObjectContent& content) {
-  const auto known = meshes_.find(content.mesh_uri);
-  if (known == meshes_.end()) return request(content.mesh_uri);
-  content.bounded.missing = known->second.error;
-  content.bounded.shapes.front().points = known->second.points.lock();
-  if (content.isLoading() && !known->second.is_loading) request(content.mesh_uri);
+  if (meshes_.size() >= kMaxMeshes && meshes_.count(content.mesh_uri) == 0) meshes_.clear();
+  Mesh& mesh = meshes_[content.mesh_uri];
+  const MeshUse use = mesh.use.lock();
+  content.mesh_use = use ? use : std::make_shared<const std::string>(content.mesh_uri);
+  mesh.use = content.mesh_use;
+  content.bounded.missing = mesh.error;
+  content.bounded.shapes.front().points = mesh.points.lock();
+  if (content.isLoading() && !(use && mesh.is_loading)) request(mesh);
 }
 
-void ObjectSource::request(const std::string& uri) {
-  if (meshes_.size() >= kMaxMeshes) meshes_.clear();
-  meshes_[uri].is_loading = true;
-  request_mesh_(uri);
+void ObjectSource::request(Mesh& mesh) {
+  mesh.is_loading = true;
+  request_mesh_(mesh.use.lock());
 }
 
 bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
-  meshes_[uri] = {mesh.points, mesh.error, false};
+  Mesh& known = meshes_[uri];
+  known.points = mesh.points;
+  known.error = mesh.error;
+  known.is_loading = false;
   if (!mesh.error.empty()) {
     const auto line = mesh_log_.line(uri, mesh.error, "an object", ros::SteadyTime::now());
     if (line) ROS_ERROR_STREAM(*line);
@@ -123,15 +129,16 @@ void ObjectSource::reloadMeshes() {
   marker_log_.forget();
   neighbours_.forgetLog();
   mesh_log_.forget();
-  std::set<std::string> uris;
-  for (const auto& [key, object] : objects_.objects())
-    uris.insert(object.content->mesh_uri);
-  uris.erase("");
   std::map<std::string, Mesh> known = std::move(meshes_);
   meshes_.clear();
-  for (const std::string& uri : uris) {
-    request(uri);
-    meshes_[uri].points = known[uri].points;
+  for (const auto& [key, object] : objects_.objects()) {
+    const ObjectContent& content = *object.content;
+    if (!content.mesh_use) continue;
+    const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
+    if (!is_new) continue;
+    mesh->second.points = known[content.mesh_uri].points;
+    mesh->second.use = content.mesh_use;
+    request(mesh->second);
   }
 }
 

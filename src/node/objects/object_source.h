@@ -22,7 +22,7 @@ namespace link_bounds {
 /// an incomplete name changed.
 class ObjectSource {
  public:
-  ObjectSource(LiveObjects& objects, std::function<void(const std::string& uri)> request_mesh);
+  ObjectSource(LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh);
 
   /// Moves the points of a list out of the marker.
   bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
@@ -51,17 +51,18 @@ class ObjectSource {
     std::weak_ptr<const PointSet> points;
     std::string error;
     bool is_loading = false;
+    std::weak_ptr<const std::string> use;
   };
 
   ObjectContent contentOf(const ObjectKey& key, visualization_msgs::Marker&& marker,
                           const std::string& publisher);
   void useMesh(ObjectContent& content);
   void warn(const LiveObject& object, const std::string& reason);
-  void request(const std::string& uri);
+  void request(Mesh& mesh);
 
   LiveObjects& objects_;
   NeighbourSets neighbours_{objects_};
-  std::function<void(const std::string& uri)> request_mesh_;
+  std::function<void(const MeshUse& use)> request_mesh_;
   std::map<std::string, Mesh> meshes_;  ///< by URI
   RefusalLog marker_log_{"the marker", "further markers"};
   RefusalLog mesh_log_{"the mesh", "meshes of further objects"};

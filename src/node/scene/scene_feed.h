@@ -24,7 +24,7 @@ class SceneFeed {
  public:
   struct Handlers {
     /// Requests the mesh of an object; returns at once. The mesh comes back through onMesh().
-    std::function<void(const std::string& uri)> request_mesh;
+    std::function<void(const MeshUse& use)> request_mesh;
     /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
     /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;

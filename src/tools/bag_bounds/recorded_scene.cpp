@@ -51,7 +51,7 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step)
     : load_mesh_(std::move(load_mesh)),
       on_news_(std::move(on_news)),
       on_step_(std::move(on_step)),
-      feed_({[this](const std::string& uri) { wanted_meshes_.push_back(uri); },
+      feed_({[this](const MeshUse& use) { wanted_meshes_.push_back(*use); },
              [this] { on_news_(now_); }},
             // Not 0, which stands for no jump.
             [this] {

@@ -9,7 +9,7 @@ import unittest
 import rospkg
 import rospy
 import rostest
-from bounds_testing import Recorder, box_link, load, robot, wait_for
+from bounds_testing import Recorder, TfSender, box_link, load, robot, transform, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import Polygon
 from link_bounds.msg import BoxOverlapArray
@@ -178,9 +178,11 @@ class DiagnosticsTest(unittest.TestCase):
         """Words in capitals in a key of the page stand for a name."""
         mesh = '<link name="%s"><visual><geometry><mesh filename="%s"/></geometry></visual></link>'
         load(NODE, robot([mesh % ("base", MESH), mesh % ("lost", MESH)], [("base", "lost")]))
-        start = rospy.Time.now() + rospy.Duration(300)  # later than all that was sent so far
-        for seconds in (2, 0):
-            self.tf.send(start + rospy.Duration(seconds), links=["left"])
+        sender = TfSender()  # of a frame that no other test has
+        self.addCleanup(sender.end)
+        sender.wait_for_listener()
+        for seconds in (1002, 1000):
+            sender.send(transform("base", "late", rospy.Time(seconds)))
         self.diagnostics.wait_for_new(
             lambda _, status: value_of(status, "publishers behind") == "1", "who is late")
         status = self.wait_for(DiagnosticStatus.WARN, "boxes", "1")

@@ -56,7 +56,7 @@ class ObjectSourceTest : public testing::Test {
   TransformBuffer tf_;
   FrameTracker frames_{tf_};
   LiveObjects objects_{frames_};
-  ObjectSource source_{objects_, [](const std::string&) {}};
+  ObjectSource source_{objects_, [](const MeshUse&) {}};
 };
 
 TEST_F(ObjectSourceTest, AnUnknownActionIsRefusedWithAReason) {

@@ -31,7 +31,7 @@ struct Fed {
   bool joins;
   int news = 0;
   std::size_t joined = 0;
-  SceneFeed feed{{[](const std::string&) {}, [this] { ++news; }}};
+  SceneFeed feed{{[](const MeshUse&) {}, [this] { ++news; }}};
 };
 
 /// Follows a frame, is replaced or removed. One with a stamp may have to wait for its transform and
