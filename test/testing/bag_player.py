@@ -13,7 +13,7 @@ import rosbag
 import rospy
 from bounds_testing import (Pose, Recorder, TfSender, corners_of, executable, transform,
                             wait_for)
-from node_testing import Diagnostics, NodeProcess, SimulatedClock
+from node_testing import Diagnostics, NodeProcess, SimulatedClock, value_of
 from object_testing import ObjectSender, deletion, marker
 from page_testing import PACKAGE
 from tf2_msgs.msg import TFMessage
@@ -87,6 +87,7 @@ class Player:
             sender.wait_for_listener()
         self._objects = ObjectSender('/' + name)
         self._answers = 1  # the first message comes with the model
+        self._sent_tf = 0
         self._now = None
         self._wait()
 
@@ -98,9 +99,13 @@ class Player:
                 self._objects.send(*message.markers)
             else:
                 self._senders[topic].publish(message)
+                self._sent_tf += 1
+            before = self._answers
             while self._is_expected(time):
                 self._answers += 1
             self._wait()
+            if topic == '/tf_static' and self._answers == before:
+                self._wait_for_static()
         return self._boxes.messages
 
     def end(self):
@@ -133,6 +138,12 @@ class Player:
         is_far = self._now is None or abs(seconds - self._now.to_sec()) > STEP
         (self._clock.set if is_far else self._clock.publish)(seconds)
         self._now = time
+
+    def _wait_for_static(self):
+        """Without an answer, the next message, on another connection, could overtake it."""
+        self._diagnostics.wait_for_new(
+            lambda _, status: int(value_of(status, 'tf messages')) == self._sent_tf,
+            '%d tf messages' % self._sent_tf, DEADLINE)
 
     def _wait(self):
         wait_for(lambda: len(self._boxes.messages) >= self._answers,

@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPeriod(10.0);
+const ros::WallDuration kQuietTime(10.0);
 constexpr std::size_t kMaxNames = 10;       // in any period: then one line for all others
 constexpr std::size_t kMaxNameLength = 80;  // bytes
 
@@ -35,9 +35,9 @@ std::optional<std::string> RefusalLog::line(const std::string& name, const std::
 
 bool RefusalLog::isQuiet(std::string_view name, ros::SteadyTime now) {
   for (auto entry = reported_.begin(); entry != reported_.end();)
-    entry = now - entry->second >= kPeriod ? reported_.erase(entry) : std::next(entry);
+    entry = now - entry->second >= kQuietTime ? reported_.erase(entry) : std::next(entry);
   if (reported_.count(name) > 0) return true;
-  return reported_.size() >= kMaxNames && !others_time_.isZero() && now - others_time_ < kPeriod;
+  return reported_.size() >= kMaxNames && !others_time_.isZero() && now - others_time_ < kQuietTime;
 }
 
 void RefusalLog::forget() {

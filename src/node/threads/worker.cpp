@@ -32,12 +32,6 @@ constexpr std::chrono::milliseconds kPoll(20);  // how late await() notices a sh
 /// get-boxes`).
 constexpr std::chrono::microseconds kAwake(200);
 
-struct Item {
-  std::string key;
-  Worker::Work work;
-  std::size_t bytes;
-};
-
 /// What await() shares with the other thread.
 struct Awaited {
   std::mutex mutex;  ///< held while the piece is called
@@ -67,6 +61,12 @@ void callPiece(const std::shared_ptr<Awaited>& awaited, ros::CallbackQueueInterf
 
 }  // namespace
 
+struct Worker::Posted {
+  std::string key;
+  Work work;
+  std::size_t bytes;
+};
+
 struct Worker::Urgent {
   ros::CallbackInterfacePtr callback;
   std::uint64_t owner;
@@ -77,8 +77,8 @@ struct Worker::Inbox {
   std::condition_variable wake;
   std::condition_variable rest;  ///< an urgent work was done
   std::deque<Urgent> urgent;
-  std::list<Item> posted;
-  std::unordered_map<std::string, std::list<Item>::iterator> by_key;
+  std::list<Posted> posted;
+  std::unordered_map<std::string, std::list<Posted>::iterator> by_key;
   std::vector<std::shared_ptr<const void>> discarded;
   std::size_t bytes = 0;  ///< of posted
   std::thread::id thread;
@@ -94,8 +94,8 @@ struct Worker::Inbox {
 
   bool isEmpty() const { return urgent.empty() && posted.empty() && discarded.empty(); }
 
-  Item take(std::list<Item>::iterator item) {
-    Item taken = std::move(*item);
+  Posted take(std::list<Posted>::iterator item) {
+    Posted taken = std::move(*item);
     bytes -= taken.bytes;
     by_key.erase(taken.key);
     posted.erase(item);
@@ -138,7 +138,7 @@ bool Worker::post(const std::string& key, Work work, std::size_t bytes) {
 }
 
 void Worker::cancel(const std::string& key) {
-  Item cancelled;  // is freed without the lock
+  Posted cancelled;  // is freed without the lock
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
   if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
   const auto found = inbox_->by_key.find(key);
@@ -195,7 +195,7 @@ void Worker::stop() {
   if (thread_.joinable()) thread_.join();
   inbox_->rest.notify_all();
   std::deque<Urgent> urgent;
-  std::list<Item> posted;
+  std::list<Posted> posted;
   std::vector<std::shared_ptr<const void>> discarded;
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
   std::swap(urgent, inbox_->urgent);
@@ -278,7 +278,7 @@ Worker::Next Worker::next() {
     inbox_->is_urgent_removed = false;
     inbox_->running_owner = todo.urgent.owner;
   } else if (!inbox_->posted.empty()) {
-    Item item = inbox_->take(inbox_->posted.begin());
+    Posted item = inbox_->take(inbox_->posted.begin());
     todo.work = std::move(item.work);
     inbox_->running_key = std::move(item.key);
     inbox_->is_running_cancelled = false;

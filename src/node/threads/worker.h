@@ -87,6 +87,7 @@ class Worker : public ros::CallbackQueueInterface {
 
  private:
   struct Inbox;
+  struct Posted;
   struct Urgent;
   struct Next;
 

@@ -130,10 +130,10 @@ class DiagnosticsTest(unittest.TestCase):
             lambda _, status: value_of(status, "longest lag of boxes behind their stamp [ms]") ==
             "none" and float(value_of(status, "updates per second")) == 0, "silence")
 
-    def start_fresh(self, **parameters):
+    def start_fresh(self, name="fresh", **parameters):
         """A node of its own: the longest callback counts since its start."""
         rospy.set_param("/robot_description", robot([box_link("base", (1, 2, 3))], []))
-        node = NodeProcess("fresh", timeout=0.0, max_rate=0.5, **parameters)
+        node = NodeProcess(name, timeout=0.0, max_rate=0.5, **parameters)
         self.addCleanup(node.end)
         statuses = Diagnostics(node.name)
         statuses.wait_for_new(lambda _, status: value_of(status, "bounded links") == "1", "a robot")
@@ -164,15 +164,20 @@ class DiagnosticsTest(unittest.TestCase):
         self.assertGreater(after, before + LONG)
 
     def test_what_only_listeners_want_is_no_work_of_callbacks(self):
+        """Beside a node to which nobody listens: a sanitizer slows both down."""
+        alone, statuses_alone, _ = self.start_fresh("alone")
+        self.send_crowd(alone)
+        statuses_alone.wait_for_new(
+            lambda _, status: int(value_of(status, "objects")) > CROWD, "the crowd")
         node, statuses, before = self.start_fresh()
         overlaps = Recorder(node + "/overlaps", BoxOverlapArray)
         self.addCleanup(overlaps.subscriber.unregister)
         overlaps.wait(lambda m: True, "the welcome")
         self.send_crowd(node)
         overlaps.wait(lambda m: len(m.overlaps) >= CROWD * (CROWD - 1) / 2, "all pairs")
-        after = self.longest_callback(statuses)
-        print("longest callback %.1f ms, then %.1f ms" % (before, after))
-        self.assertLess(after, before + LONG)
+        other, after = self.longest_callback(statuses_alone), self.longest_callback(statuses)
+        print("longest callback %.1f ms, then %.1f ms; alone %.1f ms" % (before, after, other))
+        self.assertLess(after, max(before, 2 * other) + LONG)
 
     def test_keys_are_those_of_the_page(self):
         """Words in capitals in a key of the page stand for a name."""
