@@ -91,7 +91,7 @@ TEST(ComparedBodies, AreThoseOfEachWithEach) {
     return static_cast<std::size_t>(random.uniform(0, static_cast<double>(count)));
   };
   std::size_t alone = 0;
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < 150; ++round) {
     std::vector<std::string> objects = namesOf("a", below(40));
     for (const std::string& name : namesOf("b", below(40)))
       objects.push_back(name);
@@ -104,7 +104,7 @@ TEST(ComparedBodies, AreThoseOfEachWithEach) {
     ASSERT_EQ(areCompared(*snapshot, {}), expected) << round;
     alone += static_cast<std::size_t>(std::count(expected.begin(), expected.end(), false));
   }
-  EXPECT_GT(alone, 1000U);
+  EXPECT_GT(alone, 300U);
 }
 
 }  // namespace

@@ -171,8 +171,7 @@ TEST(MaxPairsTest, PairsThatAreLeftOutAreNoMoreThanMaxPairs) {
   snapshot->model = model;
   snapshot->incomplete = {};
   for (std::size_t i = 0; i < 6; ++i) {  // two and two are near each other
-    snapshot->bodies[i].box.min.x() += 9.0 * static_cast<double>(i / 2);
-    snapshot->bodies[i].box.max.x() += 9.0 * static_cast<double>(i / 2);
+    snapshot->bodies[i].box.translate(Eigen::Vector3d(9.0 * static_cast<double>(i / 2), 0, 0));
   }
   SceneDistances distances = emptyDistances();
   const DistanceArray found = distances.compute(snapshot, {}, [] { return false; }).value().array;
