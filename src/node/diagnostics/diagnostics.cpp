@@ -154,6 +154,7 @@ void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus
       text(count > 0, health.times.sum_ms / count));
   add(status, "time per distances, maximum of the last second [ms]",
       text(count > 0, health.times.max_ms));
+  add(status, "distances behind boxes [s]", std::to_string(health.behind));
 }
 
 void warnOfDistance(const DistanceHealth& health, double warning, DiagnosticStatus& status) {

@@ -33,8 +33,10 @@ DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks,
 
 /// Only taken over here; onTick() computes once for all that waits.
 void DistanceThread::give(std::shared_ptr<const Snapshot> snapshot) {
-  worker_.post("snapshot", [this, snapshot = std::move(snapshot)] {
+  if (published_ == given_) unpublished_since_ = Clock::now();
+  worker_.post("snapshot", [this, snapshot = std::move(snapshot), number = ++given_] {
     current_ = snapshot;
+    current_number_ = number;
     has_news_ = true;
   });
 }
@@ -50,6 +52,13 @@ void DistanceThread::give(MadeTree tree) {
 DistanceTimes DistanceThread::takeTimes() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(times_, {});
+}
+
+/// What waits was given after the last computation had begun.
+double DistanceThread::behind() const {
+  if (published_ == given_) return 0;
+  const Clock::time_point since = std::max(unpublished_since_.load(), published_begin_.load());
+  return std::chrono::duration<double>(Clock::now() - since).count();
 }
 
 std::vector<std::string> DistanceThread::errors() const {
@@ -85,6 +94,8 @@ void DistanceThread::compute() {
     errors_ = distances_.trees().errors();
   }
   callbacks_.publish(*result);
+  published_begin_ = begin;
+  published_ = current_number_;
 }
 
 void DistanceThread::forgetIfUnwanted() {

@@ -50,10 +50,15 @@ class DistanceThread {
 
   DistanceTimes takeTimes();
 
+  /// For how long a snapshot has been waiting to be computed and published [s]; 0 if none is.
+  double behind() const;
+
   /// Why there are meshes and lists without triangles, one entry each.
   std::vector<std::string> errors() const;
 
  private:
+  using Time = std::chrono::steady_clock::time_point;
+
   bool onTick();
   void compute();
   void forgetIfUnwanted();
@@ -61,12 +66,17 @@ class DistanceThread {
 
   Callbacks callbacks_;
   std::chrono::milliseconds keep_;
-  SceneDistances distances_;                 ///< this and the next three: of the thread alone
+  SceneDistances distances_;                 ///< this and the next four: of the thread alone
   std::shared_ptr<const Snapshot> current_;  ///< the newest one
+  std::uint64_t current_number_ = 0;         ///< among those that were given
   bool has_news_ = false;                    ///< since the last computation
-  std::chrono::steady_clock::time_point last_wanted_;
+  Time last_wanted_;
   TreeRequests requests_;
-  std::atomic<std::uint64_t> trees_{0};  ///< number of trees that were given: each counts
+  std::atomic<std::uint64_t> trees_{0};          ///< number of trees that were given: each counts
+  std::atomic<std::uint64_t> given_{0};          ///< number of snapshots
+  std::atomic<std::uint64_t> published_{0};      ///< number of the newest one that was
+  std::atomic<Time> published_begin_{Time()};    ///< when its computation began
+  std::atomic<Time> unpublished_since_{Time()};  ///< since when given_ > published_, or earlier
   mutable std::mutex mutex_;
   DistanceTimes times_;              ///< guarded by mutex_
   std::vector<std::string> errors_;  ///< guarded by mutex_

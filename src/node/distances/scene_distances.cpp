@@ -7,7 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "link_bounds/ros/messages.h"
+#include "node/distances/compared_bodies.h"
+#include "node/distances/distance_message.h"
 
 namespace link_bounds {
 namespace {
@@ -15,58 +16,6 @@ namespace {
 /// Pairs of tree nodes that one search may compare, about 1 us each. Links of public robots need
 /// fewer than 10,000; the limit bounds the time that hostile meshes take.
 constexpr std::size_t kMaxSteps = 100'000;
-
-const std::string& nameOf(const Snapshot& snapshot, const SnapshotBody& body) {
-  return body.link ? snapshot.model->links[*body.link].name : body.object->bounded.name;
-}
-
-/// 0 if both are.
-std::int64_t olderStamp(std::int64_t a, std::int64_t b) {
-  if (a == 0 || b == 0) return std::max(a, b);
-  return std::min(a, b);
-}
-
-std::uint8_t toLevel(DistanceLevel level) {
-  switch (level) {
-    case DistanceLevel::kBox:
-      return Distance::BOX;
-    case DistanceLevel::kHull:
-      return Distance::HULL;
-    case DistanceLevel::kMesh:
-      return Distance::MESH;
-  }
-  return Distance::BOX;
-}
-
-Distance toMessage(const Snapshot& snapshot, const SnapshotBody& first, const SnapshotBody& second,
-                   const BodyDistance& found) {
-  Distance message;
-  message.first = nameOf(snapshot, first);
-  message.second = nameOf(snapshot, second);
-  message.stamp.fromNSec(static_cast<std::uint64_t>(olderStamp(first.stamp, second.stamp)));
-  message.distance = found.lower;
-  message.distance_max = found.upper;
-  message.on_first = toPoint(found.on_first);
-  message.on_second = toPoint(found.on_second);
-  message.normal.x = found.normal.x();
-  message.normal.y = found.normal.y();
-  message.normal.z = found.normal.z();
-  message.level = toLevel(found.level);
-  return message;
-}
-
-/// If no pair is within the limit: nothing is nearer than that.
-Distance nearestOf(const std::vector<Distance>& distances, double limit) {
-  const auto nearest =
-      std::min_element(distances.begin(), distances.end(),
-                       [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  if (nearest != distances.end()) return *nearest;
-  Distance none;
-  none.distance = limit;
-  none.distance_max = limit;
-  none.level = Distance::BOX;
-  return none;
-}
 
 /// The other way round, because the heap functions of std put the largest first.
 bool isFarther(const BoxPair& a, const BoxPair& b) {
@@ -110,17 +59,30 @@ bool SceneDistances::findCandidates(const Snapshot& snapshot,
   for (const SnapshotBody& body : snapshot.bodies)
     boxes_.push_back(body.box);
   is_incomplete_.assign(boxes_.size(), false);
+  are_pairs_listed_.assign(boxes_.size(), true);
   candidates_.clear();
+  not_compared_.clear();
   for (const BoxPair& pair : search_.find(boxes_, model.parameters.distance_limit)) {
     if (is_cancelled()) return false;
-    const SnapshotBody& first = snapshot.bodies[pair.first];
-    const SnapshotBody& second = snapshot.bodies[pair.second];
-    const PairMember one{&nameOf(snapshot, first), first.link};
-    const PairMember other{&nameOf(snapshot, second), second.link};
-    if (isPair(model, one, other)) candidates_.push_back(pair);
+    if (isPair(model, snapshot.member(pair.first), snapshot.member(pair.second))) {
+      candidates_.push_back(pair);
+    } else {
+      addNotCompared(pair, static_cast<std::size_t>(model.parameters.max_pairs));
+    }
   }
+  is_compared_ = areCompared(snapshot, candidates_);
   std::make_heap(candidates_.begin(), candidates_.end(), isFarther);
   return true;
+}
+
+/// What does not fit into the message must not look as if it were compared.
+void SceneDistances::addNotCompared(const BoxPair& pair, std::size_t max) {
+  if (not_compared_.size() < max) {
+    not_compared_.push_back(pair);
+  } else {
+    are_pairs_listed_[pair.first] = false;
+    are_pairs_listed_[pair.second] = false;
+  }
 }
 
 /// Of a pair that may push another one out, nothing is remembered: there may be very many.
@@ -145,24 +107,35 @@ void SceneDistances::leaveOut(std::size_t first, std::size_t second) {
 
 ComputedDistances SceneDistances::result(const std::shared_ptr<const Snapshot>& snapshot,
                                          const std::vector<FoundPair>& pairs) const {
-  const std::vector<SnapshotBody>& bodies = snapshot->bodies;
+  const Parameters& parameters = snapshot->model->parameters;
   ComputedDistances result{snapshot, {}, {}, {}, left_out_};
-  result.array.header = snapshot->header;
+  DistanceArray& array = result.array;
+  array.header = snapshot->header;
+  array.limit = parameters.distance_limit;
+  array.accuracy = parameters.distance_accuracy;
   for (const FoundPair& pair : pairs) {
-    result.array.distances.push_back(
-        toMessage(*snapshot, bodies[pair.first], bodies[pair.second], pair.distance));
-    ++result.levels[result.array.distances.back().level];
+    array.distances.push_back(toMessage(*snapshot, pair));
+    ++result.levels[array.distances.back().level];
   }
-  result.nearest = nearestOf(result.array.distances, snapshot->model->parameters.distance_limit);
-  std::vector<std::string>& incomplete = result.array.incomplete;
-  incomplete = snapshot->incomplete;
-  const std::set<std::string> known(incomplete.begin(), incomplete.end());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!is_incomplete_[i]) continue;
-    const std::string& name = nameOf(*snapshot, bodies[i]);
-    if (known.count(name) == 0) incomplete.push_back(name);
-  }
+  result.nearest = nearestOf(array.distances, parameters.distance_limit);
+  for (const BoxPair& pair : not_compared_)
+    array.not_compared.push_back(toMessage(*snapshot, pair));
+  addNames(*snapshot, array);
   return result;
+}
+
+void SceneDistances::addNames(const Snapshot& snapshot, DistanceArray& array) const {
+  array.incomplete = snapshot.incomplete;
+  std::set<std::string> incomplete(array.incomplete.begin(), array.incomplete.end());
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    const std::string& name = snapshot.name(snapshot.bodies[i]);
+    if (is_incomplete_[i] && incomplete.insert(name).second) array.incomplete.push_back(name);
+  }
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    const std::string& name = snapshot.name(snapshot.bodies[i]);
+    if (is_compared_[i] && are_pairs_listed_[i] && incomplete.count(name) == 0)
+      array.complete.push_back(name);
+  }
 }
 
 }  // namespace link_bounds

@@ -38,16 +38,21 @@ class SceneDistances {
 
  private:
   bool findCandidates(const Snapshot& snapshot, const std::function<bool()>& is_cancelled);
+  void addNotCompared(const BoxPair& pair, std::size_t max);
   void measure(const BoxPair& pair, double limit, PairHeap& nearest);
   void leaveOut(std::size_t first, std::size_t second);
   ComputedDistances result(const std::shared_ptr<const Snapshot>& snapshot,
                            const std::vector<FoundPair>& pairs) const;
+  void addNames(const Snapshot& snapshot, DistanceArray& array) const;
 
   std::vector<Aabb> boxes_;
   SweepAndPrune search_;
   LiveBodies bodies_;
-  std::vector<BoxPair> candidates_;  ///< not measured yet
-  std::vector<bool> is_incomplete_;  ///< of the bodies
+  std::vector<BoxPair> candidates_;     ///< not measured yet
+  std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs
+  std::vector<bool> is_incomplete_;     ///< of the bodies, as the next two
+  std::vector<bool> is_compared_;       ///< with any other one
+  std::vector<bool> are_pairs_listed_;  ///< all of those that are not compared
   std::size_t left_out_ = 0;
 };
 

@@ -34,6 +34,9 @@ struct Snapshot {
   const std::string& name(const SnapshotBody& body) const {
     return body.link ? model->links[*body.link].name : body.object->bounded.name;
   }
+
+  /// Of the body of that index.
+  PairMember member(std::size_t index) const { return {&name(bodies[index]), bodies[index].link}; }
 };
 
 /// There must be a model.

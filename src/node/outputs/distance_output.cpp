@@ -65,6 +65,7 @@ DistanceHealth DistanceOutput::takeHealth() {
   health_.is_wanted = isWanted();
   if (!health_.is_wanted) health_ = DistanceHealth();
   DistanceHealth health = health_;
+  health.behind = thread_.behind();
   health.times = thread_.takeTimes();
   health.errors = thread_.errors();
   return health;

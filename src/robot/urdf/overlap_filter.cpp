@@ -112,4 +112,15 @@ bool NamePairs::contains(const std::string& name, const std::string& other) cons
   });
 }
 
+std::vector<std::string> NamePairs::partnersOf(const std::string& name) const {
+  std::vector<std::string> partners;
+  for (const std::vector<NamePair>* pairs : {&pairs_, &patterns_}) {
+    for (const auto& [first, second] : *pairs) {
+      if (fitsPattern(name, first)) partners.push_back(second);
+      if (fitsPattern(name, second)) partners.push_back(first);
+    }
+  }
+  return partners;
+}
+
 }  // namespace link_bounds

@@ -7,11 +7,17 @@ from rosgraph_msgs.msg import Clock
 MAX_AGE = 1.0  # s, the default
 STATUS_PERIOD = 1.0  # wall s between two statuses of a link_bounds_publisher in /diagnostics
 STATUS_NAME = ': boxes'  # how its status is named, after the name of the node
+DISTANCE_LAG = 'distances behind boxes [s]'  # a key of its status
 
 
 def publisher_of(message):
     """The node that sent it."""
     return (getattr(message, '_connection_header', None) or {}).get('callerid', '')
+
+
+def lag_of(status, key):
+    """Seconds under that key of a status; 0 without it."""
+    return next((float(entry.value) for entry in status.values if entry.key == key), 0.0)
 
 
 class SignOfLife:
@@ -21,14 +27,17 @@ class SignOfLife:
     still sends no boxes, but a status in /diagnostics each second of wall time, on the thread that
     makes the boxes. The status says that the last message still holds, and counts for max_age after
     the next one was due, by the wall alone. So does the first message of a node, whose first status
-    may come a second later.
+    may come a second later. A status does not count if it says, under the key of the lag, that the
+    messages are more than max_age behind.
     """
 
-    def __init__(self, max_age):
+    def __init__(self, max_age, lag_key=None):
         self._max_age = max_age
+        self._lag_key = lag_key
+        self._lag = 0.0  # s, the longest of those that were too long
         self._ros_time = 0.0  # s, of the last /clock; 0 without
         self._publisher = None  # of the last message
-        self._message = None  # the moment of the last message
+        self._message = None  # when the last message came, by both clocks
         self._status_until = 0.0  # when the last status ceases to count
         self._last_sign = 0.0  # of either
         self._silence = 0.0  # s, the longest of those that were too long
@@ -43,30 +52,24 @@ class SignOfLife:
         """A message of the topic."""
         is_first = publisher_of(message) != self._publisher
         self._publisher = publisher_of(message)
-        self._message = self.moment(now)
+        self._message = now, self._ros_time
         self._see_sign(now, is_status=is_first)
 
     def see_status(self, message, now):
-        is_of_boxes = any(status.name.endswith(STATUS_NAME) for status in message.status)
-        if is_of_boxes and publisher_of(message) == self._publisher:
-            self._see_sign(now, is_status=True)
+        if publisher_of(message) != self._publisher:
+            return
+        for status in message.status:
+            if status.name.endswith(STATUS_NAME):
+                self._see_lag(lag_of(status, self._lag_key), now)
 
     def see_clock(self, message, _now):
         self._ros_time = message.clock.to_sec()
-
-    def moment(self, now):
-        """Both clocks, for is_past()."""
-        return now, self._ros_time
-
-    def is_past(self, moment, now):
-        """True if it is longer ago than max_age, by one of the clocks."""
-        return max(now - moment[0], self._ros_time - moment[1]) > self._max_age
 
     def silent_since(self, now):
         """When the last sign of life ceased to count; None while it does, and before the first."""
         if self._message is None or now <= self._status_until:
             return None
-        if not self.is_past(self._message, now):
+        if max(now - self._message[0], self._ros_time - self._message[1]) <= self._max_age:
             return None
         self._silence = max(self._silence, now - self._last_sign)
         return min(now, max(self._status_until, self._message[0] + self._max_age))
@@ -75,9 +78,18 @@ class SignOfLife:
         """For the report of a failure: the longest silence, if one was too long."""
         if not self._silence:
             return []
-        return [f'for {self._silence:.3g} s no message came, and no status of '
-                f'{self._publisher or "its publisher"} in /diagnostics: silence is no success '
-                f'(max_age {self._max_age:.3g} s)']
+        lines = [f'for {self._silence:.3g} s no message came, and no status of '
+                 f'{self._publisher or "its publisher"} in /diagnostics: silence is no success '
+                 f'(max_age {self._max_age:.3g} s)']
+        if self._lag:
+            lines.append(f'its status said that they were {self._lag:.3g} s behind')
+        return lines
+
+    def _see_lag(self, lag, now):
+        if lag > self._max_age:
+            self._lag = max(self._lag, lag)
+        else:
+            self._see_sign(now, is_status=True)
 
     def _see_sign(self, now, is_status):
         self._last_sign = now

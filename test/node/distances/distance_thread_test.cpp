@@ -109,6 +109,20 @@ TEST_F(DistanceThreadTest, ComputesEachNewSnapshotAndTree) {
   EXPECT_GE(thread_->takeTimes().count, 2U);
 }
 
+TEST_F(DistanceThreadTest, IsBehindWhileASnapshotWaits) {
+  start(seconds(10));
+  EXPECT_EQ(thread_->behind(), 0);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);  // nothing can be published
+    thread_->give(snapshotOf(0.5));
+    EXPECT_TRUE(becomesTrue([this] { return thread_->behind() > 0.2; }));
+    thread_->give(snapshotOf(0.25));
+    EXPECT_GT(thread_->behind(), 0.2) << "since the first one";
+  }
+  ASSERT_TRUE(waitForGap(0.25));
+  EXPECT_TRUE(becomesTrue([this] { return thread_->behind() == 0; }));
+}
+
 TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
   start(seconds(10));
   const auto snapshot = snapshotOf(0.5);

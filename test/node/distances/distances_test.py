@@ -27,6 +27,10 @@ def names_of(message):
     return [(d.first, d.second) for d in message.distances]
 
 
+def left_out_of(message):
+    return [(o.first, o.second) for o in message.not_compared]
+
+
 def length(a, b):
     return math.sqrt((a.x - b.x) ** 2 + (a.y - b.y) ** 2 + (a.z - b.z) ** 2)
 
@@ -96,6 +100,28 @@ class Distances(unittest.TestCase):
         self.assertEqual((nearest.second, nearest.level, nearest.distance, nearest.distance_max),
                          ("", Distance.BOX, 0.5, 0.5))
 
+    def test_a_message_says_what_its_silence_means(self):
+        load(NODE, THREE, distance_limit=0.5, distance_accuracy=1e-3)
+        message = self.distances_at(self.place(50))
+        self.assertEqual((message.limit, message.accuracy), (0.5, 1e-3))
+        self.assertEqual(message.complete, ["base", "far"], "mid is joined to both")
+        self.assertEqual((message.distances, message.not_compared), ([], []))
+        load(NODE, THREE, distance_limit=100, ignore_pairs=["base far"])
+        self.objects.send(marker("a/1"), marker("b/1"))
+        message = self.distances_at(self.place(1.3), lambda m: len(m.distances) == 7)
+        self.assertEqual(message.limit, 100)
+        self.assertEqual(message.complete, ["base", "mid", "far", "a/1", "b/1"])
+        self.assertEqual(left_out_of(message), [("base", "mid"), ("base", "far"), ("mid", "far")])
+        self.assertAlmostEqual(message.not_compared[1].distance, 0.3, delta=1e-9)
+
+    def test_where_no_pair_is_compared_no_name_is_complete(self):
+        for parameters in ({"adjacent_joints": 2}, {"ignore_pairs": ["* *"]}):
+            for x in (1.3, 50):
+                load(NODE, THREE, distance_limit=0.5, **parameters)
+                message = self.distances_at(self.place(x))
+                self.assertEqual(message.complete, [], (parameters, x))
+                self.assertEqual(left_out_of(message), [("base", "far")] if x < 2 else [])
+
     def test_padding_is_no_part_of_a_distance(self):
         load(NODE, THREE, distance_limit=0.5, padding=0.2)
         self.expect(self.distances_at(self.place(1.3)).distances[0], 0.3)
@@ -141,7 +167,8 @@ class Distances(unittest.TestCase):
     def test_incomplete_is_that_of_boxes(self):
         load(NODE, robot([box_link("base", (1, 1, 1)), box_link("lost", (1, 1, 1))],
                          [("base", "lost")]), distance_limit=0.5)
-        self.distances.wait_newest(lambda m: m.incomplete == ["lost"], "incomplete")
+        message = self.distances.wait_newest(lambda m: m.incomplete == ["lost"], "incomplete")
+        self.assertEqual(message.complete, [])
         self.objects.send(marker("a/1", frame="nowhere"))
         self.distances.wait_newest(lambda m: m.incomplete == ["lost", "a/1"], "both")
 

@@ -132,6 +132,54 @@ TEST(MaxPairsTest, ThePairsOfAllThatTouchAreNotMeasured) {
   EXPECT_LE(steps, kPairs + kMax + 1) << "one per pair of boxes and one per measured pair";
 }
 
+TEST(MaxPairsTest, NamesOfWhichSilenceSaysNothingAreNotComplete) {
+  using Names = std::vector<std::string>;
+  const std::vector<Cuboid> cuboids(4, {{1, 1, 1}, Eigen::Affine3d::Identity()});
+  auto snapshot = std::make_shared<Snapshot>(*snapshotOf(cuboids, 5));
+  SceneDistances distances = emptyDistances();
+  const auto compute = [&](const char* name, const char* other, int max_pairs) {
+    auto model = std::make_shared<Model>(*snapshot->model);
+    model->ignored_pairs = NamePairs(std::vector<NamePair>{{name, other}});
+    model->parameters.max_pairs = max_pairs;
+    snapshot->model = model;
+    snapshot->incomplete = {};
+    return distances.compute(snapshot, {}, [] { return false; }).value().array;
+  };
+  DistanceArray found = compute("o/0", "o/1", 6);
+  EXPECT_EQ(found.complete, Names({"o/0", "o/1", "o/2", "o/3"}));
+  ASSERT_EQ(found.not_compared.size(), 1U);
+  EXPECT_EQ(found.not_compared[0].second, "o/1");
+
+  found = compute("o/0", "o/*", 3);
+  EXPECT_EQ(found.not_compared.size(), 3U);
+  EXPECT_EQ(found.incomplete, Names());
+  EXPECT_EQ(found.complete, Names({"o/1", "o/2", "o/3"})) << "o/0 is compared with none";
+
+  found = compute("o/*", "o/*", 2);
+  EXPECT_EQ(found.not_compared.size(), 2U);
+  EXPECT_EQ(found.incomplete, Names());
+  EXPECT_EQ(found.complete, Names());
+}
+
+TEST(MaxPairsTest, PairsThatAreLeftOutAreNoMoreThanMaxPairs) {
+  const std::vector<Cuboid> cuboids(6, {{1, 1, 1}, Eigen::Affine3d::Identity()});
+  auto snapshot = std::make_shared<Snapshot>(*snapshotOf(cuboids, 10));
+  auto model = std::make_shared<Model>(*snapshot->model);
+  model->ignored_pairs =
+      NamePairs(std::vector<NamePair>{{"o/0", "o/1"}, {"o/2", "o/3"}, {"o/4", "o/5"}});
+  model->parameters.max_pairs = 2;
+  snapshot->model = model;
+  snapshot->incomplete = {};
+  for (std::size_t i = 0; i < 6; ++i) {  // two and two are near each other
+    snapshot->bodies[i].box.translate(Eigen::Vector3d(9.0 * static_cast<double>(i / 2), 0, 0));
+  }
+  SceneDistances distances = emptyDistances();
+  const DistanceArray found = distances.compute(snapshot, {}, [] { return false; }).value().array;
+  EXPECT_EQ(found.not_compared.size(), 2U);
+  EXPECT_EQ(found.incomplete, std::vector<std::string>());
+  EXPECT_EQ(found.complete, (std::vector<std::string>{"o/0", "o/1", "o/2", "o/3"}));
+}
+
 TEST(MaxPairsTest, PairsThatAreExactlyAsManyAreAllListed) {
   const std::vector<Cuboid> cuboids(4, {{1, 1, 1}, Eigen::Affine3d::Identity()});
   SceneDistances distances = emptyDistances();

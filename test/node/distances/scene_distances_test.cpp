@@ -183,6 +183,29 @@ class Sequence {
     EXPECT_TRUE(removed_.expired()) << "the points of a body that is gone";
   }
 
+  /// Every name was compared, and each pair that was left out has its boxes apart or is named.
+  void compareSilence(const Snapshot& taken, const DistanceArray& array) {
+    EXPECT_EQ(array.limit, model_->parameters.distance_limit);
+    EXPECT_EQ(array.accuracy, kAccuracy);
+    std::vector<std::string> names;
+    auto entry = array.not_compared.begin();
+    for (std::size_t i = 0; i < taken.bodies.size(); ++i) {
+      names.push_back(nameOf(taken.bodies[i]));
+      for (std::size_t j = i + 1; j < taken.bodies.size(); ++j) {
+        const SnapshotBody& a = taken.bodies[i];
+        const SnapshotBody& b = taken.bodies[j];
+        const double apart = signedDistance(a.box, b.box);
+        if (!isLeftOut(a, b) || apart > array.limit) continue;
+        ASSERT_TRUE(entry != array.not_compared.end()) << nameOf(a) << " " << nameOf(b);
+        ASSERT_EQ(entry->first + " " + entry->second, nameOf(a) + " " + nameOf(b));
+        ASSERT_EQ(entry->distance, apart);
+        ++entry;
+      }
+    }
+    EXPECT_TRUE(entry == array.not_compared.end());
+    EXPECT_EQ(array.complete, names);
+  }
+
   void computeAndCompare() {
     const auto taken = snapshot();
     const auto computed = distances_.compute(taken, now_, [] { return false; });
@@ -225,6 +248,7 @@ class Sequence {
       }
     }
     ASSERT_TRUE(entry == end) << entry->first << " " << entry->second;
+    compareSilence(*taken, computed->array);
     EXPECT_EQ(computed->nearest.distance, nearest);
     EXPECT_EQ(computed->nearest.first.empty(), computed->array.distances.empty());
   }

@@ -134,6 +134,16 @@ TEST(NamePairs, PatternsContainWhatFitsInEitherOrder) {
   EXPECT_TRUE(pairs.contains("a", "b"));
 }
 
+TEST(NamePairs, PartnersAreTheOtherEndsOfPairsThatFit) {
+  using Names = std::vector<std::string>;
+  const NamePairs pairs({{"held/*", "held/*"}, {"arm", "held/*"}, {"b", "a"}});
+  EXPECT_EQ(pairs.partnersOf("a"), Names({"b"}));
+  EXPECT_EQ(pairs.partnersOf("b"), Names({"a"}));
+  EXPECT_EQ(pairs.partnersOf("arm"), Names({"held/*"}));
+  EXPECT_EQ(pairs.partnersOf("held/1"), Names({"held/*", "held/*", "arm"}));
+  EXPECT_EQ(pairs.partnersOf("c"), Names());
+}
+
 TEST(Pattern, AWildcardStandsForAnyTextWithoutASlash) {
   for (const char* name : {"ns/1", "ns/-12", "ns/"})
     EXPECT_TRUE(fitsPattern(name, "ns/*")) << name;

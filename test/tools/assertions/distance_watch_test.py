@@ -7,12 +7,9 @@ import math
 import sys
 import unittest
 
-import rospy
 from assertion_testing import load_script
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from geometry_msgs.msg import Point
-from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap, BoxOverlapArray,
-                             Distance, DistanceArray)
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from link_bounds.msg import BoxOverlap, Distance, DistanceArray
 from std_msgs.msg import Header
 
 INF, NAN = math.inf, math.nan
@@ -24,39 +21,27 @@ assert_distance = load_script(sys.argv.pop())
 ParameterError = sys.modules['topic_assertion'].ParameterError
 
 
-def header(seconds=0.0):
-    return Header(frame_id='world', stamp=rospy.Time.from_sec(seconds))
-
-
 def pair(first, second, distance, distance_max=None, level=Distance.MESH):
     return Distance(first=first, second=second, distance=distance, level=level,
                     distance_max=distance if distance_max is None else distance_max)
 
 
-def distances(*pairs, incomplete=(), stamp=0.0, publisher=NODE):
-    message = DistanceArray(header=header(stamp), distances=list(pairs),
-                            incomplete=list(incomplete))
-    message._connection_header = {'callerid': publisher}
-    return message
-
-
-def boxes(*places, incomplete=(), stamp=0.0):
-    """Cubes of 1 m: (name, x of the centre), or a name at 0."""
-    places = [place if isinstance(place, tuple) else (place, 0) for place in places]
-    return AxisAlignedBoxArray(
-        header=header(stamp), incomplete=list(incomplete),
-        boxes=[AxisAlignedBox(name=name, min=Point(x - .5, -.5, -.5), max=Point(x + .5, .5, .5))
-               for name, x in places])
-
-
-def status():
-    message = DiagnosticArray(status=[DiagnosticStatus(name='link_bounds_publisher: boxes')])
+def distances(complete, *pairs, incomplete=(), not_compared=(), limit=LIMIT):
+    """`complete` are names with spaces between them, and so is each pair of not_compared."""
+    message = DistanceArray(
+        header=Header(frame_id='world'), distances=list(pairs), limit=limit, accuracy=1e-4,
+        incomplete=list(incomplete), complete=complete.split(),
+        not_compared=[BoxOverlap(*names.split(), 0.01) for names in not_compared])
     message._connection_header = {'callerid': NODE}
     return message
 
 
-def overlap(first, second):
-    return BoxOverlapArray(overlaps=[BoxOverlap(first=first, second=second)])
+def status(behind=0.0):
+    message = DiagnosticArray(status=[DiagnosticStatus(
+        name='link_bounds_publisher: boxes',
+        values=[KeyValue('distances behind boxes [s]', str(behind))])])
+    message._connection_header = {'callerid': NODE}
+    return message
 
 
 class Parameters(unittest.TestCase):
@@ -89,25 +74,18 @@ class Parameters(unittest.TestCase):
         self.assertEqual(assert_distance.assertion_from({'at_most': 0}).asked(), 'at most 0 m')
 
 
-FAR = pair('arm', 'cup', .09)
+FAR = distances('arm cup', pair('arm', 'cup', .09))
+NEAR = distances('arm cup', pair('arm', 'cup', .01))
 
 
 class WatchTest(unittest.TestCase):
-    def watch(self, limit=LIMIT, **parameters):
-        self.limits = []
-
-        def limit_of(publisher):
-            self.limits.append(publisher)
-            return limit
-
-        return assert_distance.DistanceWatch(assert_distance.assertion_from(parameters), limit_of)
+    def watch(self, **parameters):
+        return assert_distance.DistanceWatch(assert_distance.assertion_from(parameters))
 
     def check(self, is_passed, watch, *messages):
         """After these messages at 1 s."""
-        handlers = {topic.kind: topic.see for topic in watch.topics}
         for message in messages:
-            if type(message) in handlers:
-                handlers[type(message)](message, 1.0)
+            watch.see(message, 1.0)
         self.assertEqual(watch.is_passed(1.0), is_passed, watch.failure(1.0))
         return watch
 
@@ -120,282 +98,213 @@ class AtLeast(WatchTest):
     def test_each_pair_of_the_names_must_be_so_far_apart(self):
         for distance, is_kept in ((.05, True), (.049, False), (0, False)):
             for names in (('arm', 'table'), ('table', 'arm')):
-                self.check(is_kept, self.watch(**ARM_AND_TABLE), boxes('arm', 'table', 'lamp'),
-                           distances(pair('arm', 'lamp', .01), pair(*names, distance, .09)))
+                self.check(is_kept, self.watch(**ARM_AND_TABLE),
+                           distances('arm lamp table', pair('arm', 'lamp', .01),
+                                     pair(*names, distance, .09)))
 
     def test_the_proven_distance_counts(self):
-        watch = self.check(False, self.watch(**ARM_AND_TABLE), boxes('arm', 'table'),
-                           distances(pair('arm', 'table', .04, .06, Distance.HULL)))
+        """Also of hulls, while triangles are loading: none is nearer than its hull."""
+        watch = self.check(False, self.watch(**ARM_AND_TABLE),
+                           distances('arm table', pair('arm', 'table', .04, .06, Distance.HULL)))
         self.check_failure(watch, 'the distance of "arm" and "table", of '
                            '/link_bounds_publisher/distances, was not at least 0.05 m within 10 s',
                            'last distance: "arm" and "table" are 0.04 to 0.06 m apart (HULL) in '
                            'frame "world"')
+        self.check(True, watch, distances('arm table', pair('arm', 'table', .055)))
+        self.check(True, self.watch(**ARM_AND_TABLE),
+                   distances('arm table', pair('arm', 'table', .05, .06, Distance.HULL)))
 
     def test_an_empty_name_is_any(self):
-        near = distances(pair('arm', 'lamp', .09), pair('cup', 'lamp', .01))
-        names = boxes('arm', 'lamp', 'cup')
-        self.check(True, self.watch(first='arm', at_least=.05), names, near)
-        self.check(True, self.watch(second='arm', at_least=.05), names, near)
-        self.check(False, self.watch(second='lamp', at_least=.05), names, near)
-        watch = self.check(False, self.watch(at_least=.05), names, near)
+        near = distances('arm lamp cup', pair('arm', 'lamp', .09), pair('cup', 'lamp', .01))
+        self.check(True, self.watch(first='arm', at_least=.05), near)
+        self.check(True, self.watch(second='arm', at_least=.05), near)
+        self.check(False, self.watch(second='lamp', at_least=.05), near)
+        watch = self.check(False, self.watch(at_least=.05), near)
         self.check_failure(watch, 'of any and any', '"cup" and "lamp" are 0.01 to 0.01 m apart',
                            'the nearest of 2 such pairs')
 
     def test_what_is_no_distance_keeps_nothing(self):
         for distance, distance_max in ((NAN, 1), (1, NAN), (INF, INF), (1, .5), (-1, 1)):
-            self.check(False, self.watch(at_least=1e-9), boxes('a', 'b'),
-                       distances(pair('a', 'b', distance, distance_max)))
-            self.check(False, self.watch(at_most=9), boxes('a', 'b'),
-                       distances(pair('a', 'b', distance, distance_max)))
+            wrong = distances('a b', pair('a', 'b', distance, distance_max))
+            self.check(False, self.watch(at_least=1e-9), wrong)
+            self.check(False, self.watch(at_most=9), wrong)
 
-    def test_beyond_the_limit_of_the_publisher_it_can_never_be_known(self):
-        for limit, text in ((.0499, '~at_least is 0.05 m, but pairs farther apart than 0.0499 m '
-                                    'are not in /link_bounds_publisher/distances; raise /node/'
-                                    'distance_limit and call /node/reload'),
-                            (None, '~distance_limit of /node is not known')):
-            watch = self.check(False, self.watch(limit, **ARM_AND_TABLE), boxes('arm', 'table'),
-                               distances(pair('arm', 'table', .06), publisher='/node'))
-            self.assertIn(text, watch.fault)
-            self.assertEqual(set(self.limits), {'/node'})
-        self.assertEqual(self.check(True, self.watch(.05, **ARM_AND_TABLE), boxes('arm', 'table'),
-                                    distances(pair('arm', 'table', .05))).fault, '')
 
-    def test_a_limit_that_is_lowered_later_counts(self):
-        limits = [LIMIT, .01]
-        watch = assert_distance.DistanceWatch(
-            assert_distance.assertion_from(dict(ARM_AND_TABLE, hold=2)), lambda _: limits.pop(0))
-        watch.see_boxes(boxes('arm', ('table', 9)), 0.0)
-        watch.see(distances(), 0.0)
+class Limit(WatchTest):
+    def test_beyond_that_of_the_message_it_can_never_be_known(self):
+        for limit in (.0499, 0, NAN):
+            watch = self.check(False, self.watch(**ARM_AND_TABLE),
+                               distances('arm table', pair('arm', 'table', .06), limit=limit))
+            self.assertIn('~at_least is 0.05 m, but /link_bounds_publisher/distances has the '
+                          f'limit {limit:.9g} m and says nothing of pairs that are farther apart; raise '
+                          'distance_limit', watch.fault)
+        watch = self.check(True, self.watch(**ARM_AND_TABLE), distances('arm table', limit=.05))
+        self.assertEqual(watch.fault, '')
+
+    def test_that_is_lowered_later_counts(self):
+        watch = self.watch(**ARM_AND_TABLE, hold=2)
+        watch.see(distances('arm table'), 0.0)
+        watch.see(distances('arm table', limit=.01), 1.0)
         self.assertFalse(watch.is_passed(2.0))
         self.assertIn('0.01 m', watch.fault)
 
-    def test_at_most_needs_no_limit(self):
-        self.check(True, self.watch(None, at_most=.1), boxes('a', 'b'),
-                   distances(pair('a', 'b', .05)))
-        self.assertEqual(self.limits, [])
+    def test_at_most_needs_none(self):
+        self.check(True, self.watch(at_most=.1), distances('a b', pair('a', 'b', .05), limit=0))
+
+
+class Silence(WatchTest):
+    """The pair is not listed."""
+
+    def test_of_two_names_that_were_compared_means_farther_apart(self):
+        self.check(True, self.watch(**ARM_AND_TABLE), distances('arm table'))
+
+    def test_of_a_pair_that_was_not_compared_means_nothing(self):
+        for left_out in ('arm table', 'table arm'):
+            watch = self.check(False, self.watch(**ARM_AND_TABLE),
+                               distances('arm lamp table', not_compared=[left_out]))
+            self.check_failure(watch, 'nothing was checked: no pair of "arm" and "table" was ',
+                               'ignore_pairs are never compared', 'Complete: arm, lamp, table',
+                               'the last message has no such pair')
+        self.check(True, watch, distances('arm lamp table', not_compared=['arm lamp']))
+
+    def test_of_a_name_that_is_not_complete_means_nothing(self):
+        for complete, missing in (('arm lamp', 'table'), ('lamp table', 'arm'), ('', 'arm')):
+            watch = self.check(False, self.watch(**ARM_AND_TABLE), distances(complete))
+            self.check_failure(watch, 'nothing was checked', f'"{missing}" is not in complete')
+        self.check(False, self.watch(first='arm', at_least=.05), distances('lamp table'))
+
+    def test_of_a_listed_pair_there_is_none(self):
+        """Its number is proven, though other pairs of its names do not fit into not_compared."""
+        self.check(True, self.watch(**ARM_AND_TABLE), distances('', pair('arm', 'table', .06)))
+
+    def test_is_not_near_enough(self):
+        watch = self.check(False, self.watch(first='arm', at_most=.05), distances('arm table'))
+        self.check_failure(watch, 'was not at most 0.05 m', 'the last message has no such pair')
 
 
 class Evidence(WatchTest):
     """Where any pair is asked for, a verdict rests on at least one that was compared."""
 
-    def check_nothing(self, watch, *messages):
-        self.check_failure(self.check(False, watch, *messages), 'nothing was checked: no pair of',
-                           'compared: no pair')
+    def check_nothing(self, message, **parameters):
+        watch = self.check(False, self.watch(at_least=.05, **parameters), message)
+        self.check_failure(watch, 'nothing was checked: no pair of', 'compared: no pair. ')
 
-    def test_without_boxes_nothing_is_checked(self):
-        self.check_nothing(self.watch(at_least=.05), boxes(), distances())
-
-    def test_boxes_alone_are_none(self):
-        """As of one rigid body, or with ignore_pairs ["* *"]."""
+    def test_without_names_nothing_is_checked(self):
+        """As without geometry, of one rigid body, or with ignore_pairs ["* *"]."""
         for names in ({}, {'first': 'arm'}, {'second': 'arm'}):
-            self.check_nothing(self.watch(at_least=.05, **names), boxes('arm', ('cup', 9)),
-                               distances())
+            self.check_nothing(distances(''), **names)
+            self.check_nothing(distances('', not_compared=['arm cup']), **names)
+        self.check_nothing(distances('arm'))
 
-    def test_a_pair_that_was_compared_once_is_enough(self):
-        watch = self.check(False, self.watch(at_least=.05), boxes('arm', 'cup'),
-                           distances(pair('arm', 'cup', .01)))
-        self.check(True, watch, distances())
-        watch = self.check(False, self.watch(first='arm', at_least=.05), boxes('arm', 'cup'),
-                           distances())
-        self.check(True, watch, overlap('cup', 'arm'))
+    def test_where_all_are_left_out_nothing_is_checked(self):
+        for names in ({}, {'first': 'arm'}):
+            self.check_nothing(distances('arm cup', not_compared=['arm cup']), **names)
+        self.check_nothing(distances(
+            'arm cup lamp', not_compared=['arm cup', 'arm lamp', 'cup lamp']))
 
-    def test_is_none_once_its_boxes_have_gone(self):
-        watch = self.check(False, self.watch(at_least=.05), boxes('arm', 'cup'),
-                           distances(pair('arm', 'cup', .01)))
-        self.check(False, watch, boxes('arm', 'lamp', stamp=1), distances(stamp=1))
-        self.check_failure(watch, 'nothing was checked: no pair of any and any',
-                           'compared: "arm" and "cup". ')
+    def test_pairs_that_are_left_out_are_no_part_of_any(self):
+        self.check(True, self.watch(at_least=.05),
+                   distances('arm cup lamp', not_compared=['arm cup']))
 
-    def test_of_other_names_is_told(self):
-        others = distances(pair('arm', 'lamp', .09), pair('arm', 'table', .02))
+    def test_is_told_of_other_names(self):
         watch = self.check(False, self.watch(first='cup', at_least=.05),
-                           boxes('arm', 'cup', 'lamp', 'table'), others)
-        self.check_failure(watch, 'no pair of "cup" and any',
-                           'compared: 2 pairs, the nearest "arm" and "table"')
+                           distances('arm lamp', pair('arm', 'lamp', .09)))
+        self.check_failure(watch, 'no pair of "cup" and any', 'compared: "arm" and "lamp". ')
 
-    def test_of_a_success_is_told(self):
-        for parameters, text in (({}, '; compared: 2 pairs, the nearest "arm" and "cup"'),
-                                 ({'first': 'lamp'}, '; compared: "arm" and "lamp"')):
-            watch = self.check(True, self.watch(at_least=.05, **parameters),
-                               boxes('arm', 'cup', 'lamp'),
-                               distances(FAR, pair('arm', 'lamp', .095)))
-            self.assertEqual(watch.evidence(), text)
-
-
-class Unpublished(WatchTest):
-    """The pair is not in the message."""
-
-    def test_is_farther_apart_if_it_has_been_near(self):
-        watch = self.check(False, self.watch(**ARM_AND_TABLE), boxes('arm', 'table'),
-                           distances(pair('arm', 'table', .01)))
-        self.check(True, watch, distances())
-
-    def test_is_farther_apart_if_it_has_been_an_overlap(self):
-        watch = self.check(False, self.watch(**ARM_AND_TABLE), boxes('arm', 'table'), distances())
-        self.check(False, watch, overlap('arm', 'lamp'))
-        self.check(True, watch, overlap('table', 'arm'))
-
-    def test_is_so_far_apart_if_its_boxes_are(self):
-        for x, is_kept in ((1.04, False), (1.06, True), (-1.06, True)):
-            self.check(is_kept, self.watch(**ARM_AND_TABLE), boxes('arm', ('table', x)),
-                       distances())
-
-    def test_may_be_one_that_is_never_compared(self):
-        watch = self.check(False, self.watch(**ARM_AND_TABLE), boxes('arm', ('table', 1.01)),
-                           distances())
-        self.check_failure(watch, 'neither in ~distances nor in ~overlaps', 'its boxes are 0.01',
-                           'it is never compared', 'the last message has no such pair')
-
-    def test_is_no_pair_if_a_name_has_no_box(self):
-        for names, missing in ((('arm',), 'table'), (('table',), 'arm')):
-            watch = self.watch(**ARM_AND_TABLE)
-            self.check(False, watch, boxes('arm', 'table'), distances(pair('arm', 'table', .01)))
-            self.check(False, watch, boxes(*names, 'lamp', stamp=1), distances(stamp=1))
-            self.check_failure(
-                watch, '"%s" has no box in /link_bounds_publisher/boxes. Boxes: %s'
-                % (missing, ', '.join(sorted(names + ('lamp',)))))
-        self.check(False, self.watch(first='arm', at_least=.05), boxes('table'), distances())
-
-    def test_is_not_near_enough(self):
-        watch = self.check(False, self.watch(first='arm', at_most=.05), boxes('arm', 'table'),
-                           distances())
-        self.check_failure(watch, 'was not at most 0.05 m', 'the last message has no such pair')
+    def test_is_told_of_a_success(self):
+        message = distances('arm cup lamp table', pair('arm', 'cup', .09),
+                            pair('arm', 'lamp', .095), not_compared=['lamp cup'])
+        for parameters, text in (({}, '5 pairs, the nearest "arm" and "cup"'),
+                                 ({'first': 'lamp'}, '2 pairs, the nearest "arm" and "lamp"'),
+                                 ({'first': 'table'}, '3 pairs, farther apart than 0.1 m'),
+                                 ({'first': 'cup', 'second': 'table'},
+                                  '1 pair, farther apart than 0.1 m'),
+                                 ({'first': 'lamp', 'second': 'arm'}, '"arm" and "lamp"')):
+            watch = self.check(True, self.watch(at_least=.05, **parameters), message)
+            self.assertEqual(watch.evidence(), '; compared: ' + text)
 
 
 class AtMost(WatchTest):
     def test_one_pair_is_enough_and_its_upper_bound_counts(self):
-        names = boxes('arm', 'cup', 'lamp')
-        far = pair('arm', 'lamp', .09)
         for cup, is_kept in ((pair('arm', 'cup', .01, .02), True),
                              (pair('arm', 'cup', .01, .021), False)):
-            self.check(is_kept, self.watch(first='arm', at_most=.02), names, distances(cup, far))
+            self.check(is_kept, self.watch(first='arm', at_most=.02),
+                       distances('arm cup lamp', cup, pair('arm', 'lamp', .09)))
 
     def test_needs_no_other_evidence(self):
-        self.check(True, self.watch(at_most=.1), boxes('arm', 'cup'), distances(FAR))
-        self.check(False, self.watch(at_most=.1), boxes('arm', 'cup'), distances())
+        self.check(True, self.watch(at_most=.1), FAR)
+        self.check(False, self.watch(at_most=.1), distances('arm cup'))
 
     def test_together_with_at_least_it_is_a_range(self):
         for distance, is_kept in ((.02, False), (.03, True), (.05, True), (.06, False)):
-            self.check(is_kept, self.watch(at_least=.03, at_most=.05), boxes('arm', 'cup'),
-                       distances(pair('arm', 'cup', distance)))
+            self.check(is_kept, self.watch(at_least=.03, at_most=.05),
+                       distances('arm cup', pair('arm', 'cup', distance)))
 
 
 class Incomplete(WatchTest):
     def test_a_name_in_incomplete_is_not_known(self):
         for parameters in (ARM_AND_TABLE, {'first': 'arm', 'at_least': .05}, {'at_most': .2}):
-            watch = self.check(False, self.watch(**parameters), boxes('arm', 'table'),
-                               distances(pair('arm', 'table', .09), incomplete=['arm']))
+            watch = self.check(False, self.watch(**parameters),
+                               distances('lamp table', pair('arm', 'table', .09),
+                                         incomplete=['arm']))
             self.check_failure(watch, '"arm" is named in incomplete')
 
     def test_any_other_may_be_of_the_pair(self):
-        near = distances(pair('arm', 'table', .09), incomplete=['lamp'])
-        names = boxes('arm', 'table', 'lamp')
-        self.check(True, self.watch(**ARM_AND_TABLE), names, near)
+        near = distances('arm table', pair('arm', 'table', .09), incomplete=['lamp'])
+        self.check(True, self.watch(**ARM_AND_TABLE), near)
         for parameters in ({'first': 'arm', 'at_least': .05}, {'at_least': .05}):
-            self.check_failure(self.check(False, self.watch(**parameters), names, near),
+            self.check_failure(self.check(False, self.watch(**parameters), near),
                                '"lamp" is named in incomplete')
-
-    def test_that_of_boxes_counts_too(self):
-        self.check(False, self.watch(at_least=.05), boxes('arm', 'cup', incomplete=['lamp']),
-                   distances(FAR))
 
 
 class Time(WatchTest):
-    def test_nothing_is_known_before_the_boxes_of_that_stamp(self):
-        watch = self.watch(at_least=.05)
-        self.check(False, watch, distances(FAR, stamp=2))
-        self.check_failure(watch, 'no message of /link_bounds_publisher/boxes has the stamp')
-        self.check(False, watch, boxes('arm', 'cup', stamp=1))
-        self.check(True, watch, boxes('arm', 'cup', stamp=2))
-
-    def test_boxes_may_come_long_before(self):
-        watch = self.watch(first='arm', at_least=.05)
-        self.check(False, watch, *(boxes('arm' if i == 0 else 'lamp', 'cup', stamp=i)
-                                   for i in range(999)))
-        self.check(True, watch, distances(FAR, stamp=0))
-        self.check(False, self.watch(first='arm', at_least=.05),
-                   *(boxes('arm', 'cup', stamp=i) for i in range(1001)), distances(FAR, stamp=0))
-
-    def test_boxes_that_come_later_change_nothing(self):
-        """A name that is new in ~boxes is not yet in the distances."""
-        watch = self.watch(first='arm', at_least=.05)
-        self.check(False, watch, boxes('cup'), distances(FAR), boxes('arm', 'cup'))
-
     def test_a_hold_begins_anew_after_a_break(self):
         watch = self.watch(first='arm', at_least=.05, hold=2)
-        far, near = distances(FAR), distances(pair('arm', 'cup', .01))
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        for message, now in ((far, 0.0), (far, 1.0), (near, 1.5), (far, 1.6)):
+        for message, now in ((FAR, 0.0), (FAR, 1.0), (NEAR, 1.5), (FAR, 1.6)):
             watch.see(message, now)
             self.assertFalse(watch.is_passed(now))
         self.check_failure(watch, 'for 2 s without a break, at most for')
         self.assertFalse(watch.is_passed(3.5))
         self.assertTrue(watch.is_passed(3.6))
 
-    def test_distances_whose_boxes_never_come_are_a_break(self):
-        watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        watch.see(distances(FAR), 0.0)
-        watch.see(distances(FAR, stamp=1), 1.0)
-        watch.see(distances(FAR, stamp=2), 1.1)
-        self.assertFalse(watch.is_passed(3.0))
-
     def test_nothing_holds_without_a_publisher(self):
         watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        watch.see(distances(FAR), 0.0)
+        watch.see(FAR, 0.0)
         watch.lose_publisher(watch.topics[0].name, 1.0)
         self.assertFalse(watch.is_passed(9.0))
         self.check_failure(watch, 'nobody publishes this topic any more')
 
-    def test_nothing_holds_without_a_publisher_of_boxes(self):
-        watch = self.watch(at_least=.05, hold=2)
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        watch.see(distances(FAR), 0.0)
-        watch.lose_publisher(watch.topics[1].name, 1.0)
-        self.assertFalse(watch.is_passed(9.0))
-        self.check_failure(watch, f'nobody publishes {watch.topics[1].name} any more')
-
     def test_silence_is_a_break(self):
         watch = self.watch(at_least=.05, hold=4)
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        watch.see(distances(FAR), 0.0)
+        watch.see(FAR, 0.0)
         watch.look(2.0)
         self.assertTrue(watch.is_passed(4.0))
         watch.look(2.1)
         self.assertFalse(watch.is_passed(9.0))
         self.check_failure(watch, 'for 2.1 s no message came, and no status of ' + NODE)
 
-    def test_distances_that_do_not_follow_their_boxes_are_a_break(self):
-        """Though the node lives."""
+    def test_a_node_whose_distances_stay_behind_is_silent(self):
+        """Though it lives: its boxes go on."""
         watch = self.watch(at_least=.05, hold=4)
-        watch.see_boxes(boxes('arm', 'cup'), 0.0)
-        watch.see(distances(FAR), 0.0)
-        watch.life.see_status(status(), 2.0)
-        watch.see_boxes(boxes('arm', 'cup', stamp=1), 2.5)
-        watch.see_boxes(boxes('arm', 'cup', stamp=2), 3.4)
-        watch.look(3.5)
+        watch.see(FAR, 0.0)
+        watch.life.see_status(status(behind=.9), 1.0)
+        watch.life.see_status(status(behind=1.9), 2.0)
+        watch.look(3.0)
         self.assertTrue(watch.is_passed(4.0))
-        watch.look(3.6)
+        watch.look(3.1)
         self.assertFalse(watch.is_passed(9.0))
-        self.assertIn('no distances of the last /link_bounds_publisher/boxes came within max_age',
-                      watch.failure(3.6))
-        watch.see(distances(FAR, stamp=2), 4.0)
-        watch.life.see_status(status(), 7.0)
-        watch.look(8.0)
-        self.assertTrue(watch.is_passed(8.0))
+        self.check_failure(watch, 'silence is no success', 'they were 1.9 s behind')
 
     def test_says_that_nothing_came(self):
         self.check_failure(self.watch(at_least=.05), 'no message came')
 
 
 class Topics(WatchTest):
-    def test_are_of_one_namespace(self):
+    def test_is_the_one_that_is_named(self):
+        """The verdict rests on the message alone."""
         watch = self.watch(topic='/robot/bounds/distances', **ARM_AND_TABLE)
         self.assertEqual([(topic.name, topic.is_needed) for topic in watch.topics],
-                         [('/robot/bounds/distances', True), ('/robot/bounds/boxes', True),
-                          ('/robot/bounds/overlaps', False)])
-        self.assertEqual(len(self.watch(first='arm', at_most=.05).topics), 2)
+                         [('/robot/bounds/distances', True)])
 
 
 if __name__ == '__main__':

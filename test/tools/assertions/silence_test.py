@@ -41,11 +41,11 @@ class Silence(AssertionTest):
     def start_both(self, name, hold, deadline):
         """Returns when both hold, and have heard of the node's life."""
         runs = []
-        for self.PROGRAM, parameters in (("assert_box", BOX), ("assert_distance", DISTANCE)):
+        for self.PROGRAM, topic, parameters in (("assert_box", "/boxes", BOX),
+                                                ("assert_distance", "/distances", DISTANCE)):
             runs.append(self.start("%s_%s" % (self.PROGRAM, name),
                                    dict(parameters, hold=hold, deadline=deadline)))
-        listeners = {"/" + run.name for run in runs}
-        wait_for(lambda: listeners <= self.listeners(NODE + "/boxes"), "both listen")
+            wait_for(lambda: "/" + runs[-1].name in self.listeners(NODE + topic), "it listens")
         for _ in range(2):
             self.statuses_of_node.wait_for_new(lambda *_: True, "a status")
         return runs
@@ -106,11 +106,13 @@ class Silence(AssertionTest):
         self.check_held("clock")
 
     def test_where_nothing_is_compared_any_pair_fails(self):
+        """Whether the bodies are near each other or not."""
         self.PROGRAM = "assert_distance"
         self.stand()
         for name, description, parameters in (
                 ("rigid", DESCRIPTION.replace("floating", "fixed"), {}),
                 ("ignored", DESCRIPTION, {"ignore_pairs": ["* *"]}),
+                ("far_apart", DESCRIPTION, {"ignore_pairs": ["* *"], "distance_limit": 0.02}),
                 ("of_no_geometry", DESCRIPTION, {"geometry": "collision"})):
             with self.subTest(name):
                 self.start_node(description, **parameters)

@@ -48,6 +48,9 @@ class NamePairs {
 
   bool contains(const std::string& name, const std::string& other) const;
 
+  /// The other name, or pattern, of each pair that `name` fits.
+  std::vector<std::string> partnersOf(const std::string& name) const;
+
  private:
   std::vector<NamePair> pairs_;     // without patterns; sorted, and so is each pair
   std::vector<NamePair> patterns_;  // pairs with at least one pattern
