@@ -71,6 +71,12 @@ TEST(ComparedBodies, LinksThatAreAllJoinedHaveNone) {
   EXPECT_EQ(areCompared(*snapshotOf(40, {}, {{"*", "*"}}, 1), {}), all(40, false));
 }
 
+TEST(ComparedBodies, OnlyTheEndsOfAChainAreFarEnoughApart) {
+  std::vector<bool> expected = all(40, false);
+  expected.front() = expected.back() = true;
+  EXPECT_EQ(areCompared(*snapshotOf(40, {}, {}, 38), {}), expected);
+}
+
 TEST(ComparedBodies, OnePartnerFarDownTheListIsEnough) {
   std::vector<std::string> objects = namesOf("a", 50);
   EXPECT_EQ(areCompared(*snapshotOf(0, objects, {{"a/*", "a/*"}}, 1), {}), all(50, false));
