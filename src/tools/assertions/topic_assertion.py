@@ -4,6 +4,7 @@
 import json
 import math
 import os
+import signal
 import sys
 import threading
 import time
@@ -195,6 +196,7 @@ class TopicTest(unittest.TestCase):
         self.evidence = ''  # what the verdict rests on, where that needs to be said
         self._program = program
         self._start = start
+        self._is_interrupted = False
 
     def runTest(self):
         unknown = [argument for argument in rospy.myargv()[1:]
@@ -204,10 +206,16 @@ class TopicTest(unittest.TestCase):
         if not rosgraph.is_master_online():
             self.fail(f'no ROS master answers at {rosgraph.get_master_uri()}; start it by rostest')
         # All times are of the wall's clock.
-        rospy.init_node(self._program.name, disable_rostime=True)
+        rospy.init_node(self._program.name, disable_rostime=True, disable_signals=True)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self._interrupt)
         watch = self._program.watch(rospy.get_param(rospy.get_name(), {}))
         self.title = watch.title
         self._await(watch)
+
+    def _interrupt(self, *_):
+        """Takes no lock, as rospy's own handler does: the thread that it interrupts may hold it."""
+        self._is_interrupted = True
 
     def _now(self):
         return time.monotonic() - self._start
@@ -224,7 +232,7 @@ class TopicTest(unittest.TestCase):
         topics = watch.topics + watch.life.topics(Topic, rospy.get_param('/use_sim_time', False))
         subscribers = [(topic, rospy.Subscriber(topic.name, topic.kind, see, topic,
                                                 tcp_nodelay=True)) for topic in topics]
-        while not rospy.is_shutdown():
+        while not (self._is_interrupted or rospy.is_shutdown()):
             time.sleep(PERIOD)
             with lock:
                 now = self._now()
