@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLimit = 0.15;       // m
-constexpr double kComparisons = 3e7;  ///< of triangles, for each robot
-constexpr double kLargestPair = 2e7;
+constexpr double kLimit = 0.15;                            // m
+constexpr double kComparisons = kIsSanitized ? 3e5 : 3e7;  ///< of triangles, for each robot
+constexpr double kLargestPair = kIsSanitized ? 2e5 : 2e7;
 constexpr int kPoses = 50;
 
 struct Model {
@@ -101,7 +101,7 @@ void compareModel(const Model& model, Tally& tally) {
       counts.back() += static_cast<double>(mesh.triangles.size());
     if (counts.back() > 0) distances.set(i, std::make_shared<Body>(model.links[i].body));
   }
-  const double most = tally.triangles + kComparisons / (kIsSanitized ? 100 : 1);
+  const double most = tally.triangles + kComparisons;
   for (int k = 0; k < kPoses && tally.triangles < most; ++k) {
     const auto poses = randomPoses(model.robot, random);
     for (std::size_t i = 0; i < poses.size(); ++i)

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "testing/ordinary_user.h"
+#include "testing/sanitized.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -332,11 +333,13 @@ TEST_F(MeshStoreTest, WhereNoThreadCanStartFilesAreImportedOneByOne) {
   EXPECT_EQ(status, 0);
 }
 
+constexpr int kBall = repetitions(100000);
+
 /// Of many points that can all be extreme, so that their table takes more than half a second.
 TriangleMesh ball() {
   TriangleMesh mesh;
-  for (int i = 0; i < 100000; ++i) {
-    const double z = 1 - 2e-5 * i;
+  for (int i = 0; i < kBall; ++i) {
+    const double z = 1 - 2.0 / kBall * i;
     const double r = std::sqrt(1 - z * z);
     mesh.vertices.emplace_back(r * std::cos(2.4 * i), r * std::sin(2.4 * i), z);
     const auto k = static_cast<std::uint32_t>(i);
@@ -355,7 +358,7 @@ TEST_F(MeshStoreTest, PreparingAMeshCountsToItsTime) {
   EXPECT_EQ(late.error, "loading it takes longer than 0.05 s; simplify the mesh");
   store.forgetFailures();
   const LoadedMesh whole = store.load({file}).at(0);
-  EXPECT_EQ(whole.points->size(), 100000u);
+  EXPECT_EQ(whole.points->size(), static_cast<std::size_t>(kBall));
 }
 
 TEST_F(MeshStoreTest, ATreeThatTakesTooLongLeavesThePoints) {
