@@ -25,7 +25,7 @@ SAMPLES = 1000
 TURN = (-math.pi, math.pi)
 DRIVE = {'drive.x': (-0.5, 0.7), 'drive.y': (0.1, 0.3)}
 CARRY = {'carry.x': (-0.2, 0.1), 'carry.y': (0.3, 0.3), 'carry.z': (0, 0.2),
-         'carry.roll': (-2, 0.5), 'carry.pitch': (-0.4, 2.5), 'carry.yaw': (0.5, 1)}
+         'carry.roll': (-2, -1.2), 'carry.pitch': (-0.4, 0.9), 'carry.yaw': (0.5, 1)}
 LIMITS = {'lift': (-0.5, 0.5), 'wrist': TURN, 'drive.yaw': TURN}
 
 
