@@ -63,7 +63,7 @@ Model readModel(const fs::path& urdf, Purpose purpose, const PackagePath& packag
 std::vector<Eigen::Isometry3d> randomPoses(const Robot& robot, brute_force::Random& random) {
   std::map<std::string, double> values;
   for (const Joint& joint : robot.joints) {
-    if (joint.motion == Motion::kNone || joint.mimic) continue;
+    if (!hasValue(joint.motion) || joint.mimic) continue;
     const double largest = joint.motion == Motion::kRotation ? 2.5 : 0.1;
     values[joint.name] = random.uniform(-largest, largest);
   }

@@ -42,7 +42,7 @@ geometry_msgs::TransformStamped transformOf(const Robot& robot, const Joint& joi
 tf2_msgs::TFMessage fixedTransforms(const Robot& robot) {
   tf2_msgs::TFMessage message;
   for (const Joint& joint : robot.joints) {
-    if (joint.motion != Motion::kNone) continue;
+    if (hasValue(joint.motion)) continue;
     message.transforms.push_back(transformOf(robot, joint, 0, ros::Time(0)));
   }
   return message;
@@ -52,7 +52,7 @@ tf2_msgs::TFMessage movingTransforms(const Robot& robot, ros::Time time) {
   tf2_msgs::TFMessage message;
   double phase = 0;
   for (const Joint& joint : robot.joints) {
-    if (joint.motion == Motion::kNone) continue;
+    if (!hasValue(joint.motion)) continue;
     phase += kPhasePerJoint;
     const double value = kAmplitude * std::sin(kAngularSpeed * time.toSec() + phase);
     message.transforms.push_back(transformOf(robot, joint, value, time));

@@ -20,7 +20,7 @@ BEGIN = 1000.0  # s, record time of the first message
 PERIOD = 0.02  # s between the transforms
 COUNT = 150  # messages of most bags
 ENTERED = UNDERCUT = 3  # exit codes
-PARTLY_READ = 4
+PARTLY_READ = INCOMPLETE = 4
 
 
 def time_of(seconds):

@@ -41,6 +41,7 @@ class PathBuilder {
   void addMotion(std::size_t index, double sign) {
     const Joint& joint = robot_.joints[index];
     const JointRange& range = ranges_[index];
+    if (!range.is_known) path_.unknown.push_back(index);
     if (joint.motion == Motion::kNone) return;
     if (joint.motion == Motion::kTranslation)
       path_.length += std::max(std::abs(range.lower), std::abs(range.upper));

@@ -34,6 +34,7 @@ using PathValues = std::vector<double>;
 struct JointPath {
   std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
   std::vector<Limits> ranges;          ///< one per variable
+  std::vector<std::size_t> unknown;    ///< joints of the robot on the way, without known ranges
   std::vector<PathJoint> joints;       ///< from the first link to the second
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second
   double length = 0;  ///< of all links of the chain and all prismatic ranges [m]

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "link_bounds/robot/urdf/overlap_filter.h"
+#include "robot/urdf/simple_joints.h"
 
 namespace link_bounds {
 namespace {
@@ -116,6 +117,10 @@ PairProof proofOf(const Task& task, const Robot& robot, const BoundedRobot& boun
     proof.pose[joint.name] = search.nearest().values[i];
   }
   proof.has_free_pose = search.hasFreePose();
+  if (!search.path().unknown.empty()) {
+    proof.reason = missingRanges(robot, search.path().unknown);
+    proof.pose.clear();
+  }
   return proof;
 }
 

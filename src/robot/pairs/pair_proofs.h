@@ -30,6 +30,7 @@ struct PairProof {
   /// m].
   std::map<std::string, double> pose;
   bool has_free_pose = false;  ///< a pose was found that does not collide
+  std::string reason;          ///< why nothing is known about the pair; mostly empty
 };
 
 struct ProofControl {

@@ -90,7 +90,8 @@ PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& se
     all.center.push_back(range.lower + width(range) / 2);
     all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
   }
-  offer(measured(all.center));
+  nearest_.values = all.center;
+  if (path_.unknown.empty()) offer(measured(all.center));
   if (nearest_.upper == kInfinity) is_done_ = true;
   open_ = {all};
   add({0, std::move(all)});
@@ -116,6 +117,7 @@ double PairSearch::clearance() const {
 }
 
 void PairSearch::advance() {
+  if (is_done_) return;
   if (collides() && was_free_) return finish();
   if (samples_ < kSamples && !path_.variables.empty()) return sample();
   if (collides()) return proveAlways();

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/joints_above.h"
 
 namespace link_bounds {
 namespace {
@@ -104,7 +105,8 @@ void ReachSearch::boundRoughly() {
   const std::vector<Eigen::Isometry3d> poses = linkPoses(robot_, jointValues(robot_, rest_));
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const std::optional<Aabb> box = linkBox(links_[i], Eigen::Affine3d(poses[indices_[i]]));
-    if (!box || !std::isfinite(radii_[i])) continue;
+    const bool is_known = unknownOf(ranges_, jointsAbove(robot_, indices_[i])).empty();
+    if (!box || !is_known || !std::isfinite(radii_[i])) continue;
     Reach& reach = reaches_[i].emplace();
     for (std::size_t face = 0; face < kFaces; ++face)
       reach.faces[face] = {face < 3 ? -radii_[i] : radii_[i], faceOf(*box, face), rest_};

@@ -40,8 +40,8 @@ struct ReachGoal {
   std::function<void(std::size_t, std::size_t, double)> progress = {};
 };
 
-/// One per link of `bounded`; nothing for a link without a box. Padding does
-/// not count.
+/// One per link of `bounded`; nothing for a link without a box, and for one behind a joint whose
+/// range is not known. Padding does not count.
 std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot& bounded,
                                           const std::vector<JointRange>& ranges,
                                           const ReachGoal& goal);

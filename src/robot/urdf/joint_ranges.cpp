@@ -54,7 +54,7 @@ const Joint* otherAfterATurn(const Robot& robot, const std::vector<Lead>& leads,
                              std::size_t joint) {
   for (std::size_t i = 0; i < leads.size(); ++i) {
     const Joint& follower = robot.joints[i];
-    if (leads[i].leader != joint || follower.motion == Motion::kNone) continue;
+    if (leads[i].leader != joint || !hasValue(follower.motion)) continue;
     const bool is_whole = std::trunc(leads[i].factor) == leads[i].factor;
     if (follower.motion == Motion::kTranslation || !is_whole) return &follower;
   }
@@ -88,10 +88,18 @@ Limits limitsOf(const Robot& robot, const std::vector<Lead>& leads, std::size_t 
   throw JointError("a limit of " + named(source) + " is infinite; " + remedyFor(source));
 }
 
+/// Whether anything is known about where a joint that mimics no other one is.
+bool isKnown(const Joint& joint, const GivenRanges& given) {
+  const bool is_unlimited = joint.motion == Motion::kTranslation && !joint.part_of.empty();
+  if (is_unlimited) return given.count(joint.name) > 0;
+  return joint.motion != Motion::kPlanar && joint.motion != Motion::kFloating;
+}
+
+/// 0 if nothing is known.
 Limits leaderRange(const Robot& robot, const std::vector<Lead>& leads, const GivenRanges& given,
                    std::size_t joint) {
   const Joint& source = robot.joints[joint];
-  if (source.motion == Motion::kNone) return {0, 0};
+  if (source.motion == Motion::kNone || !isKnown(source, given)) return {0, 0};
   const auto found = given.find(source.name);
   const Limits range = found != given.end() ? found->second : limitsOf(robot, leads, joint);
   if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper)) {
@@ -101,7 +109,7 @@ Limits leaderRange(const Robot& robot, const std::vector<Lead>& leads, const Giv
 }
 
 void checkAxis(const Joint& joint, const JointRange& range, const std::string& leader) {
-  if (joint.motion == Motion::kNone || !joint.axis.isZero(0)) return;
+  if (!hasValue(joint.motion) || !joint.axis.isZero(0)) return;
   if (range.lower == 0 && range.upper == 0) return;
   throw JointError(named(joint) + " cannot move, its axis is zero; correct the axis, or give " +
                    leader + ":=0");
@@ -110,7 +118,7 @@ void checkAxis(const Joint& joint, const JointRange& range, const std::string& l
 void checkNames(const Robot& robot, const GivenRanges& given) {
   for (const auto& [name, range] : given) {
     const auto is_it = [&name = name](const Joint& joint) {
-      return joint.name == name && joint.motion != Motion::kNone;
+      return joint.name == name && hasValue(joint.motion);
     };
     if (std::none_of(robot.joints.begin(), robot.joints.end(), is_it))
       throw JointError("\"" + name + "\" is no movable joint of the robot");
@@ -124,6 +132,15 @@ Limits oneTurn(const Limits& range) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> unknownOf(const std::vector<JointRange>& ranges,
+                                   const std::vector<std::size_t>& joints) {
+  std::vector<std::size_t> result;
+  for (const std::size_t joint : joints) {
+    if (!ranges[joint].is_known) result.push_back(joint);
+  }
+  return result;
+}
 
 std::vector<Lead> leadsOf(const Robot& robot) {
   JointIndex index;
@@ -146,6 +163,7 @@ std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given
     const auto [lower, upper] = std::minmax(
         {lead.factor * of_leader.lower + lead.offset, lead.factor * of_leader.upper + lead.offset});
     JointRange range{lower, upper, lead};
+    range.is_known = isKnown(robot.joints[lead.leader], given) && isKnown(joint, given);
     range.is_full_turn =
         joint.motion == Motion::kRotation && upper - lower >= kTurn - kTurnRounding;
     if (range.is_full_turn && lead.leader == i && !otherAfterATurn(robot, leads, i)) {

@@ -32,6 +32,8 @@ struct JointRange {
   /// A rotation that takes every angle. Of a leader, lower and upper are then one turn apart, but
   /// for rounding, unless a joint that follows it is elsewhere after a turn.
   bool is_full_turn = false;
+  /// False for what can be anywhere; lower and upper are then 0.
+  bool is_known = true;
 
   bool isFree() const { return lower < upper; }
 };
@@ -39,10 +41,16 @@ struct JointRange {
 /// The ranges that the user gives [rad or m], by joint; a fixed value is one of lower == upper.
 using GivenRanges = std::map<std::string, Limits>;
 
+/// The joints of which nothing is known.
+std::vector<std::size_t> unknownOf(const std::vector<JointRange>& ranges,
+                                   const std::vector<std::size_t>& joints);
+
 /// One per joint of the robot. A given range replaces the limits of the URDF and may exceed them. A
 /// continuous joint takes every angle. Mimic joints follow; their own limits, and ranges given for
-/// them, are ignored. Joints that are neither revolute, continuous nor prismatic stay at 0. Throws
-/// JointError, with the remedy, where a range is missing or no range at all.
+/// them, are ignored. Fixed joints stay at 0. Nothing is
+/// known about floating and planar joints, and about lengths that are parts of these, unless given;
+/// angles that are parts of these take every value. Throws JointError, with the remedy, where any
+/// other range is missing or no range at all.
 std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given = {});
 
 }  // namespace link_bounds

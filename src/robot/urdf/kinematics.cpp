@@ -20,7 +20,7 @@ Eigen::Isometry3d jointMotion(Motion motion, const Eigen::Vector3d& axis, double
 }
 
 Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
-  if (joint.motion == Motion::kNone || value == 0) return Eigen::Isometry3d::Identity();
+  if (!hasValue(joint.motion) || value == 0) return Eigen::Isometry3d::Identity();
   if (joint.axis.isZero(0)) {
     throw JointError("joint \"" + joint.name + "\" cannot move, its axis is zero");
   }
@@ -34,7 +34,7 @@ std::vector<double> jointValues(const Robot& robot, const std::map<std::string, 
   std::vector<double> values(robot.joints.size(), 0.0);
   for (const auto& [name, value] : given) {
     const auto joint = index.find(name);
-    if (joint == index.end() || robot.joints[joint->second].motion == Motion::kNone) {
+    if (joint == index.end() || !hasValue(robot.joints[joint->second].motion)) {
       throw JointError("\"" + name + "\" is no movable joint of the robot");
     }
     if (!std::isfinite(value))

@@ -21,7 +21,7 @@ RigidBodies rigidBodies(const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     std::size_t& body = bodies.of_links[joint.child];
     body = bodies.of_links[joint.parent];
-    if (joint.is_fixed) continue;
+    if (joint.motion == Motion::kNone) continue;
     bodies.parents.push_back(body);
     body = bodies.parents.size() - 1;
   }

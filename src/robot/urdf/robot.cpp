@@ -93,6 +93,10 @@ Motion motionOf(const urdf::Joint& joint) {
       return Motion::kRotation;
     case urdf::Joint::PRISMATIC:
       return Motion::kTranslation;
+    case urdf::Joint::PLANAR:
+      return Motion::kPlanar;
+    case urdf::Joint::FLOATING:
+      return Motion::kFloating;
     default:
       return Motion::kNone;
   }
@@ -104,7 +108,6 @@ Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
   joint.parent = index.at(source.parent_link_name);
   joint.child = index.at(source.child_link_name);
   joint.motion = motionOf(source);
-  joint.is_fixed = source.type == urdf::Joint::FIXED;
   joint.parent_from_joint = toIsometry(source.parent_to_joint_origin_transform);
   joint.axis = toVector(source.axis).stableNormalized();
   const bool has_range =

@@ -28,15 +28,15 @@ int run(const BagBoundsOptions& options) {
   run.read();
   const BagReport report = run.report();
   write(report, options.format, std::cout);
-  const int code = run.exitCode(report);
-  return finishOutput() ? code : 1;
+  const int code = exitCode(run.outcome(report), options.demand);
+  return finishOutput() ? code : kUnusable;
 }
 
 int runWith(int argc, char** argv) {
   const BagBoundsOptions options = parseOptions(argc, argv);
   if (!options.help && !options.version) return run(options);
   std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
-  return finishOutput() ? 0 : 1;
+  return finishOutput() ? 0 : kUnusable;
 }
 
 }  // namespace

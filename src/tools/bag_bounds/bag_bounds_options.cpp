@@ -33,6 +33,7 @@ as one, by their record times.
                       json: also says what is incomplete and why
   --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
   --strict            exit with 2 if any geometry could not be used
+  --allow-incomplete  what is incomplete does not change the exit code
   -h, --help          this text
   --version           the version of link_bounds
 
@@ -40,9 +41,10 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
      the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT
-  4  a part of the bags was not read: damage, or interrupted
+  4  without --allow-incomplete: a name is incomplete, a topic of --objects has no
+     message, or a part of the bags was not read: damage, or interrupted
   2  see --strict
-  0  all good
+  0  everything was answered, and nothing was found
 )";
 
 namespace {
@@ -59,6 +61,7 @@ enum Code {
   kFormat,
   kOut,
   kStrict,
+  kAllowIncomplete,
   kHelp,
   kVersion
 };
@@ -74,6 +77,7 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
                                    {"strict", no_argument, nullptr, kStrict},
+                                   {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
                                    {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
@@ -131,7 +135,10 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       options.out = nonEmpty("--out", optarg);
       return;
     case kStrict:
-      options.strict = true;
+      options.demand.strict = true;
+      return;
+    case kAllowIncomplete:
+      options.demand.allow_incomplete = true;
       return;
     case 'h':
     case kHelp:

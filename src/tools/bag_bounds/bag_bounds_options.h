@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/command_line/outcome.h"
 #include "tools/text/table_text.h"
 
 namespace link_bounds {
@@ -24,7 +25,7 @@ struct BagBoundsOptions {
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
   std::set<std::string> objects;  ///< topics
-  bool strict = false;
+  Demand demand;
   bool help = false;     ///< the other members are then undefined
   bool version = false;  ///< likewise
 };

@@ -222,7 +222,8 @@ std::string BagRun::whyUseless(const BagReport& report) const {
   return "";
 }
 
-int BagRun::exitCode(const BagReport& report) const {
+Outcome BagRun::outcome(const BagReport& report) const {
+  Outcome outcome;
   for (const std::string& loss : report.losses)
     warn(loss);
   if (pairs_) {
@@ -231,13 +232,15 @@ int BagRun::exitCode(const BagReport& report) const {
   }
   // Who interrupts knows that there may be more.
   const std::string useless = was_interrupted_ ? "" : whyUseless(report);
-  if (!useless.empty()) {
-    say("error: " + useless);
-    return 1;
-  }
-  if (zones_.wasEntered() || (pairs_ && pairs_->wasUndercut())) return 3;
-  if (!report.losses.empty()) return 4;
-  return options_.strict && !model_->problems.empty() ? 2 : 0;
+  if (!useless.empty()) say("error: " + useless);
+  outcome.is_unusable = !useless.empty();
+  outcome.has_finding = zones_.wasEntered() || (pairs_ && pairs_->wasUndercut());
+  outcome.lost_geometry = !model_->problems.empty();
+  outcome.addOpen("losses while reading", report.losses.size());
+  outcome.addOpen("incomplete names", incompleteOf(report).size());
+  outcome.addOpen("topics without any message", unused_topics_.size());
+  outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
+  return outcome;
 }
 
 }  // namespace link_bounds

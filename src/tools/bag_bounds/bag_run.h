@@ -29,8 +29,8 @@ class BagRun {
   /// After read().
   BagReport report() const;
 
-  /// The exit code that the report deserves; see kUsage. Says why if it is 1.
-  int exitCode(const BagReport& report) const;
+  /// What the report says; warns of losses, and says why it is about nothing.
+  Outcome outcome(const BagReport& report) const;
 
  private:
   Model loadModel();

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 
+#include "tools/command_line/outcome.h"
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
@@ -60,7 +61,7 @@ int runProgram(const std::function<int()>& program) {
   } catch (const std::exception& error) {
     say(std::string("error: ") + error.what() + "; see " + kProgram + " --help");
   }
-  return 1;
+  return kUnusable;
 }
 
 bool finishOutput() {

@@ -29,7 +29,8 @@ bool hasTerminal();
 /// A bar that erases itself at the end; null if standard error is no terminal.
 LoadProgress progressBar();
 
-/// Runs a program and returns its exit code; 1 with the reason on standard error if it throws.
+/// Runs a program and returns its exit code; kUnusable with the reason on standard error if it
+/// throws.
 int runProgram(const std::function<int()>& program);
 
 /// Flushes standard output. False, with a message, on a full disk or a closed pipe.

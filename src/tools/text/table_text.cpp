@@ -32,6 +32,14 @@ Row shortRow(const std::string& name, const Numbers& numbers) {
   return row;
 }
 
+std::string shortLength(double length) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << length << " m";
+  return text.str();
+}
+
 /// Counts characters; std::setw would count bytes.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names) {
   std::vector<std::size_t> widths(rows.front().size());
@@ -62,6 +70,20 @@ void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& 
   for (const double number : numbers)
     out << ',' << exactNumber(number);
   out << '\n';
+}
+
+void writeCsvIncomplete(const Reasons& incomplete, std::size_t numbers, std::ostream& out) {
+  for (const auto& [name, reason] : incomplete)
+    out << csvField("incomplete:" + name) << std::string(numbers, ',') << '\n';
+}
+
+void addIncompleteGroup(Reasons& incomplete) {
+  if (incomplete.empty()) return;
+  const bool is_one = incomplete.size() == 1;
+  std::string reason = "link \"" + incomplete.front().first + "\"";
+  if (!is_one) reason += " and " + std::to_string(incomplete.size() - 1) + " more";
+  incomplete.emplace_back(std::string(kGroupPrefix) + "robot",
+                          reason + (is_one ? " is incomplete" : " are incomplete"));
 }
 
 std::string jsonNumbers(const Eigen::VectorXd& numbers) {

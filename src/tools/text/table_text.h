@@ -15,6 +15,9 @@ namespace link_bounds {
 
 enum class Format { kTable, kCsv, kJson };
 
+/// Before the name of a group, where names of links and groups are mixed.
+constexpr char kGroupPrefix[] = "group:";
+
 /// Names whose volume is missing or does not cover everything, each with the reason.
 using Reasons = std::vector<std::pair<std::string, std::string>>;
 
@@ -26,6 +29,9 @@ using Row = std::vector<std::string>;
 /// Rounds for people: to micrometres, and without a minus sign before a zero.
 Row shortRow(const std::string& name, const Numbers& numbers);
 
+/// A length in metres with its unit, to three digits, for people.
+std::string shortLength(double length);
+
 /// Aligns the first cells, which are names, left and the others right. All rows must be as long as
 /// the first.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names = 1);
@@ -34,6 +40,12 @@ void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t n
 void writeIncomplete(const Reasons& incomplete, std::ostream& out);
 
 void writeCsvRow(const std::string& name, const Numbers& numbers, std::ostream& out);
+
+/// A row per name, `incomplete:NAME`, with as many empty cells as numbers stand in other rows.
+void writeCsvIncomplete(const Reasons& incomplete, std::size_t numbers, std::ostream& out);
+
+/// Adds the group of all links, unless all of them are complete.
+void addIncompleteGroup(Reasons& incomplete);
 
 /// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);

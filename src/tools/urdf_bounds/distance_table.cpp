@@ -3,6 +3,7 @@
 // The same numbers in the same order in each format.
 #include "tools/urdf_bounds/distance_table.h"
 
+#include <algorithm>
 #include <locale>
 #include <sstream>
 
@@ -42,6 +43,15 @@ std::string toJson(const LinkDistance& pair) {
 }
 
 }  // namespace
+
+std::size_t roughPairs(const DistanceTable& distances) {
+  constexpr double kRounding = 1 + 1e-9;  // of the two bounds
+  const auto is_rough = [](const LinkDistance& pair) {
+    return pair.distance.upper - pair.distance.lower > kRounding * DistanceGoal().accuracy;
+  };
+  const auto count = std::count_if(distances.pairs.begin(), distances.pairs.end(), is_rough);
+  return static_cast<std::size_t>(count);
+}
 
 void writeTable(const DistanceTable& distances, std::ostream& out) {
   if (distances.pairs.empty()) {

@@ -24,6 +24,9 @@ struct DistanceTable {
   Reasons incomplete;               ///< links without distances
 };
 
+/// How many pairs have distances that are less accurate than DistanceGoal asks for.
+std::size_t roughPairs(const DistanceTable& distances);
+
 /// For people.
 void writeTable(const DistanceTable& distances, std::ostream& out);
 

@@ -7,23 +7,37 @@
 #include <sstream>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/simple_joints.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 
 namespace link_bounds {
 namespace {
 
+/// The name of a floating or planar joint is none of a joint with one value.
+void refuseWhole(const Robot& robot, const std::string& name) {
+  std::string parts;
+  for (const Joint& joint : robot.joints) {
+    if (!name.empty() && joint.part_of == name) parts += (parts.empty() ? " " : ", ") + joint.name;
+  }
+  if (parts.empty()) return;
+  throw UsageError("joint \"" + name + "\" has more than one value; give some of" + parts +
+                   ", as in " + name + ".x:=0.5 or, with --reach and --pairs, " + name +
+                   ".x:=-1..1");
+}
+
 void checkNames(const Robot& robot, const GivenRanges& given) {
   std::map<std::string, const Joint*> movable;
   std::string names;
   for (const Joint& joint : robot.joints) {
-    if (joint.motion == Motion::kNone) continue;
+    if (!hasValue(joint.motion)) continue;
     movable.emplace(joint.name, &joint);
     if (!joint.mimic) names += " " + joint.name;
   }
   for (const auto& [name, range] : given) {
     const auto found = movable.find(name);
     if (found == movable.end()) {
+      refuseWhole(robot, name);
       throw UsageError("\"" + name + "\" is no movable joint of the robot; those that can be set:" +
                        (names.empty() ? " none" : names));
     }
@@ -65,6 +79,16 @@ void warnOfStill(const Robot& robot, const GivenRanges& given) {
     warn("the lower limit is equal to the upper one, so these joints stay there: " + names);
 }
 
+/// Floating and planar joints of the root do not move.
+void fixBase(const Robot& robot, GivenRanges& given) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (!movesBase(robot, i)) continue;
+    const std::string& name = robot.joints[i].name;
+    if (!given.emplace(name, Limits{0, 0}).second)
+      throw UsageError("--base fixed keeps \"" + name + "\" at 0; give only one of the two");
+  }
+}
+
 }  // namespace
 
 std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given) {
@@ -76,8 +100,9 @@ std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& g
   return linkPoses(robot, jointValues(robot, values));
 }
 
-std::vector<JointRange> rangesFor(const Robot& robot, const GivenRanges& given) {
+std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base) {
   checkNames(robot, given);
+  if (has_fixed_base) fixBase(robot, given);
   checkLimits(robot, given, "the proof is about these values");
   warnOfStill(robot, given);
   return jointRanges(robot, given);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The joint values that the command line names.
+// The joint values that the command line names. Robots are those with simple joints.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ namespace link_bounds {
 std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given);
 
 /// Where each joint can be. Warns about ranges that have no effect, once about those beyond limits,
-/// and once about joints whose limits in the URDF are equal. Throws UsageError for an unknown name,
-/// and JointError.
-std::vector<JointRange> rangesFor(const Robot& robot, const GivenRanges& given);
+/// and once about joints whose limits in the URDF are equal. With a fixed base, floating and planar
+/// joints of the root stay at 0. Throws UsageError for an unknown name, and JointError.
+std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base);
 
 }  // namespace link_bounds

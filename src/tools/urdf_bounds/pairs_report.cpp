@@ -43,6 +43,12 @@ std::vector<DisabledPair> adjacentPairs(const Robot& robot, const BoundedRobot& 
   return pairs;
 }
 
+/// The search ended before the clearance was as accurate as it should be.
+bool isRough(const PairProof& proof, const PairGoal& goal) {
+  constexpr double kRounding = 1e-9;  // m
+  return proof.nearest - proof.clearance > goal.accuracy + kRounding;
+}
+
 SrdfCheck checkSrdf(const std::string& file, const std::vector<DisabledPair>& disabled,
                     const std::vector<PairRow>& rows) {
   std::vector<NamePair> names;
@@ -61,6 +67,23 @@ SrdfCheck checkSrdf(const std::string& file, const std::vector<DisabledPair>& di
   return check;
 }
 
+Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
+  std::size_t undecided = 0;
+  std::size_t rough = 0;
+  for (const PairRow& row : table.rows) {
+    const PairProof& proof = row.proof;
+    if (proof.verdict == Verdict::kUndecided) ++undecided;
+    if (proof.verdict == Verdict::kNever && isRough(proof, goal)) ++rough;
+  }
+  Outcome outcome;
+  outcome.has_finding = table.srdf && !table.srdf->wrong.empty();
+  outcome.lost_geometry = !table.incomplete.empty();
+  outcome.addOpen("incomplete names", table.incomplete.size());
+  outcome.addOpen("UNDECIDED pairs", undecided);
+  outcome.addOpen("clearances that did not reach --accuracy", rough);
+  return outcome;
+}
+
 void write(const PairsTable& table, const UrdfBoundsOptions& options) {
   if (options.as_srdf) {
     writeSrdf(table, std::cout);
@@ -76,8 +99,8 @@ void write(const PairsTable& table, const UrdfBoundsOptions& options) {
 
 }  // namespace
 
-int writePairs(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-               const std::vector<JointRange>& ranges) {
+Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges) {
   std::vector<DisabledPair> disabled;
   if (options.srdf) disabled = parseSrdf(readText(*options.srdf, "a SRDF"), robot, *options.srdf);
   PairsTable table;
@@ -93,9 +116,11 @@ int writePairs(const UrdfBoundsOptions& options, const Robot& robot, const Bound
     if (!link.isWhole()) table.incomplete.emplace_back(link.name, link.missing);
   }
   if (options.srdf) table.srdf = checkSrdf(*options.srdf, disabled, table.rows);
+  for (const auto& [reason, count] : reasonsOf(table))
+    warn(std::to_string(count) + (count == 1 ? " pair is" : " pairs are") +
+         " not decided: " + reason);
   write(table, options);
-  if (table.srdf && !table.srdf->wrong.empty()) return 3;
-  return options.strict && !table.incomplete.empty() ? 2 : 0;
+  return outcomeOf(table, goal);
 }
 
 }  // namespace link_bounds

@@ -8,8 +8,8 @@
 
 namespace link_bounds {
 
-/// Writes a verdict per pair of links. `bounded` has bodies. Returns the exit code.
-int writePairs(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-               const std::vector<JointRange>& ranges);
+/// Writes a verdict per pair of links. `bounded` has bodies.
+Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges);
 
 }  // namespace link_bounds

@@ -50,7 +50,8 @@ std::string toJson(const PairRow& row) {
   return "{\"first\": " + jsonString(row.first) + ", \"second\": " + jsonString(row.second) +
          ", \"verdict\": \"" + toText(row.proof.verdict) +
          "\", \"clearance\": " + exactNumber(row.proof.clearance) +
-         ", \"nearest\": " + exactNumber(row.proof.nearest) + ", \"pose\": {" + joints + "}}";
+         ", \"nearest\": " + exactNumber(row.proof.nearest) + ", \"pose\": {" + joints + "}" +
+         (row.proof.reason.empty() ? "" : ", \"reason\": " + jsonString(row.proof.reason)) + "}";
 }
 
 /// A JSON array of pairs of names.
@@ -88,9 +89,19 @@ void writeSummary(const PairsTable& table, std::ostream& out) {
     if (row.proof.verdict == Verdict::kSometimes && !row.proof.has_free_pose)
       out << namesOf(row) << " collide in every pose that was tried\n";
   }
+  for (const auto& [reason, count] : reasonsOf(table))
+    out << count << " UNDECIDED: " << printable(reason) << '\n';
 }
 
 }  // namespace
+
+std::map<std::string, std::size_t> reasonsOf(const PairsTable& table) {
+  std::map<std::string, std::size_t> reasons;
+  for (const PairRow& row : table.rows) {
+    if (!row.proof.reason.empty()) ++reasons[row.proof.reason];
+  }
+  return reasons;
+}
 
 void writeTable(const PairsTable& table, std::ostream& out) {
   out << "unit: m    links collide where they "

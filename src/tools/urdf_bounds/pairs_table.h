@@ -3,6 +3,7 @@
 // Verdicts about pairs of links as text: a table to read, CSV, JSON or SRDF.
 #pragma once
 
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ struct PairsTable {
   std::optional<SrdfCheck> srdf;
   Reasons incomplete;
 };
+
+/// Why nothing is known about pairs, and about how many.
+std::map<std::string, std::size_t> reasonsOf(const PairsTable& table);
 
 /// For people.
 void writeTable(const PairsTable& table, std::ostream& out);

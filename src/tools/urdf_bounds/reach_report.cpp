@@ -3,10 +3,12 @@
 // Until all gaps are as small as --accuracy, --budget is used up, or Ctrl-C.
 #include "tools/urdf_bounds/reach_report.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <sstream>
 
+#include "robot/urdf/joints_above.h"
+#include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 #include "tools/urdf_bounds/reach_table.h"
@@ -15,15 +17,6 @@ namespace link_bounds {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Metres for people.
-std::string shortLength(double length) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << length << " m";
-  return text.str();
-}
 
 void drawProgress(std::size_t done, std::size_t total, double max_gap) {
   drawBar(done, total, "links, the largest gap is " + shortLength(max_gap) + "\033[K");
@@ -38,7 +31,15 @@ ReachGoal goalOf(const UrdfBoundsOptions& options) {
   return goal;
 }
 
-ReachTable tableOf(const BoundedRobot& bounded, const std::vector<std::optional<Reach>>& reaches) {
+/// Why nothing is proven of a link that has geometry.
+std::string whyNone(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t link) {
+  const std::vector<std::size_t> unknown = unknownOf(ranges, jointsAbove(robot, link));
+  return unknown.empty() ? "its size and pose give no finite box" : missingRanges(robot, unknown);
+}
+
+ReachTable tableOf(const Robot& robot, const BoundedRobot& bounded,
+                   const std::vector<JointRange>& ranges,
+                   const std::vector<std::optional<Reach>>& reaches) {
   ReachTable table;
   for (std::size_t i = 0; i < reaches.size(); ++i) {
     const BoundedLink& link = bounded.links[i];
@@ -46,20 +47,25 @@ ReachTable tableOf(const BoundedRobot& bounded, const std::vector<std::optional<
     if (!link.isWhole()) {
       table.incomplete.emplace_back(link.name, link.missing);
     } else if (!reaches[i]) {
-      table.incomplete.emplace_back(link.name, "its size and pose give no finite box");
+      table.incomplete.emplace_back(link.name, whyNone(robot, ranges, bounded.indices[i]));
       warn("link \"" + link.name + "\": " + table.incomplete.back().second);
     }
   }
-  if (const std::optional<Reach> robot = unionOf(reaches))
-    table.groups.emplace_back("robot", *robot);
+  if (const std::optional<Reach> all = unionOf(reaches)) table.groups.emplace_back("robot", *all);
+  addIncompleteGroup(table.incomplete);
   return table;
+}
+
+double maxGap(const ReachTable& table) {
+  double result = 0;
+  for (const auto& [name, reach] : table.links)
+    result = std::max(result, reach.maxGap());
+  return result;
 }
 
 /// Why the gaps are larger than what was asked for.
 void warnOfGaps(const ReachTable& table, bool was_stopped) {
-  double max_gap = 0;
-  for (const auto& [name, reach] : table.links)
-    max_gap = std::max(max_gap, reach.maxGap());
+  const double max_gap = maxGap(table);
   if (max_gap <= table.accuracy) return;
   warn("the boxes are proven, but a face may be too far out by up to " + shortLength(max_gap) +
        ", more than --accuracy " + shortLength(table.accuracy) + ": " +
@@ -70,12 +76,12 @@ void warnOfGaps(const ReachTable& table, bool was_stopped) {
 
 }  // namespace
 
-int writeReach(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-               const std::vector<JointRange>& ranges) {
+Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges) {
   const ReachGoal goal = goalOf(options);
   const auto reaches = reachOf(robot, bounded, ranges, goal);
   const bool was_stopped = goal.stop();
-  ReachTable table = tableOf(bounded, reaches);
+  ReachTable table = tableOf(robot, bounded, ranges, reaches);
   if (goal.progress) eraseBar();
   table.frame = robot.links[robot.root].name;
   table.accuracy = goal.accuracy;
@@ -85,7 +91,12 @@ int writeReach(const UrdfBoundsOptions& options, const Robot& robot, const Bound
   } else {
     write(table, options.format, std::cout);
   }
-  return options.strict && !table.incomplete.empty() ? 2 : 0;
+  Outcome outcome;
+  outcome.lost_geometry = std::any_of(bounded.links.begin(), bounded.links.end(),
+                                      [](const BoundedLink& link) { return !link.isWhole(); });
+  outcome.addOpen("incomplete names", table.incomplete.size());
+  if (maxGap(table) > table.accuracy) outcome.open.emplace_back("--accuracy was not reached");
+  return outcome;
 }
 
 }  // namespace link_bounds

@@ -8,8 +8,8 @@
 
 namespace link_bounds {
 
-/// Writes a box per link, and one for the robot. Returns the exit code.
-int writeReach(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-               const std::vector<JointRange>& ranges);
+/// Writes a box per link, and one for the robot.
+Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges);
 
 }  // namespace link_bounds

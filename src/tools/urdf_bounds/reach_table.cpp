@@ -8,8 +8,6 @@
 namespace link_bounds {
 namespace {
 
-constexpr char kGroupPrefix[] = "group:";
-
 /// Lines of a link, and those around the robot, which often lie on some of a link.
 constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
 constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
@@ -55,6 +53,7 @@ void writeCsv(const ReachTable& table, std::ostream& out) {
     writeCsvRow(name, reach, out);
   for (const auto& [name, reach] : table.groups)
     writeCsvRow(kGroupPrefix + name, reach, out);
+  writeCsvIncomplete(table.incomplete, 2 * kFaces, out);
 }
 
 std::string toJson(const std::map<std::string, double>& pose) {
@@ -125,6 +124,8 @@ void writeMarkers(const ReachTable& table, std::ostream& out) {
     writeMarker(table, name, reach, id++, kThin, out);
   for (const auto& [name, reach] : table.groups)
     writeMarker(table, name, reach, id++, kThick, out);
+  for (const auto& [name, reason] : table.incomplete)
+    out << "# incomplete: " << printable(name) << ": " << printable(reason) << '\n';
 }
 
 }  // namespace link_bounds

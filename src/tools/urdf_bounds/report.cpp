@@ -71,6 +71,7 @@ Reasons writeReport(const UrdfBoundsOptions& options, const std::string& frame,
     table.groups.emplace_back("robot", toVolume(robot_box, table.representation));
   table.distances = distances;
   if (distances) addReasons(distances->incomplete, table.incomplete);
+  if (table.kind == VolumeKind::kBox) addIncompleteGroup(table.incomplete);
   write(table, options.format, std::cout);
   return table.incomplete;
 }

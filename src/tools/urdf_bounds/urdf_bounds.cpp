@@ -7,6 +7,7 @@
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
+#include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
@@ -72,10 +73,21 @@ void reportMemory(const BoundedRobot& bounded) {
   reportPeak();
 }
 
+/// Boxes alone are printed without a verdict, so nothing is open; distances prove something.
+Outcome outcomeOf(const Reasons& incomplete, const std::optional<DistanceTable>& distances) {
+  Outcome outcome;
+  outcome.lost_geometry = !incomplete.empty();
+  if (!distances) return outcome;
+  outcome.addOpen("incomplete names", incomplete.size());
+  outcome.addOpen("distances less accurate than " + shortLength(DistanceGoal().accuracy),
+                  roughPairs(*distances));
+  return outcome;
+}
+
 /// Boxes and distances of one pose.
-int runPose(const UrdfBoundsOptions& options, const Robot& robot) {
+Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   // Before the meshes, which take longest, so that a wrong name is refused at once.
-  const std::vector<Eigen::Isometry3d> poses = posesFor(robot, options.joints);
+  const auto poses = posesFor(withSimpleJoints(robot), options.joints);
   const BoundedRobot bounded = loadLinks(robot, options);
   std::vector<PlacedLink> links;
   for (std::size_t i = 0; i < bounded.links.size(); ++i)
@@ -84,34 +96,35 @@ int runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   if (options.distances) distances = linkDistances(robot, bounded, poses, *options.distances);
   const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links, distances);
   if (options.verbose) reportMemory(bounded);
-  return options.strict && !incomplete.empty() ? 2 : 0;
+  return outcomeOf(incomplete, distances);
 }
 
 /// Proofs about all poses.
-int runProof(const UrdfBoundsOptions& options, const Robot& robot) {
-  const std::vector<JointRange> ranges = rangesFor(robot, options.joints);
+Outcome runProof(const UrdfBoundsOptions& options, const Robot& robot) {
+  const std::vector<JointRange> ranges = rangesFor(robot, options.joints, options.has_fixed_base);
   catchInterrupts();
   const BoundedRobot bounded = loadLinks(robot, options);
-  const int code = options.report == Report::kReach ? writeReach(options, robot, bounded, ranges)
-                                                    : writePairs(options, robot, bounded, ranges);
+  const auto writeProof = options.report == Report::kReach ? writeReach : writePairs;
+  const Outcome outcome = writeProof(options, robot, bounded, ranges);
   if (options.verbose) reportMemory(bounded);
-  return code;
+  return outcome;
 }
 
 int run(const UrdfBoundsOptions& options) {
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
-  const int code =
-      options.report == Report::kPose ? runPose(options, robot) : runProof(options, robot);
-  return finishOutput() ? code : 1;
+  const Outcome outcome = options.report == Report::kPose
+                              ? runPose(options, robot)
+                              : runProof(options, withSimpleJoints(robot));
+  return finishOutput() ? exitCode(outcome, options.demand) : kUnusable;
 }
 
 int runWith(int argc, char** argv) {
   const UrdfBoundsOptions options = parseOptions(argc, argv);
   if (!options.help && !options.version) return run(options);
   std::cout << (options.help ? kUsage : "urdf_bounds " LINK_BOUNDS_VERSION "\n");
-  return finishOutput() ? 0 : 1;
+  return finishOutput() ? 0 : kUnusable;
 }
 
 }  // namespace

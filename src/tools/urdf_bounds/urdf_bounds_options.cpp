@@ -23,8 +23,10 @@ enum Code {
   kBudget,
   kClearance,
   kSrdf,
+  kBase,
   kVerbose,
   kStrict,
+  kAllowIncomplete,
   kHelp,
   kVersion
 };
@@ -40,8 +42,10 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"budget", required_argument, nullptr, kBudget},
                                    {"clearance", required_argument, nullptr, kClearance},
                                    {"srdf", required_argument, nullptr, kSrdf},
+                                   {"base", required_argument, nullptr, kBase},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
+                                   {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
                                    {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
@@ -153,11 +157,17 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case kSrdf:
       options.srdf = optarg;
       return;
+    case kBase:
+      options.has_fixed_base = chosen<bool>("--base", optarg, {{"fixed", true}});
+      return;
     case kVerbose:
       options.verbose = true;
       return;
     case kStrict:
-      options.strict = true;
+      options.demand.strict = true;
+      return;
+    case kAllowIncomplete:
+      options.demand.allow_incomplete = true;
       return;
     case 'h':
     case kHelp:
@@ -193,6 +203,7 @@ void checkReport(const UrdfBoundsOptions& options) {
   need(options.accuracy.has_value(), has_reach || has_pairs, "--accuracy", "--reach or --pairs");
   need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
   need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
+  need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
   need(options.as_markers, has_reach, "--format markers", "--reach");

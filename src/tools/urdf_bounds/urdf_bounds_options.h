@@ -8,6 +8,7 @@
 #include <string>
 
 #include "robot/urdf/joint_ranges.h"
+#include "tools/command_line/outcome.h"
 #include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
@@ -32,11 +33,12 @@ struct UrdfBoundsOptions {
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
   std::optional<std::string> srdf;               ///< of kPairs, a file
+  bool has_fixed_base = false;  ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
   bool as_srdf = false;     ///< of kPairs, instead of `format`
   bool as_markers = false;  ///< of kReach, instead of `format`
   bool verbose = false;
-  bool strict = false;
+  Demand demand;
   bool help = false;     ///< the other members are then undefined
   bool version = false;  ///< likewise
 };

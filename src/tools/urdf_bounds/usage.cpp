@@ -16,6 +16,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
   joint:=value        position of a movable joint [rad or m]; 0 if not given; joints that mimic
                       another one follow it
   joint:=a..b         for --reach and --pairs: the joint moves from a to b, whatever its limits
+  joint.x:=...        a value or range of a floating joint (x, y, z, roll, pitch, yaw) or of a
+                      planar one (x, y, yaw, in its plane)
   --geometry G        visual (default), collision or both
   --representation R  min-max (default): smallest and largest corner
                       min-width: smallest corner and widths
@@ -42,13 +44,21 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       Ctrl-C does the same
   --clearance M       of --pairs: links collide where they are nearer than M [m] (default 0)
   --srdf FILE         of --pairs: checks the disable_collisions of a SRDF
+  --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
+                      without a range, nothing is proven of what depends on such a joint
   --verbose           the memory that each mesh takes, on standard error
   --strict            exit with 2 if any geometry could not be used
+  --allow-incomplete  what is incomplete or not decided does not change the exit code
   -h, --help          this text
   --version           the version of link_bounds
 
-Lengths are metres. Exit code: 0 all good, 1 unusable robot or arguments, 2 see --strict,
-3 the SRDF disables a pair that can collide.
+Lengths are metres. Exit code, the first that applies:
+  1  unusable robot, SRDF or arguments
+  3  the SRDF disables a pair that can collide
+  4  of --distances, --reach and --pairs without --allow-incomplete: a mesh is missing or something
+     else is incomplete, a pair is UNDECIDED, or the accuracy was not reached
+  2  see --strict
+  0  everything was answered and holds
 )";
 
 }  // namespace link_bounds

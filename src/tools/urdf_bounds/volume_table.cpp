@@ -3,12 +3,12 @@
 // One writer per format; the kinds of volumes differ in their words only.
 #include "tools/urdf_bounds/volume_table.h"
 
+#include <algorithm>
+
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr char kGroupPrefix[] = "group:";
 
 /// The words of a kind of volume.
 struct Words {
@@ -86,6 +86,8 @@ void writeCsv(const VolumeTable& table, const Words& words, std::ostream& out) {
     writeCsvRow(name, volume.numbers, out);
   for (const auto& [name, volume] : table.groups)
     writeCsvRow(kGroupPrefix + name, volume.numbers, out);
+  const auto commas = std::count(words.csv_head.begin(), words.csv_head.end(), ',');
+  writeCsvIncomplete(table.incomplete, static_cast<std::size_t>(commas), out);
 }
 
 void writeJson(const VolumeTable& table, const Words& words, std::ostream& out) {

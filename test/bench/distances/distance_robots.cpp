@@ -89,7 +89,7 @@ std::vector<LinkPoses> motionOf(const Robot& robot, const std::vector<std::size_
     std::map<std::string, double> values;
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       const Joint& joint = robot.joints[i];
-      if (joint.motion == Motion::kNone || joint.mimic) continue;
+      if (!hasValue(joint.motion) || joint.mimic) continue;
       const double angle = phases[i] + kSmallStep / kRotation * static_cast<double>(step);
       const double share = is_coherent ? std::sin(angle) : random.uniform(-1, 1);
       values[joint.name] = amplitude(joint) * share;

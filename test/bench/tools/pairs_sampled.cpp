@@ -45,7 +45,7 @@ std::vector<Eigen::Isometry3d> randomPoses(const Robot& robot,
   std::map<std::string, double> values;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Joint& joint = robot.joints[i];
-    if (joint.motion == Motion::kNone || joint.mimic) continue;
+    if (!hasValue(joint.motion) || joint.mimic) continue;
     const double share = std::uniform_real_distribution<double>(0, 1)(random);
     values[joint.name] = ranges[i].lower + share * (ranges[i].upper - ranges[i].lower);
   }

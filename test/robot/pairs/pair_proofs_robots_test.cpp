@@ -67,7 +67,7 @@ std::map<std::string, double> randomValues(const Model& model,
   std::map<std::string, double> values;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Joint& joint = model.robot.joints[i];
-    if (joint.motion == Motion::kNone || joint.mimic) continue;
+    if (!hasValue(joint.motion) || joint.mimic) continue;
     const double share = std::min(std::max(random.uniform(-0.1, 1.1), 0.0), 1.0);
     const auto& range = ranges[i];
     values[joint.name] = std::min(range.lower + share * (range.upper - range.lower), range.upper);

@@ -138,6 +138,8 @@ TEST(ParseRobot, JointsHaveTheirMotion) {
   for (const Joint& j : robot.joints) {
     const Motion expected = j.name == "revolute" || j.name == "continuous" ? Motion::kRotation
                             : j.name == "prismatic"                        ? Motion::kTranslation
+                            : j.name == "floating"                         ? Motion::kFloating
+                            : j.name == "planar"                           ? Motion::kPlanar
                                                                            : Motion::kNone;
     EXPECT_EQ(j.motion, expected) << j.name;
     EXPECT_EQ(robot.links[j.parent].name, "base");

@@ -13,8 +13,9 @@ import struct
 
 import genpy
 import rosbag
-from bag_bounds_testing import (BEGIN, COUNT, ENTERED, PARTLY_READ, BagBoundsTest, arms, main,
-                                moving_arms, raw, run, seconds, static_arms, time_of, zone_text)
+from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PARTLY_READ, BagBoundsTest, arms,
+                                main, moving_arms, raw, run, seconds, static_arms, time_of,
+                                zone_text)
 from bounds_testing import robot
 from node_testing import ARMS
 from std_msgs.msg import String
@@ -111,10 +112,12 @@ class ArgumentsTest(BagBoundsTest):
             '</geometry></visual></link>'))
         arguments = (self.bag(arms(3)), '--urdf', broken, '--format', 'json')
         code, out, err = run(*arguments)
-        self.assertEqual(code, 0)
+        self.assertEqual(code, INCOMPLETE)
         self.assertIn('none.stl', err)
         self.assertIn('none.stl', out)
-        self.assertEqual(run(*arguments, '--strict')[0], 2)
+        for options, expected in ((['--strict'], INCOMPLETE), (['--allow-incomplete'], 0),
+                                  (['--allow-incomplete', '--strict'], 2)):
+            self.assertEqual(run(*arguments, *options)[0], expected)
 
     def test_output_that_cannot_be_written(self):
         bag = self.bag(arms(COUNT))
@@ -220,7 +223,7 @@ class BagsTest(BagBoundsTest):
     def test_a_recorder_whose_clock_was_set(self):
         """Years without a message take no time; back by years is a clock that jumped."""
         messages = arms(5) + [moving_arms(5, BEGIN + YEARS), moving_arms(6)]
-        found = self.report(self.bag(messages), err='the clock jumped back')
+        found = self.report(self.bag(messages), code=INCOMPLETE, err='the clock jumped back')
         self.assertEqual(found['messages'], 8)
         self.assertRegex(found['incomplete']['left'], 'had no box 2 times, 999999')
 

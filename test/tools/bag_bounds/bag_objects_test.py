@@ -9,8 +9,8 @@ import pathlib
 
 import genpy
 import rosbag
-from bag_bounds_testing import (BEGIN, ENTERED, PARTLY_READ, PERIOD, UNDERCUT, BagBoundsTest, arms,
-                                degrees_at, main, raw, run, time_of, zone_text)
+from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, UNDERCUT,
+                                BagBoundsTest, arms, degrees_at, main, raw, run, time_of, zone_text)
 from bounds_testing import Pose, difference, union
 from node_testing import joint_pose
 from object_testing import deletion, marker
@@ -79,7 +79,7 @@ class ObjectsTest(BagBoundsTest):
 
     def test_a_mesh_that_cannot_be_read(self):
         mesh = marker('part/1', Marker.MESH_RESOURCE, mesh_resource='file:///none.stl')
-        found = self.objects(arms(5) + [recorded(2, mesh)], err='none.stl')
+        found = self.objects(arms(5) + [recorded(2, mesh)], code=INCOMPLETE, err='none.stl')
         self.assertIn('none.stl', found['incomplete']['part/1'])
 
     def test_the_distance_of_a_mesh_is_that_of_its_triangles(self):
@@ -102,8 +102,9 @@ class ObjectsTest(BagBoundsTest):
 
     def test_a_topic_without_messages(self):
         code, _, err = run(self.bag(arms(3)), '--urdf', self.urdf, '--objects', 'none')
-        self.assertEqual(code, 0)
+        self.assertEqual(code, INCOMPLETE)
         self.assertIn('warning: no message on /none was read', err)
+        self.assertIn('not everything was answered: topics without any message: 1', err)
 
     def test_markers_that_announce_too_much(self):
         """A damaged count must not take the memory that it announces."""

@@ -16,6 +16,7 @@ from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 ACCURACY = 1e-4  # metres
 ROUNDING = 1e-12  # metres
+INCOMPLETE = 4  # exit code
 CSV_HEADER = ['first', 'second', 'distance', 'distance_max', 'on_first_x', 'on_first_y',
               'on_first_z', 'on_second_x', 'on_second_y', 'on_second_z', 'normal_x', 'normal_y',
               'normal_z', 'level']
@@ -137,12 +138,13 @@ class DistancesTest(UrdfBoundsTest):
         far = self.write('far.stl', stl([((0, 0, 0), (1e35, 0, 0), (0, 1, 0))]))
         urdf = robot(('far', mesh(far), '0 0 0'), ('ball', BALL, '0 0 3'))
         code, out, err = run('-', '--format=json', '--distances=4', '--strict', urdf=urdf)
-        self.assertEqual(code, 0)
+        self.assertEqual(code, INCOMPLETE)
         pair, = json.loads(out)['distances']
         self.assertEqual(pair['level'], 'HULL')
         self.assertLessEqual(pair['distance'], 2.5)
         self.assertRegex(err, '^urdf_bounds: warning: link "far", visual 1 .*: distances are those '
-                              'of the convex hull of %s: .*; repair or replace the file\n$' % far)
+                              'of the convex hull of %s: .*; repair or replace the file\n' % far)
+        self.assertIn('not everything was answered: distances less accurate than 0.0001 m: 1;', err)
         self.assertEqual(run('-', urdf=urdf)[2], '', 'boxes need no triangles')
 
     def test_rigid_and_neighbouring_links_are_no_pair(self):
@@ -210,22 +212,26 @@ class DistancesTest(UrdfBoundsTest):
                                                   lost + '\n<joint name="b"')
         code, out, err = run('-', '--format=json', '--distances=9', '--strict', urdf=urdf)
         found = json.loads(out)
-        self.assertEqual(code, 2)
+        self.assertEqual(code, INCOMPLETE)
         self.check_pair(found['distances'][0], ('a', 'b'), 2)
         self.assertEqual(len(found['distances']), 1)
-        self.assertEqual(list(found['incomplete']), ['gone', 'b'])
-        self.assertEqual(len(err.splitlines()), 2, err)
-        self.assertEqual(run('-', '--distances=9', urdf=urdf)[0], 0)
+        self.assertEqual(list(found['incomplete']), ['gone', 'b', 'group:robot'])
+        self.assertEqual(len(err.splitlines()), 3, err)
+        self.assertIn('incomplete names: 3; --allow-incomplete accepts that', err)
+        for arguments, expected in (((), INCOMPLETE), (('--allow-incomplete',), 0),
+                                    (('--allow-incomplete', '--strict'), 2)):
+            self.assertEqual(run('-', '--distances=9', *arguments, urdf=urdf)[0], expected)
+        self.assertEqual(run('-', urdf=urdf)[0], 0, 'boxes alone')
         self.assertRegex(run('-', '--distances=9', urdf=urdf)[1], '\nincomplete:\n  gone: .*no.stl')
 
     def test_a_link_too_far_away_for_distances(self):
         urdf = robot(('a', BOX, '0 0 0'), ('b', BOX, '1e100 0 0'), ('c', BOX, '3 0 0'))
         code, out, err = run('-', '--format=json', '--distances=1e200', '--strict', urdf=urdf)
         found = json.loads(out)
-        self.assertEqual((code, list(found['incomplete'])), (2, ['b']))
+        self.assertEqual((code, list(found['incomplete'])), (INCOMPLETE, ['b', 'group:robot']))
         self.assertEqual([pair['second'] for pair in found['distances']], ['c'])
-        self.assertEqual(err, 'urdf_bounds: warning: link "b": its size and pose give no finite '
-                              'distance\n')
+        self.assertTrue(err.startswith('urdf_bounds: warning: link "b": its size and pose give no '
+                                       'finite distance\n'), err)
 
     def test_verbose_tells_the_memory_of_the_triangles(self):
         urdf = robot(('a', mesh(CUBE), '0 0 0'), ('b', mesh(CUBE), '9 0 0'))

@@ -56,7 +56,7 @@ class MeshTest(UrdfBoundsTest):
         code, out, err = run('-', '--format=json', urdf=urdf, env=environment)
         self.assertEqual(code, 0)
         self.assertEqual(list(json.loads(out)['boxes']), ['base'])
-        self.assertEqual(list(json.loads(out)['incomplete']), ['m0', 'm1', 'm2'])
+        self.assertEqual(list(json.loads(out)['incomplete']), ['m0', 'm1', 'm2', 'group:robot'])
         self.assertEqual(err.count('there is no package "no_such_pack"'), 3)
         self.assertLessEqual(err.count("[rospack] Error: package"), 1)  # looked up once
 
@@ -70,7 +70,8 @@ class MeshTest(UrdfBoundsTest):
             'PATH': os.environ['PATH'], 'HOME': self.folder, 'ROS_PACKAGE_PATH': self.folder})
         self.assertEqual(code, 0, err)
         found = json.loads(out)
-        self.assertEqual((list(found['boxes']), list(found['incomplete'])), (['base'], ['gone']))
+        self.assertEqual((list(found['boxes']), list(found['incomplete'])),
+                         (['base'], ['gone', 'group:robot']))
         self.assertIn(broken, found['incomplete']['gone'])
 
     def test_verbose_tells_the_memory_of_each_file_once(self):
@@ -197,7 +198,8 @@ class IncompleteTest(UrdfBoundsTest):
         found = json.loads(out)
         self.assertEqual(code, 0)
         self.assertEqual(list(found['boxes']), ['base'])
-        self.assertEqual(list(found['incomplete']), ['gone'])
+        self.assertEqual(list(found['incomplete']), ['gone', 'group:robot'])
+        self.assertEqual(found['incomplete']['group:robot'], 'link "gone" is incomplete')
         self.assertIn('/no/such/file.stl', found['incomplete']['gone'])
         self.assertRegex(err, '^urdf_bounds: warning: link "gone", visual 1 .*no/such/file.stl')
 
@@ -205,7 +207,7 @@ class IncompleteTest(UrdfBoundsTest):
         found = json.loads(run('-', '--format=json', urdf=self.partial)[1])
         self.check_box(found['boxes']['base'], [-.5] * 3, [.5] * 3)
         self.assertEqual(list(found['groups']), ['robot'])
-        self.assertEqual(list(found['incomplete']), ['base'])
+        self.assertEqual(list(found['incomplete']), ['base', 'group:robot'])
 
     def test_only_a_lost_link(self):
         found = json.loads(run('-', '--format=json', urdf=tree(mesh('m', 'file:///no.stl')))[1])
@@ -221,7 +223,16 @@ class IncompleteTest(UrdfBoundsTest):
 
     def test_table_gives_the_reason(self):
         out = run('-', urdf=self.missing)[1]
-        self.assertRegex(out, r'\nincomplete:\n  gone: visual 1 .*no/such/file\.stl')
+        self.assertRegex(out, r'\nincomplete:\n  gone: visual 1 .*no/such/file\.stl.*\n'
+                              r'  group:robot: link "gone" is incomplete\n$')
+
+    def test_csv_names_what_is_incomplete_in_rows_without_numbers(self):
+        code, out, _ = run('-', '--format=csv', urdf=self.missing)
+        self.assertEqual(code, 0)
+        self.assertEqual([line.split(',')[0] for line in out.splitlines()],
+                         ['link', 'base', 'group:robot', 'incomplete:gone',
+                          'incomplete:group:robot'])
+        self.assertEqual({line.count(',') for line in out.splitlines()}, {6})
 
     def test_box_that_is_not_finite(self):
         far = '<origin xyz="1.5e308 0 0"/>'
@@ -229,7 +240,7 @@ class IncompleteTest(UrdfBoundsTest):
                                    '<box size="1e308 1 1"/></geometry></visual></link>' % far)
         code, out, err = run('-', '--strict', '--format=json', urdf=urdf)
         self.assertEqual(code, 2)
-        self.assertEqual(list(json.loads(out)['incomplete']), ['far'])
+        self.assertEqual(list(json.loads(out)['incomplete']), ['far', 'group:robot'])
         self.assertIn('"far"', err)
 
     def test_strict(self):

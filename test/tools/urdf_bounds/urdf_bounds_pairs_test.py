@@ -15,6 +15,7 @@ from xml.sax.saxutils import quoteattr
 from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 TOUCH = 1e-7  # metres
+INCOMPLETE = 4  # exit code
 
 
 def link(name, geometry=''):
@@ -151,18 +152,39 @@ class PairsTest(UrdfBoundsTest):
         self.assertIn('which collide at', err)
 
     def test_a_budget_that_is_used_up_leaves_pairs_undecided(self):
-        code, out, _ = run(self.urdf, *COARSE, '--budget', '1e-9', '--srdf',
+        code, out, err = run(self.urdf, *COARSE, '--budget', '1e-9', '--srdf',
                            self.srdf(('base', 'lower')))
-        self.assertEqual(code, 0)
+        self.assertEqual(code, INCOMPLETE)
         self.assertIn('disables base and lower, which is not decided: they are never nearer than', out)
         self.assertRegex(out, r'\n7 pairs: .* [5-7] UNDECIDED\n')
+        self.assertRegex(err, 'was answered: UNDECIDED pairs: [5-7]; --allow-incomplete')
+        for arguments, expected in (((), INCOMPLETE), (('--strict',), INCOMPLETE),
+                                    (('--strict', '--allow-incomplete'), 0)):
+            self.assertEqual(run(self.urdf, *COARSE, '--budget', '1e-9', *arguments)[0], expected)
+        # A finding comes first.
+        path = self.srdf((TIP, 'lower'))
+        self.assertEqual(run(self.urdf, *COARSE, '--srdf', path, '--budget', '5',
+                             urdf=ARM)[0], 3)
+
+    def test_a_clearance_that_is_not_as_accurate_as_it_should_be(self):
+        """All is decided at once. So accurate a clearance takes much longer."""
+        arguments = ('--pairs', '--accuracy', '1e-7', '--budget', '3')
+        code, out, err = run(self.urdf, *arguments)
+        self.assertEqual(code, INCOMPLETE, out)
+        self.assertRegex(err, r'clearances that did not reach --accuracy: \d; --allow-incomplete')
+        self.assertIn(' 0 UNDECIDED', out)
+        self.assertEqual(run(self.urdf, *arguments, '--allow-incomplete')[0], 0)
 
     def test_incomplete_links_never_get_a_never(self):
         text = ARM.replace(link('ring', ball(0.2)), link(
             'ring', ball(0.2) + '</visual><visual><geometry><mesh filename="none.stl"/></geometry>'))
         code, out, err = run('-', *COARSE, '--format', 'json', '--strict', urdf=text)
-        self.assertEqual(code, 2)
+        self.assertEqual(code, INCOMPLETE)
         self.assertIn('none.stl', err)
+        self.assertEqual(run('-', *COARSE, '--strict', '--allow-incomplete', urdf=text)[0], 2)
+        self.assertEqual(run('-', *COARSE, '--allow-incomplete', urdf=text)[0], 0)
+        path = self.srdf((TIP, 'lower'))
+        self.assertEqual(run('-', *COARSE, '--srdf', path, urdf=text)[0], 3)
         found = {(p['first'], p['second']): p['verdict'] for p in json.loads(out)['pairs']}
         self.assertEqual(found[('base', 'ring')], 'UNDECIDED')
         self.assertEqual(found[('base', 'lower')], 'NEVER')

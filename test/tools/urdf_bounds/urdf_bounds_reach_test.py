@@ -22,6 +22,7 @@ from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 FACES = ('min_x', 'min_y', 'min_z', 'max_x', 'max_y', 'max_z')
 ROUNDING = 1e-12  # metres
+INCOMPLETE = 4  # exit code
 PACKAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../..')
 LONG = 40  # joints, more than a minute's work for the accuracy that is asked for
 
@@ -123,8 +124,17 @@ class ReachTest(UrdfBoundsTest):
         urdf = arm(1).replace('<link name="l0"/>', '''<link name="l0"><visual><geometry>
 <mesh filename="file:///no/such/file.stl"/></geometry></visual></link>''')
         code, out, err = run('-', '--reach', '--strict', '--format=json', urdf=urdf)
-        self.assertEqual((code, list(json.loads(out)['incomplete'])), (2, ['l0']))
+        self.assertEqual((code, list(json.loads(out)['incomplete'])),
+                         (INCOMPLETE, ['l0', 'group:robot']))
         self.assertEqual(list(json.loads(out)['reach']), ['l1'])
+        self.assertRegex(err, 'was answered: incomplete names: 2; --allow-incomplete')
+        for arguments, expected in (((), INCOMPLETE), (('--allow-incomplete',), 0),
+                                    (('--allow-incomplete', '--strict'), 2)):
+            self.assertEqual(run('-', '--reach', *arguments, urdf=urdf)[0], expected)
+        self.assertIn('\n  group:robot: link "l0" is incomplete\n',
+                      run('-', '--reach', urdf=urdf)[1])
+        self.assertIn('\nincomplete:group:robot' + 12 * ',' + '\n',
+                      run('-', '--reach', '--format=csv', urdf=urdf)[1])
 
 
 class EarlyEndTest(UrdfBoundsTest):
@@ -133,7 +143,8 @@ class EarlyEndTest(UrdfBoundsTest):
     goal = ('-', '--reach', '--accuracy', '1e-12', '--format', 'json')
 
     def check(self, code, out, err, cause):
-        self.assertEqual(code, 0, err)
+        self.assertEqual(code, INCOMPLETE, err)
+        self.assertRegex(err, 'not everything was answered: --accuracy was not reached')
         self.assertRegex(err, 'warning: the boxes are proven, but a face may be too far out by up '
                               r'to [0-9.e-]+ m, more than --accuracy 1e-12 m: ' + cause)
         box = json.loads(out)['reach']['l%d' % LONG]
@@ -159,7 +170,7 @@ class EarlyEndTest(UrdfBoundsTest):
                 text += terminal.read(4096).decode()
             program.send_signal(signal.SIGINT)
             out = program.stdout.read().decode()
-            while 'interrupted' not in text:
+            while '--allow-incomplete' not in text:
                 text += terminal.read(4096).decode()
             self.check(program.wait(), out, text, 'interrupted')
         self.assertIn('0/1 links, the largest gap is ', text)

@@ -51,7 +51,18 @@ struct Link {
   std::vector<LostElement> lost;
 };
 
-enum class Motion { kNone, kRotation, kTranslation };
+enum class Motion {
+  kNone,         ///< fixed
+  kRotation,     ///< revolute, continuous
+  kTranslation,  ///< prismatic
+  kPlanar,       ///< two translations and a rotation
+  kFloating      ///< any pose
+};
+
+/// Whether one value says where a joint of that motion is.
+inline bool hasValue(Motion motion) {
+  return motion == Motion::kRotation || motion == Motion::kTranslation;
+}
 
 struct Mimic {
   std::string joint;
@@ -69,12 +80,13 @@ struct Joint {
   std::string name;
   std::size_t parent;  ///< index of a link
   std::size_t child;   ///< index of a link
-  Motion motion;       ///< kNone for fixed, floating and planar joints
+  Motion motion;
   Eigen::Isometry3d parent_from_joint;
   Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero as in the URDF
   std::optional<Mimic> mimic;
   std::optional<Limits> limits;  ///< of revolute and prismatic joints, if the URDF has them
-  bool is_fixed = false;
+  /// The floating or planar joint of which this is one value; "" if it is a joint of the URDF.
+  std::string part_of = {};
 };
 
 struct Robot {

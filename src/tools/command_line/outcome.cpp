@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whoever sees 4 also sees why.
+#include "tools/command_line/outcome.h"
+
+#include "tools/command_line/terminal.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kLostGeometry = 2;
+constexpr int kFinding = 3;
+constexpr int kOpen = 4;
+
+void warnOfOpen(const std::vector<std::string>& open) {
+  std::string text;
+  for (const std::string& what : open)
+    text += (text.empty() ? "" : "; ") + what;
+  warn("not everything was answered: " + text + "; --allow-incomplete accepts that");
+}
+
+}  // namespace
+
+void Outcome::addOpen(const std::string& what, std::size_t count) {
+  if (count > 0) open.push_back(what + ": " + std::to_string(count));
+}
+
+int exitCode(const Outcome& outcome, const Demand& demand) {
+  if (outcome.is_unusable) return kUnusable;
+  if (outcome.has_finding) return kFinding;
+  if (!outcome.open.empty() && !demand.allow_incomplete) {
+    warnOfOpen(outcome.open);
+    return kOpen;
+  }
+  return outcome.lost_geometry && demand.strict ? kLostGeometry : 0;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run came to, as an exit code: one rule for all programs.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+
+/// The exit code of unusable input or arguments.
+constexpr int kUnusable = 1;
+
+struct Outcome {
+  bool is_unusable = false;       ///< the answer would be about nothing
+  bool has_finding = false;       ///< an entry, a distance undercut, an exemption that is wrong
+  std::vector<std::string> open;  ///< what was not decided, loaded, seen or reached
+  bool lost_geometry = false;     ///< any geometry could not be used
+
+  /// Adds such as "pairs not decided: 2" to what is open, unless `count` is 0.
+  void addOpen(const std::string& what, std::size_t count);
+};
+
+/// Options of the user.
+struct Demand {
+  bool strict = false;            ///< lost geometry is a failure
+  bool allow_incomplete = false;  ///< what is open is none
+};
+
+/// 1 unusable, 3 a finding, 4 something is open, 2 lost geometry, 0 all was answered and holds: the
+/// first that applies. Warns of what is open if that decides.
+int exitCode(const Outcome& outcome, const Demand& demand);
+
+}  // namespace link_bounds

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Exit codes: the first that applies in the order 1, 3, 4, 2, 0.
+#include "tools/command_line/outcome.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/command_line/terminal.h"
+
+namespace link_bounds {
+
+const char* const kProgram = "outcome_test";
+
+namespace {
+
+/// Of every kind of trouble.
+Outcome worst() {
+  Outcome outcome;
+  outcome.is_unusable = outcome.has_finding = outcome.lost_geometry = true;
+  outcome.addOpen("pairs", 2);
+  return outcome;
+}
+
+TEST(Outcome, TheFirstThatAppliesDecides) {
+  const Demand strict{true, false};
+  Outcome outcome = worst();
+  EXPECT_EQ(exitCode(outcome, strict), 1);
+  outcome.is_unusable = false;
+  EXPECT_EQ(exitCode(outcome, strict), 3);
+  outcome.has_finding = false;
+  EXPECT_EQ(exitCode(outcome, strict), 4);
+  outcome.open.clear();
+  EXPECT_EQ(exitCode(outcome, strict), 2);
+  outcome.lost_geometry = false;
+  EXPECT_EQ(exitCode(outcome, strict), 0);
+}
+
+TEST(Outcome, OnlyWhatIsOpenCanBeAllowed) {
+  const Demand lenient{false, true};
+  Outcome outcome = worst();
+  EXPECT_EQ(exitCode(outcome, lenient), 1);
+  outcome.is_unusable = false;
+  EXPECT_EQ(exitCode(outcome, lenient), 3);
+  outcome.has_finding = false;
+  EXPECT_EQ(exitCode(outcome, lenient), 0);
+  EXPECT_EQ(exitCode(outcome, {true, true}), 2);
+  EXPECT_EQ(exitCode(outcome, {}), 4);
+}
+
+TEST(Outcome, WhatIsOpenIsSaidWhereItDecides) {
+  Outcome outcome;
+  outcome.addOpen("names", 0);
+  outcome.addOpen("pairs", 2);
+  outcome.addOpen("topics", 1);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exitCode(outcome, {}), 4);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "outcome_test: warning: not everything was answered: pairs: 2; topics: 1; "
+            "--allow-incomplete accepts that\n");
+  testing::internal::CaptureStderr();
+  outcome.has_finding = true;
+  EXPECT_EQ(exitCode(outcome, {}), 3);
+  EXPECT_EQ(exitCode(outcome, {false, true}), 3);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace link_bounds
