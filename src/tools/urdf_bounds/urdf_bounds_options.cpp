@@ -22,9 +22,13 @@ enum Code {
   kAccuracy,
   kBudget,
   kClearance,
+  kTouching,
   kSrdf,
+  kAdjacent,
+  kAcceptSampled,
   kVerbose,
   kStrict,
+  kAllowIncomplete,
   kHelp,
   kVersion
 };
@@ -39,9 +43,13 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"accuracy", required_argument, nullptr, kAccuracy},
                                    {"budget", required_argument, nullptr, kBudget},
                                    {"clearance", required_argument, nullptr, kClearance},
+                                   {"touching", required_argument, nullptr, kTouching},
                                    {"srdf", required_argument, nullptr, kSrdf},
+                                   {"adjacent", no_argument, nullptr, kAdjacent},
+                                   {"accept-sampled", no_argument, nullptr, kAcceptSampled},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
+                                   {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
                                    {"version", no_argument, nullptr, kVersion},
                                    {nullptr, 0, nullptr, 0}};
@@ -150,14 +158,26 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case kClearance:
       options.clearance = limitOption("--clearance", optarg);
       return;
+    case kTouching:
+      options.touching = limitOption("--touching", optarg);
+      return;
     case kSrdf:
       options.srdf = optarg;
+      return;
+    case kAdjacent:
+      options.adjacent = true;
+      return;
+    case kAcceptSampled:
+      options.accept_sampled = true;
       return;
     case kVerbose:
       options.verbose = true;
       return;
     case kStrict:
       options.strict = true;
+      return;
+    case kAllowIncomplete:
+      options.allow_incomplete = true;
       return;
     case 'h':
     case kHelp:
@@ -193,7 +213,11 @@ void checkReport(const UrdfBoundsOptions& options) {
   need(options.accuracy.has_value(), has_reach || has_pairs, "--accuracy", "--reach or --pairs");
   need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
   need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
+  need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
   need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
+  need(options.adjacent, has_pairs, "--adjacent", "--pairs");
+  need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
+  need(options.allow_incomplete, has_pairs, "--allow-incomplete", "--pairs");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
   need(options.as_markers, has_reach, "--format markers", "--reach");
   if (options.report == Report::kPose) return refuseRanges(options);
