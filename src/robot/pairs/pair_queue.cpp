@@ -3,6 +3,7 @@
 // Pairs without a verdict go first, then those that have had fewer turns.
 #include "robot/pairs/pair_queue.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <future>
