@@ -31,12 +31,15 @@ inline BodyDistance distanceInPose(const Model& model, const PairProof& proof) {
 
 /// What a proof says of its own pose.
 inline void checkPose(const Model& model, const PairProof& proof, const PairGoal& goal) {
+  if (proof.poses == 0) return;
   const BodyDistance distance = distanceInPose(model, proof);
-  const bool collides = proof.verdict == Verdict::kSometimes || proof.verdict == Verdict::kAlways;
+  const bool collides = proof.verdict == Verdict::kSometimes || proof.verdict == Verdict::kAlways ||
+                        proof.verdict == Verdict::kContactSampled;
   EXPECT_LE(proof.clearance, distance.upper);
   EXPECT_LE(distance.lower, proof.nearest);
   EXPECT_TRUE(!collides || distance.lower <= goal.clearance + kTouch) << distance.lower;
   EXPECT_TRUE(proof.verdict != Verdict::kNever || proof.clearance > goal.clearance);
+  EXPECT_TRUE(proof.verdict != Verdict::kTouching || distance.lower <= goal.touching);
 }
 
 }  // namespace link_bounds

@@ -1,153 +1,116 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pair that has had least time is searched next, pairs without a verdict before others.
 #include "robot/pairs/pair_proofs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <future>
-#include <mutex>
-#include <thread>
-#include <tuple>
 
-#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "robot/pairs/link_neighbours.h"
+#include "robot/pairs/pair_queue.h"
 #include "robot/urdf/simple_joints.h"
 
 namespace link_bounds {
 namespace {
 
-struct Task {
-  std::size_t first;
-  std::size_t second;
-  std::unique_ptr<PairSearch> search;
-  bool is_decided = false;
-  bool is_taken = false;  ///< a thread works on it
-  double seconds = 0;     ///< spent on it
-};
-
-class TaskQueue {
- public:
-  TaskQueue(std::vector<Task>& tasks, const ProofControl& control)
-      : tasks_(tasks), control_(control) {
-    for (Task& task : tasks_) {
-      pending_.push_back(&task);
-      update(task);
+/// What is listed.
+std::vector<PairProof> chosenPairs(const Robot& robot, const BoundedRobot& bounded,
+                                   PairChoice choice) {
+  const LinkNeighbours neighbours(robot, bounded);
+  std::vector<PairProof> pairs;
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    for (std::size_t j = i + 1; j < bounded.links.size(); ++j) {
+      if (neighbours.areRigid(i, j) != (choice == PairChoice::kRigid)) continue;
+      PairProof pair;
+      pair.first = i;
+      pair.second = j;
+      if (choice != PairChoice::kMovingWithAdjacent && neighbours.areAdjacent(i, j))
+        pair.verdict = Verdict::kAdjacent;
+      pairs.push_back(pair);
     }
   }
-
-  /// What each thread does.
-  void work() {
-    while (Task* task = take()) {
-      const auto start = std::chrono::steady_clock::now();
-      task->search->advance();
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      giveBack(*task, spent.count());
-    }
-  }
-
- private:
-  /// Null if there is nothing left that no other thread works on.
-  Task* take() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (control_.is_over()) return nullptr;
-    const auto order = [](const Task* task) {
-      return std::make_tuple(task->is_taken, task->is_decided, task->seconds);
-    };
-    const auto next =
-        std::min_element(pending_.begin(), pending_.end(),
-                         [&](const Task* a, const Task* b) { return order(a) < order(b); });
-    if (next == pending_.end() || (*next)->is_taken) return nullptr;
-    (*next)->is_taken = true;
-    return *next;
-  }
-
-  void giveBack(Task& task, double seconds) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    task.is_taken = false;
-    task.seconds += seconds;
-    if (task.search->isDone()) pending_.erase(std::find(pending_.begin(), pending_.end(), &task));
-    update(task);
-  }
-
-  void update(Task& task) {
-    if (task.is_decided || !task.search->isDecided()) return;
-    task.is_decided = true;
-    ++decided_;
-    if (control_.progress) control_.progress(decided_, tasks_.size());
-  }
-
-  std::vector<Task>& tasks_;
-  const ProofControl& control_;
-  std::mutex mutex_;
-  std::vector<Task*> pending_;
-  std::size_t decided_ = 0;
-};
-
-/// Waits for all threads; throws what one of them threw.
-void workOn(std::vector<Task>& tasks, const ProofControl& control) {
-  TaskQueue queue(tasks, control);
-  const unsigned threads =
-      control.threads > 0 ? control.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> workers;
-  for (unsigned i = 0; i < threads; ++i)
-    workers.push_back(std::async(std::launch::async, [&queue] { queue.work(); }));
-  for (std::future<void>& worker : workers)
-    worker.get();
+  return pairs;
 }
 
 Verdict verdictOf(const PairSearch& search, bool is_whole) {
   if (search.alwaysCollides()) return Verdict::kAlways;
-  if (search.collides()) return Verdict::kSometimes;
-  return search.isFree() && is_whole ? Verdict::kNever : Verdict::kUndecided;
+  if (search.isFree() && is_whole) return Verdict::kNever;
+  if (search.alwaysTouches()) return Verdict::kTouching;
+  if (!search.collides()) return Verdict::kUndecided;
+  const bool is_sampled = search.isSampled() && !search.hasFreePose();
+  return is_sampled ? Verdict::kContactSampled : Verdict::kSometimes;
 }
 
-PairProof proofOf(const Task& task, const Robot& robot, const BoundedRobot& bounded) {
-  const PairSearch& search = *task.search;
-  const bool is_whole = bounded.links[task.first].isWhole() && bounded.links[task.second].isWhole();
-  PairProof proof;
-  proof.first = task.first;
-  proof.second = task.second;
-  proof.verdict = verdictOf(search, is_whole);
-  // Without a finite distance in any pose, nothing is known.
-  proof.nearest = std::isfinite(search.nearest().upper) ? search.nearest().upper : 0;
-  if (is_whole) proof.clearance = std::min(search.clearance(), proof.nearest);
-  for (std::size_t i = 0; i < search.path().variables.size(); ++i) {
-    const Joint& joint = robot.joints[search.path().variables[i]];
-    proof.pose[joint.name] = search.nearest().values[i];
+/// The pairs of one robot while they are searched.
+class Prover {
+ public:
+  Prover(const Robot& robot, const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
+         const PairGoal& goal, std::vector<PairProof>& proofs)
+      : robot_(robot), bounded_(bounded), ranges_(ranges), goal_(goal), proofs_(proofs) {}
+
+  void prepare(const ProofControl& control) {
+    for (const Body& body : bounded_.bodies) {
+      if (control.is_over()) return;
+      bodies_.push_back(pairBody(body));
+    }
   }
-  proof.has_free_pose = search.hasFreePose();
-  if (!search.path().unknown.empty()) {
-    proof.reason = missingRanges(robot, search.path().unknown);
-    proof.pose.clear();
+
+  /// Null where a link has no shape, and where nothing can be known.
+  std::unique_ptr<PairSearch> begin(std::size_t pair) {
+    PairProof& proof = proofs_[pair];
+    const PairBody& first = bodies_[proof.first];
+    const PairBody& second = bodies_[proof.second];
+    if (first.body->shapes.empty() || second.body->shapes.empty()) return nullptr;
+    JointPath path =
+        jointPath(robot_, ranges_, bounded_.indices[proof.first], bounded_.indices[proof.second]);
+    if (!path.unknown.empty()) {
+      proof.reason = missingRanges(robot_, path.unknown);
+      return nullptr;
+    }
+    return std::make_unique<PairSearch>(std::move(path), first, second, goal_);
   }
-  return proof;
-}
+
+  void store(std::size_t pair, const PairSearch& search) {
+    // Coordinates that are too large have no finite distance in any pose.
+    if (!std::isfinite(search.nearest().upper)) return;
+    PairProof& proof = proofs_[pair];
+    const bool is_whole =
+        bounded_.links[proof.first].isWhole() && bounded_.links[proof.second].isWhole();
+    proof.verdict = verdictOf(search, is_whole);
+    proof.nearest = search.nearest().upper;
+    if (is_whole) proof.clearance = std::min(search.clearance(), proof.nearest);
+    for (std::size_t i = 0; i < search.path().variables.size(); ++i) {
+      const Joint& joint = robot_.joints[search.path().variables[i]];
+      proof.pose[joint.name] = search.nearest().values[i];
+    }
+    proof.has_free_pose = search.hasFreePose();
+    proof.poses = search.poses();
+  }
+
+ private:
+  const Robot& robot_;
+  const BoundedRobot& bounded_;
+  const std::vector<JointRange>& ranges_;
+  const PairGoal goal_;
+  std::vector<PairProof>& proofs_;
+  std::vector<PairBody> bodies_;
+};
 
 }  // namespace
 
 std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges, const PairGoal& goal,
-                                  const ProofControl& control) {
-  std::vector<PairBody> bodies;
-  for (const Body& body : bounded.bodies)
-    bodies.push_back(pairBody(body));
-  const RigidBodies rigid = rigidBodies(robot);
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-      const std::size_t first = bounded.indices[i], second = bounded.indices[j];
-      if (areJoined(rigid, first, second)) continue;
-      if (bounded.bodies[i].shapes.empty() || bounded.bodies[j].shapes.empty()) continue;
-      tasks.push_back({i, j,
-                       std::make_unique<PairSearch>(jointPath(robot, ranges, first, second),
-                                                    bodies[i], bodies[j], goal)});
-    }
+                                  const ProofControl& control, PairChoice choice) {
+  std::vector<PairProof> proofs = chosenPairs(robot, bounded, choice);
+  std::vector<std::size_t> examined;
+  for (std::size_t pair = 0; pair < proofs.size(); ++pair) {
+    if (proofs[pair].verdict != Verdict::kAdjacent) examined.push_back(pair);
   }
-  workOn(tasks, control);
-  std::vector<PairProof> proofs;
-  for (const Task& task : tasks)
-    proofs.push_back(proofOf(task, robot, bounded));
+  Prover prover(robot, bounded, ranges, goal, proofs);
+  prover.prepare(control);
+  const PairWork work{
+      [&](std::size_t pair) { return prover.begin(pair); },
+      [&](std::size_t pair, const PairSearch& search) { prover.store(pair, search); }};
+  PairQueue(examined, work, control).run();
   return proofs;
 }
 

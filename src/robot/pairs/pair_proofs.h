@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,10 +15,20 @@
 namespace link_bounds {
 
 enum class Verdict {
-  kNever,      ///< proven: no pose collides
-  kAlways,     ///< proven: every pose collides
-  kSometimes,  ///< a pose collides; whether every pose does is not proven
-  kUndecided
+  kNever,           ///< proven: no pose collides
+  kAlways,          ///< proven: every pose collides
+  kTouching,        ///< proven: in every pose the links are within PairGoal::touching
+  kContactSampled,  ///< many poses were tried, and all collide; nothing is proven
+  kSometimes,       ///< a pose collides; whether every pose does is not proven
+  kUndecided,
+  kAdjacent  ///< a joint is between the links; not examined
+};
+
+/// Which pairs are examined.
+enum class PairChoice {
+  kMoving,              ///< of links that are not rigidly joined; those of adjacent ones are listed
+  kMovingWithAdjacent,  ///< those of adjacent links are examined, too
+  kRigid                ///< of links that are rigidly joined; those of adjacent ones are listed
 };
 
 struct PairProof {
@@ -25,12 +36,14 @@ struct PairProof {
   std::size_t second = 0;  ///< stands after `first`
   Verdict verdict = Verdict::kUndecided;
   double clearance = 0;  ///< proven: in no pose the links are nearer [m]
-  double nearest = 0;    ///< at most this far are the links apart in `pose` [m]
+  /// At most this far are the links apart in `pose` [m]; infinite if no pose was tried.
+  double nearest = std::numeric_limits<double>::infinity();
   /// A pose that collides, or the nearest one that was found: the joints between the links [rad,
   /// m].
   std::map<std::string, double> pose;
   bool has_free_pose = false;  ///< a pose was found that does not collide
   std::string reason;          ///< why nothing is known about the pair; mostly empty
+  std::size_t poses = 0;       ///< that were tried
 };
 
 struct ProofControl {
@@ -39,14 +52,17 @@ struct ProofControl {
   /// may be null.
   std::function<void(std::size_t, std::size_t)> progress = {};
   unsigned threads = 0;  ///< 0: one per core
+  /// Of searches between two turns: twenty that have filled their memory, or a thousand others.
+  std::size_t max_kept_bytes = 100'000'000;
 };
 
-/// All pairs of links with shapes, in their order, but those of one rigid body and neighbours by
-/// one joint. `bounded` has bodies, `ranges` has one per joint. A link that is incomplete is in no
-/// pair that never collides. Threads only share the work: each pair is searched as it would be
-/// alone, until the control says that it is over.
+/// All chosen pairs of links with geometry, in their order. `bounded` has bodies, `ranges` has one
+/// per joint. A link that is incomplete is in no pair that never collides. Threads only share the
+/// work: each pair is searched as it would be alone, until the control says that it is over. Pairs
+/// whose turn has not come by then are undecided. A search takes some 20 MB at most in its turn.
 std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges, const PairGoal& goal,
-                                  const ProofControl& control);
+                                  const ProofControl& control,
+                                  PairChoice choice = PairChoice::kMoving);
 
 }  // namespace link_bounds

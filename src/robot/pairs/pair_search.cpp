@@ -22,14 +22,21 @@ constexpr int kDescentSteps = 600;
 constexpr int kSamplesPerSlice = 30;
 constexpr int kBranchesPerSlice = 30;
 
-/// Of a search for a proof that every pose collides.
+/// Of a search for a proof that every pose collides, or that every pose touches.
 constexpr int kMaxOpenSteps = 20000;
+
+/// A proof that every pose touches is given up after so many if it would take more than all.
+constexpr int kTrialSteps = 500;
 
 /// Of a distance: what it may take, see DistanceGoal.
 constexpr std::size_t kMaxSteps = 100000;
 
 /// Further boxes are searched in depth, which needs little memory.
 constexpr std::size_t kMaxNodes = 20000;
+constexpr std::size_t kMaxNodeBytes = 16'000'000;
+
+/// Of a search without nodes and samples: the memories of two BodyDistances and the rest.
+constexpr std::size_t kBytes = 50'000;
 
 /// A pose that is nearer by so much is the start of another descent.
 constexpr double kNews = 0.95;
@@ -54,6 +61,10 @@ double width(const Limits& range) {
   return range.upper - range.lower;
 }
 
+std::size_t bytesOf(const PathValues& values) {
+  return sizeof(values) + values.size() * sizeof(double) + 16;  // 16: of malloc()
+}
+
 std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable) {
   std::array<JointBox, 2> result{box, box};
   const double half = box.half_widths[variable] / 2;
@@ -61,6 +72,23 @@ std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable) {
   result[0].center[variable] -= half;
   result[1].center[variable] += half;
   return result;
+}
+
+/// Of all ranges.
+double shareOf(const JointBox& box, const JointPath& path) {
+  double share = 1;
+  for (std::size_t v = 0; v < path.ranges.size(); ++v)
+    share *= 2 * box.half_widths[v] / width(path.ranges[v]);
+  return share;
+}
+
+JointBox wholeBox(const JointPath& path) {
+  JointBox all;
+  for (const Limits& range : path.ranges) {
+    all.center.push_back(range.lower + width(range) / 2);
+    all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
+  }
+  return all;
 }
 
 std::vector<const PairHull*> pointersTo(const std::vector<PairHull>& parts) {
@@ -85,16 +113,19 @@ PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& se
     distances->set(1, is_hull ? second.hull.body : second.body);
     distances->move(0, Eigen::Affine3d::Identity());
   }
-  JointBox all;
-  for (const Limits& range : path_.ranges) {
-    all.center.push_back(range.lower + width(range) / 2);
-    all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
-  }
-  nearest_.values = all.center;
-  if (path_.unknown.empty()) offer(measured(all.center));
+  JointBox all = wholeBox(path_);
+  max_nodes_ = std::min(kMaxNodes, kMaxNodeBytes / (sizeof(Node) + 2 * bytesOf(all.center)));
+  offer(measured(all.center));
   if (nearest_.upper == kInfinity) is_done_ = true;
-  open_ = {all};
   add({0, std::move(all)});
+  beginContact();
+}
+
+std::size_t PairSearch::bytes() const {
+  const std::size_t pose = bytesOf(nearest_.values);
+  const std::size_t boxes = nodes_.size() + latest_.size() + open_.size();
+  return kBytes + path_.joints.size() * 2 * sizeof(PathJoint) +
+         starts_.size() * (sizeof(KnownPose) + pose) + boxes * (sizeof(Node) + 2 * pose);
 }
 
 bool PairSearch::isTouch(double distance) const {
@@ -116,11 +147,16 @@ double PairSearch::clearance() const {
   return result;
 }
 
+bool PairSearch::isSampled() const {
+  return samples_ >= kSamples || path_.variables.empty();
+}
+
 void PairSearch::advance() {
-  if (is_done_) return;
-  if (collides() && was_free_) return finish();
-  if (samples_ < kSamples && !path_.variables.empty()) return sample();
-  if (collides()) return proveAlways();
+  ++slices_;
+  if (collides() && was_apart_) return finish();
+  if (!isSampled()) return sample();
+  if (mayTouch()) return proveContact();
+  if (collides()) return finish();
   if (!starts_.empty()) {
     const KnownPose start = starts_.back();
     starts_.pop_back();
@@ -167,7 +203,7 @@ void PairSearch::sample() {
     const KnownPose pose = measured(values);
     offer(pose);
     starts_.push_back(pose);
-    if (collides() && was_free_) return;
+    if (collides() && was_apart_) return;
   }
   const auto isNearer = [](const KnownPose& a, const KnownPose& b) { return a.upper > b.upper; };
   std::sort(starts_.begin(), starts_.end(), isNearer);
@@ -185,7 +221,9 @@ KnownPose PairSearch::measured(const PathValues& values) {
 }
 
 void PairSearch::offer(const KnownPose& pose) {
+  ++poses_;
   was_free_ = was_free_ || pose.lower > goal_.clearance;
+  was_apart_ = was_apart_ || pose.lower > std::max(goal_.clearance, goal_.touching);
   if (pose.upper < nearest_.upper) nearest_ = pose;
 }
 
@@ -246,7 +284,7 @@ void PairSearch::addHalves(Node node) {
 }
 
 void PairSearch::add(Node node) {
-  if (nodes_.size() < kMaxNodes) {
+  if (nodes_.size() < max_nodes_) {
     nodes_.push(std::move(node));
   } else {
     latest_.push_back(std::move(node));
@@ -324,43 +362,75 @@ double PairSearch::boundOfParts(const DistanceGoal& goal) {
   return lower;
 }
 
-/// Boxes of joint values are halved until the bodies collide in each whole box.
-void PairSearch::proveAlways() {
+/// Every pose that was tried is near enough, and more is not yet proven or given up.
+bool PairSearch::mayTouch() const {
+  return !was_apart_ && aim_ != Contact::kNone;
+}
+
+/// Boxes of joint values are halved until the bodies are in contact in each whole box.
+void PairSearch::proveContact() {
   for (int i = 0; i < kBranchesPerSlice; ++i, ++open_steps_) {
-    if (open_.empty()) always_ = true;
-    if (open_.empty() || open_steps_ > kMaxOpenSteps) return finish();
+    if (open_.empty()) return endContact(true);
+    if (isHopeless()) return endContact(false);
     const JointBox box = std::move(open_.back());
     open_.pop_back();
-    if (alwaysCollidesIn(box)) continue;
-    offer(measured(box.center));
-    const bool is_hopeless =
-        first_->cores.empty() && second_->cores.empty() && goal_.clearance == 0;
-    if (was_free_ || is_hopeless || path_.variables.empty()) return finish();
+    if (isContactIn(box)) {
+      closed_ += shareOf(box, path_);
+      continue;
+    }
+    if (path_.variables.empty()) return endContact(false);
     for (JointBox& half : halves(box, motion_.widestVariable()))
       open_.push_back(std::move(half));
   }
 }
 
-/// Proven: a point of one body stays in the skin around the core of the other one, or the two stay
-/// within the clearance.
-bool PairSearch::alwaysCollidesIn(const JointBox& box) {
+/// The proof that every pose touches takes many small boxes where two joints move.
+bool PairSearch::isHopeless() const {
+  if (open_steps_ > kMaxOpenSteps) return true;
+  if (aim_ == Contact::kTouching)
+    return was_apart_ || (open_steps_ > kTrialSteps && open_steps_ > closed_ * kMaxOpenSteps);
+  const bool has_core = !first_->cores.empty() || !second_->cores.empty();
+  return was_free_ || !(has_core || goal_.clearance > 0 || path_.variables.empty());
+}
+
+void PairSearch::beginContact() {
+  open_ = {wholeBox(path_)};
+  open_steps_ = 0;
+  closed_ = 0;
+}
+
+/// The next aim is weaker.
+void PairSearch::endContact(bool is_proven) {
+  if (is_proven) contact_ = aim_;
+  const bool is_last = is_proven || aim_ == Contact::kTouching;
+  aim_ = is_last ? Contact::kNone : Contact::kTouching;
+  beginContact();
+}
+
+/// Proven: the two stay within the reach, or a point of one body stays in the skin around the core
+/// of the other one.
+bool PairSearch::isContactIn(const JointBox& box) {
   enter(box);
-  const double left = goal_.clearance - motion_.motion() - motion_.rounding();
+  const double motion = motion_.motion() + motion_.rounding();
+  const KnownPose pose = measured(box.center);
+  offer(pose);
+  const bool is_always = aim_ == Contact::kAlways;
+  if (is_always && path_.variables.empty()) return isTouch(pose.upper);
+  const double reach = is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
+  if (pose.upper + motion <= reach) return true;
   const Eigen::Affine3d origin = Eigen::Affine3d::Identity();
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  const auto isWithin = [&](const Body& first, const Body& second, double reach) {
-    if (!(reach > 0)) return false;
+  const auto isWithin = [&](const Body& first, const Body& second, double skin) {
+    if (!(reach + skin > motion)) return false;
     const auto distance = bodyDistance(first, origin, second, first_from_second);
-    return distance && distance->upper <= reach;
+    return distance && distance->upper + motion <= reach + skin;
   };
-  if (path_.variables.empty()) return collides();
-  return isWithin(*first_->body, *second_->body, left) ||
-         std::any_of(first_->cores.begin(), first_->cores.end(),
+  return std::any_of(first_->cores.begin(), first_->cores.end(),
                      [&](const SolidCore& core) {
-                       return isWithin(core.body, *second_->body, left + core.skin);
+                       return isWithin(core.body, *second_->body, core.skin);
                      }) ||
          std::any_of(second_->cores.begin(), second_->cores.end(), [&](const SolidCore& core) {
-           return isWithin(*first_->body, core.body, left + core.skin);
+           return isWithin(*first_->body, core.body, core.skin);
          });
 }
 

@@ -16,6 +16,7 @@ namespace link_bounds {
 struct PairGoal {
   double clearance = 0;    ///< bodies that are as near collide [m]
   double accuracy = 0.01;  ///< of the clearance that is proven [m]
+  double touching = 1e-4;  ///< bodies that are as near in all poses touch always [m]
 };
 
 /// Where the distance of the bodies is between two proven bounds.
@@ -39,20 +40,33 @@ class PairSearch {
   /// Nothing is left that could be done.
   bool isDone() const { return is_done_; }
   /// What is left can only raise clearance().
-  bool isDecided() const { return is_done_ || isFree() || (collides() && was_free_); }
+  bool isDecided() const {
+    return is_done_ || isFree() || alwaysTouches() || (collides() && was_apart_);
+  }
   bool collides() const;
   /// No pose in the ranges collides.
   bool isFree() const;
-  bool alwaysCollides() const { return always_; }
+  bool alwaysCollides() const { return contact_ == Contact::kAlways; }
+  /// No pose in the ranges is farther apart than PairGoal::touching.
+  bool alwaysTouches() const { return contact_ != Contact::kNone; }
   /// A pose was found that does not collide.
   bool hasFreePose() const { return was_free_; }
+  /// As many poses were tried as chance shall offer, or the only one.
+  bool isSampled() const;
+  std::size_t poses() const { return poses_; }  ///< that were tried
 
   /// No pose in the ranges has a smaller distance [m].
   double clearance() const;
   const KnownPose& nearest() const { return nearest_; }
   const JointPath& path() const { return path_; }
 
+  std::size_t slices() const { return slices_; }  ///< calls of advance()
+  /// In memory, roughly.
+  std::size_t bytes() const;
+
  private:
+  enum class Contact { kNone, kTouching, kAlways };
+
   struct Node {
     double lower;  ///< proven for the whole box
     JointBox box;
@@ -70,8 +84,12 @@ class PairSearch {
   void enter(const JointBox& box);
   double bound(const JointBox& box);
   double boundOfParts(const DistanceGoal& goal);
-  void proveAlways();
-  bool alwaysCollidesIn(const JointBox& box);
+  bool mayTouch() const;
+  void proveContact();
+  bool isHopeless() const;
+  void beginContact();
+  void endContact(bool is_proven);
+  bool isContactIn(const JointBox& box);
   void addHalves(Node node);
   void add(Node node);
   Node take();
@@ -90,14 +108,20 @@ class PairSearch {
   std::mt19937_64 random_;
   std::vector<KnownPose> starts_;  ///< of descents
   int samples_ = 0;
+  std::size_t max_nodes_ = 0;
   KnownPose nearest_;
-  bool was_free_ = false;  ///< in a pose that was tried
+  std::size_t poses_ = 0;
+  std::size_t slices_ = 0;
+  bool was_free_ = false;   ///< in a pose that was tried
+  bool was_apart_ = false;  ///< likewise, and farther than PairGoal::touching
   std::priority_queue<Node> nodes_;
   std::vector<Node> latest_;  ///< searched first, so that memory is bounded
   double dropped_ = std::numeric_limits<double>::infinity();  ///< smallest bound of dropped nodes
-  std::vector<JointBox> open_;                                ///< not proven to collide always
+  Contact aim_ = Contact::kAlways;                            ///< what is tried to be proven
+  Contact contact_ = Contact::kNone;                          ///< what is proven of all poses
+  std::vector<JointBox> open_;                                ///< where the aim is not proven
   int open_steps_ = 0;
-  bool always_ = false;
+  double closed_ = 0;  ///< share of the ranges where the aim is proven
   bool is_done_ = false;
 };
 

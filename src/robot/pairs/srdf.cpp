@@ -33,6 +33,26 @@ std::string linkOf(const tinyxml2::XMLElement& element, const char* attribute, c
   return name;
 }
 
+/// Two hyphens would end a comment.
+std::string commentOf(std::string text) {
+  for (std::size_t at = 0; (at = text.find("--", at)) != std::string::npos; ++at)
+    text.insert(at + 1, " ");
+  return " " + text + " ";
+}
+
+/// They belong to the document.
+std::vector<tinyxml2::XMLNode*> nodesOf(const SrdfLine& line, tinyxml2::XMLDocument& document) {
+  std::vector<tinyxml2::XMLNode*> nodes;
+  if (!line.comment.empty()) nodes.push_back(document.NewComment(commentOf(line.comment).c_str()));
+  if (!line.pair) return nodes;
+  tinyxml2::XMLElement* element = document.NewElement(kElement);
+  element->SetAttribute("link1", line.pair->first.c_str());
+  element->SetAttribute("link2", line.pair->second.c_str());
+  if (!line.pair->reason.empty()) element->SetAttribute("reason", line.pair->reason.c_str());
+  nodes.push_back(element);
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
@@ -63,17 +83,38 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
   return pairs;
 }
 
-std::string toSrdf(const DisabledPair& pair) {
-  tinyxml2::XMLPrinter printer(nullptr, true);
-  printer.OpenElement(kElement);
-  printer.PushAttribute("link1", pair.first.c_str());
-  printer.PushAttribute("link2", pair.second.c_str());
-  printer.PushAttribute("reason", pair.reason.c_str());
-  printer.CloseElement();
-  std::string text = printer.CStr();
-  while (!text.empty() && text.back() == '\n')  // depends on the version of tinyxml2
-    text.pop_back();
+std::string toSrdf(const SrdfLine& line) {
+  tinyxml2::XMLDocument document;
+  std::string text;
+  for (tinyxml2::XMLNode* node : nodesOf(line, document)) {
+    tinyxml2::XMLPrinter printer(nullptr, true);
+    node->Accept(&printer);
+    text += (text.empty() ? "" : "\n") + std::string(printer.CStr());
+    while (text.back() == '\n')  // depends on the version of tinyxml2
+      text.pop_back();
+    document.DeleteNode(node);
+  }
   return text;
+}
+
+std::string mergedSrdf(const std::string& text, const std::vector<SrdfLine>& lines) {
+  tinyxml2::XMLDocument document;
+  document.Parse(text.c_str(), text.size());
+  tinyxml2::XMLElement* root = document.RootElement();
+  tinyxml2::XMLElement* old = root->FirstChildElement(kElement);
+  tinyxml2::XMLNode* last = old ? old->PreviousSibling() : root->LastChild();
+  for (const SrdfLine& line : lines) {
+    for (tinyxml2::XMLNode* node : nodesOf(line, document))
+      last = last ? root->InsertAfterChild(last, node) : root->InsertFirstChild(node);
+  }
+  while (old) {
+    tinyxml2::XMLElement* next = old->NextSiblingElement(kElement);
+    root->DeleteChild(old);
+    old = next;
+  }
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
 }
 
 }  // namespace link_bounds

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pairs that a SRDF exempts from collision checks.
+// The pairs that a SRDF exempts from collision checks, and a SRDF with other ones.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,7 +30,17 @@ struct DisabledPair {
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
 
-/// One <disable_collisions> element.
-std::string toSrdf(const DisabledPair& pair);
+/// What a SRDF says of a pair.
+struct SrdfLine {
+  std::optional<DisabledPair> pair = std::nullopt;  ///< none: there is only the comment
+  std::string comment = {};                         ///< before the element; "" = none
+};
+
+/// XML.
+std::string toSrdf(const SrdfLine& line);
+
+/// The SRDF `text`, which parseSrdf() has accepted, with these lines in place of its
+/// <disable_collisions> elements. All others stay, and so do comments.
+std::string mergedSrdf(const std::string& text, const std::vector<SrdfLine>& lines);
 
 }  // namespace link_bounds

@@ -41,20 +41,27 @@ std::string shortLength(double length) {
 }
 
 /// Counts characters; std::setw would count bytes.
+void Alignment::fit(const Row& row) {
+  widths_.resize(std::max(widths_.size(), row.size()));
+  for (std::size_t k = 0; k < row.size(); ++k)
+    widths_[k] = std::max(widths_[k], characterCount(row[k]));
+}
+
+std::string Alignment::line(const Row& row) const {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const std::string spaces(widths_[k] - characterCount(row[k]), ' ');
+    line += (k > 0 ? "  " : "") + (k < names_ ? row[k] + spaces : spaces + row[k]);
+  }
+  return line;
+}
+
 void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      widths[k] = std::max(widths[k], characterCount(row[k]));
-    }
-  }
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string spaces(widths[k] - characterCount(row[k]), ' ');
-      out << (k > 0 ? "  " : "") << (k < names ? row[k] + spaces : spaces + row[k]);
-    }
-    out << '\n';
-  }
+  Alignment alignment(names);
+  for (const Row& row : rows)
+    alignment.fit(row);
+  for (const Row& row : rows)
+    out << alignment.line(row) << '\n';
 }
 
 void writeIncomplete(const Reasons& incomplete, std::ostream& out) {

@@ -32,8 +32,23 @@ Row shortRow(const std::string& name, const Numbers& numbers);
 /// A length in metres with its unit, to three digits, for people.
 std::string shortLength(double length);
 
-/// Aligns the first cells, which are names, left and the others right. All rows must be as long as
-/// the first.
+/// Aligns the first cells of rows, which are names, left and the others right.
+class Alignment {
+ public:
+  explicit Alignment(std::size_t names) : names_(names) {}
+
+  /// Before any line is made.
+  void fit(const Row& row);
+
+  /// Without a line break.
+  std::string line(const Row& row) const;
+
+ private:
+  std::size_t names_;
+  std::vector<std::size_t> widths_;  ///< in characters
+};
+
+/// Lines of all rows, which must be as long as the first.
 void writeAligned(const std::vector<Row>& rows, std::ostream& out, std::size_t names = 1);
 
 /// For people; writes nothing if there are none.

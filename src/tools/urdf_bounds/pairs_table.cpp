@@ -1,93 +1,72 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A pose is written as the arguments that give it to urdf_bounds.
+// Rows are made one by one: a robot of a thousand links has half a million pairs.
 #include "tools/urdf_bounds/pairs_table.h"
 
 #include <algorithm>
-#include <locale>
-#include <sstream>
+#include <array>
+#include <cmath>
 
 #include "tools/text/safe_text.h"
+#include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr const char* kVerdicts[] = {"NEVER", "ALWAYS", "SOMETIMES", "UNDECIDED"};
 constexpr std::size_t kNames = 3;  ///< columns that are aligned left
 
-const char* toText(Verdict verdict) {
-  return kVerdicts[static_cast<std::size_t>(verdict)];
+/// In which no pose was tried.
+bool isUnknown(const PairProof& proof) {
+  return !std::isfinite(proof.nearest);
 }
 
-/// With as few digits as give the same double.
-std::string shortestNumber(double value) {
-  for (int digits = 1; digits < 17; ++digits) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(digits);
-    out << value + 0.0;
-    std::istringstream in(out.str());
-    in.imbue(std::locale::classic());
-    double read = 0;
-    if (in >> read && read == value) return out.str();
-  }
-  return exactNumber(value);
-}
-
-std::string argumentsOf(const PairProof& proof) {
-  std::string result;
-  for (const auto& [joint, value] : proof.pose)
-    result += (result.empty() ? "" : " ") + joint + ":=" + shortestNumber(value);
-  return result;
-}
-
-std::string toJson(const PairRow& row) {
-  const std::vector<std::pair<std::string, double>> pose(row.proof.pose.begin(),
-                                                         row.proof.pose.end());
+std::string toJson(const PairProof& proof, const std::vector<std::string>& links) {
   std::string joints;
-  for (const auto& [joint, value] : pose)
+  for (const auto& [joint, value] : proof.pose)
     joints += (joints.empty() ? "" : ", ") + jsonString(joint) + ": " + exactNumber(value);
-  return "{\"first\": " + jsonString(row.first) + ", \"second\": " + jsonString(row.second) +
-         ", \"verdict\": \"" + toText(row.proof.verdict) +
-         "\", \"clearance\": " + exactNumber(row.proof.clearance) +
-         ", \"nearest\": " + exactNumber(row.proof.nearest) + ", \"pose\": {" + joints + "}" +
-         (row.proof.reason.empty() ? "" : ", \"reason\": " + jsonString(row.proof.reason)) + "}";
+  const bool is_sampled = proof.verdict == Verdict::kContactSampled;
+  return "{\"first\": " + jsonString(links[proof.first]) +
+         ", \"second\": " + jsonString(links[proof.second]) + ", \"verdict\": \"" +
+         toText(proof.verdict) + "\", \"clearance\": " + exactNumber(proof.clearance) +
+         ", \"nearest\": " + (isUnknown(proof) ? "null" : exactNumber(proof.nearest)) +
+         ", \"pose\": {" + joints + "}" +
+         (is_sampled ? ", \"poses\": " + std::to_string(proof.poses) : "") +
+         (proof.reason.empty() ? "" : ", \"reason\": " + jsonString(proof.reason)) + "}";
 }
 
 /// A JSON array of pairs of names.
-std::string toJson(const std::vector<const PairRow*>& rows) {
+std::string toJson(const std::vector<const PairProof*>& proofs,
+                   const std::vector<std::string>& links) {
   std::string result;
-  for (const PairRow* row : rows) {
-    result += (result.empty() ? "[" : ", [") + jsonString(row->first) + ", " +
-              jsonString(row->second) + "]";
+  for (const PairProof* proof : proofs) {
+    result += (result.empty() ? "[" : ", [") + jsonString(links[proof->first]) + ", " +
+              jsonString(links[proof->second]) + "]";
   }
   return "[" + result + "]";
 }
 
-std::string namesOf(const PairRow& row) {
-  return printable(row.first) + " and " + printable(row.second);
-}
-
-std::string metres(double value) {
-  return shortRow("", {value})[1] + " m";
+Row cellsOf(const PairProof& proof, const std::vector<std::string>& links) {
+  Row cells = shortRow(printable(links[proof.first]), {proof.clearance, proof.nearest});
+  if (isUnknown(proof)) cells.back() = "-";
+  cells.insert(cells.begin() + 1, {printable(links[proof.second]), toText(proof.verdict)});
+  return cells;
 }
 
 /// How many pairs have each verdict.
 void writeSummary(const PairsTable& table, std::ostream& out) {
+  std::array<std::size_t, kVerdictCount> counts{};
+  for (const PairProof& proof : table.rows)
+    ++counts[static_cast<std::size_t>(proof.verdict)];
   out << '\n' << table.rows.size() << (table.rows.size() == 1 ? " pair" : " pairs");
-  const char* separator = ": ";
-  for (const Verdict verdict :
-       {Verdict::kNever, Verdict::kAlways, Verdict::kSometimes, Verdict::kUndecided}) {
-    const auto count =
-        std::count_if(table.rows.begin(), table.rows.end(),
-                      [verdict](const PairRow& row) { return row.proof.verdict == verdict; });
-    out << separator << count << ' ' << toText(verdict);
-    separator = ", ";
-  }
+  for (std::size_t i = 0; i < kVerdictCount; ++i)
+    out << (i == 0 ? ": " : ", ") << counts[i] << ' ' << toText(static_cast<Verdict>(i));
   out << '\n';
-  for (const PairRow& row : table.rows) {
-    if (row.proof.verdict == Verdict::kSometimes && !row.proof.has_free_pose)
-      out << namesOf(row) << " collide in every pose that was tried\n";
+  for (const PairProof& proof : table.rows) {
+    const bool is_contact =
+        proof.verdict == Verdict::kContactSampled || proof.verdict == Verdict::kSometimes;
+    if (!is_contact || proof.has_free_pose) continue;
+    out << namesOf(proof, table.links) << " collided in " << inAllPoses(proof)
+        << "; nothing is proven of others\n";
   }
   for (const auto& [reason, count] : reasonsOf(table))
     out << count << " UNDECIDED: " << printable(reason) << '\n';
@@ -97,8 +76,8 @@ void writeSummary(const PairsTable& table, std::ostream& out) {
 
 std::map<std::string, std::size_t> reasonsOf(const PairsTable& table) {
   std::map<std::string, std::size_t> reasons;
-  for (const PairRow& row : table.rows) {
-    if (!row.proof.reason.empty()) ++reasons[row.proof.reason];
+  for (const PairProof& proof : table.rows) {
+    if (!proof.reason.empty()) ++reasons[proof.reason];
   }
   return reasons;
 }
@@ -107,79 +86,48 @@ void writeTable(const PairsTable& table, std::ostream& out) {
   out << "unit: m    links collide where they "
       << (table.clearance > 0 ? "are nearer than " + shortestNumber(table.clearance) : "touch")
       << "\n\n";
-  std::vector<Row> rows{{"first", "second", "verdict", "clearance", "nearest"}};
-  std::vector<std::string> poses{"pose"};
-  for (const PairRow& row : table.rows) {
-    Row cells = shortRow(printable(row.first), {row.proof.clearance, row.proof.nearest});
-    cells.insert(cells.begin() + 1, {printable(row.second), toText(row.proof.verdict)});
-    rows.push_back(cells);
-    poses.push_back(printable(argumentsOf(row.proof)));
-  }
-  std::ostringstream aligned;
-  writeAligned(rows, aligned, kNames);
-  std::istringstream lines(aligned.str());
-  std::string line;
-  for (const std::string& pose : poses) {
-    std::getline(lines, line);
-    out << line << (pose.empty() ? "" : "  ") << pose << '\n';
+  const Row head{"first", "second", "verdict", "clearance", "nearest"};
+  Alignment alignment(kNames);
+  alignment.fit(head);
+  for (const PairProof& proof : table.rows)
+    alignment.fit(cellsOf(proof, table.links));
+  out << alignment.line(head) << "  pose\n";
+  for (const PairProof& proof : table.rows) {
+    out << alignment.line(cellsOf(proof, table.links));
+    if (!proof.pose.empty()) out << "  " << printable(argumentsOf(proof));
+    out << '\n';
   }
   writeSummary(table, out);
-  if (table.srdf) writeCheck(*table.srdf, out << '\n');
+  if (table.srdf) writeCheck(*table.srdf, table.links, false, out << '\n');
   writeIncomplete(table.incomplete, out);
 }
 
 void writeCsv(const PairsTable& table, std::ostream& out) {
-  out << "first,second,verdict,clearance,nearest,pose\n";
-  for (const PairRow& row : table.rows) {
-    out << csvField(row.first) << ',' << csvField(row.second) << ',' << toText(row.proof.verdict)
-        << ',' << exactNumber(row.proof.clearance) << ',' << exactNumber(row.proof.nearest) << ','
-        << csvField(argumentsOf(row.proof)) << '\n';
+  out << "first,second,verdict,clearance,nearest,pose,poses\n";
+  for (const PairProof& proof : table.rows) {
+    out << csvField(table.links[proof.first]) << ',' << csvField(table.links[proof.second]) << ','
+        << toText(proof.verdict) << ',' << exactNumber(proof.clearance) << ','
+        << (isUnknown(proof) ? "" : exactNumber(proof.nearest)) << ','
+        << csvField(argumentsOf(proof)) << ',';
+    if (proof.verdict == Verdict::kContactSampled) out << proof.poses;
+    out << '\n';
   }
 }
 
 void writeJson(const PairsTable& table, std::ostream& out) {
   out << "{\"pairs\": [";
   const char* separator = "\n  ";
-  for (const PairRow& row : table.rows) {
-    out << separator << toJson(row);
+  for (const PairProof& proof : table.rows) {
+    out << separator << toJson(proof, table.links);
     separator = ",\n  ";
   }
   out << "]";
   if (table.srdf) {
-    out << ",\n \"srdf\": {\"wrong\": " << toJson(table.srdf->wrong)
-        << ", \"undecided\": " << toJson(table.srdf->undecided)
-        << ", \"forgotten\": " << toJson(table.srdf->forgotten) << "}";
+    out << ",\n \"srdf\": {\"wrong\": " << toJson(table.srdf->wrong, table.links)
+        << ", \"undecided\": " << toJson(table.srdf->undecided, table.links)
+        << ", \"forgotten\": " << toJson(table.srdf->forgotten, table.links) << "}";
   }
   out << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
-}
-
-void writeSrdf(const PairsTable& table, std::ostream& out) {
-  for (const DisabledPair& pair : table.adjacent)
-    out << toSrdf(pair) << '\n';
-  for (const PairRow& row : table.rows) {
-    const bool is_never = row.proof.verdict == Verdict::kNever;
-    if (!is_never && row.proof.verdict != Verdict::kAlways) continue;
-    out << toSrdf({row.first, row.second, is_never ? "Never" : "Always"}) << '\n';
-  }
-}
-
-void writeCheck(const SrdfCheck& check, std::ostream& out) {
-  const std::string file = "the SRDF \"" + printable(check.file) + "\"";
-  for (const PairRow* row : check.wrong) {
-    out << file << " disables " << namesOf(*row) << ", which collide at "
-        << printable(argumentsOf(row->proof)) << '\n';
-  }
-  for (const PairRow* row : check.undecided) {
-    out << file << " disables " << namesOf(*row)
-        << ", which is not decided: they are never nearer than " << metres(row->proof.clearance)
-        << ", and " << metres(row->proof.nearest) << " apart at "
-        << printable(argumentsOf(row->proof)) << '\n';
-  }
-  for (const PairRow* row : check.forgotten) {
-    out << file << " does not disable " << namesOf(*row) << ", which "
-        << (row->proof.verdict == Verdict::kNever ? "never" : "always") << " collide\n";
-  }
-  if (check.wrong.empty()) out << file << " disables no pair that was seen to collide sometimes\n";
 }
 
 }  // namespace link_bounds

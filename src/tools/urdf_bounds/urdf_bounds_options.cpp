@@ -22,8 +22,11 @@ enum Code {
   kAccuracy,
   kBudget,
   kClearance,
+  kTouching,
   kSrdf,
   kBase,
+  kAdjacent,
+  kAcceptSampled,
   kVerbose,
   kStrict,
   kAllowIncomplete,
@@ -41,8 +44,11 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"accuracy", required_argument, nullptr, kAccuracy},
                                    {"budget", required_argument, nullptr, kBudget},
                                    {"clearance", required_argument, nullptr, kClearance},
+                                   {"touching", required_argument, nullptr, kTouching},
                                    {"srdf", required_argument, nullptr, kSrdf},
                                    {"base", required_argument, nullptr, kBase},
+                                   {"adjacent", no_argument, nullptr, kAdjacent},
+                                   {"accept-sampled", no_argument, nullptr, kAcceptSampled},
                                    {"verbose", no_argument, nullptr, kVerbose},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
@@ -154,11 +160,20 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case kClearance:
       options.clearance = limitOption("--clearance", optarg);
       return;
+    case kTouching:
+      options.touching = limitOption("--touching", optarg);
+      return;
     case kSrdf:
       options.srdf = optarg;
       return;
     case kBase:
       options.has_fixed_base = chosen<bool>("--base", optarg, {{"fixed", true}});
+      return;
+    case kAdjacent:
+      options.adjacent = true;
+      return;
+    case kAcceptSampled:
+      options.accept_sampled = true;
       return;
     case kVerbose:
       options.verbose = true;
@@ -204,7 +219,10 @@ void checkReport(const UrdfBoundsOptions& options) {
   need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
   need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
+  need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
   need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
+  need(options.adjacent, has_pairs, "--adjacent", "--pairs");
+  need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
   need(options.as_markers, has_reach, "--format markers", "--reach");
   if (options.report == Report::kPose) return refuseRanges(options);

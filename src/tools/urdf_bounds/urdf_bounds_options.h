@@ -20,6 +20,9 @@ enum class Report { kPose, kReach, kPairs };
 constexpr double kDefaultAccuracy = 0.01;  // m
 constexpr double kDefaultBudget = 60;      // s
 
+/// Of --pairs.
+constexpr double kDefaultTouching = 1e-4;  // m
+
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
   GivenRanges joints;  ///< rad or m; of kPose values, lower == upper
@@ -32,11 +35,14 @@ struct UrdfBoundsOptions {
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
-  std::optional<std::string> srdf;               ///< of kPairs, a file
-  bool has_fixed_base = false;  ///< floating and planar joints at the root stay at 0
+  std::optional<double> touching;   ///< of kPairs [m], finite, >= 0; none: kDefaultTouching
+  std::optional<std::string> srdf;  ///< of kPairs, a file
+  bool adjacent = false;            ///< of kPairs
+  bool has_fixed_base = false;      ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
-  bool as_srdf = false;     ///< of kPairs, instead of `format`
-  bool as_markers = false;  ///< of kReach, instead of `format`
+  bool as_srdf = false;         ///< of kPairs, instead of `format`
+  bool accept_sampled = false;  ///< of `as_srdf`
+  bool as_markers = false;      ///< of kReach, instead of `format`
   bool verbose = false;
   Demand demand;
   bool help = false;     ///< the other members are then undefined

@@ -26,7 +26,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
                       json: always min-max; also says what is incomplete and why
                       markers: of --reach, a visualization_msgs/MarkerArray for rostopic pub -f -
-                      srdf: of --pairs, disable_collisions elements of what is proven
+                      srdf: of --pairs, disable_collisions elements of what is proven; with --srdf
+                      FILE the whole SRDF with these
   --volume V          instead of the box, for every link but not for the whole robot:
                       sphere: centre and radius of a bounding sphere
                       obb: centre, full widths and orientation (a quaternion) of a small box that
@@ -37,13 +38,17 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --reach             instead of the boxes of one pose: boxes that the links never leave while the
                       joints move within their limits, proven, and poses that attain each face
   --pairs             which links can collide in any pose within the limits, with proof or witness;
-                      csv: first,second,verdict,clearance,nearest,pose
+                      csv: first,second,verdict,clearance,nearest,pose,poses
   --accuracy M        of --reach and --pairs: stop as soon as what is proven is within M of a pose
                       that was found [m] (default 0.01)
   --budget SECONDS    of --reach and --pairs: stop then, with what is proven by then (default 60);
                       Ctrl-C does the same
   --clearance M       of --pairs: links collide where they are nearer than M [m] (default 0)
+  --touching M        of --pairs: links that are never farther apart than M are TOUCHING [m]
+                      (default 0.0001)
+  --adjacent          of --pairs: also examines links with one joint between them
   --srdf FILE         of --pairs: checks the disable_collisions of a SRDF
+  --accept-sampled    of --format srdf: also disables pairs that collided in all poses tried
   --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
                       without a range, nothing is proven of what depends on such a joint
   --verbose           the memory that each mesh takes, on standard error

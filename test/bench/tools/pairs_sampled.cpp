@@ -33,7 +33,7 @@ std::vector<SampledPair> pairsOf(const Robot& robot, const BoundedRobot& bounded
   std::vector<SampledPair> pairs;
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
     for (std::size_t j = i + 1; j < bounded.links.size(); ++j) {
-      if (!areJoined(rigid, bounded.indices[i], bounded.indices[j])) pairs.push_back({i, j});
+      if (!areJoined(rigid, bounded.indices[i], bounded.indices[j], 0)) pairs.push_back({i, j});
     }
   }
   return pairs;

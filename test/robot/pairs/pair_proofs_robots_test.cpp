@@ -57,7 +57,8 @@ std::vector<PairProof> proveInSlices(const Model& model, int slices) {
   ProofControl control;
   std::atomic<int> used{0};
   control.is_over = [&] { return ++used > slices; };
-  return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
+  return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control,
+                    PairChoice::kMovingWithAdjacent);
 }
 
 /// Values of the joints, also at the ends of their ranges.
@@ -84,13 +85,15 @@ void checkRandomPose(const Model& model, const std::vector<PairProof>& proofs,
     distances.move(i, Eigen::Affine3d(poses[bounded.indices[i]]));
   for (const PairProof& proof : proofs) {
     const bool is_always = proof.verdict == Verdict::kAlways;
-    if (!is_always && proof.clearance == 0) continue;
-    distances.setGoal({1e-5, is_always ? 1 : proof.clearance});
+    const bool is_contact = is_always || proof.verdict == Verdict::kTouching;
+    if (!is_contact && proof.clearance == 0) continue;
+    distances.setGoal({1e-5, is_contact ? 1 : proof.clearance});
     const BodyDistance distance = distances.find(proof.first, proof.second).value();
     const std::string names =
         bounded.links[proof.first].name + " and " + bounded.links[proof.second].name;
     ASSERT_GE(distance.upper, proof.clearance) << names;
     ASSERT_TRUE(!is_always || distance.lower <= kTouch) << names;
+    ASSERT_TRUE(!is_contact || distance.lower <= PairGoal().touching) << names;
   }
 }
 
@@ -126,8 +129,10 @@ void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
     checkRandomPose(model, proofs, randomValues(model, ranges, random), distances);
   std::cout << urdf.stem().string() << ": " << proofs.size()
             << " pairs: " << counts[Verdict::kNever] << " never, " << counts[Verdict::kAlways]
-            << " always, " << counts[Verdict::kSometimes] << " sometimes, "
-            << counts[Verdict::kUndecided] << " undecided; " << poses << " random poses\n";
+            << " always, " << counts[Verdict::kTouching] << " touching, "
+            << counts[Verdict::kContactSampled] << " in contact in all samples, "
+            << counts[Verdict::kSometimes] << " sometimes, " << counts[Verdict::kUndecided]
+            << " undecided; " << poses << " random poses\n";
 }
 
 TEST(PairProofsOfRobots, NoRandomPoseOfTheDemoContradictsThem) {

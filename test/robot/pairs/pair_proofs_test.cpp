@@ -238,12 +238,128 @@ TEST(PairProofs, ThreadsDoNotChangeVerdicts) {
                           .shape(ball(0.05), "0 0.1 0")
                           .model();
   const std::vector<PairProof> one = prove(model, {}, {}, 1), many = prove(model, {}, {}, 4);
-  ASSERT_EQ(one.size(), 4U);
-  ASSERT_EQ(many.size(), 4U);
+  ASSERT_EQ(one.size(), 6U);
+  ASSERT_EQ(many.size(), 6U);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].verdict, many[i].verdict);
     EXPECT_EQ(one[i].clearance, many[i].clearance);
     EXPECT_EQ(one[i].pose, many[i].pose);
+  }
+}
+
+/// A ball over a plate.
+TEST(PairProofs, WhatStaysWithinTheToleranceTouches) {
+  const auto sphere = [](double gap) {
+    return Chain()
+        .shape("<box size='2 2 1'/>")
+        .joint("prismatic", "0 0 1", "1 0 0", limits(0, 0.02))
+        .joint("prismatic", "0 0 0", "0 1 0", limits(0, 0.002))
+        .shape(ball(0.5 - gap))
+        .model();
+  };
+  PairGoal goal;
+  goal.touching = 1e-3;
+  expectVerdict(sphere(0), Verdict::kTouching, 0, goal);
+  expectVerdict(sphere(5e-4), Verdict::kNever, 5e-4, goal);
+  goal.touching = 0;
+  expectVerdict(sphere(0), Verdict::kContactSampled, 0, goal);
+}
+
+/// A slope carries a box away from the other one.
+TEST(PairProofs, WhatLeavesTheToleranceCollidesSometimes) {
+  const Model model = Chain()
+                          .shape("<box size='1 1 1'/>")
+                          .joint("prismatic", "0 0 1", "1 0 1e-3", limits(0, 0.05))
+                          .shape("<box size='1 1 1'/>")
+                          .model();
+  const auto verdict = [&](double touching) {
+    PairGoal goal;
+    goal.touching = touching;
+    const auto proofs = provePairs(model.robot, model.bounded, jointRanges(model.robot), goal, {},
+                                   PairChoice::kMovingWithAdjacent);
+    EXPECT_TRUE(proofs.at(0).has_free_pose);
+    return proofs.at(0).verdict;
+  };
+  EXPECT_EQ(verdict(1e-4), Verdict::kTouching);
+  EXPECT_EQ(verdict(4e-5), Verdict::kSometimes);
+}
+
+/// Two joints have too many poses for a proof.
+TEST(PairProofs, ContactThatIsNotProvenSaysHowManyPosesWereTried) {
+  const Model model = Chain()
+                          .shape("<box size='3 3 1'/>")
+                          .joint("prismatic", "0 0 1", "1 0 0", limits(-1, 1))
+                          .joint("prismatic", "0 0 0", "0 1 0", limits(-1, 1))
+                          .shape("<box size='1 1 1'/>")
+                          .model();
+  const PairProof proof = prove(model).at(0);
+  EXPECT_EQ(proof.verdict, Verdict::kContactSampled);
+  EXPECT_GE(proof.poses, 300U);
+  EXPECT_FALSE(proof.has_free_pose);
+}
+
+/// The links of a robot with an empty link after the base: base, first, second, welded, hand.
+TEST(PairProofs, NeighboursAreLinksWithOneJointBetweenThem) {
+  const Model model = Chain()
+                          .shape(ball(0.1))
+                          .joint("fixed", "0 0 1", "0 0 1")
+                          .joint("continuous", "0 0 1", "0 0 1")
+                          .shape(ball(0.1))
+                          .joint("continuous", "0 0 0", "1 0 0")
+                          .joint("continuous", "0 0 1", "0 0 1")
+                          .shape(ball(0.1))
+                          .joint("fixed", "0 0 1", "0 0 1")
+                          .shape(ball(0.1))
+                          .joint("continuous", "0 0 1", "0 0 1", "", 0)
+                          .shape(ball(0.1))
+                          .model();
+  std::map<std::pair<std::size_t, std::size_t>, Verdict> verdicts;
+  ProofControl control;
+  control.is_over = [] { return true; };
+  const auto ranges = jointRanges(model.robot);
+  for (const PairProof& proof : provePairs(model.robot, model.bounded, ranges, {}, control))
+    verdicts[{proof.first, proof.second}] = proof.verdict;
+  EXPECT_EQ(verdicts.size(), 9U) << "all but the rigid pair";
+  const auto isAdjacent = [&](std::size_t first, std::size_t second) {
+    return verdicts.at({first, second}) == Verdict::kAdjacent;
+  };
+  EXPECT_TRUE(isAdjacent(0, 1)) << "through a link without geometry";
+  EXPECT_TRUE(isAdjacent(0, 4));
+  EXPECT_FALSE(isAdjacent(1, 2)) << "two joints that move";
+  EXPECT_FALSE(isAdjacent(1, 3));
+  EXPECT_FALSE(isAdjacent(1, 4)) << "the base is between them";
+  EXPECT_EQ(verdicts.count({2, 3}), 0U);
+  const auto rigid =
+      provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, {}, PairChoice::kRigid);
+  ASSERT_EQ(rigid.size(), 1U);
+  EXPECT_EQ(rigid[0].verdict, Verdict::kAdjacent);
+}
+
+TEST(PairProofs, MemoryDoesNotChangeVerdicts) {
+  const Model model = planarArm(1e-5);
+  const PairGoal goal{0, 1e-6};
+  ProofControl control;
+  control.max_kept_bytes = 0;
+  const auto ranges = jointRanges(model.robot);
+  const PairProof kept = prove(model, goal).at(0);
+  const PairProof again = provePairs(model.robot, model.bounded, ranges, goal, control).at(0);
+  EXPECT_EQ(kept.verdict, Verdict::kNever);
+  EXPECT_EQ(again.verdict, Verdict::kNever);
+  EXPECT_EQ(again.clearance, kept.clearance);
+  EXPECT_EQ(again.pose, kept.pose);
+}
+
+TEST(PairProofs, CoordinatesWithoutAFiniteDistanceLeaveAPairUndecided) {
+  for (const char* xyz : {"1e61 0 0", "1e200 0 0"}) {
+    const Model model = Chain()
+                            .shape(ball(0.2))
+                            .joint("continuous", "0 0 0", "0 0 1")
+                            .joint("continuous", xyz, "0 0 1")
+                            .shape(ball(0.2))
+                            .model();
+    const PairProof proof = prove(model).at(0);
+    EXPECT_EQ(proof.verdict, Verdict::kUndecided);
+    EXPECT_EQ(proof.clearance, 0);
   }
 }
 
@@ -255,6 +371,7 @@ TEST(PairProofs, IncompleteLinksNeverGetANever) {
   EXPECT_EQ(proof.clearance, 0);
 }
 
+/// No pose was tried, as no search was made.
 TEST(PairProofs, EndsWhenItIsOver) {
   const Model model = planarArm(1e-6);
   ProofControl control;
@@ -263,7 +380,8 @@ TEST(PairProofs, EndsWhenItIsOver) {
   ASSERT_EQ(proofs.size(), 1U);
   EXPECT_EQ(proofs[0].verdict, Verdict::kUndecided);
   EXPECT_EQ(proofs[0].clearance, 0);
-  EXPECT_GT(proofs[0].nearest, 0);
+  EXPECT_EQ(proofs[0].poses, 0U);
+  EXPECT_TRUE(std::isinf(proofs[0].nearest));
 }
 
 }  // namespace

@@ -57,12 +57,38 @@ TEST(Srdf, ErrorsNameTheFileTheLineAndTheRemedy) {
 }
 
 TEST(Srdf, WhatIsWrittenIsReadBack) {
-  const std::string line = toSrdf({"a", "c & \"d\"", "Always"});
+  const std::string line = toSrdf({DisabledPair{"a", "c & \"d\"", "Always"}, ""});
   EXPECT_EQ(line,
             "<disable_collisions link1=\"a\" link2=\"c &amp; &quot;d&quot;\" reason=\"Always\"/>");
   const auto pairs = parseSrdf("<robot>" + line + "</robot>", robot(), "r.srdf");
   ASSERT_EQ(pairs.size(), 1U);
   EXPECT_EQ(pairs[0].second, "c & \"d\"");
+}
+
+/// Two hyphens are no part of a XML comment.
+TEST(Srdf, ACommentStandsBeforeItsElement) {
+  EXPECT_EQ(toSrdf({std::nullopt, "a--->b-"}), "<!-- a- - ->b- -->");
+  EXPECT_EQ(toSrdf({DisabledPair{"a", "b", ""}, "why"}),
+            "<!-- why -->\n<disable_collisions link1=\"a\" link2=\"b\"/>");
+}
+
+TEST(Srdf, AMergedOneHasOnlyOtherPairs) {
+  const std::string old =
+      "<?xml version=\"1.0\"?>\n<!--top-->\n<robot name=\"r\">\n    <group name=\"arm\">\n"
+      "        <link name=\"a\"/>\n    </group>\n    <!--pairs-->\n"
+      "    <disable_collisions link1=\"b\" link2=\"a\" reason=\"Never\"/>\n"
+      "    <virtual_joint name=\"v\" type=\"fixed\"/>\n"
+      "    <disable_collisions link1=\"b\" link2=\"b\"/>\n</robot>\n";
+  const std::string merged =
+      mergedSrdf(old, {{DisabledPair{"a", "c & \"d\"", "Always"}, ""}, {std::nullopt, "open"}});
+  EXPECT_EQ(merged,
+            "<?xml version=\"1.0\"?>\n<!--top-->\n<robot name=\"r\">\n    <group name=\"arm\">\n"
+            "        <link name=\"a\"/>\n    </group>\n    <!--pairs-->\n"
+            "    <disable_collisions link1=\"a\" link2=\"c &amp; &quot;d&quot;\" "
+            "reason=\"Always\"/>\n    <!-- open -->\n"
+            "    <virtual_joint name=\"v\" type=\"fixed\"/>\n</robot>\n");
+  const std::string into_empty = mergedSrdf("<robot/>", {{DisabledPair{"a", "b", "Never"}, ""}});
+  EXPECT_EQ(parseSrdf(into_empty, robot(), "r.srdf").size(), 1U);
 }
 
 }  // namespace

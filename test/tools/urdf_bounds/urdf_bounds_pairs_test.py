@@ -9,13 +9,16 @@ import csv
 import io
 import json
 import os
+import re
 import xml.etree.ElementTree
 from xml.sax.saxutils import quoteattr
 
+from bad_inputs import SANITIZED
 from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 TOUCH = 1e-7  # metres
 INCOMPLETE = 4  # exit code
+DATA = os.path.abspath('../../data/robots')
 
 
 def link(name, geometry=''):
@@ -68,14 +71,18 @@ class PairsTest(UrdfBoundsTest):
 
     def test_each_pair_has_its_verdict(self):
         found = verdicts(urdf=ARM)
-        # Not base and welded, lower and ring, ring and hand: neighbours by one joint.
+        # Two joints are between base and lower, although no geometry is.
         self.assertEqual(found, {
+            ('base', 'welded'): 'ADJACENT', ('lower', 'ring'): 'ADJACENT', ('ring', TIP): 'ADJACENT',
             ('base', 'lower'): 'NEVER', ('base', 'ring'): 'NEVER', ('base', TIP): 'NEVER',
             ('lower', TIP): 'SOMETIMES', ('lower', 'welded'): 'NEVER', ('ring', 'welded'): 'NEVER',
             (TIP, 'welded'): 'NEVER'})
 
     def test_a_pose_is_confirmed_by_distances(self):
         for (first, second), pair in pairs('--clearance', '0.45', urdf=ARM).items():
+            if pair['verdict'] == 'ADJACENT':
+                self.assertEqual((pair['clearance'], pair['nearest'], pair['pose']), (0, None, {}))
+                continue
             self.assertEqual(set(pair), {'first', 'second', 'verdict', 'clearance', 'nearest', 'pose'})
             pose = ['%s:=%r' % item for item in pair['pose'].items()]
             near = boxes('--distances', '10', *pose, urdf=ARM)['distances']
@@ -113,13 +120,16 @@ class PairsTest(UrdfBoundsTest):
         self.assertEqual((code, err), (0, ''))
         self.assertIn('links collide where they touch', out)
         self.assertRegex(out, r'base +lower +NEVER +0\.\d{6} +0\.\d{6}  elbow:=2 shoulder:=\S+\n')
-        self.assertIn('\n7 pairs: 6 NEVER, 0 ALWAYS, 1 SOMETIMES, 0 UNDECIDED\n', out)
+        self.assertRegex(out, r'base +welded +ADJACENT +0\.000000 +-\n')
+        self.assertIn('\n10 pairs: 6 NEVER, 0 ALWAYS, 0 TOUCHING, 0 CONTACT_SAMPLED, 1 SOMETIMES, '
+                      '0 UNDECIDED, 3 ADJACENT\n', out)
         code, out, err = run(self.urdf, *COARSE, '--format', 'csv')
         self.assertEqual((code, err), (0, ''))
         head, *rows = csv.reader(io.StringIO(out))
-        self.assertEqual(head, ['first', 'second', 'verdict', 'clearance', 'nearest', 'pose'])
+        self.assertEqual(head, ['first', 'second', 'verdict', 'clearance', 'nearest', 'pose', 'poses'])
         self.assertEqual(rows[2][:3], ['base', TIP, 'NEVER'])
-        self.assertEqual(len(rows), 7)
+        self.assertEqual(rows[3], ['base', 'welded', 'ADJACENT', '0', '', '', ''])
+        self.assertEqual(len(rows), 10)
 
     def test_srdf_format_is_accepted_by_its_own_check(self):
         code, out, err = run(self.urdf, *COARSE, '--format', 'srdf')
@@ -148,16 +158,16 @@ class PairsTest(UrdfBoundsTest):
         self.assertEqual(len(json.loads(out)['srdf']['forgotten']), 5)
         code, out, err = run(self.urdf, *COARSE, '--srdf', path, '--format', 'csv')
         self.assertEqual(code, 3)
-        self.assertEqual(out.count('\n'), 8)
+        self.assertEqual(out.count('\n'), 11)
         self.assertIn('which collide at', err)
 
     def test_a_budget_that_is_used_up_leaves_pairs_undecided(self):
         code, out, err = run(self.urdf, *COARSE, '--budget', '1e-9', '--srdf',
                            self.srdf(('base', 'lower')))
-        self.assertEqual(code, INCOMPLETE)
-        self.assertIn('disables base and lower, which is not decided: they are never nearer than', out)
-        self.assertRegex(out, r'\n7 pairs: .* [5-7] UNDECIDED\n')
-        self.assertRegex(err, 'was answered: UNDECIDED pairs: [5-7]; --allow-incomplete')
+        self.assertEqual(code, 4)
+        self.assertIn('disables base and lower, which is not decided: no pose was tried', out)
+        self.assertRegex(out, r'\n10 pairs: .* 7 UNDECIDED, 3 ADJACENT\n')
+        self.assertRegex(err, 'was answered: UNDECIDED pairs: 7; --allow-incomplete')
         for arguments, expected in (((), INCOMPLETE), (('--strict',), INCOMPLETE),
                                     (('--strict', '--allow-incomplete'), 0)):
             self.assertEqual(run(self.urdf, *COARSE, '--budget', '1e-9', *arguments)[0], expected)
@@ -175,11 +185,152 @@ class PairsTest(UrdfBoundsTest):
         self.assertIn(' 0 UNDECIDED', out)
         self.assertEqual(run(self.urdf, *arguments, '--allow-incomplete')[0], 0)
 
+    def test_exit_codes(self):
+        over = [self.urdf, *COARSE, '--budget', '1e-9']
+        self.assertEqual(run(*over)[0], 4)
+        self.assertEqual(run(*over, '--allow-incomplete')[0], 0)
+        disabled = self.srdf(('base', 'lower'))
+        self.assertEqual(run(*over, '--srdf', disabled)[0], 4)
+        self.assertEqual(run(*over, '--srdf', disabled, '--allow-incomplete')[0], 0)
+        # It may be a pair that the SRDF forgets.
+        self.assertEqual(run(*over, '--srdf', self.srdf())[0], 4)
+        near = ['--pairs', '--accuracy', '1e-12', '--budget', '0.5', 'wrist:=0', 'roll:=0', 'slide:=0']
+        self.assertEqual(run(self.urdf, *near)[0], 4)
+
+    def test_undecided_pairs_are_named_in_a_srdf(self):
+        code, out, err = run(self.urdf, *COARSE, '--budget', '1e-9', '--format', 'srdf')
+        self.assertEqual(code, 4)
+        self.assertEqual(out.count('Adjacent'), 3)
+        self.assertNotIn('Never', out)
+        for names in ('base and lower', 'lower and welded'):
+            self.assertIn('<!-- not decided: %s -->' % names, out)
+            self.assertIn('%s are not decided, and so not disabled\n' % names, err)
+
+    def test_a_post_that_an_arm_sweeps_into(self):
+        urdf = os.path.join(DATA, 'post_and_arm.urdf')
+        code, out, err = run(urdf, '--pairs')
+        self.assertEqual((code, err), (0, ''))
+        self.assertRegex(out, r'\npost +arm +SOMETIMES +0\.000000 +0\.000000  turn:=-1\.\d+\n')
+        self.assertRegex(out, r'\nbase +arm +ADJACENT ')
+        self.assertNotRegex(out, r'\nbase +post ')
+        elements = run(urdf, '--pairs', '--format', 'srdf')[1]
+        self.assertIn('link1="base" link2="post" reason="Adjacent"', elements)
+        self.assertNotIn('"post" link2="arm"', elements)
+        srdf = self.write('post.srdf', '<robot name="r"><disable_collisions link1="arm" link2="post" '
+                          'reason="Adjacent"/></robot>')
+        code, out, err = run(urdf, '--pairs', '--srdf', srdf)
+        self.assertEqual((code, err), (3, ''))
+        self.assertIn('disables post and arm, which collide at turn:=-1', out)
+
+    def test_adjacent_links_are_examined_on_demand(self):
+        found = verdicts('--adjacent', urdf=ARM)
+        self.assertEqual(found[('lower', 'ring')], 'ALWAYS')
+        self.assertEqual(found[('ring', TIP)], 'ALWAYS')
+        self.assertEqual(found[('base', 'welded')], 'NEVER')
+        self.assertNotIn('Adjacent', run(self.urdf, *COARSE, '--adjacent', '--format', 'srdf')[1])
+
+    def test_rigid_links_are_in_a_srdf_with_what_is_proven(self):
+        text = '<robot name="r">%s</robot>' % ''.join([
+            link('a', ball(0.5)), link('b', ball(0.4, 1.0)), link('c', ball(0.3)), link('d', ball(0.2, 3.0)),
+            *(joint('j' + child, 'fixed', parent, child) for parent, child in ('ab', 'bc', 'cd'))])
+        code, out, err = run('-', *COARSE, '--format', 'srdf', urdf=text)
+        self.assertEqual((code, err), (0, ''))
+        self.assertEqual(re.findall('link1="(.)" link2="(.)" reason="(.*?)"', out), [
+            ('a', 'b', 'Adjacent'), ('b', 'c', 'Adjacent'), ('c', 'd', 'Adjacent'),
+            ('a', 'c', 'Always'), ('a', 'd', 'Never'), ('b', 'd', 'Never')])
+        self.assertEqual(verdicts(urdf=text), {})
+
+    def test_contact_in_all_poses(self):
+        wall = '<geometry><box size="3 1 10"/></geometry>'
+        puck = '<geometry><box size="1 1 1"/></geometry>'
+        text = '<robot name="r">%s</robot>' % ''.join([
+            link('wall', wall), link('cart'), link('puck', puck), link('short', puck),
+            joint('fast', 'prismatic', 'wall', 'cart', '0 1 0'), joint('fine', 'prismatic', 'cart', 'puck'),
+            joint('slow', 'prismatic', 'wall', 'short', '0 -1 0', (0, 0.01))])
+        found = pairs('--adjacent', urdf=text)
+        self.assertEqual(found[('wall', 'short')]['verdict'], 'TOUCHING')
+        self.assertEqual(verdicts('--adjacent', '--touching', '0', urdf=text)[('wall', 'short')],
+                         'CONTACT_SAMPLED')
+        sampled = found[('wall', 'puck')]
+        self.assertEqual(sampled['verdict'], 'CONTACT_SAMPLED')
+        self.assertGreaterEqual(sampled['poses'], 300)
+        urdf = self.write('contact.urdf', text)
+        tried = 'wall and puck collided in all %d poses that were tried' % sampled['poses']
+        self.assertIn(tried, run(urdf, *COARSE)[1])
+        row, = [line for line in run(urdf, *COARSE, '--format', 'csv')[1].splitlines() if 'SAMPLED' in line]
+        self.assertEqual(row.split(',')[-1], str(sampled['poses']))
+        out = run(urdf, *COARSE, '--adjacent', '--format', 'srdf')[1]
+        self.assertIn('<!-- not proven: %s -->' % tried, out)
+        self.assertEqual(re.findall('link1="wall" link2="(.*?)" reason="(.*?)"', out), [('short', 'Always')])
+        out = run(urdf, *COARSE, '--adjacent', '--format', 'srdf', '--accept-sampled')[1]
+        self.assertEqual(re.findall('link1="wall" link2="(.*?)" reason="(.*?)"', out),
+                         [('puck', 'Always'), ('short', 'Always')])
+        for reason, code in (('Always', 0), ('Never', 3)):
+            srdf = self.write('c.srdf', '<robot><disable_collisions link1="wall" link2="puck" reason="%s"/>'
+                              '<disable_collisions link1="wall" link2="short" reason="Always"/></robot>' % reason)
+            self.assertEqual(run(urdf, *COARSE, '--adjacent', '--srdf', srdf)[0], code, reason)
+
+    def test_a_srdf_is_merged(self):
+        old = self.write('old.srdf', """<?xml version="1.0"?>
+<!--by hand-->
+<robot name="arm">
+    <group name="all"><chain base_link="base" tip_link="ring"/></group>
+    <group_state name="home" group="all"><joint name="elbow" value="1"/></group_state>
+    <!--these do not collide-->
+    <disable_collisions link1="base" link2="lower" reason="Default"/>
+    <disable_collisions link1="hand &amp; &quot;tip&quot;" link2="lower" reason="Never"/>
+    <disable_collisions link1="upper" link2="base" reason="Adjacent"/>
+    <virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>
+</robot>
+""")
+        merge = [self.urdf, *COARSE, '--format', 'srdf', '--srdf', old]
+        code, out, err = run(*merge)
+        self.assertEqual(code, 3)
+        self.assertIn('disables lower and hand & "tip", which collide at roll:=', err)
+        self.assertIn('; no longer disabled', err)
+        root = xml.etree.ElementTree.fromstring(out)
+        self.assertEqual((root.tag, root.get('name')), ('robot', 'arm'))
+        self.assertEqual([e.tag for e in root if e.tag != 'disable_collisions'],
+                         ['group', 'group_state', 'virtual_joint'])
+        found = {(e.get('link1'), e.get('link2')): e.get('reason') for e in root.iter('disable_collisions')}
+        self.assertEqual(len(found), 6 + 3 + 1)
+        self.assertEqual(found[('base', 'lower')], 'Never')
+        self.assertEqual(found[('base', 'upper')], 'Adjacent')
+        self.assertNotIn(('lower', TIP), found)
+        self.assertIn('<!--by hand-->', out)
+        self.assertIn('<!--these do not collide-->\n    <disable_collisions', out)
+        code, again, err = run(*merge[:-1], self.write('new.srdf', out))
+        self.assertEqual((code, again), (0, out))
+        code, out, err = run(*merge, '--budget', '1e-9')
+        self.assertEqual(code, 4)
+        self.assertIn('; still disabled', err)
+        self.assertRegex(out, '<!-- not decided: base and lower -->\n *<disable_collisions link1="base" '
+                              'link2="lower" reason="Default"/>')
+        self.assertRegex(out, '<!-- not decided: base and ring -->\n *<!--')
+
+    def test_many_links_take_little_memory(self):
+        names = ['link_of_the_robot_%d' % i for i in range(400)]
+        text = '<robot name="r">%s</robot>' % ''.join(
+            [link(name, ball(0.1)) for name in names] +
+            [joint('j%d' % i, 'revolute', names[(i - 1) // 2], names[i], '0.3 0 0') for i in range(1, 400)])
+        code, out, err = run('-', '--pairs', '--budget', '1', '--verbose', urdf=text)
+        self.assertEqual(code, 4)
+        self.assertIn('\n79800 pairs: ', out)
+        if not SANITIZED:
+            self.assertLess(int(re.search(r'(\d+) kB of memory at the peak', err).group(1)), 200000)
+
+    def test_coordinates_that_are_too_large(self):
+        for xyz in ('1e61 0 0', '1e200 0 0'):
+            code, out, err = run('-', '--pairs', urdf=ARM.replace('xyz="1 0 0"', 'xyz="%s"' % xyz))
+            self.assertEqual((code, err), (4, ''))
+            self.assertRegex(out, r'base +lower +UNDECIDED +0\.000000 +-\n')
+
     def test_incomplete_links_never_get_a_never(self):
         text = ARM.replace(link('ring', ball(0.2)), link(
             'ring', ball(0.2) + '</visual><visual><geometry><mesh filename="none.stl"/></geometry>'))
-        code, out, err = run('-', *COARSE, '--format', 'json', '--strict', urdf=text)
-        self.assertEqual(code, INCOMPLETE)
+        for more, code in ((['--strict'], 4), ([], 4)):
+            self.assertEqual(run('-', *COARSE, *more, urdf=text)[0], code, more)
+        code, out, err = run('-', *COARSE, '--format', 'json', urdf=text)
         self.assertIn('none.stl', err)
         self.assertEqual(run('-', *COARSE, '--strict', '--allow-incomplete', urdf=text)[0], 2)
         self.assertEqual(run('-', *COARSE, '--allow-incomplete', urdf=text)[0], 0)

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pairs without a verdict go first, then those that have had fewer turns.
+#include "robot/pairs/pair_queue.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <thread>
+#include <tuple>
+
+namespace link_bounds {
+namespace {
+
+/// The first turn of a pair [s]. Most pairs need one.
+constexpr double kFirstTurn = 0.02;
+
+}  // namespace
+
+bool PairQueue::IsLater::operator()(const Task* a, const Task* b) const {
+  return std::tie(a->is_decided, a->turns, a->pair) > std::tie(b->is_decided, b->turns, b->pair);
+}
+
+PairQueue::PairQueue(const std::vector<std::size_t>& pairs, PairWork work,
+                     const ProofControl& control)
+    : work_(std::move(work)), control_(control), tasks_(pairs.size()) {
+  std::vector<Task*> waiting;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    tasks_[i].pair = pairs[i];
+    waiting.push_back(&tasks_[i]);
+  }
+  waiting_ = decltype(waiting_)(IsLater(), std::move(waiting));
+}
+
+void PairQueue::run() {
+  const unsigned threads =
+      control_.threads > 0 ? control_.threads : std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::future<void>> workers;
+  for (unsigned i = 0; i < threads; ++i)
+    workers.push_back(std::async(std::launch::async, [this] { work(); }));
+  for (std::future<void>& worker : workers)
+    worker.get();
+  for (Task& task : tasks_) {
+    if (task.search) store(task);
+    task.search = nullptr;
+  }
+}
+
+/// What each thread does.
+void PairQueue::work() {
+  while (Task* task = take()) {
+    if (!task->search) task->search = work_.begin(task->pair);
+    if (!task->search) continue;
+    advance(*task);
+    giveBack(*task);
+  }
+}
+
+/// Null if there is nothing left that no other thread works on.
+PairQueue::Task* PairQueue::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (control_.is_over() || waiting_.empty()) return nullptr;
+  Task* task = waiting_.top();
+  waiting_.pop();
+  if (task->search) kept_bytes_ -= task->search->bytes();
+  return task;
+}
+
+/// Until the turn is over or the pair is decided, which ends a search that has found a collision.
+void PairQueue::advance(Task& task) const {
+  const std::chrono::duration<double> turn(std::ldexp(kFirstTurn, task.turns));
+  const auto start = std::chrono::steady_clock::now();
+  PairSearch& search = *task.search;
+  do {
+    search.advance();
+  } while (!search.isDone() && (task.is_decided || !search.isDecided() || search.collides()) &&
+           std::chrono::steady_clock::now() - start < turn && !control_.is_over());
+  ++task.turns;
+}
+
+void PairQueue::giveBack(Task& task) {
+  const bool is_done = task.search->isDone();
+  const std::size_t bytes = task.search->bytes();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    note(task);
+    if (!is_done && kept_bytes_ + bytes <= control_.max_kept_bytes) {
+      kept_bytes_ += bytes;
+      return waiting_.push(&task);
+    }
+  }
+  store(task);
+  task.search = nullptr;
+  if (is_done) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_.push(&task);
+}
+
+void PairQueue::note(Task& task) {
+  if (task.is_decided || !task.search->isDecided()) return;
+  task.is_decided = true;
+  ++decided_;
+  if (control_.progress) control_.progress(decided_, tasks_.size());
+}
+
+/// A search that began again may have done less than the one before, and does the same.
+void PairQueue::store(Task& task) const {
+  if (task.search->slices() < task.stored_slices) return;
+  task.stored_slices = task.search->slices();
+  work_.store(task.pair, *task.search);
+}
+
+}  // namespace link_bounds

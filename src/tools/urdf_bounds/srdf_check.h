@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a SRDF exempts, beside what is proven.
+#pragma once
+
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/pairs/pair_proofs.h"
+#include "robot/pairs/srdf.h"
+
+namespace link_bounds {
+
+/// By the names of links, in either order.
+class Exemptions {
+ public:
+  explicit Exemptions(const std::vector<DisabledPair>& pairs);
+
+  /// The reason of the exemption, "Always" rather than another one; null if there is none.
+  const std::string* reasonOf(const std::string& first, const std::string& second) const;
+
+  /// All, once each.
+  std::vector<DisabledPair> pairs() const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::string> reasons_;
+};
+
+enum class Exemption { kRight, kWrong, kUndecided };
+
+/// What is to say of an exemption with that reason. Of a pair that collided in all poses, "Always"
+/// is the right one.
+Exemption judged(const PairProof& proof, const std::string& reason);
+
+struct SrdfCheck {
+  std::string file;
+  std::string text;
+  Exemptions exempt;
+  std::vector<const PairProof*> wrong;      ///< exempt, but they can collide
+  std::vector<const PairProof*> undecided;  ///< exempt
+  std::vector<const PairProof*> forgotten;  ///< not exempt, but they need no check
+};
+
+/// `links` are the names of the links of the proofs, which live as long as the result.
+SrdfCheck checkedSrdf(const std::string& file, const std::string& text, Exemptions exempt,
+                      const std::vector<std::string>& links, const std::vector<PairProof>& proofs);
+
+/// For people; one line per pair. `is_merged`: also what becomes of it in the new SRDF.
+void writeCheck(const SrdfCheck& check, const std::vector<std::string>& links, bool is_merged,
+                std::ostream& out);
+
+}  // namespace link_bounds
