@@ -3,6 +3,8 @@
 // Joints stand from the root outward: a link whose joint stands later is never above the other one.
 #include "robot/pairs/link_neighbours.h"
 
+#include <string>
+
 namespace link_bounds {
 
 LinkNeighbours::LinkNeighbours(const Robot& robot, const BoundedRobot& bounded)
@@ -27,12 +29,16 @@ bool LinkNeighbours::areAdjacent(std::size_t first, std::size_t second) const {
   };
   std::size_t a = links_[first];
   std::size_t b = links_[second];
+  std::string counted;  // the floating or planar joint of which this one is a part
   for (int movable = 0; a != b;) {
     std::size_t& lower = joints_above_[a] > joints_above_[b] ? a : b;
     if (isBetween(lower)) return false;
     const Joint& joint = robot_.joints[joints_above_[lower] - 1];
-    if (!joint.is_fixed && ++movable > 1) return false;
     lower = joint.parent;
+    if (joint.motion == Motion::kNone) continue;
+    if (joint.part_of.empty() || joint.part_of != counted) ++movable;
+    if (movable > 1) return false;
+    counted = joint.part_of;
   }
   return !isBetween(a);
 }
