@@ -225,7 +225,26 @@ class Search {
   Candidate nearest_{0, 0, 0};
 };
 
+/// Both orders of two bodies are searched in the same one, so that rounding is the same.
+bool comesFirst(const PlacedBody& a, const PlacedBody& b) {
+  using Key = std::array<double, 12>;
+  const auto key = [](const PlacedBody& body) {
+    Key result;
+    Eigen::Map<Eigen::Matrix<double, 12, 1>>(result.data()) << body.origin, body.box.min(),
+        body.box.max(), body.any_point;
+    return result;
+  };
+  return key(a) < key(b);
+}
+
 }  // namespace
+
+std::optional<BodyDistance> swapped(std::optional<BodyDistance> distance) {
+  if (!distance) return distance;
+  distance->on_first.swap(distance->on_second);
+  distance->normal = Eigen::Vector3d::Zero() - distance->normal;  // never -0
+  return distance;
+}
 
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second) {
@@ -254,6 +273,7 @@ std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3
   if (!a || !b) return std::nullopt;
   if (const auto far = distanceBeyond(goal.limit, *a, *b)) return far;
   PairMemory memory;
+  if (comesFirst(*b, *a)) return swapped(placedDistance(*b, *a, goal, memory));
   return placedDistance(*a, *b, goal, memory);
 }
 
