@@ -5,9 +5,11 @@
 #include "link_bounds/geometry/distance/body_distance.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "geometry/distance/gjk.h"
 #include "geometry/distance/pair_search.h"
+#include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
@@ -33,6 +35,11 @@ bool isConvex(const BodyShape& shape) {
 /// Each of its points is known.
 bool isKnown(const BodyShape& shape) {
   return shape.triangles || isConvex(shape);
+}
+
+/// False for a vertex that no triangle uses.
+[[maybe_unused]] bool isPoint(const BodyShape& shape, const Eigen::Vector3d& point) {
+  return !shape.triangles || holdsPoint(*shape.triangles, point);
 }
 
 /// From the first box to the second.
@@ -170,6 +177,7 @@ class Search {
       return;
     }
     for (std::size_t i = 0; i < simplex.size(); ++i) {
+      assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
       for (std::size_t j = 0; j < simplex.size(); ++j)
         offer(pair.first_at.toSearch(simplex[i].first), pair.second_at.toSearch(simplex[j].second));
     }
