@@ -9,8 +9,13 @@ target_compile_options(${PROJECT_NAME}_flags INTERFACE
 # Headers inside the package are included by their path below src.
 get_filename_component(src ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 target_include_directories(${PROJECT_NAME}_flags INTERFACE ${src})
-# Eigen contracts on its own where ARM's compilers say that they can.
-check_cxx_symbol_exists(__ARM_FEATURE_FMA cstddef LINK_BOUNDS_ARM_FMA)
-if(LINK_BOUNDS_ARM_FMA)
-  target_compile_options(${PROJECT_NAME}_flags INTERFACE -U__ARM_FEATURE_FMA)
+# Eigen contracts on its own where the compiler says that it can: for ARM, and for x86 from
+# -march=haswell on.
+target_compile_options(${PROJECT_NAME}_flags INTERFACE -U__ARM_FEATURE_FMA -U__FMA__)
+# Eigen refuses AVX512 without. Its types stay aligned as in packages that use it.
+check_cxx_symbol_exists(__AVX512F__ cstddef LINK_BOUNDS_AVX512)
+if(LINK_BOUNDS_AVX512)
+  target_compile_options(${PROJECT_NAME}_flags INTERFACE -U__AVX512F__)
+  target_compile_definitions(${PROJECT_NAME}_flags INTERFACE
+    EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
 endif()

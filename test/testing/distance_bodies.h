@@ -16,9 +16,7 @@ struct MeshBody {
 
   void add(const TriangleMesh& mesh,
            const Eigen::Affine3d& link_from_mesh = Eigen::Affine3d::Identity()) {
-    const Shape shape{std::make_shared<const PointSet>(mesh.vertices), Solid::kNone,
-                      Eigen::Vector3d::Zero(), link_from_mesh};
-    body.shapes.push_back({shape, triangleTree(mesh)});
+    body.shapes.push_back(*meshShape(mesh, link_from_mesh));
     meshes.push_back(mesh);
   }
 

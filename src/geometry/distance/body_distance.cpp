@@ -5,9 +5,11 @@
 #include "link_bounds/geometry/distance/body_distance.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "geometry/distance/gjk.h"
 #include "geometry/distance/pair_search.h"
+#include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
@@ -33,6 +35,11 @@ bool isConvex(const BodyShape& shape) {
 /// Each of its points is known.
 bool isKnown(const BodyShape& shape) {
   return shape.triangles || isConvex(shape);
+}
+
+/// False for a vertex that no triangle uses.
+[[maybe_unused]] bool isPoint(const BodyShape& shape, const Eigen::Vector3d& point) {
+  return !shape.triangles || holdsPoint(*shape.triangles, point);
 }
 
 /// From the first box to the second.
@@ -170,6 +177,7 @@ class Search {
       return;
     }
     for (std::size_t i = 0; i < simplex.size(); ++i) {
+      assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
       for (std::size_t j = 0; j < simplex.size(); ++j)
         offer(pair.first_at.toSearch(simplex[i].first), pair.second_at.toSearch(simplex[j].second));
     }
@@ -225,7 +233,26 @@ class Search {
   Candidate nearest_{0, 0, 0};
 };
 
+/// Both orders of two bodies are searched in the same one, so that rounding is the same.
+bool comesFirst(const PlacedBody& a, const PlacedBody& b) {
+  using Key = std::array<double, 12>;
+  const auto key = [](const PlacedBody& body) {
+    Key result;
+    Eigen::Map<Eigen::Matrix<double, 12, 1>>(result.data()) << body.origin, body.box.min(),
+        body.box.max(), body.any_point;
+    return result;
+  };
+  return key(a) < key(b);
+}
+
 }  // namespace
+
+std::optional<BodyDistance> swapped(std::optional<BodyDistance> distance) {
+  if (!distance) return distance;
+  distance->on_first.swap(distance->on_second);
+  distance->normal = Eigen::Vector3d::Zero() - distance->normal;  // never -0
+  return distance;
+}
 
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second) {
@@ -254,6 +281,7 @@ std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3
   if (!a || !b) return std::nullopt;
   if (const auto far = distanceBeyond(goal.limit, *a, *b)) return far;
   PairMemory memory;
+  if (comesFirst(*b, *a)) return swapped(placedDistance(*b, *a, goal, memory));
   return placedDistance(*a, *b, goal, memory);
 }
 

@@ -26,7 +26,8 @@ class BodyDistances::Memories {
   }
 
   std::optional<BodyDistance> find(std::size_t first, std::size_t second) {
-    if (std::max(first, second) >= slots_.size()) return std::nullopt;
+    if (first > second) return swapped(find(second, first));
+    if (second >= slots_.size()) return std::nullopt;
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
     if (!a.placed || !b.placed) return std::nullopt;
@@ -41,7 +42,8 @@ class BodyDistances::Memories {
   }
 
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
-    if (std::max(first, second) >= slots_.size()) return std::nullopt;
+    if (first > second) return swapped(findOnce(second, first, limit));
+    if (second >= slots_.size()) return std::nullopt;
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
     if (!a.placed || !b.placed) return std::nullopt;

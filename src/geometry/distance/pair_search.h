@@ -28,4 +28,7 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory);
 
+/// The same distance from the second body to the first.
+std::optional<BodyDistance> swapped(std::optional<BodyDistance> distance);
+
 }  // namespace link_bounds

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/distance/convex_sets.h"
 
@@ -14,7 +15,8 @@ struct PlacedBox {
   PlacedBox(const Parallelepiped& box, const Placement& at) : center(at.toSearch(box.center)) {
     for (std::size_t k = 0; k < 3; ++k) {
       edges[k] = at.linear * box.edges[k];
-      inverse[k] = 1 / edges[k].squaredNorm();
+      const double squared = edges[k].squaredNorm();
+      inverse[k] = std::isnormal(squared) ? 1 / squared : 0;  // a flat pose leaves edges no length
     }
   }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Projects the origin onto each vertex, edge and face, and takes the nearest projection that lies
 // inside. Slower than a search that looks at signs first, but a degenerate simplex does no harm: a
-// face without area has no projection, and its edges remain.
+// face without area has no projection, and its edges remain. Of faces, edges and vertices that are
+// equally near, the one with more corners counts: it says more about the normal.
 #include "geometry/distance/simplex.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 namespace link_bounds {
@@ -13,19 +15,29 @@ namespace {
 
 using Vectors = std::array<Eigen::Vector3d, 4>;
 
+/// What coordinates of points of magnitude 1 differ by where only rounding does.
+constexpr double kNoise = 4e-16;
+
 /// The nearest point so far: a combination of the points whose bits are set.
-struct Nearest {
-  double squared = std::numeric_limits<double>::infinity();
+class Nearest {
+ public:
+  explicit Nearest(double magnitude) : noise_(kNoise * magnitude) {}
+
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   std::array<double, 4> weights{};
 
+  /// Must be nearer by more than rounding: of points that are equally near, the first one stays.
   void offer(const Eigen::Vector3d& candidate, const std::array<double, 4>& candidate_weights) {
-    const double candidate_squared = candidate.squaredNorm();
-    if (!(candidate_squared < squared)) return;
-    squared = candidate_squared;
+    const double squared = candidate.squaredNorm();
+    if (!(squared < limit_)) return;
+    limit_ = squared - noise_ * std::sqrt(squared);
     point = candidate;
     weights = candidate_weights;
   }
+
+ private:
+  double noise_;
+  double limit_ = std::numeric_limits<double>::infinity();  ///< of the next squared distance
 };
 
 constexpr unsigned bit(std::size_t i) {
@@ -50,23 +62,34 @@ void tryEdge(const Vectors& p, std::size_t i, std::size_t j, Nearest& nearest) {
   nearest.offer(p[i] + t * edge, weights);
 }
 
+/// The second pass begins at the projection, where few digits cancel.
 void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k, Nearest& nearest) {
   const Eigen::Vector3d a = p[j] - p[i];
   const Eigen::Vector3d b = p[k] - p[i];
-  const double aa = a.squaredNorm(), ab = a.dot(b), bb = b.squaredNorm();
-  const double pa = -p[i].dot(a), pb = -p[i].dot(b);
-  const double det = aa * bb - ab * ab;
-  const double s = bb * pa - ab * pb;
-  const double t = aa * pb - ab * pa;
-  if (!(s > 0 && t > 0 && s + t < det)) return;
+  const double aa = a.squaredNorm();
+  const double ab = a.dot(b) / aa;
+  const Eigen::Vector3d across = b - ab * a;
+  const double squared = across.squaredNorm();
+  double s = 0, t = 0;
+  Eigen::Vector3d point = p[i];
+  for (int pass = 0; pass < 2; ++pass) {
+    const double dt = -point.dot(across) / squared;
+    const double ds = -point.dot(a) / aa - ab * dt;
+    s += ds;
+    t += dt;
+    if (!(s > 0 && t > 0 && s + t < 1)) return;
+    point += ds * a + dt * b;
+  }
   std::array<double, 4> weights{};
-  weights[i] = 1 - s / det - t / det;
-  weights[j] = s / det;
-  weights[k] = t / det;
-  nearest.offer(p[i] + (s / det) * a + (t / det) * b, weights);
+  weights[i] = 1 - s - t;
+  weights[j] = s;
+  weights[k] = t;
+  nearest.offer(point, weights);
 }
 
 /// The origin is inside if its four barycentric coordinates, each a volume, are not negative.
+/// Rounding may give any coordinates to a flat tetrahedron, so the point that they stand for
+/// counts.
 void tryInside(const Vectors& p, Nearest& nearest) {
   const Eigen::Vector3d a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
   const double volume = a.dot(b.cross(c));
@@ -75,12 +98,17 @@ void tryInside(const Vectors& p, Nearest& nearest) {
   const double w3 = -p[0].dot(a.cross(b)) / volume;
   const double w0 = 1 - w1 - w2 - w3;
   if (!(w0 >= 0 && w1 >= 0 && w2 >= 0 && w3 >= 0)) return;
-  nearest.squared = 0;
-  nearest.point.setZero();
-  nearest.weights = {w0, w1, w2, w3};
+  nearest.offer(p[0] + w1 * a + w2 * b + w3 * c, {w0, w1, w2, w3});
 }
 
 }  // namespace
+
+Simplex& Simplex::operator=(const Simplex& other) {
+  size_ = other.size_;
+  std::copy_n(other.points_.begin(), size_, points_.begin());
+  weights_ = other.weights_;
+  return *this;
+}
 
 bool Simplex::contains(const Eigen::Vector3d& difference) const {
   for (std::size_t i = 0; i < size_; ++i) {
@@ -91,20 +119,29 @@ bool Simplex::contains(const Eigen::Vector3d& difference) const {
 
 Eigen::Vector3d Simplex::reduceTo(unsigned required) {
   Vectors p;
-  for (std::size_t i = 0; i < size_; ++i)
-    p[i] = points_[i].difference;
-  Nearest nearest;
-  const auto isWanted = [required](unsigned bits) { return (bits & required) == required; };
+  double magnitude = 0;
   for (std::size_t i = 0; i < size_; ++i) {
-    if (isWanted(bit(i))) tryVertex(p, i, nearest);
+    p[i] = points_[i].difference;
+    magnitude = std::max(magnitude, p[i].cwiseAbs().maxCoeff());
+  }
+  Nearest nearest(magnitude);
+  const auto isWanted = [required](unsigned bits) { return (bits & required) == required; };
+  if (size_ == 4) tryInside(p, nearest);
+  for (std::size_t i = 0; i < size_; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (isWanted(bit(i) | bit(j))) tryEdge(p, i, j, nearest);
       for (std::size_t k = 0; k < j; ++k) {
         if (isWanted(bit(i) | bit(j) | bit(k))) tryFace(p, i, j, k, nearest);
       }
     }
   }
-  if (size_ == 4) tryInside(p, nearest);
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (isWanted(bit(i) | bit(j))) tryEdge(p, i, j, nearest);
+    }
+  }
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (isWanted(bit(i))) tryVertex(p, i, nearest);
+  }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     if (nearest.weights[i] == 0) continue;
@@ -113,6 +150,27 @@ Eigen::Vector3d Simplex::reduceTo(unsigned required) {
   }
   size_ = kept;
   return nearest.point;
+}
+
+Eigen::Vector3d Simplex::acrossEdges(const Eigen::Vector3d& normal, double length) const {
+  if (size_ < 2 || size_ > 3) return normal;
+  Eigen::Vector3d a = points_[1].difference - points_[0].difference;
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  if (size_ == 3) {
+    b = points_[2].difference - points_[0].difference;
+    if (b.squaredNorm() > a.squaredNorm()) a.swap(b);
+  }
+  const double aa = a.squaredNorm();
+  if (!(aa > length * length)) return normal;
+  b -= (b.dot(a) / aa) * a;
+  const double bb = b.squaredNorm();
+  Eigen::Vector3d result = normal;
+  for (int pass = 0; pass < 2; ++pass) {
+    result -= (result.dot(a) / aa) * a;
+    if (bb > length * length) result -= (result.dot(b) / bb) * b;
+    result.normalize();
+  }
+  return result;
 }
 
 Eigen::Vector3d Simplex::first() const {

@@ -19,6 +19,11 @@ struct DifferencePoint {
 
 class Simplex {
  public:
+  Simplex() = default;
+  Simplex(const Simplex& other) { *this = other; }
+  /// Copies no more points than there are.
+  Simplex& operator=(const Simplex& other);
+
   std::size_t size() const { return size_; }
   const DifferencePoint& operator[](std::size_t i) const { return points_[i]; }
   bool contains(const Eigen::Vector3d& difference) const;
@@ -34,6 +39,10 @@ class Simplex {
   /// The same if the point is a combination that the last added point has a part in.
   Eigen::Vector3d reduceAfterAdding() { return reduceTo(1u << (size_ - 1)); }
 
+  /// `normal` along the nearest point, which is `length` away, made perpendicular to all edges that
+  /// are longer. Those say more about it than a point so near, of which rounding leaves few digits.
+  Eigen::Vector3d acrossEdges(const Eigen::Vector3d& normal, double length) const;
+
   /// The point of each set that the nearest point is the difference of.
   Eigen::Vector3d first() const;
   Eigen::Vector3d second() const;
@@ -42,7 +51,7 @@ class Simplex {
   Eigen::Vector3d reduceTo(unsigned required);
 
   std::array<DifferencePoint, 4> points_;
-  std::array<double, 4> weights_;  ///< of the nearest point; their sum is 1
+  std::array<double, 4> weights_{};  ///< of the nearest point; their sum is 1
   std::size_t size_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/box/length.h"
+#include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
 namespace {
@@ -266,6 +267,14 @@ std::shared_ptr<const TriangleTree> triangleTree(const TriangleMesh& mesh,
     vertices.push_back(vertex.cast<double>());
   return triangleTree(vertices, mesh.triangles, Solid::kNone, Eigen::Vector3d::Zero(),
                       check_interrupt);
+}
+
+bool holdsPoint(const TriangleTree& tree, const Eigen::Vector3d& point) {
+  // Rounding may take the sum of a vertex and half a size outside.
+  const Eigen::Array3d half = tree.size.array().abs() / 2 + 8 * kUnitRoundoff * tree.magnitude;
+  return std::any_of(tree.vertices.begin(), tree.vertices.end(), [&](const auto& vertex) {
+    return ((point - vertex).array().abs() <= half).all();
+  });
 }
 
 std::size_t bytes(const TriangleTree& tree) {

@@ -51,6 +51,10 @@ class TriangleTree {
   }
 };
 
+/// True for a vertex that a triangle uses, and where a solid sweeps it, for all points of that
+/// solid's box. Looks at each vertex.
+bool holdsPoint(const TriangleTree& tree, const Eigen::Vector3d& point);
+
 /// The convex hull of a node's triangles, each swept by the solid.
 struct NodeHull {
   const TriangleTree& tree;

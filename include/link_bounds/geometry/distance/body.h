@@ -40,8 +40,10 @@ std::size_t maxTreeBytes(const TriangleMesh& mesh);
 
 struct BodyShape {
   Shape shape;
-  /// What the shape consists of: surfaces, for a mesh also where it encloses a volume. Its vertices
-  /// and its solid are those of `shape`. Null: the body is only known to lie within the convex hull
+  /// What the shape consists of: surfaces, for a mesh also where it encloses a volume. All vertices
+  /// of its triangles and only these are the points of `shape`, and the solid is that of `shape`:
+  /// else neither bound holds. Builds without NDEBUG check the points that a distance rests on.
+  /// meshShape() makes both. Null: the body is only known to lie within the convex hull
   /// of the shape and to hold the shape's points, each swept by the solid. A solid without points,
   /// or with one, is its own convex hull and needs no triangles.
   std::shared_ptr<const TriangleTree> triangles = nullptr;
@@ -49,6 +51,12 @@ struct BodyShape {
   /// the tip: a cylinder of height 0 becomes a cone. Only for a solid without points and triangles.
   std::optional<Eigen::Vector3d> tip = std::nullopt;
 };
+
+/// A mesh: its triangles, and those of its vertices that a triangle uses. Nothing where
+/// triangleTree() is null. What `check_interrupt` throws ends it.
+std::optional<BodyShape> meshShape(
+    const TriangleMesh& mesh, const Eigen::Affine3d& link_from_mesh = Eigen::Affine3d::Identity(),
+    const CheckInterrupt& check_interrupt = nullptr);
 
 /// In the frame of the link or object.
 struct Body {

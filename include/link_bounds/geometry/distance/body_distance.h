@@ -23,14 +23,16 @@ struct BodyDistance {
   Eigen::Vector3d on_first;  ///< a point of the first body
   Eigen::Vector3d on_second;
   /// Unit, from the first body to the second; zero if `lower` is 0. At the levels kBox and kHull
-  /// the shapes that decide are `lower` apart along it.
+  /// the two shapes that decide are `lower` apart along it, which proves `lower` for bodies of one
+  /// shape each. Of several shapes or of triangles no single direction proves it; at kMesh it is
+  /// the direction from on_first to on_second.
   Eigen::Vector3d normal;
   DistanceLevel level;
 };
 
 struct DistanceGoal {
-  /// `upper` - `lower` shall not exceed this [m], > 0. Close to contact, rounding leaves some 1e-8
-  /// of the bodies' size.
+  /// `upper` - `lower` shall not exceed this [m], > 0. Also close to contact, 1e-8 of the bodies'
+  /// size is reached.
   double accuracy = 1e-4;
   /// Bodies that are proven to be farther apart need no accuracy [m], >= 0.
   double limit = std::numeric_limits<double>::infinity();
@@ -41,8 +43,9 @@ struct DistanceGoal {
 
 /// `lower` and `upper` differ by at most goal.accuracy if each shape has triangles or is a solid
 /// with at most one point, and neither goal.limit nor goal.max_steps ended the search. Nothing if a
-/// body has no shape, or a pose gives no finite box. Poses may be any affine transform. Throws
-/// nothing but std::bad_alloc.
+/// body has no shape, or a pose gives no finite box. The other order of the bodies gives the same
+/// numbers, with the points swapped and the normal reversed. Poses may be any affine transform.
+/// Throws nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,
                                          const Eigen::Affine3d& world_from_second,
