@@ -89,7 +89,8 @@ class Consumer:
 
     def _read(self):
         for line in self._process.stdout:
-            self._messages.append(json.loads(line))
+            if line.lstrip().startswith("{"):  # rospy tells there that the master is not up yet
+                self._messages.append(json.loads(line))
 
     @property
     def messages(self):
