@@ -89,7 +89,7 @@ class Consumer:
 
     def _read(self):
         for line in self._process.stdout:
-            if line.lstrip().startswith("{"):  # rospy tells there that the master is not up yet
+            if line.startswith(b"{"):  # rospy tells there that the master is not up yet
                 self._messages.append(json.loads(line))
 
     @property
