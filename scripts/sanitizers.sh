@@ -22,7 +22,6 @@ with_reports() {
 # that, which saves a quarter of its time.
 configure_sanitized() {
   configure "$1" -DCATKIN_ENABLE_TESTING=ON -DCMAKE_BUILD_TYPE=None -DLINK_BOUNDS_WERROR=ON \
-    -DLINK_BOUNDS_UNITY=ON \
     -DCMAKE_CXX_FLAGS="-O1 -g1 -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer $2 \
       -fno-sanitize-recover=all" \
     -DLINK_BOUNDS_TEST_FLAGS=-fno-sanitize=undefined,float-cast-overflow
