@@ -44,8 +44,9 @@ def lines():
 
 
 def links_of(line):
-    """{link: its joint} of the joints that the line names; a joint with parts is planar."""
-    names = dict.fromkeys(re.findall(r'(\w+)(?:\.\w+)?:=', line))
+    """{link: its joint} of the joints that the line names, and of two more, so that there are pairs
+    to look at; a joint with parts is planar."""
+    names = [*dict.fromkeys(re.findall(r'(\w+)(?:\.\w+)?:=', line)), 'unnamed_1', 'unnamed_2']
     return {'l%d' % i: name for i, name in enumerate(names, 1)}
 
 
@@ -66,7 +67,7 @@ def robot(line, is_sound):
 
 def transforms(line):
     message = TFMessage()
-    for i, link in enumerate([*links_of(line)] or ['unused'], 1):
+    for i, link in enumerate(links_of(line), 1):
         transform = TransformStamped(child_frame_id=link)
         transform.header.frame_id = 'l0'
         transform.transform.translation.y = APART * i

@@ -49,10 +49,13 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
   GjkResult result;
   Eigen::Vector3d nearest = -first_to_second;
   if (simplex.size() > 0) {
-    nearest = simplex.reduce();
+    const SimplexPoint found = simplex.nearest();
+    simplex.keep(found);
+    nearest = found.point;
     result.upper = nearest.norm();
   }
-  Simplex best = simplex;
+  Simplex best;  // while the simplex is a worse one
+  bool is_worse = false;
   int stalls = 0;
   for (int step = 0; step < goal.max_steps; ++step) {
     const double length = nearest.norm();
@@ -70,16 +73,23 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
     if (result.lower >= goal.enough || result.upper - result.lower <= goal.tolerance) break;
     if (simplex.contains(next.difference)) break;
     simplex.add(next);
-    nearest = simplex.reduceAfterAdding();
+    const SimplexPoint found = simplex.nearestWithLast();
+    nearest = found.point;
     const double now = nearest.norm();
-    if (!(now < result.upper * (1 - kMinProgress)) && ++stalls > kMaxStalls) break;
-    if (now < result.upper) {
-      result.upper = now;
-      best = simplex;
+    if (!(now < result.upper * (1 - kMinProgress)) && ++stalls > kMaxStalls) {
+      simplex.removeLast();
+      break;
     }
+    if (!(now < result.upper) && !is_worse) {
+      best = simplex;
+      best.removeLast();
+    }
+    is_worse = !(now < result.upper);
+    if (!is_worse) result.upper = now;
+    simplex.keep(found);
     if (result.upper <= goal.too_near || simplex.size() == 4) break;
   }
-  simplex = best;
+  if (is_worse) simplex = best;
   return result;
 }
 

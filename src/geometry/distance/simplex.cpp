@@ -19,21 +19,22 @@ using Vectors = std::array<Eigen::Vector3d, 4>;
 /// What coordinates of points of magnitude 1 differ by where only rounding does.
 constexpr double kNoise = 4e-16;
 
+/// Squared: at this part of an edge's length, digits of the nearest point have begun to cancel.
+constexpr double kClose = 1e-8;
+
 /// The nearest point so far: a combination of the points whose bits are set.
 class Nearest {
  public:
   explicit Nearest(double magnitude) : noise_(kNoise * magnitude) {}
 
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  std::array<double, 4> weights{};
+  SimplexPoint found;
 
   /// Must be nearer by more than rounding: of points that are equally near, the first one stays.
   void offer(const Eigen::Vector3d& candidate, const std::array<double, 4>& candidate_weights) {
     const double squared = candidate.squaredNorm();
     if (!(squared < limit_)) return;
     limit_ = squared - noise_ * std::sqrt(squared);
-    point = candidate;
-    weights = candidate_weights;
+    found = {candidate, candidate_weights};
   }
 
  private:
@@ -63,7 +64,7 @@ void tryEdge(const Vectors& p, std::size_t i, std::size_t j, Nearest& nearest) {
   nearest.offer(p[i] + t * edge, weights);
 }
 
-/// The second pass begins at the projection, where few digits cancel.
+/// A second pass begins at the projection, where few digits cancel.
 void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k, Nearest& nearest) {
   const Eigen::Vector3d a = p[j] - p[i];
   const Eigen::Vector3d b = p[k] - p[i];
@@ -75,11 +76,13 @@ void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k, Near
   Eigen::Vector3d point = p[i];
   for (int pass = 0; pass < 2; ++pass) {
     const double dt = -point.dot(across) / squared;
+    t += dt;
+    if (!(t > 0)) return;
     const double ds = -point.dot(a) / aa - ab * dt;
     s += ds;
-    t += dt;
-    if (!(s > 0 && t > 0 && s + t < 1)) return;
+    if (!(s > 0 && s + t < 1)) return;
     point += ds * a + dt * b;
+    if (!(point.squaredNorm() < kClose * aa)) break;
   }
   std::array<double, 4> weights{};
   weights[i] = 1 - s - t;
@@ -118,14 +121,11 @@ bool Simplex::contains(const Eigen::Vector3d& difference) const {
   return false;
 }
 
-Eigen::Vector3d Simplex::reduceTo(unsigned required) {
+SimplexPoint Simplex::nearest(unsigned required) const {
   Vectors p;
-  double magnitude = 0;
-  for (std::size_t i = 0; i < size_; ++i) {
+  for (std::size_t i = 0; i < size_; ++i)
     p[i] = points_[i].difference;
-    magnitude = std::max(magnitude, p[i].cwiseAbs().maxCoeff());
-  }
-  Nearest nearest(magnitude);
+  Nearest nearest(p[size_ - 1].cwiseAbs().maxCoeff());
   const auto isWanted = [required](unsigned bits) { return (bits & required) == required; };
   if (size_ == 4) tryInside(p, nearest);
   for (std::size_t i = 0; i < size_; ++i) {
@@ -143,14 +143,17 @@ Eigen::Vector3d Simplex::reduceTo(unsigned required) {
   for (std::size_t i = 0; i < size_; ++i) {
     if (isWanted(bit(i))) tryVertex(p, i, nearest);
   }
+  return nearest.found;
+}
+
+void Simplex::keep(const SimplexPoint& nearest) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     if (nearest.weights[i] == 0) continue;
-    points_[kept] = points_[i];
+    if (kept != i) points_[kept] = points_[i];
     weights_[kept++] = nearest.weights[i];
   }
   size_ = kept;
-  return nearest.point;
 }
 
 Eigen::Vector3d Simplex::acrossEdges(const Eigen::Vector3d& normal, double length) const {
@@ -162,13 +165,13 @@ Eigen::Vector3d Simplex::acrossEdges(const Eigen::Vector3d& normal, double lengt
     if (b.squaredNorm() > a.squaredNorm()) a.swap(b);
   }
   const double aa = a.squaredNorm();
-  if (!(aa > length * length)) return normal;
+  if (!(kClose * aa > length * length)) return normal;
   b -= (b.dot(a) / aa) * a;
   const double bb = b.squaredNorm();
   Eigen::Vector3d result = normal;
   for (int pass = 0; pass < 2; ++pass) {
     result -= (result.dot(a) / aa) * a;
-    if (bb > length * length) result -= (result.dot(b) / bb) * b;
+    if (kClose * bb > length * length) result -= (result.dot(b) / bb) * b;
     result.normalize();
   }
   return result;

@@ -17,6 +17,12 @@ struct DifferencePoint {
   Eigen::Vector3d second;
 };
 
+/// The combination of the points of a simplex with these weights, whose sum is 1.
+struct SimplexPoint {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::array<double, 4> weights{};
+};
+
 class Simplex {
  public:
   Simplex() = default;
@@ -31,27 +37,33 @@ class Simplex {
   /// There must be fewer than four points.
   void add(const DifferencePoint& point) { points_[size_++] = point; }
 
-  /// The point nearest to the origin; zero if the origin is inside a tetrahedron. Afterwards only
-  /// the points remain of which it is a convex combination. Every candidate is such a combination,
-  /// so rounding can make the point less near, but never one that is not in the difference.
-  Eigen::Vector3d reduce() { return reduceTo(0); }
+  /// Takes back add().
+  void removeLast() { --size_; }
 
-  /// The same if the point is a combination that the last added point has a part in.
-  Eigen::Vector3d reduceAfterAdding() { return reduceTo(1u << (size_ - 1)); }
+  /// The point nearest to the origin. Every candidate is a convex combination of the points, so
+  /// rounding can make it less near, but never one that is not in the difference.
+  SimplexPoint nearest() const { return nearest(0); }
+
+  /// The same if it is a combination that the last added point has a part in.
+  SimplexPoint nearestWithLast() const { return nearest(1u << (size_ - 1)); }
+
+  /// Keeps the points of which `nearest` is a combination.
+  void keep(const SimplexPoint& nearest);
 
   /// `normal` along the nearest point, which is `length` away, made perpendicular to all edges that
-  /// are longer. Those say more about it than a point so near, of which rounding leaves few digits.
+  /// are much longer. Those say more about it than a point so near, of which rounding leaves few
+  /// digits.
   Eigen::Vector3d acrossEdges(const Eigen::Vector3d& normal, double length) const;
 
-  /// The point of each set that the nearest point is the difference of.
+  /// The point of each set that the point of the last keep() is the difference of.
   Eigen::Vector3d first() const;
   Eigen::Vector3d second() const;
 
  private:
-  Eigen::Vector3d reduceTo(unsigned required);
+  SimplexPoint nearest(unsigned required) const;
 
   std::array<DifferencePoint, 4> points_;
-  std::array<double, 4> weights_{};  ///< of the nearest point; their sum is 1
+  std::array<double, 4> weights_{};  ///< of the point of the last keep()
   std::size_t size_ = 0;
 };
 

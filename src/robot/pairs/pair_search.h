@@ -26,8 +26,7 @@ struct KnownPose {
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// One pair, searched in slices. Nothing is proven, and no pose is found, where the range of a
-/// joint of the path is not known. Refers to the bodies.
+/// One pair, searched in slices. All ranges of the path must be known. Refers to the bodies.
 class PairSearch {
  public:
   PairSearch(JointPath path, const PairBody& first, const PairBody& second, const PairGoal& goal);

@@ -47,10 +47,9 @@ std::vector<std::size_t> unknownOf(const std::vector<JointRange>& ranges,
 
 /// One per joint of the robot. A given range replaces the limits of the URDF and may exceed them. A
 /// continuous joint takes every angle. Mimic joints follow; their own limits, and ranges given for
-/// them, are ignored. Fixed joints stay at 0. Nothing is
-/// known about floating and planar joints, and about lengths that are parts of these, unless given;
-/// angles that are parts of these take every value. Throws JointError, with the remedy, where any
-/// other range is missing or no range at all.
+/// them, are ignored. Fixed joints stay at 0. Of a floating or planar joint nothing is known, nor
+/// of its parts that are lengths, unless a range is given; its angles take every value. Throws
+/// JointError, with the remedy, where any other range is missing or is no range at all.
 std::vector<JointRange> jointRanges(const Robot& robot, const GivenRanges& given = {});
 
 }  // namespace link_bounds

@@ -42,7 +42,8 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
      the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT
   4  without --allow-incomplete: a name is incomplete, a topic of --objects has no
-     message, or a part of the bags was not read: damage, or interrupted
+     message, not all distances are known, nothing was compared, or a part of the
+     bags was not read: damage, or interrupted
   2  see --strict
   0  everything was answered, and nothing was found
 )";

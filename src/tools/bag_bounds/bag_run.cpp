@@ -240,6 +240,11 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
+  if (!pairs_) return outcome;
+  if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
+  outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
+  outcome.addOpen("distances of further pairs", pairs_->pairsLeftOut());
+  outcome.addOpen("meshes without triangles", pairs_->problems().size());
   return outcome;
 }
 

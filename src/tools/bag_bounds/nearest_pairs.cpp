@@ -47,8 +47,12 @@ TreeRequests NearestPairs::requests() {
 void NearestPairs::add(const Scene& scene, std::int64_t now) {
   const auto computed = compute(takeSnapshot(scene));
   if (!computed) return;
+  const DistanceArray& array = computed->array;
+  has_compared_ |= !array.complete.empty() || !array.distances.empty();
+  for (std::size_t i = computed->snapshot->incomplete.size(); i < array.incomplete.size(); ++i)
+    incomplete_.insert(array.incomplete[i]);
   const double limit = scene.model()->parameters.distance_limit;
-  for (const Distance& distance : computed->array.distances) {
+  for (const Distance& distance : array.distances) {
     was_undercut_ |= distance.distance < limit;
     keep(distance, now);
   }

@@ -48,6 +48,12 @@ class NearestPairs {
   /// Whether a distance was below the limit of the model.
   bool wasUndercut() const { return was_undercut_; }
 
+  /// Whether any two bodies were compared, whatever their distance.
+  bool hasCompared() const { return has_compared_; }
+
+  /// Names of which not all distances are known, although they have boxes.
+  const std::set<std::string>& incomplete() const { return incomplete_; }
+
   /// Meshes that count as their convex hull, with the reason.
   const std::set<std::string>& problems() const { return problems_; }
 
@@ -60,8 +66,10 @@ class NearestPairs {
   SceneDistances distances_;
   std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
   std::set<std::string> problems_;
+  std::set<std::string> incomplete_;
   std::uint64_t left_out_ = 0;  ///< distances of further pairs
   bool was_undercut_ = false;
+  bool has_compared_ = false;
 };
 
 }  // namespace link_bounds

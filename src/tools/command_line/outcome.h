@@ -13,9 +13,9 @@ namespace link_bounds {
 constexpr int kUnusable = 1;
 
 struct Outcome {
-  bool is_unusable = false;       ///< the answer would be about nothing
+  bool is_unusable = false;       ///< the input allows no answer
   bool has_finding = false;       ///< an entry, a distance undercut, an exemption that is wrong
-  std::vector<std::string> open;  ///< what was not decided, loaded, seen or reached
+  std::vector<std::string> open;  ///< what was not decided, loaded, seen, reached or looked at
   bool lost_geometry = false;     ///< any geometry could not be used
 
   /// Adds such as "pairs not decided: 2" to what is open, unless `count` is 0.
@@ -25,7 +25,7 @@ struct Outcome {
 /// Options of the user.
 struct Demand {
   bool strict = false;            ///< lost geometry is a failure
-  bool allow_incomplete = false;  ///< what is open is none
+  bool allow_incomplete = false;  ///< what is open does not count
 };
 
 /// 1 unusable, 3 a finding, 4 something is open, 2 lost geometry, 0 all was answered and holds: the

@@ -22,6 +22,7 @@ struct DistanceTable {
   double limit = 0;                 ///< no pair is farther apart [m]
   std::vector<LinkDistance> pairs;  ///< in the order of the links
   Reasons incomplete;               ///< links without distances
+  bool has_compared = false;        ///< any two links, whatever their distance
 };
 
 /// How many pairs have distances that are less accurate than DistanceGoal asks for.

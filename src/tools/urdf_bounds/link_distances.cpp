@@ -28,6 +28,16 @@ BoxedLinks boxedLinks(const BoundedRobot& bounded, const std::vector<Eigen::Affi
   return result;
 }
 
+/// Links of one rigid body, and neighbours, are no pair.
+bool hasPair(const std::vector<std::size_t>& links, const RigidBodies& rigid) {
+  for (const std::size_t a : links) {
+    for (const std::size_t b : links) {
+      if (a != b && !areJoined(rigid, a, b)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 DistanceTable linkDistances(const Robot& robot, const BoundedRobot& bounded,
@@ -41,7 +51,10 @@ DistanceTable linkDistances(const Robot& robot, const BoundedRobot& bounded,
                         frame_from_link[b], {DistanceGoal().accuracy, limit});
   };
   const RigidBodies rigid = rigidBodies(robot);
-  DistanceTable table{limit, {}, {}};
+  std::vector<std::size_t> indices;  // in the robot
+  for (const std::size_t link : boxed.links)
+    indices.push_back(bounded.indices[link]);
+  DistanceTable table{limit, {}, {}, hasPair(indices, rigid)};
   std::set<std::size_t> without;
   SweepAndPrune search;
   for (const BoxPair& pair : search.find(boxed.boxes, limit)) {

@@ -37,10 +37,12 @@ bool isRough(const PairProof& proof, const PairGoal& goal) {
 }
 
 Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
+  std::size_t examined = 0;
   std::size_t undecided = 0;
   std::size_t rough = 0;
   for (const std::vector<PairProof>* proofs : {&table.rows, &table.rigid}) {
     for (const PairProof& proof : *proofs) {
+      if (proof.verdict != Verdict::kAdjacent) ++examined;
       if (proof.verdict == Verdict::kUndecided) ++undecided;
       if (proof.verdict == Verdict::kNever && isRough(proof, goal)) ++rough;
     }
@@ -48,6 +50,7 @@ Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
   Outcome outcome;
   outcome.has_finding = table.srdf && !table.srdf->wrong.empty();
   outcome.lost_geometry = !table.incomplete.empty();
+  if (examined == 0) outcome.open.emplace_back("no pair was examined");
   outcome.addOpen("incomplete names", table.incomplete.size());
   outcome.addOpen("UNDECIDED pairs", undecided);
   outcome.addOpen("clearances that did not reach --accuracy", rough);
@@ -85,7 +88,7 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
     if (!link.isWhole()) table.incomplete.emplace_back(link.name, link.missing);
   }
   const PairGoal goal{table.clearance, options.accuracy.value_or(kDefaultAccuracy),
-                      options.touching.value_or(kDefaultTouching)};
+                      options.touching.value_or(PairGoal().touching)};
   const ProofControl control = controlFor(options);
   const auto prove = [&](PairChoice choice) {
     return provePairs(robot, bounded, ranges, goal, control, choice);

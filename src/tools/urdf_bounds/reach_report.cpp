@@ -94,6 +94,7 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
   Outcome outcome;
   outcome.lost_geometry = std::any_of(bounded.links.begin(), bounded.links.end(),
                                       [](const BoundedLink& link) { return !link.isWhole(); });
+  if (table.links.empty()) outcome.open.emplace_back("no link has a box");
   outcome.addOpen("incomplete names", table.incomplete.size());
   if (maxGap(table) > table.accuracy) outcome.open.emplace_back("--accuracy was not reached");
   return outcome;

@@ -78,6 +78,7 @@ Outcome outcomeOf(const Reasons& incomplete, const std::optional<DistanceTable>&
   Outcome outcome;
   outcome.lost_geometry = !incomplete.empty();
   if (!distances) return outcome;
+  if (!distances->has_compared) outcome.open.emplace_back("no two links were compared");
   outcome.addOpen("incomplete names", incomplete.size());
   outcome.addOpen("distances less accurate than " + shortLength(DistanceGoal().accuracy),
                   roughPairs(*distances));

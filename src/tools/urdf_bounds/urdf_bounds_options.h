@@ -20,9 +20,6 @@ enum class Report { kPose, kReach, kPairs };
 constexpr double kDefaultAccuracy = 0.01;  // m
 constexpr double kDefaultBudget = 60;      // s
 
-/// Of --pairs.
-constexpr double kDefaultTouching = 1e-4;  // m
-
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
   GivenRanges joints;  ///< rad or m; of kPose values, lower == upper
@@ -35,7 +32,7 @@ struct UrdfBoundsOptions {
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
-  std::optional<double> touching;   ///< of kPairs [m], finite, >= 0; none: kDefaultTouching
+  std::optional<double> touching;   ///< of kPairs [m], finite, >= 0; none: that of PairGoal
   std::optional<std::string> srdf;  ///< of kPairs, a file
   bool adjacent = false;            ///< of kPairs
   bool has_fixed_base = false;      ///< floating and planar joints at the root stay at 0

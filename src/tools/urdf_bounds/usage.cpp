@@ -61,7 +61,7 @@ Lengths are metres. Exit code, the first that applies:
   1  unusable robot, SRDF or arguments
   3  the SRDF disables a pair that can collide
   4  of --distances, --reach and --pairs without --allow-incomplete: a mesh is missing or something
-     else is incomplete, a pair is UNDECIDED, or the accuracy was not reached
+     else is incomplete, a pair is UNDECIDED, the accuracy was not reached, or nothing was looked at
   2  see --strict
   0  everything was answered and holds
 )";

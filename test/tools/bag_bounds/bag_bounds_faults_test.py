@@ -16,9 +16,10 @@ import rosbag
 from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PARTLY_READ, BagBoundsTest, arms,
                                 main, moving_arms, raw, run, seconds, static_arms, time_of,
                                 zone_text)
-from bounds_testing import robot
+from bounds_testing import robot, transform
 from node_testing import ARMS
 from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
 
 YEARS = 1e9  # s
 
@@ -220,6 +221,29 @@ class BagsTest(BagBoundsTest):
         self.assertAlmostEqual(found['extremes'][2]['max'][0] / 1e300, 1)
         self.report(self.bag(arms(20) + [self.far_left(20, 1.7e308), moving_arms(21)]),
                     '--distances', '0.01')
+
+    def test_distances_that_nobody_compared(self):
+        one = self.write('one.urdf', '<robot name="one"><link name="base"><visual><geometry>'
+                         '<box size="1 1 1"/></geometry></visual></link></robot>')
+        arguments = (self.bag(arms(3)), '--urdf', one)
+        self.assertEqual(run(*arguments)[0], 0)
+        code, _, err = run(*arguments, '--distances', '0.1')
+        self.assertEqual(code, INCOMPLETE)
+        self.assertIn('no two bodies were compared', err)
+
+    def test_links_too_far_away_for_distances(self):
+        """Side by side, so that their boxes do not tell that they are far apart."""
+        links = ['base', 'a', 'b']
+        urdf = self.write('three.urdf', '<robot name="three">%s%s</robot>' % (
+            ''.join('<link name="%s"><visual><geometry><box size="1 1 1"/></geometry></visual></link>'
+                    % link for link in links),
+            ''.join('<joint name="to %s" type="floating"><parent link="base"/><child link="%s"/>'
+                    '</joint>' % (link, link) for link in links[1:])))
+        message = TFMessage([transform('base', link, time_of(BEGIN), (1e61, 0, 0)) for link in links[1:]])
+        bag = self.bag([('/tf_static', message, time_of(BEGIN))])
+        code, _, err = run(bag, '--urdf', urdf, '--distances', '0.1')
+        self.assertEqual(code, INCOMPLETE)
+        self.assertIn('names of which not all distances are known', err)
 
     def test_a_recorder_whose_clock_was_set(self):
         """Years without a message take no time; back by years is a clock that jumped."""

@@ -171,12 +171,17 @@ class DistancesTest(UrdfBoundsTest):
             self.assertEqual(pair['distance'], 0)
             self.assertEqual(pair['normal'], [0, 0, 0])
 
+    def check_nothing_to_compare(self, *arguments, urdf):
+        code, out, err = run('-', '--format=json', '--distances=9', *arguments, urdf=urdf)
+        self.assertEqual((code, json.loads(out)['distances']), (INCOMPLETE, []))
+        self.assertIn('no two links were compared; --allow-incomplete accepts that', err)
+
     def test_geometry(self):
         urdf = TWO_BOXES.replace('</link>\n<joint name="b"', '<collision><geometry>' + BALL.replace(
             '0.5', '2') + '</geometry></collision></link>\n<joint name="b"')
         self.check_pair(distances(9, urdf=urdf)[0], ('a', 'b'), 2)
         self.check_pair(distances(9, '--geometry=both', urdf=urdf)[0], ('a', 'b'), .5)
-        self.assertEqual(distances(9, '--geometry=collision', urdf=urdf), [])
+        self.check_nothing_to_compare('--geometry=collision', urdf=urdf)
 
     def test_csv_has_the_numbers_of_json(self):
         urdf = TWO_BOXES.replace('"b"', '"b, the second"')
@@ -248,7 +253,7 @@ class DistancesTest(UrdfBoundsTest):
         self.assertRegex(run('--help')[1], r'--distances LIMIT(.*\n)+.*csv.*%s, ' % columns[:45])
 
     def test_robot_without_geometry(self):
-        self.assertEqual(distances(1, urdf='<robot name="r"><link name="base"/></robot>'), [])
+        self.check_nothing_to_compare(urdf='<robot name="r"><link name="base"/></robot>')
 
     def test_arguments_that_make_no_sense(self):
         for text in ('', 'x', '-0.1', 'nan', 'inf', '1e999', '0.1m', ' 1'):

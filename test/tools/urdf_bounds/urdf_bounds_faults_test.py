@@ -251,6 +251,30 @@ class IncompleteTest(UrdfBoundsTest):
             self.assertEqual(plain[1:], strict[1:])
         self.assertEqual(run('-', '--strict')[0], 0)
 
+    def test_where_nothing_is_looked_at_nothing_holds(self):
+        """A robot without geometry of that kind, one whose only pair is adjacent, and one link."""
+        pair = tree(solid('base'), solid('tip'))
+        srdf = self.write('pair.srdf', '<robot><disable_collisions link1="base" link2="tip" '
+                          'reason="Never"/></robot>')
+        modes = {'no pair was examined': (['--pairs'], ['--pairs', '--format', 'srdf'],
+                                          ['--pairs', '--srdf', srdf]),
+                 'no two links were compared': (['--distances', '1'],)}
+        for reason, modes_of in modes.items():
+            for mode in modes_of:
+                for urdf in (pair, tree(solid('base'))):
+                    if '--srdf' in mode and urdf is not pair:
+                        continue
+                    for geometry in ('visual', 'collision'):
+                        arguments = ['-', '--geometry', geometry, *mode]
+                        code, _, err = run(*arguments, urdf=urdf)
+                        self.assertEqual(code, 4, arguments)
+                        self.assertIn(reason, err)
+                        self.assertEqual(run(*arguments, '--allow-incomplete', urdf=urdf)[0], 0)
+        code, _, err = run('-', '--geometry', 'collision', '--reach', urdf=pair)
+        self.assertEqual(code, 4)
+        self.assertIn('no link has a box', err)
+        self.assertEqual(run('-', '--geometry', 'collision', urdf=pair)[0], 0, 'boxes alone')
+
     def test_loss_in_geometry_that_was_not_asked_for(self):
         self.assertEqual(run('-', '--strict', '--geometry=collision', urdf=self.missing)[0], 0)
 
