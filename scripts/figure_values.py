@@ -292,6 +292,12 @@ def of_proofs(rows):
     """With a larger budget than was needed, as many pairs are decided as with the largest one."""
     figures = {}
     for row in rows:
+        if row['proof'] == 'gap':
+            figures['proofs/gap/s'] = row['seconds']
+            continue
+        if row['proof'] == 'memory':
+            figures['proofs/memory/MB'] = row['megabytes']
+            continue
         key = 'proofs/%s/%s/' % (row['proof'], row['robot'].replace(', ', '_').replace(' ', '_'))
         if row['proof'] == 'reach':
             figures['%s%g/s' % (key, row['accuracy'])] = row['seconds']

@@ -17,6 +17,12 @@ constexpr double kHalvings = 1e-14;
 /// More joints on one side have too many corners.
 constexpr std::size_t kMaxCornerJoints = 6;
 
+/// A test builds an engine that moves too little, which a check of its proofs has to find.
+#ifndef LINK_BOUNDS_SHARE_OF_MOTION
+#define LINK_BOUNDS_SHARE_OF_MOTION 1
+#endif
+constexpr double kShare = LINK_BOUNDS_SHARE_OF_MOTION;
+
 /// Of a point at distance 1 from the axis.
 double chordOf(double half_width) {
   return 2 * std::sin(std::min(half_width, M_PI) / 2);
@@ -53,7 +59,7 @@ void MotionBound::measure(Side& side, std::size_t joint) {
            side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
   }
   side.joints.push_back(joint);
-  side.moves.push_back(move);
+  side.moves.push_back(kShare * move);
 }
 
 /// The first joints move the first body, the others the second one, divided where that moves both

@@ -24,16 +24,10 @@
 // and j.
 #pragma once
 
-#include "robot/pairs/joint_path.h"
+#include "robot/pairs/body_cloud.h"
+#include "robot/pairs/joint_box.h"
 
 namespace link_bounds {
-
-/// Joint values: those of the variables of a path that differ from the centre by at most the half
-/// widths.
-struct JointBox {
-  PathValues center;
-  PathValues half_widths;
-};
 
 /// A pair of bodies on the first and the second link of a path. Refers to all three.
 class MotionBound {

@@ -44,4 +44,12 @@ PairBody pairBody(const Body& body) {
   return result;
 }
 
+std::vector<const PairHull*> partsOf(const PairBody& body) {
+  if (body.parts.empty()) return {&body.hull};
+  std::vector<const PairHull*> result;
+  for (const PairHull& part : body.parts)
+    result.push_back(&part);
+  return result;
+}
+
 }  // namespace link_bounds

@@ -31,4 +31,7 @@ struct PairBody {
 
 PairBody pairBody(const Body& body);
 
+/// The hull of each shape, or that of all.
+std::vector<const PairHull*> partsOf(const PairBody& body);
+
 }  // namespace link_bounds

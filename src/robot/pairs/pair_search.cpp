@@ -5,7 +5,6 @@
 #include "robot/pairs/pair_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace link_bounds {
@@ -63,39 +62,6 @@ double width(const Limits& range) {
 
 std::size_t bytesOf(const PathValues& values) {
   return sizeof(values) + values.size() * sizeof(double) + 16;  // 16: of malloc()
-}
-
-std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable) {
-  std::array<JointBox, 2> result{box, box};
-  const double half = box.half_widths[variable] / 2;
-  result[0].half_widths[variable] = result[1].half_widths[variable] = half;
-  result[0].center[variable] -= half;
-  result[1].center[variable] += half;
-  return result;
-}
-
-/// Of all ranges.
-double shareOf(const JointBox& box, const JointPath& path) {
-  double share = 1;
-  for (std::size_t v = 0; v < path.ranges.size(); ++v)
-    share *= 2 * box.half_widths[v] / width(path.ranges[v]);
-  return share;
-}
-
-JointBox wholeBox(const JointPath& path) {
-  JointBox all;
-  for (const Limits& range : path.ranges) {
-    all.center.push_back(range.lower + width(range) / 2);
-    all.half_widths.push_back(std::nextafter(width(range) / 2, kInfinity));
-  }
-  return all;
-}
-
-std::vector<const PairHull*> pointersTo(const std::vector<PairHull>& parts) {
-  std::vector<const PairHull*> result;
-  for (const PairHull& part : parts)
-    result.push_back(&part);
-  return result;
 }
 
 }  // namespace
@@ -341,9 +307,6 @@ double PairSearch::bound(const JointBox& box) {
 /// Between hulls that overlap, those of single shapes may be apart.
 double PairSearch::boundOfParts(const DistanceGoal& goal) {
   if (first_->parts.empty() && second_->parts.empty()) return 0;
-  const auto partsOf = [](const PairBody& body) {
-    return body.parts.empty() ? std::vector<const PairHull*>{&body.hull} : pointersTo(body.parts);
-  };
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
   double lower = kInfinity;
   for (const PairHull* first : partsOf(*first_)) {

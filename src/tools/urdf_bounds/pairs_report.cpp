@@ -9,6 +9,7 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/pairs_certificate.h"
 #include "tools/urdf_bounds/pairs_srdf.h"
 
 namespace link_bounds {
@@ -101,8 +102,15 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
   for (const auto& [reason, count] : reasonsOf(table))
     warn(std::to_string(count) + (count == 1 ? " pair is" : " pairs are") +
          " not decided: " + reason);
+  std::size_t uncertified = 0;
+  if (options.certificate) {
+    uncertified =
+        writeCertificate(options, robot, bounded, ranges, table.rows, controlFor(options).is_over);
+  }
   write(table, options);
-  return outcomeOf(table, goal);
+  Outcome outcome = outcomeOf(table, goal);
+  outcome.addOpen("NEVER pairs that are not in the certificate", uncertified);
+  return outcome;
 }
 
 }  // namespace link_bounds

@@ -24,6 +24,7 @@ enum Code {
   kClearance,
   kTouching,
   kSrdf,
+  kCertificate,
   kBase,
   kAdjacent,
   kAcceptSampled,
@@ -46,6 +47,7 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"clearance", required_argument, nullptr, kClearance},
                                    {"touching", required_argument, nullptr, kTouching},
                                    {"srdf", required_argument, nullptr, kSrdf},
+                                   {"certificate", required_argument, nullptr, kCertificate},
                                    {"base", required_argument, nullptr, kBase},
                                    {"adjacent", no_argument, nullptr, kAdjacent},
                                    {"accept-sampled", no_argument, nullptr, kAcceptSampled},
@@ -166,6 +168,9 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
     case kSrdf:
       options.srdf = optarg;
       return;
+    case kCertificate:
+      options.certificate = optarg;
+      return;
     case kBase:
       options.has_fixed_base = chosen<bool>("--base", optarg, {{"fixed", true}});
       return;
@@ -221,6 +226,7 @@ void checkReport(const UrdfBoundsOptions& options) {
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
   need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
+  need(options.certificate.has_value(), has_pairs, "--certificate", "--pairs");
   need(options.adjacent, has_pairs, "--adjacent", "--pairs");
   need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");

@@ -32,10 +32,11 @@ struct UrdfBoundsOptions {
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
-  std::optional<double> touching;   ///< of kPairs [m], finite, >= 0; none: that of PairGoal
-  std::optional<std::string> srdf;  ///< of kPairs, a file
-  bool adjacent = false;            ///< of kPairs
-  bool has_fixed_base = false;      ///< floating and planar joints at the root stay at 0
+  std::optional<double> touching;          ///< of kPairs [m], finite, >= 0; none: that of PairGoal
+  std::optional<std::string> srdf;         ///< of kPairs, a file
+  std::optional<std::string> certificate;  ///< of kPairs, a file to write
+  bool adjacent = false;                   ///< of kPairs
+  bool has_fixed_base = false;             ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
   bool as_srdf = false;         ///< of kPairs, instead of `format`
   bool accept_sampled = false;  ///< of `as_srdf`

@@ -10,10 +10,9 @@ import os
 import subprocess
 import tempfile
 import time
-import xml.etree.ElementTree
 
 from node_process import print_target
-from proof_pairs import pair_rows, report_pairs, seven_joint_rows
+from proof_pairs import large_robot_rows, made_rows, pair_rows, report_made, report_pairs
 
 PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
 PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
@@ -33,6 +32,13 @@ def made_arm(joints, limit):
         for i in range(joints)) + "</robot>"
 
 
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
 def robots(folder):
     """The URDF files of the robots, by name."""
     data = os.environ.get("LINK_BOUNDS_DATA")
@@ -41,33 +47,29 @@ def robots(folder):
     print("LINK_BOUNDS_DATA is not set: arms made here stand in for the UR5e and the Panda")
     files = {}
     for name, joints, limit in (("made, 6 joints", 6, 6.28), ("made, 7 joints", 7, 2.8)):
-        files[name] = os.path.join(folder, "%d.urdf" % joints)
-        with open(files[name], "w", encoding="utf-8") as file:
-            file.write(made_arm(joints, limit))
+        files[name] = write(folder, "%d.urdf" % joints, made_arm(joints, limit))
     return files
 
 
-def all_but(prefix, file):
-    """Arguments that keep each joint at rest whose name does not begin so."""
-    arguments = []
-    for joint in xml.etree.ElementTree.parse(file).getroot().findall("joint"):
-        name, limit, mimic = joint.get("name"), joint.find("limit"), joint.find("mimic")
-        kind = joint.get("type")
-        if name.startswith(prefix) or mimic is not None or kind in ("fixed", "floating", "planar"):
-            continue
-        value = 0.0
-        if kind != "continuous":
-            value = min(max(value, float(limit.get("lower", 0))), float(limit.get("upper", 0)))
-        arguments.append("%s:=%.17g" % (name, value))
-    return arguments
+class Run:
+    """Calls urdf_bounds: the JSON that it prints, and the seconds that it takes."""
+
+    megabytes = 0.0  # most memory of the last call
+
+    def __call__(self, *arguments):
+        start = time.monotonic()
+        with tempfile.TemporaryFile() as out:
+            program = subprocess.Popen([PROGRAM, *arguments, "--format", "json",
+                                        "--allow-incomplete"], stdout=out)
+            _, status, usage = os.wait4(program.pid, 0)
+            program.returncode = status
+            assert status == 0, arguments
+            self.megabytes = usage.ru_maxrss / 1000
+            out.seek(0)
+            return json.load(out), time.monotonic() - start
 
 
-def run(*arguments):
-    """The JSON that urdf_bounds prints, and the seconds that it takes."""
-    start = time.monotonic()
-    output = subprocess.run([PROGRAM, *arguments, "--format", "json", "--allow-incomplete"],
-                            check=True, stdout=subprocess.PIPE).stdout
-    return json.loads(output), time.monotonic() - start
+run = Run()
 
 
 def reach_row(robot, file, accuracy):
@@ -103,13 +105,15 @@ def main():
         report_reach(rows)
         pairs = [row for name, file in files.items()
                  for row in pair_rows(run, name, file, options.quick)]
-        if os.environ.get("LINK_BOUNDS_DATA") and not options.quick:
+        if os.environ.get("LINK_BOUNDS_DATA"):
             file = os.path.join(os.environ["LINK_BOUNDS_DATA"], "robots", PR2)
-            pairs += seven_joint_rows(run, "PR2, right arm", file, all_but("r_", file))
+            pairs += large_robot_rows(run, "PR2", file, options.quick)
         report_pairs(pairs)
+        made = made_rows(run, lambda name, text: write(folder, name, text))
+        report_made(*made)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows + pairs, file, indent=1)
+            json.dump(rows + pairs + made, file, indent=1)
 
 
 if __name__ == "__main__":

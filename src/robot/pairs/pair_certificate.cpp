@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/pairs/pair_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <sstream>
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kMaxBoxes = 1'000'000;
+constexpr std::size_t kMaxSteps = 100'000;  // of a distance, see DistanceGoal
+
+/// Of distances, beside the motion of a box.
+constexpr double kShareOfMotion = 0.1;
+constexpr double kFinest = 1e-8;  // m
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// A direction with fewer digits is as good, and shorter.
+constexpr double kDigits = 1e6;
+
+}  // namespace
+
+PairCertificate::PairCertificate(JointPath path, const PairBody& first, const PairBody& second,
+                                 double clearance)
+    : path_(std::move(path)),
+      first_(first),
+      second_(second),
+      clearance_(clearance),
+      motion_(path_, first.hull.cloud, second.hull.cloud) {
+  distances_.set(0, first.body);
+  distances_.set(1, second.body);
+  distances_.move(0, Eigen::Affine3d::Identity());
+}
+
+bool PairCertificate::writeTree(const std::function<bool()>& is_over, std::ostream& out) {
+  std::vector<JointBox> open{wholeBox(path_)};
+  for (std::size_t count = 0; !open.empty(); ++count) {
+    if (count > kMaxBoxes || is_over()) return false;
+    const JointBox box = std::move(open.back());
+    open.pop_back();
+    out << (count > 0 ? "," : "[");
+    if (writeClosing(box, out)) continue;
+    if (path_.variables.empty()) return false;
+    const std::size_t widest = motion_.widestVariable();
+    out << widest;
+    const auto [lower, upper] = halves(box, widest);
+    open.push_back(upper);
+    open.push_back(lower);
+  }
+  out << "]";
+  return true;
+}
+
+/// False if the box must be halved.
+bool PairCertificate::writeClosing(const JointBox& box, std::ostream& out) {
+  path_.place(box.center, placed_);
+  motion_.set(box, placed_);
+  const BodyCloud& first = first_.hull.cloud;
+  const BodyCloud& second = second_.hull.cloud;
+  const Eigen::Vector3d between = placed_.first_from_second * second.center() - first.center();
+  if (writeDirection(between, first_.hull, second_.hull, out)) return true;
+  if (first.radius() + second.radius() + between.norm() < motion_.motion()) return false;
+  if (writeDirection(directionOf(first_.hull, second_.hull), first_.hull, second_.hull, out))
+    return true;
+  if (writeDirections(out)) return true;
+  if (!areTrianglesApart()) return false;
+  out << "\"mesh\"";
+  return true;
+}
+
+/// True if the two are that far apart along it anywhere in the box.
+bool PairCertificate::writeDirection(Eigen::Vector3d direction, const PairHull& first,
+                                     const PairHull& second, std::ostream& out) const {
+  const double length = direction.norm();
+  if (!(length > 0)) return false;
+  const Eigen::Array3d rounded = (direction / length * kDigits).array().round() / kDigits;
+  direction = rounded.matrix().normalized();
+  const Eigen::Isometry3d& pose = placed_.first_from_second;
+  const double gap = direction.dot(pose.translation()) - first.cloud.support(direction) -
+                     second.cloud.support(pose.linear().transpose() * -direction);
+  const double least = clearance_ + motion_.rounding();
+  if (gap - motion_.motion() < least &&
+      motion_.gapAlong(direction, first.cloud, second.cloud) < least)
+    return false;
+  out << "[" << rounded.x() << "," << rounded.y() << "," << rounded.z() << "]";
+  return true;
+}
+
+/// One for each two shapes.
+bool PairCertificate::writeDirections(std::ostream& out) const {
+  if (first_.parts.empty() && second_.parts.empty()) return false;
+  std::ostringstream text;
+  for (const PairHull* first : partsOf(first_)) {
+    for (const PairHull* second : partsOf(second_)) {
+      text << (text.tellp() > 0 ? "," : "[");
+      if (!writeDirection(directionOf(*first, *second), *first, *second, text)) return false;
+    }
+  }
+  out << text.str() << "]";
+  return true;
+}
+
+/// In which they are as far apart as in hardly any other one; zero if they touch.
+Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHull& second) const {
+  const auto distance =
+      bodyDistance(*first.body, Eigen::Affine3d::Identity(), *second.body,
+                   Eigen::Affine3d(placed_.first_from_second), {accuracy(), kFar, kMaxSteps});
+  return distance ? distance->normal : Eigen::Vector3d::Zero();
+}
+
+/// Of distances in the box.
+double PairCertificate::accuracy() const {
+  return std::max(kFinest, kShareOfMotion * motion_.motion());
+}
+
+bool PairCertificate::areTrianglesApart() {
+  const double least = clearance_ + motion_.motion() + motion_.rounding();
+  distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  distances_.setGoal({accuracy(), least + accuracy(), kMaxSteps});
+  const std::optional<BodyDistance> distance = distances_.find(0, 1);
+  return distance && distance->lower >= least;
+}
+
+}  // namespace link_bounds

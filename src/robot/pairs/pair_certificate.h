@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Why two bodies stay apart, in steps that a program without this search can check.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+
+#include "link_bounds/geometry/distance/body_distances.h"
+#include "robot/pairs/motion_bound.h"
+#include "robot/pairs/pair_body.h"
+
+namespace link_bounds {
+
+/// Halves the box of all joint values until the bodies are proven to be apart in each part. Refers
+/// to the bodies.
+class PairCertificate {
+ public:
+  /// `clearance` [m] is less than what is proven. All ranges of the path must be known.
+  PairCertificate(JointPath path, const PairBody& first, const PairBody& second, double clearance);
+  PairCertificate(const PairCertificate&) = delete;
+  PairCertificate& operator=(const PairCertificate&) = delete;
+
+  const JointPath& path() const { return path_; }
+
+  /// Writes the tree as a JSON array, a box before its halves and that with smaller values first:
+  /// the variable that is halved, or what closes the box. That is a direction [x, y, z] from the
+  /// first body to the second in the frame of the first, a list of such, for each shape of the
+  /// first body one for each of the second, or "mesh". False, with a part of the tree, if there are
+  /// too many boxes or `is_over` says so.
+  bool writeTree(const std::function<bool()>& is_over, std::ostream& out);
+
+ private:
+  bool writeClosing(const JointBox& box, std::ostream& out);
+  bool writeDirection(Eigen::Vector3d direction, const PairHull& first, const PairHull& second,
+                      std::ostream& out) const;
+  bool writeDirections(std::ostream& out) const;
+  Eigen::Vector3d directionOf(const PairHull& first, const PairHull& second) const;
+  double accuracy() const;
+  bool areTrianglesApart();
+
+  JointPath path_;
+  const PairBody& first_;
+  const PairBody& second_;
+  double clearance_;
+  MotionBound motion_;
+  PlacedPath placed_;
+  BodyDistances distances_;
+};
+
+}  // namespace link_bounds

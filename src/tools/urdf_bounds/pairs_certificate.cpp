@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/urdf_bounds/pairs_certificate.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "robot/pairs/pair_certificate.h"
+#include "tools/command_line/options.h"
+#include "tools/text/safe_text.h"
+#include "tools/urdf_bounds/pair_words.h"
+
+namespace link_bounds {
+namespace {
+
+/// Of the clearance that was proven. All of it would take a hundred times as many boxes, most of
+/// them near the nearest pose.
+constexpr double kClaimed = 0.5;
+
+class Certificate {
+ public:
+  Certificate(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
+              const std::vector<JointRange>& ranges)
+      : options_(options), robot_(robot), bounded_(bounded), ranges_(ranges) {
+    for (const Body& body : bounded.bodies)
+      bodies_.push_back(pairBody(body));
+  }
+
+  void writeHead(std::ostream& out) const {
+    const char* const geometry = !options_.collision ? "visual"
+                                 : options_.visual   ? "both"
+                                                     : "collision";
+    out << "{\"certificate\": 1, \"robot\": " << jsonString(robot_.name) << ", \"geometry\": \""
+        << geometry << "\", \"clearance\": " << exactNumber(goal()) << ", \"given\": {";
+    const char* separator = "";
+    for (const auto& [joint, range] : options_.joints) {
+      out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "
+          << exactNumber(range.upper) << "]";
+      separator = ", ";
+    }
+    out << "}}\n";
+  }
+
+  /// False, and nothing is written, if there is no tree.
+  bool writePair(const PairProof& proof, const std::function<bool()>& is_over,
+                 std::ostream& out) const {
+    const double clearance = goal() + kClaimed * (proof.clearance - goal());
+    PairCertificate pair(
+        jointPath(robot_, ranges_, bounded_.indices[proof.first], bounded_.indices[proof.second]),
+        bodies_[proof.first], bodies_[proof.second], clearance);
+    std::ostringstream tree;
+    std::string variables;
+    for (const std::size_t joint : pair.path().variables) {
+      if (!robot_.joints[joint].part_of.empty()) return false;
+      variables += (variables.empty() ? "" : ", ") + jsonString(robot_.joints[joint].name);
+    }
+    if (!pair.writeTree(is_over, tree)) return false;
+    out << "{\"first\": " << jsonString(bounded_.links[proof.first].name)
+        << ", \"second\": " << jsonString(bounded_.links[proof.second].name)
+        << ", \"clearance\": " << exactNumber(clearance) << ", \"variables\": [" << variables
+        << "], \"tree\": " << tree.str() << "}\n";
+    return true;
+  }
+
+ private:
+  double goal() const { return options_.clearance.value_or(0); }
+
+  const UrdfBoundsOptions& options_;
+  const Robot& robot_;
+  const BoundedRobot& bounded_;
+  const std::vector<JointRange>& ranges_;
+  std::vector<PairBody> bodies_;
+};
+
+void writeEnd(std::size_t pairs, const std::map<Verdict, std::size_t>& left_out,
+              std::ostream& out) {
+  out << "{\"pairs\": " << pairs << ", \"not_covered\": {";
+  const char* separator = "";
+  for (const auto& [verdict, count] : left_out) {
+    out << separator << '"' << toText(verdict) << "\": " << count;
+    separator = ", ";
+  }
+  out << "}}\n";
+}
+
+}  // namespace
+
+std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robot,
+                             const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
+                             const std::vector<PairProof>& proofs,
+                             const std::function<bool()>& is_over) {
+  std::ofstream out(*options.certificate);
+  const Certificate certificate(options, robot, bounded, ranges);
+  certificate.writeHead(out);
+  std::map<Verdict, std::size_t> left_out;
+  std::size_t covered = 0;
+  for (const PairProof& proof : proofs) {
+    const bool is_covered =
+        proof.verdict == Verdict::kNever && certificate.writePair(proof, is_over, out);
+    if (is_covered) {
+      ++covered;
+    } else {
+      ++left_out[proof.verdict];
+    }
+  }
+  writeEnd(covered, left_out, out);
+  out.close();
+  if (!out) throw UsageError("cannot write " + *options.certificate);
+  return left_out[Verdict::kNever];
+}
+
+}  // namespace link_bounds

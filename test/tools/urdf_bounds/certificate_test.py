@@ -1,0 +1,279 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/check_certificate accepts what urdf_bounds --pairs --certificate writes, and nothing that
+is false.
+
+Run as: certificate_test.py PATH_OF_wrong_certificate PATH_OF_urdf_bounds
+"""
+import contextlib
+import importlib.machinery
+import io
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import types
+from unittest import mock
+
+from urdf_bounds_pairs_test import ball, joint, link
+from urdf_bounds_testing import UrdfBoundsTest, main, run
+
+PACKAGE = os.path.realpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../..'))
+DEMO = os.path.join(PACKAGE, 'launch/demo/demo.urdf')
+WRONG = ''
+REFUSED, INCOMPLETE = 3, 4  # exit codes
+DAMAGES = 200
+NEAR = '0.42'  # metres; the base comes as near as 0.435 m
+COARSE = ('--pairs', '--accuracy', '1000', '--budget', '1000')
+
+# With collision geometry in STL files and solids. The others have too many boxes for a test.
+PUBLIC = {'ur_description/urdf/ur5e.urdf': '20', 'franka_description/urdf/panda.urdf': '3',
+          'husky_description/urdf/husky.urdf': '20'}
+
+
+def load_checker():
+    folder = os.path.join(PACKAGE, 'scripts')
+    sys.path.insert(0, folder)
+    path = os.path.join(folder, 'check_certificate')
+    loader = importlib.machinery.SourceFileLoader('checker', path)
+    module = types.ModuleType('checker')
+    module.__file__ = path
+    loader.exec_module(module)
+    return module
+
+
+CHECKER = load_checker()
+
+
+def check(*arguments):
+    """Exit code, and what is printed."""
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text):
+        code = CHECKER.main(list(arguments))
+    return code, text.getvalue()
+
+
+def box(size, place='0 0 0', turn='0 0 0'):
+    return '<origin xyz="%s" rpy="%s"/><geometry><box size="%s"/></geometry>' % (place, turn, size)
+
+
+def mesh(name, place='0 0 0'):
+    path = os.path.join(PACKAGE, 'test/data/meshes', name)
+    return ('<origin xyz="%s"/><geometry><mesh filename="file://%s" scale="0.3 0.2 0.2"/>'
+            '</geometry>' % (place, path))
+
+
+def cube_at(place):
+    """The triangles of a cube of 0.1 m around it, as the text of an STL file."""
+    corners = [[place[0] + x, place[1] + y, z] for x in (-.05, .05) for y in (-.05, .05)
+               for z in (-.05, .05)]
+    faces = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    text = ''
+    for a, b, c, d in faces:
+        for triangle in ((a, b, c), (a, c, d)):
+            text += 'facet normal 0 0 0 outer loop %s endloop endfacet\n' % ' '.join(
+                'vertex %r %r %r' % tuple(corners[i]) for i in triangle)
+    return text
+
+
+# Joints of all kinds, backwards and forwards, and shapes of all kinds; nothing collides.
+ARM = '<robot name="arm">%s</robot>' % ''.join([
+    link('base', box('0.4 0.4 0.2', '0 0 -0.3', '0.1 0.2 0.3')), link('upper', ball(0.05, 0.3)),
+    link('lower', mesh('cube.stl', '0.1 0 0')), link('slide', ball(0.03)),
+    link('tower', '<origin xyz="0 0 0.2"/><geometry><cylinder radius="0.1" length="0.3"/>'
+         '</geometry>'),
+    joint('shoulder', 'continuous', 'base', 'upper', '0 0 0.2'),
+    joint('elbow', 'revolute', 'upper', 'lower', '0.6 0 0', (-1, 1)),
+    joint('push', 'prismatic', 'lower', 'slide', '0.5 0 0.1', (0, 0.3)),
+    joint('turn', 'revolute', 'base', 'tower', '-1.9 0 0', (-0.5, 2)).replace(
+        '<axis', '<mimic joint="elbow" multiplier="-2" offset="0.5"/><axis')])
+
+
+class CertificateTest(UrdfBoundsTest):
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', ARM)
+
+    def certificate(self, urdf, *arguments):
+        file = os.path.join(self.folder, 'file.cert')
+        code, out, err = run(urdf, *COARSE, '--certificate', file, *arguments)
+        self.assertEqual(code, 0, err)
+        return file, out
+
+    def accept(self, urdf, *arguments, given=()):
+        """What is printed."""
+        file, out = self.certificate(urdf, *given)
+        joints = [argument for argument in given if ':=' in argument]
+        code, text = check(file, urdf, *joints, *arguments)
+        self.assertEqual(code, 0, text)
+        self.assertIn(': %s pairs never' % re.search(r'(\d+) NEVER,', out).group(1), text)
+        return text
+
+    def test_all_kinds_of_joints_and_shapes(self):
+        text = self.accept(self.urdf, '--all')
+        self.assertRegex(text, r'arm: [1-9]\d* pairs .*; (\d+) of \1 boxes were checked\n')
+        self.assertIn('of', self.accept(self.urdf))
+
+    def test_ranges_that_the_user_gave(self):
+        given = ('elbow:=0..0.5', 'push:=0.1')
+        self.assertIn('; elbow:=0..0.5; push:=0.1..0.1\n', self.accept(self.urdf, given=given))
+        file, _ = self.certificate(self.urdf, *given)
+        for other in ((), given[:1], ('elbow:=0..0.6', 'push:=0.1')):
+            code, text = check(file, self.urdf, *other)
+            self.assertEqual(code, REFUSED)
+            self.assertIn('elbow', text)
+
+    def test_shapes_that_no_direction_tells_apart(self):
+        """A ball inside of a ring: only single shapes or triangles show that they are apart."""
+        places = [(0.3, 0), (-0.3, 0), (0, 0.3), (0, -0.3)]
+        solids = '</visual><visual>'.join(box('0.1 0.1 0.1', '%g %g 0' % place) for place in places)
+        stl = self.write('ring.stl', 'solid ring\n%s' % ''.join(map(cube_at, places)))
+        for ring, kind in ((solids, list), (
+                '<geometry><mesh filename="%s"/></geometry>' % os.path.basename(stl), str)):
+            with self.subTest(kind):
+                text = '<robot name="ring">%s</robot>' % ''.join([
+                    link('ring', ring), link('arm', ball(0.01)), link('ball', ball(0.05)),
+                    joint('turn', 'revolute', 'ring', 'arm', '0 0 0.02'),
+                    joint('bend', 'revolute', 'arm', 'ball', '0.01 0 0')])
+                urdf = self.write('ring.urdf', text)
+                self.accept(urdf, '--all')
+                with open(os.path.join(self.folder, 'file.cert'), encoding='utf-8') as file:
+                    pair = json.loads(file.readlines()[1])
+                leaves = [token for token in pair['tree'] if is_leaf(token)]
+                self.assertTrue(all(isinstance(leaf, kind) for leaf in leaves))
+
+    def test_demo(self):
+        given = tuple('%s:=0.3' % name for name in ('forearm_roll', 'wrist_roll', 'elbow_bend'))
+        file, _ = self.certificate(DEMO, *given)
+        code, text = check(file, DEMO, *given)
+        self.assertEqual(code, INCOMPLETE, 'OBJ and Collada are not read')
+        self.assertRegex(text, r': [1-9]\d pairs never nearer')
+        self.assertIn('.obj is no STL file', text)
+        self.assertEqual(check(file, DEMO, *given, '--allow-incomplete')[0], 0)
+
+    def test_public_robots(self):
+        data = os.environ.get('LINK_BOUNDS_DATA')
+        if not data:
+            print('skipped: certificates of public robots: LINK_BOUNDS_DATA is not set')
+            return
+        for name, sample in PUBLIC.items():
+            with self.subTest(name), mock.patch.dict(os.environ, ROS_PACKAGE_PATH=data + '/robots'):
+                urdf = os.path.join(data, 'robots', name)
+                file, _ = self.certificate(urdf, '--geometry', 'collision')
+                code, text = check(file, urdf, '--sample', sample)
+                self.assertEqual(code, 0, text)
+                self.assertNotIn(': 0 pairs', text)
+
+    def test_what_is_not_in_the_file(self):
+        file = os.path.join(self.folder, 'late.cert')
+        code, _, err = run(self.urdf, *COARSE[:3], '--certificate', file, '--budget', '1e-9')
+        self.assertEqual(code, INCOMPLETE)
+        self.assertIn('UNDECIDED pairs', err)
+        self.assertEqual(check(file, self.urdf)[0], INCOMPLETE)
+        self.check_refused('cannot write', self.urdf, *COARSE, '--certificate',
+                           os.path.join(self.folder, 'none/x'))
+        self.check_refused('--certificate is an option of --pairs', self.urdf, '--reach',
+                           '--certificate', file)
+
+    def test_an_engine_whose_bodies_move_too_little(self):
+        """By a tenth, at a clearance for which boxes are as large as they may be."""
+        self.assertIn(' 6 pairs', self.accept(self.urdf, '--all', given=('--clearance', NEAR)))
+        file = os.path.join(self.folder, 'wrong.cert')
+        subprocess.run([WRONG, self.urdf, file, NEAR], check=True)
+        code, text = check(file, self.urdf, '--all')
+        self.assertEqual(code, REFUSED, text)
+        self.assertIn('not proven around', text)
+
+
+def turned(leaf):
+    if leaf == 'mesh':
+        return [0, 0, 0]
+    return [turned(n) for n in leaf] if isinstance(leaf[0], list) else [-x for x in leaf]
+
+
+def is_leaf(token):
+    return not isinstance(token, int)
+
+
+class DamageTest(UrdfBoundsTest):
+    """Each damage makes the file false or malformed."""
+
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', ARM)
+        self.file = os.path.join(self.folder, 'good.cert')
+        self.assertEqual(run(self.urdf, *COARSE, '--certificate', self.file)[0], 0)
+        with open(self.file, encoding='utf-8') as file:
+            self.lines = [json.loads(line) for line in file]
+        self.random = random.Random(1)
+
+    def some(self, tree, kind):
+        return self.random.choice([i for i, token in enumerate(tree) if is_leaf(token) == kind])
+
+    def damage(self, lines):
+        """Its name."""
+        pair = self.random.choice([line for line in lines[1:-1] if len(line['tree']) > 4])
+        tree = pair['tree']
+        leaf, split = self.some(tree, True), self.some(tree, False)
+        other = self.random.choice([line for line in lines[1:-1] if line is not pair])
+        damages = {
+            'turned direction': lambda: tree.__setitem__(leaf, turned(tree[leaf])),
+            'no direction': lambda: tree.__setitem__(leaf, [0, 0, 0]),
+            'direction of text': lambda: tree.__setitem__(leaf, ['x', 0, 1]),
+            'not a number': lambda: tree.__setitem__(leaf, [float('nan'), 0, 1]),
+            'missing leaf': lambda: tree.pop(leaf),
+            'further leaf': lambda: tree.insert(leaf, tree[leaf]),
+            'unknown variable': lambda: tree.__setitem__(split, len(pair['variables'])),
+            'negative variable': lambda: tree.__setitem__(split, -1),
+            'a box is closed too early': lambda: tree.__setitem__(split, [0, 0, 1]),
+            'end of the tree': lambda: tree.__delitem__(slice(split, None)),
+            'no tree': tree.clear,
+            'clearance': lambda: pair.update(clearance=self.random.uniform(5, 50)),
+            'no clearance': lambda: pair.update(clearance=0),
+            'negative clearance': lambda: lines[0].update(clearance=-1),
+            'other goal': lambda: lines[0].update(clearance=100),
+            'unknown link': lambda: pair.update(second='none'),
+            'same link': lambda: pair.update(second=pair['first']),
+            'pair twice': lambda: lines.insert(1, pair),
+            'pair missing': lambda: lines.remove(pair),
+            'tree of another pair': lambda: pair.update(tree=other['tree'] + [[0, 0, 1]]),
+            'narrow range': lambda: lines[0]['given'].update(elbow=[0, 0.1]),
+            'other geometry': lambda: lines[0].update(geometry='collision'),
+            'fewer variables': lambda: pair['variables'].pop(),
+            'other version': lambda: lines[0].update(certificate=2),
+            'no end': lines.pop,
+            'other end': lambda: lines[-1].update(pairs=1)}
+        name = self.random.choice(sorted(damages))
+        damages[name]()
+        return name
+
+    def test_200_damages(self):
+        self.assertEqual(check(self.file, self.urdf, '--all')[0], 0)
+        file, seen = os.path.join(self.folder, 'bad.cert'), set()
+        for number in range(DAMAGES):
+            lines = json.loads(json.dumps(self.lines))
+            name = self.damage(lines)
+            seen.add(name)
+            with open(file, 'w', encoding='utf-8') as out:
+                out.writelines(json.dumps(line) + '\n' for line in lines)
+            with self.subTest(number=number, damage=name):
+                code, text = check(file, self.urdf, '--all')
+                self.assertEqual(code, REFUSED, text)
+        self.assertGreater(len(seen), 20)
+
+    def test_truncated_files(self):
+        with open(self.file, 'rb') as file:
+            data = file.read()
+        bad = os.path.join(self.folder, 'bad.cert')
+        for share in (0, 0.1, 0.5, 0.9, 0.999):
+            with open(bad, 'wb') as file:
+                file.write(data[:int(share * len(data))])
+            self.assertEqual(check(bad, self.urdf)[0], REFUSED)
+
+
+if __name__ == '__main__':
+    WRONG = sys.argv.pop(1)
+    main()
