@@ -52,10 +52,10 @@ def shape(element, file_of):
         corners = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
         points = corners * numbers(solid.get('size'))
     elif solid.tag == 'sphere':
-        points, radius = np.zeros((1, 3)), float(solid.get('radius'))
+        points, radius = np.zeros((1, 3)), numbers(solid.get('radius'), 1)[0]
     elif solid.tag == 'cylinder':  # in a prism
-        outer = float(solid.get('radius')) / math.cos(math.pi / 64) * (1 + 1e-9)
-        half = float(solid.get('length')) / 2
+        outer = numbers(solid.get('radius'), 1)[0] / math.cos(math.pi / 64) * (1 + 1e-9)
+        half = numbers(solid.get('length'), 1)[0] / 2
         angles = np.arange(64) * (math.pi / 32)
         points = np.array([(outer * math.cos(angle), outer * math.sin(angle), z)
                            for angle in angles for z in (-half, half)])
@@ -63,6 +63,8 @@ def shape(element, file_of):
         points = triangles(file_of(solid.get('filename')))
     else:
         raise NotCovered('<%s> is unknown' % solid.tag)
+    if not np.isfinite(points).all():
+        raise NotCovered('a vertex is no number')
     points, index = np.unique(points, axis=0, return_inverse=True)
     scale = Interval(numbers(solid.get('scale', '1 1 1')))
     return (origin(element).apply(Interval(points) * scale), radius,
@@ -118,7 +120,7 @@ class Robot:
                       for joint, (leader, factor, _) in leads if leader == name)
         if returns and upper - lower >= 2 * math.pi - 1e-12:
             middle = min(max(0.0, lower + math.pi), upper - math.pi)
-            return [middle - math.pi - 1e-15, middle + math.pi + 1e-15]
+            return [middle - math.pi - 1e-14, middle + math.pi + 1e-14]
         if not lower <= upper or math.isinf(upper - lower):
             raise NotCovered('joint %s has no range' % name)
         return [lower, upper]

@@ -223,6 +223,7 @@ class DamageTest(UrdfBoundsTest):
             'turned direction': lambda: tree.__setitem__(leaf, turned(tree[leaf])),
             'no direction': lambda: tree.__setitem__(leaf, [0, 0, 0]),
             'direction of text': lambda: tree.__setitem__(leaf, ['x', 0, 1]),
+            'no unit': lambda: tree.__setitem__(leaf, [self.random.choice((1e200, 1e-200)), 0, 0]),
             'not a number': lambda: tree.__setitem__(leaf, [float('nan'), 0, 1]),
             'missing leaf': lambda: tree.pop(leaf),
             'further leaf': lambda: tree.insert(leaf, tree[leaf]),
