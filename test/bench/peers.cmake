@@ -2,6 +2,7 @@
 # folders count: all of us are compiled alike.
 pkg_check_modules(BULLET bullet)
 pkg_check_modules(FCL fcl>=0.6)
+# With pkg-config like the others, because the package does not depend on it.
 #catkin_lint: ignore_once misconfigured_catkin_package
 pkg_check_modules(GEOMETRIC_SHAPES geometric_shapes)
 set(peers "")

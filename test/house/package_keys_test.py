@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """package.xml: each key is one of rosdep's and has a package in scripts/packages.sh; the package for
 apt depends on those that run beside it; who builds with messages and library gets what he needs,
-and nothing that only the demos need: package_keys_test.py FOLDER"""
+and nothing that only a display needs: package_keys_test.py FOLDER"""
 import pathlib
 import re
 import subprocess
@@ -21,7 +21,7 @@ GROUPS = 'build run demo test display link'
 GROUPS_OF_DEB = 'run demo display link'
 LIBRARIES = {'assimp', 'roscpp', 'rospack', 'tf2', 'tf2_ros'}
 OF_MESSAGES = ('ros-{}', 'lib{}-dev')
-DEMO_ONLY = {'robot_state_publisher', 'rviz', 'sensor_msgs'}
+DISPLAY_ONLY = {'rviz'}
 
 # Packages of the public headers of C++, by the first folder of what they include.
 HEADERS = {'Eigen': 'eigen', 'geometry_msgs': 'geometry_msgs', 'std_msgs': 'std_msgs'}
@@ -82,8 +82,8 @@ def main():
             {key for key in all_keys if not is_known(key, known)},
         'the package for apt depends on no package for':
             {key for key in run_keys if not is_complete_at_run_time(key, of_deb)},
-        'only the demos need, so package.xml should have as test_depend':
-            DEMO_ONLY & keys(folder, '(exec_|build_export_|build_)?depend'),
+        'only a display needs, so package.xml should have as test_depend':
+            DISPLAY_ONLY & keys(folder, '(exec_|build_export_|build_)?depend'),
         'only the demos need, so the package for apt should only recommend':
             {name for name in packages(folder, 'run') if re.search('rviz|state-publisher', name)},
         'headers and messages need, so package.xml should have as build_export_depend':

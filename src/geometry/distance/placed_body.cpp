@@ -9,17 +9,19 @@
 // point p at W (S p), with the poses W and S as given. Computed are
 //   M = fl(W S)                 relative to |W| |S|, each entry   4u (three products, two sums,
 //                                                                    one more for the translation)
-//   m = fl(M' n)                                                  3u
-//   p, the point with the largest fl(m . p)                       twice 3u, and twice the 3u of m:
-//                                                                 the best point may lose by that
-//   n . fl(M p + t)                                               4u + 3u
+//   m = fl(M' n)                                                  3u more
+//   p, the point with the largest fl(m . p)                       3u more: it may lose twice 10u
+//                                                                 to the best point. Of a solid
+//                                                                 it is computed: twice 7u and 6u
+//   n . fl(M p + t)                                               the 4u of M, and 4u + 3u
 //   the difference of both supports, and |n|                      1u + 4u
-// together less than 32u of the sum over the absolute values of all factors, which is at most
+// together 36u of the sum over the absolute values of all factors, which is at most
 //   rho = | |W| (|S| A + |s|) |,  A the largest |coordinate|, s the translation of S,
-// since |n| <= 1 to within 4u. A direction table may leave out points that are beaten by less than
-// 1e-14 A |m|_1 <= 1e-14 rho and evaluates to as much again. The origins of the bodies are
-// subtracted once, with an error of u of the difference, which then enters the last four steps.
-// kRounding is twice of what is needed, and so covers that second-order terms are left out.
+// since |n| <= 1 to within 4u. A direction table leaves out points that others beat to within
+// kTableTolerance A |m|_1 <= kTableTolerance rho, but for rounding while it was made; as much again
+// covers that. The origins of the bodies are subtracted once, with an error of u of the difference,
+// which then enters the last four steps. kRounding is 64u: the 28u beyond those above cover the
+// terms of second order and the sum of a solid and a point, which are left out there.
 #include "geometry/distance/placed_body.h"
 
 #include <algorithm>

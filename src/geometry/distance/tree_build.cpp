@@ -16,9 +16,10 @@ namespace {
 constexpr double kLargestCoordinate = 1e30;
 
 /// Every box is larger than its triangles by this part of their distance from its centre. The axes
-/// are unit and orthogonal to 1e-15, and rounding a half edge to float turns and shortens it by at
-/// most 6e-8 of its length. In the basis of the rounded edges, a coordinate of a point so differs
-/// from the one along the axes by at most 1.1e-7 of the point's distance from the centre.
+/// are unit and orthogonal to 1e-14, because fit() takes no others, and rounding a half edge to
+/// float turns and shortens it by at most 6e-8 of its length. In the basis of the rounded edges, a
+/// coordinate of a point so differs from the one along the axes by at most 1.1e-7 of the point's
+/// distance from the centre.
 constexpr double kEdgePad = 1e-6;
 
 /// Nodes of so few triangles try the axes of each.

@@ -94,12 +94,12 @@ struct DirectionTable {
   std::size_t bytes() const;
 };
 
-/// Of the largest |coordinate| times |r|_1: see directionTable(). As much again covers that an
-/// extent is evaluated in double.
+/// Of the largest |coordinate| times |r|_1: see directionTable(). As much again covers that lists
+/// are made, and an extent is evaluated, in double.
 constexpr double kTableTolerance = 1e-14;
 
 /// `points` must be finite and not empty. A point may be left out if others extend as far to within
-/// kTableTolerance; worldBox adds a pad for that. At most
+/// kTableTolerance, and to rounding; worldBox adds a pad for that. At most
 /// `kScannedPoints` points go into one list. Otherwise the grid is the coarsest of 8, 16, 32 and 64
 /// with at most 8 points per list on average, or the last one before a table takes more memory than
 /// 96 KiB or 48 bytes per point that can be extreme, whichever is more.

@@ -51,8 +51,8 @@ constexpr TopicName kDistancesTopic{
     "loaded"};
 constexpr TopicName kNearestTopic{
     "~nearest", "link_bounds/Distance",
-    "with each ~distances: the pair of the smallest distance; without names, and with distance = "
-    "distance_max = distance_limit, if there is none"};
+    "with each ~distances: the pair of the smallest distance; if no pair is near, names are empty "
+    "and both distances equal distance_limit"};
 constexpr TopicName kDistanceMarkersTopic{
     "~distance_markers", "visualization_msgs/MarkerArray",
     "at most marker_rate, only while somebody listens: a line per pair of ~distances, and the "

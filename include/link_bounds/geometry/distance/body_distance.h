@@ -22,17 +22,18 @@ struct BodyDistance {
   double upper;
   Eigen::Vector3d on_first;  ///< a point of the first body
   Eigen::Vector3d on_second;
-  /// Unit, from the first body to the second; zero if `lower` is 0. At the levels kBox and kHull
-  /// the two shapes that decide are `lower` apart along it, which proves `lower` for bodies of one
-  /// shape each. Of several shapes or of triangles no single direction proves it; at kMesh it is
-  /// the direction from on_first to on_second.
+  /// Unit, from the first body to the second; zero if `lower` is 0. At the levels kBox and kHull,
+  /// bodies of one shape each are at least `lower` apart along it, which proves `lower`; of several
+  /// shapes it may hold for two only. At kMesh it is the direction from on_first to on_second, and
+  /// no single direction proves `lower`.
   Eigen::Vector3d normal;
   DistanceLevel level;
 };
 
 struct DistanceGoal {
-  /// `upper` - `lower` shall not exceed this [m], > 0. Also close to contact, 1e-8 of the bodies'
-  /// size is reached.
+  /// `upper` - `lower` shall not exceed this [m], > 0. Rounding is added: up to 1e-13 of the
+  /// largest coordinates of both bodies and of the distance of their origins. Also close to
+  /// contact, 1e-8 of the bodies' size is reached.
   double accuracy = 1e-4;
   /// Bodies that are proven to be farther apart need no accuracy [m], >= 0.
   double limit = std::numeric_limits<double>::infinity();
@@ -41,11 +42,11 @@ struct DistanceGoal {
   std::size_t max_steps = 1'000'000;
 };
 
-/// `lower` and `upper` differ by at most goal.accuracy if each shape has triangles or is a solid
-/// with at most one point, and neither goal.limit nor goal.max_steps ended the search. Nothing if a
-/// body has no shape, or a pose gives no finite box. The other order of the bodies gives the same
-/// numbers, with the points swapped and the normal reversed. Poses may be any affine transform.
-/// Throws nothing but std::bad_alloc.
+/// `lower` and `upper` differ by at most goal.accuracy and rounding if each shape has triangles or
+/// is a solid with at most one point, and neither goal.limit nor goal.max_steps ended the search.
+/// Nothing if a body has no shape, or a pose gives no finite box. The other order of the bodies
+/// gives the same numbers, with the points swapped and the normal reversed. Poses may be any affine
+/// transform. Throws nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,
                                          const Eigen::Affine3d& world_from_second,

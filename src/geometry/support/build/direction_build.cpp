@@ -16,7 +16,9 @@ namespace {
 
 /// A list passes through at most eight envelopes (four of large sets in parts, then grids of 8, 16,
 /// 32 and 64). Each may drop points that exceed the others by less than this share of the largest
-/// |coordinate|. The difference of two dot products errs by less than 7e-16 of it.
+/// |coordinate|, as computed: the difference of two dot products errs by less than 7e-16 of it. The
+/// assertion counts the shares alone. The errors of eight envelopes, 5.6e-15, are left to the
+/// second kTableTolerance that every user of a table adds.
 constexpr double kTolerance = 1.25e-15;
 static_assert(8 * kTolerance <= kTableTolerance, "a table could leave out too much");
 
