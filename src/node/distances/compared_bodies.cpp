@@ -5,6 +5,7 @@
 #include "node/distances/compared_bodies.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,7 +17,7 @@ constexpr std::size_t kFew = 16;
 
 /// Bodies of equal kind are left out with the same other ones.
 struct Kind {
-  std::size_t rigid_body;                 ///< of a link; of objects the number of rigid bodies
+  std::optional<std::size_t> rigid_body;  ///< of a link, or of an object that is attached
   std::vector<std::string> ignored_with;  ///< names and patterns
 
   bool operator<(const Kind& other) const {
@@ -25,9 +26,7 @@ struct Kind {
 };
 
 Kind kindOf(const Model& model, const PairMember& member) {
-  const std::vector<std::size_t>& of_links = model.bodies.of_links;
-  return {member.link ? of_links[*member.link] : model.bodies.parents.size(),
-          model.ignored_pairs.partnersOf(*member.name)};
+  return {bodyOf(model, member), model.ignored_pairs.partnersOf(*member.name)};
 }
 
 /// From the body after it on, and round.

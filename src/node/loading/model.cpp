@@ -130,6 +130,19 @@ void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>
   }
 }
 
+/// Links without geometry have a body, too.
+std::vector<Attachment> attachmentsOf(const Parameters& parameters, const Robot& robot) {
+  const RigidBodies bodies = rigidBodies(robot);
+  std::vector<Attachment> result;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const auto found = parameters.attached.find(robot.links[i].name);
+    if (found == parameters.attached.end()) continue;
+    for (const std::string& objects : found->second)
+      result.push_back({objects, bodies.of_links[i]});
+  }
+  return result;
+}
+
 /// One warning per unknown name. Names with a slash may be those of objects.
 std::vector<std::string> unknownNames(const Parameters& parameters,
                                       const std::vector<NamePair>& ignored_pairs,
@@ -144,6 +157,8 @@ std::vector<std::string> unknownNames(const Parameters& parameters,
     check(name, "ignore_links");
   for (const auto& [name, padding] : parameters.link_padding)
     check(name, "link_padding");
+  for (const auto& [name, objects] : parameters.attached)
+    check(name, "attached");
   for (const auto& [group, members] : parameters.groups) {
     for (const std::string& name : members) {
       if (name.find('/') == std::string::npos) check(name, "groups/" + group);
@@ -214,6 +229,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   model.bodies = bodiesOf(robot, bounded.indices);
   model.ignored_pairs = NamePairs(ignored_pairs);
+  model.attached = attachmentsOf(parameters, robot);
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
   model.mesh_uris = std::move(bounded.mesh_uris);
@@ -235,9 +251,19 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   return model;
 }
 
+std::optional<std::size_t> bodyOf(const Model& model, const PairMember& member) {
+  if (member.link) return model.bodies.of_links[*member.link];
+  for (const Attachment& attachment : model.attached) {
+    if (fitsPattern(*member.name, attachment.objects)) return attachment.body;
+  }
+  return std::nullopt;
+}
+
 bool isPair(const Model& model, const PairMember& a, const PairMember& b) {
-  const int joints = model.parameters.adjacent_joints;
-  if (a.link && b.link && areJoined(model.bodies, *a.link, *b.link, joints)) return false;
+  const std::optional<std::size_t> body = bodyOf(model, a);
+  const std::optional<std::size_t> other = body ? bodyOf(model, b) : std::nullopt;
+  if (other && areBodiesJoined(model.bodies, *body, *other, model.parameters.adjacent_joints))
+    return false;
   return !model.ignored_pairs.contains(*a.name, *b.name);
 }
 

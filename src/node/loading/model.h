@@ -23,6 +23,12 @@ struct SceneGroup : BoxGroup {
   std::vector<std::string> namespaces;
 };
 
+/// Objects that are part of a rigid body.
+struct Attachment {
+  std::string objects;  ///< a name, or a pattern of names
+  std::size_t body;     ///< number as in RigidBodies::of_links
+};
+
 struct Model {
   Parameters parameters;
   std::string fixed_frame;                      ///< tf name
@@ -32,6 +38,7 @@ struct Model {
   std::vector<SceneGroup> groups;  ///< "robot", then those of the user by name; members index links
   RigidBodies bodies;              ///< by index of link
   NamePairs ignored_pairs;         ///< whose overlaps are not reported
+  std::vector<Attachment> attached;               ///< the first that fits an object counts
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
   std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points of meshes in use
   std::vector<std::string> problems;  ///< one per element that is not bounded
@@ -60,6 +67,9 @@ struct PairMember {
   const std::string* name;
   std::optional<std::size_t> link;  ///< index in the model; nothing for objects
 };
+
+/// The rigid body of a link, or of an object that is attached to one.
+std::optional<std::size_t> bodyOf(const Model& model, const PairMember& member);
 
 /// Whether overlaps and distances of the two are published: they are neither joined nor ignored.
 bool isPair(const Model& model, const PairMember& a, const PairMember& b);

@@ -91,6 +91,16 @@ inline std::string ignorePairs(const std::vector<std::string>& value) {
   return "";
 }
 
+inline std::string attached(const std::map<std::string, std::vector<std::string>>& value) {
+  for (const auto& [link, objects] : value) {
+    for (const std::string& object : objects) {
+      if (object.find('/') == std::string::npos)
+        return "must name objects NS/ID or NS/*; see \"" + object + "\" of link \"" + link + "\"";
+    }
+  }
+  return "";
+}
+
 }  // namespace rules
 
 /// Calls visit(name, value, rule, meaning) for each private parameter.
@@ -127,6 +137,9 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "\"a b\": links or objects NS/ID that are never a pair in ~overlaps and ~distances; * in a "
         "name is any "
         "text without a slash, as in NS/*: all objects of a namespace");
+  visit("attached", p.attached, rules::attached,
+        "objects NS/ID or NS/* that are part of that link's rigid body in every pair of ~overlaps "
+        "and ~distances, as a tool would be");
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
         "links with this many movable joints between them, or fewer, are never a pair in "
         "~overlaps and ~distances; >= 0");

@@ -33,6 +33,7 @@ struct Parameters {
   bool marker_labels = false;
   double overlap_margin = 0.0;
   std::vector<std::string> ignore_pairs;
+  std::map<std::string, std::vector<std::string>> attached;
   int adjacent_joints = 1;
   int max_pairs = 10000;
   double distance_limit = 0.1;

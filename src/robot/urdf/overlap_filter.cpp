@@ -28,10 +28,12 @@ RigidBodies rigidBodies(const Robot& robot) {
   return bodies;
 }
 
-/// The body with the larger number is never above the other one, so its joint is on the way.
 bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other, int joints) {
-  std::size_t a = bodies.of_links[link];
-  std::size_t b = bodies.of_links[other];
+  return areBodiesJoined(bodies, bodies.of_links[link], bodies.of_links[other], joints);
+}
+
+/// The body with the larger number is never above the other one, so its joint is on the way.
+bool areBodiesJoined(const RigidBodies& bodies, std::size_t a, std::size_t b, int joints) {
   for (; a != b; --joints) {
     if (joints <= 0) return false;
     std::size_t& lower = a > b ? a : b;

@@ -10,7 +10,7 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import Pose, Recorder, TfSender, box_link, robot, transform
+from bounds_testing import Pose, Recorder, TfSender, box_link, load, robot, transform
 from node_testing import NODE, NodeProcess, Repeater
 from object_testing import ObjectSender, deletion, marker
 from page_testing import code_block
@@ -85,6 +85,18 @@ class SpeedScaling(unittest.TestCase):
         self.wait_for_factor(1, "full speed with new distances")
         self.node.end()
         self.wait_for_stop("no motion without the node")
+
+    def test_what_the_arm_holds_does_not_stop_it(self):
+        """The two recipes together: what is held touches the tool, as it does the gripper."""
+        self.start_tf()
+        self.wait_for_factor(1, "full speed while nothing is near")
+        self.objects.send(marker("held/1", 1, (0.1, 0.1, 0.2), Pose((0, 0, 0.2)), frame="tool",
+                                 frame_locked=True))
+        self.wait_for_stop("no motion while something touches the tool")
+        load(NODE, TWO_BLOCKS, attached={"tool": ["held/*"]})
+        self.wait_for_factor(1, "full speed with what is held")
+        self.objects.send(marker("ball/0", 2, (0.1, 0.1, 0.1), Pose((0.15, 0, 1.2))))
+        self.wait_for_factor((0.05 - STOP) / (SLOW - STOP), "slow near what is held")
 
 
 if __name__ == "__main__":

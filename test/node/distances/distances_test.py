@@ -138,6 +138,18 @@ class Distances(unittest.TestCase):
             ("base", "far"), ("base", "b/1"), ("mid", "a/1"), ("mid", "b/1"), ("far", "a/1"),
             ("far", "b/1"), ("a/1", "b/1")])
 
+    def test_an_attached_object_is_part_of_the_link(self):
+        """It stays a pair with what the link is a pair with."""
+        load(NODE, THREE, distance_limit=100, attached={"far": ["a/*"], "base": ["b/1"]})
+        stamp = self.place(1.3)
+        self.objects.send(marker("a/1"), marker("a/2"), marker("b/1"), marker("c/1"))
+        message = self.distances_at(stamp, lambda m: any("c/1" in pair for pair in names_of(m)))
+        self.assertEqual(names_of(message), [
+            ("base", "far"), ("base", "a/1"), ("base", "a/2"), ("base", "c/1"), ("mid", "c/1"),
+            ("far", "b/1"), ("far", "c/1"), ("a/1", "b/1"), ("a/1", "c/1"), ("a/2", "b/1"),
+            ("a/2", "c/1"), ("b/1", "c/1")])
+        self.assertIn(("far", "a/1"), left_out_of(message))
+
     def test_objects_come_change_and_go(self):
         ball = Pose((0, 0, 1))
         self.objects.send(marker("ball/1", Marker.SPHERE, (0.4, 0.4, 0.4), ball))

@@ -91,6 +91,19 @@ TEST(Model, IgnoredPairsAreWarnedAboutOnlyWhereALinkIsUnknown) {
   EXPECT_NE(model.warnings[1].find("\"typo\""), std::string::npos) << model.warnings[1];
 }
 
+TEST(Model, AttachedObjectsArePartOfTheBodyOfALink) {
+  Parameters parameters;
+  parameters.attached = {{"bare", {"held/7", "tray/*"}}, {"typo", {"held/7"}}};
+  const Model model = modelWith(parameters);
+  const auto bodyOfObject = [&](const std::string& name) { return bodyOf(model, {&name, {}}); };
+  EXPECT_EQ(bodyOfObject("held/7"), bodyOf(model, {&model.links[0].name, 0}))
+      << "a link without geometry has a body";
+  EXPECT_TRUE(bodyOfObject("tray/3"));
+  EXPECT_FALSE(bodyOfObject("held/8"));
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_NE(model.warnings[0].find("~attached names link \"typo\""), std::string::npos);
+}
+
 TEST(Model, MoreThanTwoWordsMustBeNames) {
   Parameters parameters;
   parameters.ignore_pairs = {"arm the scene/1"};

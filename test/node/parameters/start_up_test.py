@@ -21,6 +21,7 @@ BAD_PARAMETERS = {
     "ignore_links": ["base"],
     "padding": [-0.1, "0.1", float("nan"), float("inf"), 1e308],
     "link_padding": [[0.1], {"base": "wide"}, {"base": -1.0}, {"base": 1.1e6}],
+    "attached": [["held/1"], {"base": "held/1"}, {"base": ["held"]}],
     "groups": [["base"], {"arm": "base"}, {"robot": ["base"]}],
     "max_rate": [-1.0, "fast"],
     "timeout": [-1, float("nan"), True],
@@ -39,7 +40,8 @@ BAD_PARAMETERS = {
 QUOTED = {  # as messages quote them
     "['base']": '["base"]', "{'a': 1}": "{a: 1}", "{'base': 'wide'}": '{base: "wide"}',
     "{'base': -1.0}": "{base: -1.0}", "{'arm': 'base'}": '{arm: "base"}', "True": "true",
-    "{'robot': ['base']}": '{robot: ["base"]}', "1000000.0": "1e+06",
+    "['held/1']": '["held/1"]', "{'base': 'held/1'}": '{base: "held/1"}',
+    "{'base': ['held']}": '{base: ["held"]}', "{'robot': ['base']}": '{robot: ["base"]}', "1000000.0": "1e+06",
     "1100000.0": "1.1e+06",
     "{'base': 1100000.0}": "{base: 1.1e+06}",
     **{repr(text): '"%s"' % text for text in ("base", "mesh", "0.1", "fast", "30", "lines", "red",

@@ -8,7 +8,7 @@ from sequences_shapes import IDENTITY, ZERO, Shape, rpy_matrix, stl
 
 DEFAULTS = dict(fixed_frame="", geometry="visual", links=[], ignore_links=[], padding=0.0,
                 link_padding={}, groups={}, max_rate=0.0, timeout=2.0, overlap_margin=0.0,
-                ignore_pairs=[], adjacent_joints=1, parts_per_link=1)
+                ignore_pairs=[], attached={}, adjacent_joints=1, parts_per_link=1)
 
 
 class Element:
@@ -116,11 +116,20 @@ class Model:
         return (not chosen or name in chosen) and name not in ignored
 
     def are_joined(self, a, b):
-        """Links with at most adjacent_joints movable joints between their rigid bodies."""
+        """Links with at most adjacent_joints movable joints between their rigid bodies. Objects are
+        part of those to which they are attached."""
+        a, b = self._holder(a), self._holder(b)
         if a not in self._bodies or b not in self._bodies:
             return False
         way_a, way_b = self._way_to_root(a), self._way_to_root(b)
         return len(set(way_a) ^ set(way_b)) <= self.parameters["adjacent_joints"]
+
+    def _holder(self, name):
+        """The link to which an object is attached, by NS/ID or NS/*; other names as they are."""
+        for link in self._bodies:
+            if {name, name.rsplit("/", 1)[0] + "/*"} & set(self.parameters["attached"].get(link, [])):
+                return link
+        return name
 
     def _way_to_root(self, link):
         """The bodies from that of the link to the first one."""

@@ -86,6 +86,7 @@ def random_parameters(rng):
     maybe("timeout", 0.6, rng.choice([0.0, 0.7, 5.0]))
     maybe("overlap_margin", 0.3, rng.choice([0.1, 1.0]))
     maybe("ignore_pairs", 0.3, rng.choice([["a e", "o/1 b", "p/0 p/1"], ["* o/*", "p/* */*"]]))
+    maybe("attached", 0.3, rng.choice([{"e": ["o/*"], "b": ["p/1", "p/0"]}, {"bare": ["p/*"]}]))
     maybe("adjacent_joints", 0.3, rng.choice([0, 2, 3]))
     maybe("parts_per_link", 0.3, rng.choice([2, 5]))
     maybe("max_rate", 0.1, 200.0)

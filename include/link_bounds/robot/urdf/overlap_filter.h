@@ -26,6 +26,9 @@ RigidBodies rigidBodies(const Robot& robot);
 /// of one body there is none.
 bool areJoined(const RigidBodies& bodies, std::size_t link, std::size_t other, int joints = 1);
 
+/// The same of two bodies, numbers as in RigidBodies::of_links.
+bool areBodiesJoined(const RigidBodies& bodies, std::size_t body, std::size_t other, int joints);
+
 using NamePair = std::pair<std::string, std::string>;
 
 /// Splits `text` into two names with spaces between them. Names may contain spaces, so a text of
