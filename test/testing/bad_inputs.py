@@ -15,7 +15,7 @@ import bad_meshes
 import bad_robots
 
 DATA = os.path.join(os.environ.get('LINK_BOUNDS_DATA', ''), 'bad')
-HAS_DATA = bool(os.environ.get('LINK_BOUNDS_DATA'))
+HAS_DATA = bool(os.environ.get('LINK_BOUNDS_DATA')) and os.path.exists(DATA)
 
 # A program under a sanitizer is slow, and claims more address space than any limit allows.
 SANITIZED = 'ASAN_OPTIONS' in os.environ or 'TSAN_OPTIONS' in os.environ
@@ -229,7 +229,7 @@ def large_cases():
 def cases():
     """All cases that can run here; prints those that cannot."""
     if not HAS_DATA:
-        print('skipped: the robots of $LINK_BOUNDS_DATA/bad; LINK_BOUNDS_DATA is not set')
+        print('skipped: the robots of $LINK_BOUNDS_DATA/bad, which is not there')
     for case in [*small_cases(), *(large_cases() if HAS_DATA else ())]:
         if SANITIZED and case.name in NEEDS_LIMIT:
             print('skipped: %s under a sanitizer, where memory cannot be limited' % case.name)

@@ -22,6 +22,14 @@ SANITIZED = 'ASAN_OPTIONS' in os.environ
 MOVED_BUNNY = 'bunny_nested_moved_dae'
 
 
+def missing():
+    """Why nothing can be compared."""
+    if not os.environ.get('LINK_BOUNDS_DATA'):
+        return 'LINK_BOUNDS_DATA is not set'
+    has_truth = os.path.exists(os.path.join(DATA, 'robots.json'))
+    return None if has_truth else 'LINK_BOUNDS_DATA has no robots/robots.json'
+
+
 def load_json(*path):
     with open(os.path.join(DATA, *path), encoding='utf-8') as file:
         return json.load(file)
@@ -148,8 +156,8 @@ def difference(box, other):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    if not os.environ.get('LINK_BOUNDS_DATA'):
-        print('skipped: LINK_BOUNDS_DATA is not set')
+    if missing():
+        print('skipped: %s' % missing())
         return
     global URDF_BOUNDS
     URDF_BOUNDS = os.path.abspath(sys.argv.pop())
