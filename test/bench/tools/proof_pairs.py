@@ -36,10 +36,10 @@ def sampled(file):
     return {(first, second): verdict for verdict, first, second in rows}
 
 
-def pair_row(run, robot, file, budget):
+def pair_row(run, robot, file, budget, fixed=()):
     """The verdicts, and the row. `run` gives the JSON of urdf_bounds and the seconds. An accuracy
     of 1 km: verdicts alone."""
-    result, seconds = run(file, "--pairs", "--geometry", geometry(), "--accuracy", "1000",
+    result, seconds = run(file, *fixed, "--pairs", "--geometry", geometry(), "--accuracy", "1000",
                           "--budget", str(budget))
     found = list(verdicts(result).values())
     counts = {verdict: found.count(verdict) for verdict in VERDICTS}
@@ -64,10 +64,10 @@ def pair_rows(run, robot, file, is_quick):
     return rows
 
 
-def large_robot_rows(run, robot, file, is_quick):
+def large_robot_rows(run, robot, file, is_quick, fixed=()):
     """Of a robot with so many joints that not all pairs are decided."""
     budgets = (10,) if is_quick else (10, TARGET_SECONDS)
-    return [pair_row(run, robot, file, budget)[1] for budget in budgets]
+    return [pair_row(run, robot, file, budget, fixed)[1] for budget in budgets]
 
 
 def link(name, size, xyz="0 0 0"):
@@ -133,6 +133,7 @@ def report_pairs(rows):
             row["SOMETIMES"]))
     print()
     for row in rows:
+        assert row["seconds"] <= row["budget"] + 10, row
         if "wrong_never" not in row:
             continue
         print("%d random poses of %s: %d pairs never seen to collide, of which %d can collide%s" % (

@@ -10,6 +10,7 @@ import os
 import subprocess
 import tempfile
 import time
+import xml.etree.ElementTree
 
 from node_process import print_target
 from proof_pairs import large_robot_rows, made_rows, pair_rows, report_made, report_pairs
@@ -49,6 +50,21 @@ def robots(folder):
     for name, joints, limit in (("made, 6 joints", 6, 6.28), ("made, 7 joints", 7, 2.8)):
         files[name] = write(folder, "%d.urdf" % joints, made_arm(joints, limit))
     return files
+
+
+def all_but(prefix, file):
+    """Arguments that keep each joint at rest whose name does not begin so."""
+    arguments = []
+    for joint in xml.etree.ElementTree.parse(file).getroot().findall("joint"):
+        name, limit, mimic = joint.get("name"), joint.find("limit"), joint.find("mimic")
+        kind = joint.get("type")
+        if name.startswith(prefix) or mimic is not None or kind in ("fixed", "floating", "planar"):
+            continue
+        value = 0.0
+        if kind != "continuous":
+            value = min(max(value, float(limit.get("lower", 0))), float(limit.get("upper", 0)))
+        arguments.append("%s:=%.17g" % (name, value))
+    return arguments
 
 
 class Run:
@@ -108,6 +124,8 @@ def main():
         if os.environ.get("LINK_BOUNDS_DATA"):
             file = os.path.join(os.environ["LINK_BOUNDS_DATA"], "robots", PR2)
             pairs += large_robot_rows(run, "PR2", file, options.quick)
+            pairs += large_robot_rows(run, "PR2, right arm", file, options.quick,
+                                      all_but("r_", file))
         report_pairs(pairs)
         made = made_rows(run, lambda name, text: write(folder, name, text))
         report_made(*made)

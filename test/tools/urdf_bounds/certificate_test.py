@@ -109,13 +109,14 @@ class CertificateTest(UrdfBoundsTest):
         joints = [argument for argument in given if ':=' in argument]
         code, text = check(file, urdf, *joints, *arguments)
         self.assertEqual(code, 0, text)
-        self.assertIn(': %s pairs never' % re.search(r'(\d+) NEVER,', out).group(1), text)
+        self.assertIn(': %s pairs;' % re.search(r'(\d+) NEVER,', out).group(1), text)
         return text
 
     def test_all_kinds_of_joints_and_shapes(self):
         text = self.accept(self.urdf, '--all')
-        self.assertRegex(text, r'arm: [1-9]\d* pairs .*; (\d+) of \1 boxes were checked\n')
-        self.assertIn('of', self.accept(self.urdf))
+        self.assertRegex(text, r'arm: [1-9]\d* pairs; (\d+) of \1 boxes were checked, and all of '
+                               r'these hold\n')
+        self.assertRegex(self.accept(self.urdf, '--sample', '1'), r' 6 pairs; 6 of [1-9]\d+ boxes')
 
     def test_ranges_that_the_user_gave(self):
         given = ('elbow:=0..0.5', 'push:=0.1')
@@ -140,17 +141,24 @@ class CertificateTest(UrdfBoundsTest):
                     joint('bend', 'revolute', 'arm', 'ball', '0.01 0 0')])
                 urdf = self.write('ring.urdf', text)
                 self.accept(urdf, '--all')
-                with open(os.path.join(self.folder, 'file.cert'), encoding='utf-8') as file:
-                    pair = json.loads(file.readlines()[1])
+                path = os.path.join(self.folder, 'file.cert')
+                with open(path, encoding='utf-8') as file:
+                    head, pair, *rest = [json.loads(line) for line in file]
                 leaves = [token for token in pair['tree'] if is_leaf(token)]
                 self.assertTrue(all(isinstance(leaf, kind) for leaf in leaves))
+                pair['clearance'] = 0.21  # metres; farther than the ball is from the ring
+                with open(path, 'w', encoding='utf-8') as file:
+                    file.writelines(json.dumps(line) + '\n' for line in (head, pair, *rest))
+                code, found = check(path, urdf, '--all')
+                self.assertEqual(code, REFUSED)
+                self.assertIn('not proven around', found)
 
     def test_demo(self):
         given = tuple('%s:=0.3' % name for name in ('forearm_roll', 'wrist_roll', 'elbow_bend'))
         file, _ = self.certificate(DEMO, *given)
         code, text = check(file, DEMO, *given)
         self.assertEqual(code, INCOMPLETE, 'OBJ and Collada are not read')
-        self.assertRegex(text, r': [1-9]\d pairs never nearer')
+        self.assertRegex(text, r': [1-9]\d pairs; ')
         self.assertIn('.obj is no STL file', text)
         self.assertEqual(check(file, DEMO, *given, '--allow-incomplete')[0], 0)
 
