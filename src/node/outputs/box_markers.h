@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "node/distances/snapshot.h"
+#include "world/moment/snapshot.h"
 
 namespace link_bounds {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

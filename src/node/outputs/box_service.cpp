@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "node/history/past_boxes.h"
-#include "node/log/log_text.h"
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "node/outputs/past_message.h"
+#include "world/history/past_boxes.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 namespace {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "node/distances/distance_thread.h"
-#include "node/log/guarded.h"
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
+#include "node/outputs/distance_thread.h"
 #include "node/outputs/output.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 

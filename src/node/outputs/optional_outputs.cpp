@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "node/outputs/queues.h"
 
 namespace link_bounds {

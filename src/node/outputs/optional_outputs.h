@@ -13,13 +13,13 @@
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
-#include "node/distances/snapshot.h"
-#include "node/log/guarded.h"
 #include "node/outputs/box_markers.h"
 #include "node/outputs/output.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/part_boxes.h"
 #include "node/threads/worker.h"
+#include "world/log/guarded.h"
+#include "world/moment/snapshot.h"
 
 namespace link_bounds {
 

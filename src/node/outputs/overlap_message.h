@@ -9,7 +9,7 @@
 
 #include "link_bounds/BoxOverlapArray.h"
 #include "link_bounds/geometry/overlaps/sweep_and_prune.h"
-#include "node/distances/snapshot.h"
+#include "world/moment/snapshot.h"
 
 namespace link_bounds {
 

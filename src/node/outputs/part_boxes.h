@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/distances/snapshot.h"
+#include "world/moment/snapshot.h"
 
 namespace link_bounds {
 

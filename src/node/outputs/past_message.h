@@ -4,7 +4,7 @@
 #pragma once
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/history/past_boxes.h"
+#include "world/history/past_boxes.h"
 
 namespace link_bounds {
 

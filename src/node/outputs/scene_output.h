@@ -15,7 +15,7 @@
 #include "node/outputs/optional_outputs.h"
 #include "node/outputs/output.h"
 #include "node/outputs/paced_output.h"
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "node/outputs/past_message.h"
 #include "node/outputs/queues.h"
 #include "node/outputs/swept_markers.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "node/scene/scene.h"
 #include "tools/bag_bounds/moment.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

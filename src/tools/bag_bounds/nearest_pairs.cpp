@@ -3,8 +3,8 @@
 // Trees come back within the request, so that nothing waits for them.
 #include "tools/bag_bounds/nearest_pairs.h"
 
-#include "node/distances/object_body.h"
 #include "tools/command_line/interrupt.h"
+#include "world/moment/object_body.h"
 
 namespace link_bounds {
 namespace {

@@ -15,8 +15,8 @@
 
 #include "link_bounds/Distance.h"
 #include "link_bounds/robot/robot_loader.h"
-#include "node/distances/scene_distances.h"
 #include "tools/bag_bounds/moment.h"
+#include "world/moment/scene_distances.h"
 
 namespace link_bounds {
 

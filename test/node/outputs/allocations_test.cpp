@@ -11,9 +11,9 @@
 #include "node/outputs/box_message.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/part_boxes.h"
-#include "node/tf/tf_message.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/replaced_new.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds {
 namespace {
