@@ -12,7 +12,7 @@ import sys
 # From the bottom to the top.
 ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support/query',
          'geometry/support', 'geometry/shape', 'geometry/volumes',
-         'geometry/parts', 'geometry/overlaps', 'geometry/distance',
+         'geometry/parts', 'geometry/pairs', 'geometry/distance',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/reach',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
@@ -23,9 +23,10 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
          'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']
-# Folders of test that are no rooms, and folders of tests that look at the node as a whole.
-WITHOUT_RULES = ['test/consumer', 'test/fuzz', 'test/house', 'test/sanitizers', 'test/soak',
-                 'test/testing']
+# Former places of headers, folders of test that are no rooms, and folders of tests that look at the
+# node as a whole.
+WITHOUT_RULES = ['include/link_bounds/geometry/overlaps', 'test/consumer', 'test/fuzz',
+                 'test/house', 'test/sanitizers', 'test/soak', 'test/testing']
 WHOLE_NODE = ['test/node/demos', 'test/node/sequences']
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 

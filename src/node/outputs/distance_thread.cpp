@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waits for a snapshot or a tree, computes, publishes.
+// Waits for a moment or a tree, computes, publishes.
 #include "node/outputs/distance_thread.h"
 
 #include <algorithm>
@@ -16,9 +16,10 @@ constexpr std::chrono::milliseconds kTick(50);
 
 }  // namespace
 
-DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks,
+DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callbacks callbacks,
                                std::chrono::milliseconds keep)
-    : callbacks_(std::move(callbacks)),
+    : pairs_(pairs),
+      callbacks_(std::move(callbacks)),
       keep_(keep),
       distances_(requests),
       requests_(std::move(requests)),
@@ -32,10 +33,10 @@ DistanceThread::DistanceThread(TreeRequests requests, Callbacks callbacks,
       }()) {}
 
 /// Only taken over here; onTick() computes once for all that waits.
-void DistanceThread::give(std::shared_ptr<const Snapshot> snapshot) {
+void DistanceThread::give(MomentPtr moment) {
   if (published_ == given_) unpublished_since_ = Clock::now();
-  worker_.post("snapshot", [this, snapshot = std::move(snapshot), number = ++given_] {
-    current_ = snapshot;
+  worker_.post("moment", [this, moment = std::move(moment), number = ++given_] {
+    current_ = moment;
     current_number_ = number;
     has_news_ = true;
   });
@@ -67,7 +68,7 @@ std::vector<std::string> DistanceThread::errors() const {
 }
 
 /// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. True
-/// while there is a snapshot.
+/// while there is a moment.
 bool DistanceThread::onTick() {
   try {
     if (std::exchange(has_news_, false) && current_) compute();
@@ -83,7 +84,8 @@ bool DistanceThread::onTick() {
 
 void DistanceThread::compute() {
   const auto begin = Clock::now();
-  const auto result = distances_.compute(current_, begin, [this] { return worker_.isStopping(); });
+  const auto result =
+      distances_.compute(current_, pairs_, begin, [this] { return worker_.isStopping(); });
   if (!result) return;
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   {

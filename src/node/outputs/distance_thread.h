@@ -28,19 +28,20 @@ class DistanceThread {
   /// Called on the thread.
   struct Callbacks {
     std::function<void(const ComputedDistances&)> publish;
-    std::function<void()> tick;       ///< every 50 ms while there is a snapshot
+    std::function<void()> tick;       ///< every 50 ms while there is a moment
     std::function<bool()> is_wanted;  ///< else everything is forgotten after `keep`
   };
 
   /// `keep` is long enough for the next rostopic echo -n1 to find the trees. Throws
   /// std::runtime_error if the thread cannot be started.
-  DistanceThread(TreeRequests requests, Callbacks callbacks,
+  /// `pairs` must outlive this.
+  DistanceThread(TreeRequests requests, MomentPairs& pairs, Callbacks callbacks,
                  std::chrono::milliseconds keep = std::chrono::seconds(10));
 
   /// The functions below may be called from any thread and return at once, but for stop().
 
-  /// Replaces a snapshot whose computation has not begun.
-  void give(std::shared_ptr<const Snapshot> snapshot);
+  /// Replaces a moment whose computation has not begun.
+  void give(MomentPtr moment);
 
   /// A tree that was requested. Distances are computed again with it.
   void give(MadeTree tree);
@@ -50,7 +51,7 @@ class DistanceThread {
 
   DistanceTimes takeTimes();
 
-  /// For how long a snapshot has been waiting to be computed and published [s]; 0 if none is.
+  /// For how long a moment has been waiting to be computed and published [s]; 0 if none is.
   double behind() const;
 
   /// Why there are meshes and lists without triangles, one entry each.
@@ -64,16 +65,17 @@ class DistanceThread {
   void forgetIfUnwanted();
   void forget();
 
+  MomentPairs& pairs_;
   Callbacks callbacks_;
   std::chrono::milliseconds keep_;
-  SceneDistances distances_;                 ///< this and the next four: of the thread alone
-  std::shared_ptr<const Snapshot> current_;  ///< the newest one
-  std::uint64_t current_number_ = 0;         ///< among those that were given
-  bool has_news_ = false;                    ///< since the last computation
+  SceneDistances distances_;          ///< this and the next four: of the thread alone
+  MomentPtr current_;                 ///< the newest one
+  std::uint64_t current_number_ = 0;  ///< among those that were given
+  bool has_news_ = false;             ///< since the last computation
   Time last_wanted_;
   TreeRequests requests_;
   std::atomic<std::uint64_t> trees_{0};          ///< number of trees that were given: each counts
-  std::atomic<std::uint64_t> given_{0};          ///< number of snapshots
+  std::atomic<std::uint64_t> given_{0};          ///< number of moments
   std::atomic<std::uint64_t> published_{0};      ///< number of the newest one that was
   std::atomic<Time> published_begin_{Time()};    ///< when its computation began
   std::atomic<Time> unpublished_since_{Time()};  ///< since when given_ > published_, or earlier

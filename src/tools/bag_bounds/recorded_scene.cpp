@@ -10,7 +10,7 @@
 
 #include "node/inputs/checked_stream.h"
 #include "node/interface/topics.h"
-#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 

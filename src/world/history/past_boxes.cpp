@@ -33,31 +33,43 @@ std::string quotedList(const std::vector<std::string>& names) {
 
 PastBoxMaker::PastBoxMaker(PastScene& scene, const BoxRequest& request)
     : scene_(scene), tf_(scene.excerpt.buffer()), request_(request), tracker_(tf_) {
-  boxes_.entries.reserve(scene.bodies.size());
+  boxes_.moment.model = scene.model;
+  boxes_.moment.header.frame_id = scene.frameName();
+  boxes_.moment.header.stamp.fromNSec(static_cast<std::uint64_t>(request.stamp));
+  boxes_.moment.bodies.reserve(scene.bodies.size());
   if (request_.stamp != 0) return;
   tracker_.setTarget(scene_.target, scene_.model->parameters.timeout, scene_.now);
 }
 
 bool PastBoxMaker::proceed(std::chrono::nanoseconds budget, const std::function<bool()>& gives_up) {
   const Clock::time_point end = Clock::now() + budget;
-  while (boxes_.entries.size() < scene_.bodies.size()) {
+  while (made_ < scene_.bodies.size()) {
     makeNext(gives_up);
     if (Clock::now() >= end) break;
   }
-  return boxes_.entries.size() == scene_.bodies.size();
+  return made_ == scene_.bodies.size();
 }
 
 void PastBoxMaker::makeNext(const std::function<bool()>& gives_up) {
-  const PastBody& body = scene_.bodies[boxes_.entries.size()];
+  const PastBody& body = scene_.bodies[made_++];
   const auto asks = [&] { return is_given_up_ = is_given_up_ || gives_up(); };
   Made made;
   if (body.frame) made = asks() ? Made{{}, 0, kNotInTime} : make(body, asks);
-  const std::string& reason = made.problem.empty() ? body.reason : made.problem;
   boxes_.late += made.problem == kNotInTime;
-  const BoxState state{made.box, made.stamp, body.incomplete || !made.problem.empty()};
-  const std::string& name = body.bounded->name;
-  if (state.incomplete && incomplete_++ == 0) boxes_.problem = name + ": " + reason;
-  boxes_.entries.push_back({&name, state});
+  if (body.incomplete || !made.problem.empty()) {
+    const std::string& name = body.bounded->name;
+    const std::string& reason = made.problem.empty() ? body.reason : made.problem;
+    if (incomplete_++ == 0) boxes_.problem = name + ": " + reason;
+    boxes_.moment.addIncomplete(name, body.link);
+  }
+  if (made.box) add(body, made);
+}
+
+void PastBoxMaker::add(const PastBody& body, const Made& made) {
+  Moment& moment = boxes_.moment;
+  moment.bodies.push_back({body.link, body.object, made.stamp, *made.box, made.target_from_body});
+  const auto stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(made.stamp));
+  if (request_.stamp == 0) moment.header.stamp = std::max(moment.header.stamp, stamp);
 }
 
 PastBoxes PastBoxMaker::take() {
@@ -71,13 +83,16 @@ PastBoxMaker::Made PastBoxMaker::make(const PastBody& body, const std::function<
   if (!pose.target_from_frame) return {{}, 0, std::move(pose.problem)};
   // A body that stays in a frame that does not move is where its own transform placed it.
   const std::int64_t stamp = pose.stamp == 0 ? body.stamp : pose.stamp;
-  if (request_.span > 0 && pose.stamp != 0) return sweep(body, pose.stamp, stamp, gives_up);
   Eigen::Affine3d target_from_body = *pose.target_from_frame;
   const bool stays = *body.frame == scene_.target;
   if (body.frame_from_body)
     target_from_body = stays ? *body.frame_from_body : target_from_body * *body.frame_from_body;
+  if (request_.span > 0 && pose.stamp != 0) {
+    SweptBox swept = sweep(body, pose.stamp, gives_up);
+    return {swept.box, swept.box ? stamp : 0, std::move(swept.problem), target_from_body};
+  }
   const std::optional<Aabb> box = linkBox(*body.bounded, target_from_body);
-  if (box) return {box, stamp, ""};
+  if (box) return {box, stamp, "", target_from_body};
   return {{}, 0, describe(TransformProblem::kPoseNotFinite, nameOf(body), targetName())};
 }
 
@@ -97,8 +112,8 @@ PastBoxMaker::Pose PastBoxMaker::latest(Frame frame) {
   return {pose.fixed_from_frame.affine, pose.stamp, ""};
 }
 
-PastBoxMaker::Made PastBoxMaker::sweep(const PastBody& body, std::int64_t end, std::int64_t stamp,
-                                       const std::function<bool()>& gives_up) const {
+SweptBox PastBoxMaker::sweep(const PastBody& body, std::int64_t end,
+                             const std::function<bool()>& gives_up) const {
   const MotionSpan span{end - request_.span, end};
   BoundedLink placed;
   if (body.frame_from_body) {
@@ -106,10 +121,9 @@ PastBoxMaker::Made PastBoxMaker::sweep(const PastBody& body, std::int64_t end, s
     for (Shape& shape : placed.shapes)
       shape.link_from_shape = *body.frame_from_body * shape.link_from_shape;
   }
-  SweptBox swept =
-      sweptBox(tf_, scene_.target, *body.frame, span, body.frame_from_body ? placed : *body.bounded,
-               scene_.model->parameters.timeout, gives_up);
-  return {swept.box, swept.box ? stamp : 0, std::move(swept.problem)};
+  return sweptBox(tf_, scene_.target, *body.frame, span,
+                  body.frame_from_body ? placed : *body.bounded, scene_.model->parameters.timeout,
+                  gives_up);
 }
 
 PastBoxes pastBoxes(PastScene& scene, const BoxRequest& request,

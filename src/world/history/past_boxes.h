@@ -10,20 +10,16 @@
 
 #include "link_bounds/geometry/box/box_groups.h"
 #include "world/history/past_scene.h"
+#include "world/history/swept_box.h"
+#include "world/moment/moment.h"
 #include "world/tf/frame_tracker.h"
 
 namespace link_bounds {
 
 struct PastBoxes {
-  /// The names are those of the scene's bodies.
-  struct Entry {
-    const std::string* name;
-    BoxState state;
-  };
-
-  std::vector<Entry> entries;  ///< in the order of ~boxes
-  std::string problem;         ///< why the first incomplete body is that, and how many more are
-  std::size_t late = 0;        ///< boxes for which there was no time
+  Moment moment;  ///< its header has the stamp of the request; of the latest boxes, the newest
+  std::string problem;   ///< why the first incomplete body is that, and how many more are
+  std::size_t late = 0;  ///< boxes for which there was no time
 };
 
 /// Makes the boxes, one after the other. Both arguments of the constructor must live longer.
@@ -43,11 +39,12 @@ class PastBoxMaker {
  private:
   using Frame = TransformBuffer::Frame;
 
-  /// A box, or why there is none.
+  /// A box with its pose, or why there is none.
   struct Made {
     std::optional<Aabb> box;
     std::int64_t stamp = 0;
     std::string problem;
+    Eigen::Affine3d target_from_body = Eigen::Affine3d::Identity();
   };
 
   /// The pose of a frame in that of the request.
@@ -58,9 +55,10 @@ class PastBoxMaker {
   };
 
   void makeNext(const std::function<bool()>& gives_up);
+  void add(const PastBody& body, const Made& made);
   Made make(const PastBody& body, const std::function<bool()>& gives_up);
-  Made sweep(const PastBody& body, std::int64_t end, std::int64_t stamp,
-             const std::function<bool()>& gives_up) const;
+  SweptBox sweep(const PastBody& body, std::int64_t end,
+                 const std::function<bool()>& gives_up) const;
   Pose poseOf(Frame frame);
   Pose latest(Frame frame);
   const std::string& targetName() const { return tf_.name(scene_.target); }
@@ -72,7 +70,8 @@ class PastBoxMaker {
   FrameTracker tracker_;
   std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
   PastBoxes boxes_;
-  std::size_t incomplete_ = 0;
+  std::size_t made_ = 0;        ///< bodies of the scene
+  std::size_t incomplete_ = 0;  ///< among them
   bool is_given_up_ = false;
 };
 

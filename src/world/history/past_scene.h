@@ -26,6 +26,7 @@ struct BoxRequest {
 /// A link or an object, without its pose.
 struct PastBody {
   const BoundedLink* bounded = nullptr;         ///< its shapes, held by the model or by `object`
+  std::optional<std::size_t> link;              ///< its index in the model
   std::shared_ptr<const ObjectContent> object;  ///< null for links
   /// Of the excerpt; with which it moves. Nothing: there is no box at any time.
   std::optional<TransformBuffer::Frame> frame;

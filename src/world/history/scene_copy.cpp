@@ -112,6 +112,7 @@ void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
   const TransformBuffer& tf = scene.frames.tf();
   PastBody body;
   body.bounded = &model_->links[link];
+  body.link = link;
   body.incomplete = !body.bounded->isWhole();
   body.reason = body.bounded->missing;
   // After a ~reload this may be another model than the scene has.

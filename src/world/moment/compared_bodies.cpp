@@ -30,17 +30,17 @@ Kind kindOf(const Model& model, const PairMember& member) {
 }
 
 /// From the body after it on, and round.
-bool hasPartner(const Snapshot& snapshot, std::size_t body, std::map<Kind, bool>& known) {
-  const std::size_t count = snapshot.bodies.size();
-  const PairMember member = snapshot.member(body);
+bool hasPartner(const Moment& moment, std::size_t body, std::map<Kind, bool>& known) {
+  const std::size_t count = moment.bodies.size();
+  const PairMember member = moment.member(body);
   std::map<Kind, bool>::iterator entry;
   for (std::size_t i = 1; i < count; ++i) {
     if (i == kFew) {
-      const auto [found, is_new] = known.try_emplace(kindOf(*snapshot.model, member), false);
+      const auto [found, is_new] = known.try_emplace(kindOf(*moment.model, member), false);
       if (!is_new) return found->second;
       entry = found;
     }
-    if (!isPair(*snapshot.model, member, snapshot.member((body + i) % count))) continue;
+    if (!isPair(*moment.model, member, moment.member((body + i) % count))) continue;
     if (i >= kFew) entry->second = true;
     return true;
   }
@@ -49,15 +49,15 @@ bool hasPartner(const Snapshot& snapshot, std::size_t body, std::map<Kind, bool>
 
 }  // namespace
 
-std::vector<bool> areCompared(const Snapshot& snapshot, const std::vector<BoxPair>& pairs) {
-  std::vector<bool> result(snapshot.bodies.size(), false);
+std::vector<bool> areCompared(const Moment& moment, const std::vector<BoxPair>& pairs) {
+  std::vector<bool> result(moment.bodies.size(), false);
   for (const BoxPair& pair : pairs) {
     result[pair.first] = true;
     result[pair.second] = true;
   }
   std::map<Kind, bool> known;
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = result[i] || hasPartner(snapshot, i, known);
+    result[i] = result[i] || hasPartner(moment, i, known);
   return result;
 }
 

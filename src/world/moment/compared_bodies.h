@@ -5,13 +5,13 @@
 
 #include <vector>
 
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
-#include "world/moment/snapshot.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
+#include "world/moment/moment.h"
 
 namespace link_bounds {
 
-/// Of each body of the snapshot, whether the rule of pairs compares it with any other one. `pairs`
+/// Of each body of the moment, whether the rule of pairs compares it with any other one. `pairs`
 /// are some that it compares.
-std::vector<bool> areCompared(const Snapshot& snapshot, const std::vector<BoxPair>& pairs);
+std::vector<bool> areCompared(const Moment& moment, const std::vector<BoxPair>& pairs);
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names, stamps and levels of the bodies of a snapshot.
+// Names, stamps and levels of the bodies of a moment.
 #include "world/moment/distance_message.h"
 
 #include <algorithm>
@@ -24,13 +24,13 @@ std::uint8_t toLevel(DistanceLevel level) {
 
 }  // namespace
 
-Distance toMessage(const Snapshot& snapshot, const FoundPair& pair) {
-  const SnapshotBody& first = snapshot.bodies[pair.first];
-  const SnapshotBody& second = snapshot.bodies[pair.second];
+Distance toMessage(const Moment& moment, const FoundPair& pair) {
+  const Moment::Body& first = moment.bodies[pair.first];
+  const Moment::Body& second = moment.bodies[pair.second];
   const BodyDistance& found = pair.distance;
   Distance message;
-  message.first = snapshot.name(first);
-  message.second = snapshot.name(second);
+  message.first = moment.name(first);
+  message.second = moment.name(second);
   message.stamp.fromNSec(static_cast<std::uint64_t>(olderStamp(first.stamp, second.stamp)));
   message.distance = found.lower;
   message.distance_max = found.upper;
@@ -43,10 +43,10 @@ Distance toMessage(const Snapshot& snapshot, const FoundPair& pair) {
   return message;
 }
 
-BoxOverlap toMessage(const Snapshot& snapshot, const BoxPair& pair) {
+BoxOverlap toMessage(const Moment& moment, const BoxPair& pair) {
   BoxOverlap message;
-  message.first = snapshot.name(snapshot.bodies[pair.first]);
-  message.second = snapshot.name(snapshot.bodies[pair.second]);
+  message.first = moment.name(moment.bodies[pair.first]);
+  message.second = moment.name(moment.bodies[pair.second]);
   message.distance = pair.distance;
   return message;
 }

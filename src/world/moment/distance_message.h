@@ -7,15 +7,15 @@
 
 #include "link_bounds/BoxOverlap.h"
 #include "link_bounds/Distance.h"
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
+#include "world/moment/moment.h"
 #include "world/moment/pair_heap.h"
-#include "world/moment/snapshot.h"
 
 namespace link_bounds {
 
-Distance toMessage(const Snapshot& snapshot, const FoundPair& pair);
+Distance toMessage(const Moment& moment, const FoundPair& pair);
 
-BoxOverlap toMessage(const Snapshot& snapshot, const BoxPair& pair);
+BoxOverlap toMessage(const Moment& moment, const BoxPair& pair);
 
 /// The pair of the smallest lower bound. If no pair is within the limit [m]: nothing is nearer than
 /// that.

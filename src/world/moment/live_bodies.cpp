@@ -10,27 +10,27 @@
 
 namespace link_bounds {
 
-void LiveBodies::update(const std::shared_ptr<const Snapshot>& snapshot, TriangleTrees::Time now) {
-  if (snapshot->model != model_) adopt(snapshot->model);
-  ++snapshots_;
+void LiveBodies::update(const MomentPtr& moment, TriangleTrees::Time now) {
+  if (moment->model != model_) adopt(moment->model);
+  ++moment_;
   const bool has_new_trees = std::exchange(trees_version_, trees_.version()) != trees_.version();
   slots_of_bodies_.clear();
-  for (const SnapshotBody& body : snapshot->bodies) {
+  for (const Moment::Body& body : moment->bodies) {
     const std::size_t index = slotOf(body);
     Slot& slot = slots_[index];
     const bool is_known = slot.pose && slot.object == body.object;
     if (!is_known || (slot.lacks_trees && has_new_trees)) set(index, body, now);
-    if (!slot.pose || slot.pose->matrix() != body.fixed_from_body.matrix()) {
-      slot.pose = body.fixed_from_body;
+    if (!slot.pose || slot.pose->matrix() != body.frame_from_body.matrix()) {
+      slot.pose = body.frame_from_body;
       distances_.move(index, *slot.pose);
     }
-    slot.seen = snapshots_;
+    slot.seen = moment_;
     slots_of_bodies_.push_back(index);
   }
   removeUnseen();
 }
 
-/// Objects are added again with the first snapshot. Trees stay as long as their points.
+/// Objects are added again with the first moment. Trees stay as long as their points.
 void LiveBodies::adopt(const std::shared_ptr<const Model>& model) {
   model_ = model;
   distances_ = BodyDistances();
@@ -43,7 +43,7 @@ void LiveBodies::adopt(const std::shared_ptr<const Model>& model) {
   free_slots_.clear();
 }
 
-std::size_t LiveBodies::slotOf(const SnapshotBody& body) {
+std::size_t LiveBodies::slotOf(const Moment::Body& body) {
   if (body.link) return *body.link;
   const auto [entry, is_new] = objects_.try_emplace(body.object->bounded.name, slots_.size());
   if (!is_new) return entry->second;
@@ -56,7 +56,7 @@ std::size_t LiveBodies::slotOf(const SnapshotBody& body) {
   return entry->second;
 }
 
-void LiveBodies::set(std::size_t index, const SnapshotBody& body, TriangleTrees::Time now) {
+void LiveBodies::set(std::size_t index, const Moment::Body& body, TriangleTrees::Time now) {
   Slot& slot = slots_[index];
   slot = Slot();
   slot.object = body.object;
@@ -90,7 +90,7 @@ Body LiveBodies::objectBodyOf(const std::shared_ptr<const ObjectContent>& conten
 void LiveBodies::removeUnseen() {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     Slot& slot = slots_[i];
-    if (slot.seen == snapshots_ || !slot.pose) continue;
+    if (slot.seen == moment_ || !slot.pose) continue;
     distances_.set(i, nullptr);
     if (slot.object) {
       objects_.erase(slot.object->bounded.name);

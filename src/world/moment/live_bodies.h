@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bodies of one snapshot after another, which come, move, change and go.
+// The bodies of one moment after another, which come, move, change and go.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/distance/body_distances.h"
-#include "world/moment/snapshot.h"
+#include "world/moment/moment.h"
 #include "world/moment/triangle_trees.h"
 
 namespace link_bounds {
@@ -19,10 +19,10 @@ class LiveBodies {
  public:
   explicit LiveBodies(TreeRequests requests) : trees_(std::move(requests)) {}
 
-  /// Takes the bodies of a snapshot over.
-  void update(const std::shared_ptr<const Snapshot>& snapshot, TriangleTrees::Time now);
+  /// Takes the bodies of a moment over.
+  void update(const MomentPtr& moment, TriangleTrees::Time now);
 
-  /// The distance of two bodies, given by their indices in the last snapshot.
+  /// The distance of two bodies, given by their indices in the last moment.
   std::optional<BodyDistance> find(std::size_t first, std::size_t second) {
     return distances_.find(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
@@ -45,12 +45,12 @@ class LiveBodies {
     std::shared_ptr<const ObjectContent> object;  ///< null for links
     std::optional<Eigen::Affine3d> pose;          ///< the last one
     bool lacks_trees = false;
-    std::uint64_t seen = 0;  ///< number of the last snapshot that had the body
+    std::uint64_t seen = 0;  ///< number of the last moment that had the body
   };
 
   void adopt(const std::shared_ptr<const Model>& model);
-  std::size_t slotOf(const SnapshotBody& body);
-  void set(std::size_t index, const SnapshotBody& body, TriangleTrees::Time now);
+  std::size_t slotOf(const Moment::Body& body);
+  void set(std::size_t index, const Moment::Body& body, TriangleTrees::Time now);
   Body linkBody(const BoundedLink& link);
   Body objectBodyOf(const std::shared_ptr<const ObjectContent>& content, TriangleTrees::Time now);
   void removeUnseen();
@@ -63,8 +63,8 @@ class LiveBodies {
   std::vector<Slot> slots_;                                  ///< links first, then objects
   std::map<std::string, std::size_t> objects_;               ///< slots by name
   std::vector<std::size_t> free_slots_;
-  std::vector<std::size_t> slots_of_bodies_;  ///< of the last snapshot
-  std::uint64_t snapshots_ = 0;
+  std::vector<std::size_t> slots_of_bodies_;  ///< of the last moment
+  std::uint64_t moment_ = 0;
 };
 
 }  // namespace link_bounds

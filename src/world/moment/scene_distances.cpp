@@ -4,6 +4,7 @@
 #include "world/moment/scene_distances.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -27,13 +28,13 @@ bool isFarther(const BoxPair& a, const BoxPair& b) {
 /// Boxes decide in which order bodies are measured, and where a full list ends the search: no pair
 /// is nearer than its boxes, nor nearer than 0.
 std::optional<ComputedDistances> SceneDistances::compute(
-    const std::shared_ptr<const Snapshot>& snapshot, TriangleTrees::Time now,
+    const MomentPtr& moment, MomentPairs& pairs, TriangleTrees::Time now,
     const std::function<bool()>& is_cancelled) {
-  const Parameters& parameters = snapshot->model->parameters;
+  const Parameters& parameters = moment->model->parameters;
   const double limit = parameters.distance_limit;
-  bodies_.update(snapshot, now);
+  bodies_.update(moment, now);
   bodies_.setGoal({parameters.distance_accuracy, limit, kMaxSteps});
-  if (!findCandidates(*snapshot, is_cancelled)) return std::nullopt;
+  if (!findCandidates(moment, pairs, is_cancelled)) return std::nullopt;
   PairHeap nearest(static_cast<std::size_t>(parameters.max_pairs));
   left_out_ = 0;
   while (!candidates_.empty()) {
@@ -48,41 +49,25 @@ std::optional<ComputedDistances> SceneDistances::compute(
   for (const BoxPair& pair : candidates_)
     leaveOut(pair.first, pair.second);
   bodies_.forgetUnused();
-  return result(snapshot, nearest.take());
+  return result(moment, nearest.take());
 }
 
 /// Fills candidates_, a heap with the nearest boxes first. False if it was cancelled.
-bool SceneDistances::findCandidates(const Snapshot& snapshot,
+bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
                                     const std::function<bool()>& is_cancelled) {
-  const Model& model = *snapshot.model;
-  boxes_.clear();
-  for (const SnapshotBody& body : snapshot.bodies)
-    boxes_.push_back(body.box);
-  is_incomplete_.assign(boxes_.size(), false);
-  are_pairs_listed_.assign(boxes_.size(), true);
-  candidates_.clear();
-  not_compared_.clear();
-  for (const BoxPair& pair : search_.find(boxes_, model.parameters.distance_limit)) {
-    if (is_cancelled()) return false;
-    if (isPair(model, snapshot.member(pair.first), snapshot.member(pair.second))) {
-      candidates_.push_back(pair);
-    } else {
-      addNotCompared(pair, static_cast<std::size_t>(model.parameters.max_pairs));
-    }
-  }
-  is_compared_ = areCompared(snapshot, candidates_);
+  const double limit = moment->model->parameters.distance_limit;
+  const auto read = [&](const NearPairs& near) {
+    candidates_.clear();
+    std::copy_if(near.compared.begin(), near.compared.end(), std::back_inserter(candidates_),
+                 [limit](const BoxPair& pair) { return pair.distance <= limit; });
+    not_compared_ = near.left_out;
+    are_pairs_listed_ = near.is_listed;
+  };
+  if (!pairs.read(moment, limit, read, is_cancelled)) return false;
+  is_incomplete_.assign(moment->bodies.size(), false);
+  is_compared_ = areCompared(*moment, candidates_);
   std::make_heap(candidates_.begin(), candidates_.end(), isFarther);
   return true;
-}
-
-/// What does not fit into the message must not look as if it were compared.
-void SceneDistances::addNotCompared(const BoxPair& pair, std::size_t max) {
-  if (not_compared_.size() < max) {
-    not_compared_.push_back(pair);
-  } else {
-    are_pairs_listed_[pair.first] = false;
-    are_pairs_listed_[pair.second] = false;
-  }
 }
 
 /// Of a pair that may push another one out, nothing is remembered: there may be very many.
@@ -105,34 +90,34 @@ void SceneDistances::leaveOut(std::size_t first, std::size_t second) {
   is_incomplete_[second] = true;
 }
 
-ComputedDistances SceneDistances::result(const std::shared_ptr<const Snapshot>& snapshot,
+ComputedDistances SceneDistances::result(const MomentPtr& moment,
                                          const std::vector<FoundPair>& pairs) const {
-  const Parameters& parameters = snapshot->model->parameters;
-  ComputedDistances result{snapshot, {}, {}, {}, left_out_};
+  const Parameters& parameters = moment->model->parameters;
+  ComputedDistances result{moment, {}, {}, {}, left_out_};
   DistanceArray& array = result.array;
-  array.header = snapshot->header;
+  array.header = moment->header;
   array.limit = parameters.distance_limit;
   array.accuracy = parameters.distance_accuracy;
   for (const FoundPair& pair : pairs) {
-    array.distances.push_back(toMessage(*snapshot, pair));
+    array.distances.push_back(toMessage(*moment, pair));
     ++result.levels[array.distances.back().level];
   }
   result.nearest = nearestOf(array.distances, parameters.distance_limit);
   for (const BoxPair& pair : not_compared_)
-    array.not_compared.push_back(toMessage(*snapshot, pair));
-  addNames(*snapshot, array);
+    array.not_compared.push_back(toMessage(*moment, pair));
+  addNames(*moment, array);
   return result;
 }
 
-void SceneDistances::addNames(const Snapshot& snapshot, DistanceArray& array) const {
-  array.incomplete = snapshot.incomplete;
+void SceneDistances::addNames(const Moment& moment, DistanceArray& array) const {
+  array.incomplete = moment.incomplete;
   std::set<std::string> incomplete(array.incomplete.begin(), array.incomplete.end());
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const std::string& name = snapshot.name(snapshot.bodies[i]);
+  for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
+    const std::string& name = moment.name(moment.bodies[i]);
     if (is_incomplete_[i] && incomplete.insert(name).second) array.incomplete.push_back(name);
   }
-  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const std::string& name = snapshot.name(snapshot.bodies[i]);
+  for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
+    const std::string& name = moment.name(moment.bodies[i]);
     if (is_compared_[i] && are_pairs_listed_[i] && incomplete.count(name) == 0)
       array.complete.push_back(name);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The distances of all near bodies of a snapshot, as messages.
+// The distances of all near bodies of a moment, as messages.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "link_bounds/DistanceArray.h"
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "world/moment/live_bodies.h"
+#include "world/moment/moment_pairs.h"
 #include "world/moment/pair_heap.h"
 
 namespace link_bounds {
 
 struct ComputedDistances {
-  std::shared_ptr<const Snapshot> snapshot;  ///< of which they were computed
+  MomentPtr moment;  ///< of which they were computed
   DistanceArray array;
   Distance nearest;
   std::array<std::size_t, 3> levels{};  ///< pairs in the array by what decided them
@@ -29,24 +29,22 @@ class SceneDistances {
  public:
   explicit SceneDistances(TreeRequests requests) : bodies_(std::move(requests)) {}
 
-  /// Nothing if `is_cancelled` returns true before the end; it is called for each pair.
-  std::optional<ComputedDistances> compute(const std::shared_ptr<const Snapshot>& snapshot,
+  /// `pairs` may be shared with other users of the moment. Nothing if `is_cancelled` returns true
+  /// before the end; it is called for each pair.
+  std::optional<ComputedDistances> compute(const MomentPtr& moment, MomentPairs& pairs,
                                            TriangleTrees::Time now,
                                            const std::function<bool()>& is_cancelled);
 
   TriangleTrees& trees() { return bodies_.trees(); }
 
  private:
-  bool findCandidates(const Snapshot& snapshot, const std::function<bool()>& is_cancelled);
-  void addNotCompared(const BoxPair& pair, std::size_t max);
+  bool findCandidates(const MomentPtr& moment, MomentPairs& pairs,
+                      const std::function<bool()>& is_cancelled);
   void measure(const BoxPair& pair, double limit, PairHeap& nearest);
   void leaveOut(std::size_t first, std::size_t second);
-  ComputedDistances result(const std::shared_ptr<const Snapshot>& snapshot,
-                           const std::vector<FoundPair>& pairs) const;
-  void addNames(const Snapshot& snapshot, DistanceArray& array) const;
+  ComputedDistances result(const MomentPtr& moment, const std::vector<FoundPair>& pairs) const;
+  void addNames(const Moment& moment, DistanceArray& array) const;
 
-  std::vector<Aabb> boxes_;
-  SweepAndPrune search_;
   LiveBodies bodies_;
   std::vector<BoxPair> candidates_;     ///< not measured yet
   std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs

@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 /// Two boxes of triangles whose hulls and triangles are `gap` apart, in a model of their own.
-std::shared_ptr<const Snapshot> snapshotOf(double gap) {
+MomentPtr madeMoment(double gap) {
   std::vector<BoundedLink> links;
   for (const char* name : {"a", "b"}) {
     Shape shape;
@@ -31,14 +31,14 @@ std::shared_ptr<const Snapshot> snapshotOf(double gap) {
   model->parameters.adjacent_joints = 0;
   for (const BoundedLink& link : links)
     model->mesh_uris[link.name] = link.shapes.front().points;
-  auto snapshot = std::make_shared<Snapshot>();
-  snapshot->model = model;
+  auto moment = std::make_shared<Moment>();
+  moment->model = model;
   for (std::size_t i = 0; i < 2; ++i) {
     Eigen::Affine3d pose = Eigen::Affine3d::Identity();
     pose.translation().x() = static_cast<double>(i) * (1 + gap);
-    snapshot->bodies.push_back({i, nullptr, 0, linkBox(links[i], pose).value(), pose});
+    moment->bodies.push_back({i, nullptr, 0, linkBox(links[i], pose).value(), pose});
   }
-  return snapshot;
+  return moment;
 }
 
 /// Looks again and again, for at most 20 s.
@@ -80,7 +80,7 @@ class DistanceThreadTest : public testing::Test {
 
   void start(milliseconds keep) {
     thread_ = std::make_unique<DistanceThread>(
-        requests(),
+        requests(), pairs_,
         DistanceThread::Callbacks{[this](const ComputedDistances& computed) {
                                     const std::lock_guard<std::mutex> lock(mutex_);
                                     results_.push_back(computed);
@@ -90,6 +90,7 @@ class DistanceThreadTest : public testing::Test {
         keep);
   }
 
+  MomentPairs pairs_;
   std::mutex mutex_;
   std::condition_variable published_;
   std::vector<ComputedDistances> results_;  ///< guarded by mutex_
@@ -99,24 +100,24 @@ class DistanceThreadTest : public testing::Test {
   std::unique_ptr<DistanceThread> thread_;  ///< last: it ends first
 };
 
-TEST_F(DistanceThreadTest, ComputesEachNewSnapshotAndTree) {
+TEST_F(DistanceThreadTest, ComputesEachNewMomentAndTree) {
   start(seconds(10));
-  thread_->give(snapshotOf(0.5));
+  thread_->give(madeMoment(0.5));
   ASSERT_TRUE(waitForGap(0.5));
-  thread_->give(snapshotOf(0.25));
+  thread_->give(madeMoment(0.25));
   ASSERT_TRUE(waitForGap(0.25));
   EXPECT_EQ(requested_, 4);
   EXPECT_GE(thread_->takeTimes().count, 2U);
 }
 
-TEST_F(DistanceThreadTest, IsBehindWhileASnapshotWaits) {
+TEST_F(DistanceThreadTest, IsBehindWhileAMomentWaits) {
   start(seconds(10));
   EXPECT_EQ(thread_->behind(), 0);
   {
     const std::lock_guard<std::mutex> lock(mutex_);  // nothing can be published
-    thread_->give(snapshotOf(0.5));
+    thread_->give(madeMoment(0.5));
     EXPECT_TRUE(becomesTrue([this] { return thread_->behind() > 0.2; }));
-    thread_->give(snapshotOf(0.25));
+    thread_->give(madeMoment(0.25));
     EXPECT_GT(thread_->behind(), 0.2) << "since the first one";
   }
   ASSERT_TRUE(waitForGap(0.25));
@@ -125,27 +126,27 @@ TEST_F(DistanceThreadTest, IsBehindWhileASnapshotWaits) {
 
 TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
   start(seconds(10));
-  const auto snapshot = snapshotOf(0.5);
+  const auto moment = madeMoment(0.5);
   fails_ = true;
-  thread_->give(snapshot);
+  thread_->give(moment);
   ASSERT_TRUE(becomesTrue([this] { return !fails_; }));
-  thread_->give(snapshot);
+  thread_->give(moment);
   ASSERT_TRUE(waitForGap(0.5));
   EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
 }
 
 TEST_F(DistanceThreadTest, ForgetsEverythingWhenNobodyWantsIt) {
   start(milliseconds(100));
-  auto snapshot = snapshotOf(0.5);
-  const std::weak_ptr<const Model> model = snapshot->model;
+  auto moment = madeMoment(0.5);
+  const std::weak_ptr<const Model> model = moment->model;
   const std::weak_ptr<const PointSet> points = model.lock()->links[0].shapes[0].points;
-  thread_->give(std::move(snapshot));
+  thread_->give(std::move(moment));
   ASSERT_TRUE(waitForGap(0.5));
   EXPECT_FALSE(points.expired());
   is_wanted_ = false;
   EXPECT_TRUE(becomesTrue([&] {
     const std::lock_guard<std::mutex> lock(mutex_);
-    results_.clear();  // they hold the snapshot
+    results_.clear();  // they hold the moment
     return model.expired() && points.expired();
   }));
 }
@@ -153,7 +154,7 @@ TEST_F(DistanceThreadTest, ForgetsEverythingWhenNobodyWantsIt) {
 TEST_F(DistanceThreadTest, IgnoresWhatIsGivenAfterTheEnd) {
   start(seconds(10));
   thread_->stop();
-  thread_->give(snapshotOf(0.5));
+  thread_->give(madeMoment(0.5));
   thread_->give(MadeTree());
   thread_->stop();
   EXPECT_TRUE(results_.empty());

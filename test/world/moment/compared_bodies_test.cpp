@@ -13,9 +13,8 @@ namespace link_bounds {
 namespace {
 
 /// Links of a chain, then objects, all without geometry.
-std::shared_ptr<const Snapshot> snapshotOf(std::size_t links,
-                                           const std::vector<std::string>& objects,
-                                           const std::vector<NamePair>& ignored, int joints) {
+MomentPtr madeMoment(std::size_t links, const std::vector<std::string>& objects,
+                     const std::vector<NamePair>& ignored, int joints) {
   std::vector<BoundedLink> bounded;
   for (std::size_t i = 0; i < links; ++i)
     bounded.push_back({"link" + std::to_string(i), {}, 0, ""});
@@ -24,25 +23,24 @@ std::shared_ptr<const Snapshot> snapshotOf(std::size_t links,
     model->bodies.parents[i] = i - 1;
   model->ignored_pairs = NamePairs(ignored);
   model->parameters.adjacent_joints = joints;
-  auto snapshot = std::make_shared<Snapshot>();
-  snapshot->model = model;
+  auto moment = std::make_shared<Moment>();
+  moment->model = model;
   for (std::size_t i = 0; i < links; ++i)
-    snapshot->bodies.push_back({i, nullptr, 0, Aabb(), Eigen::Affine3d::Identity()});
+    moment->bodies.push_back({i, nullptr, 0, Aabb(), Eigen::Affine3d::Identity()});
   for (const std::string& name : objects) {
     auto content = std::make_shared<ObjectContent>();
     content->bounded.name = name;
-    snapshot->bodies.push_back({std::nullopt, content, 0, Aabb(), Eigen::Affine3d::Identity()});
+    moment->bodies.push_back({std::nullopt, content, 0, Aabb(), Eigen::Affine3d::Identity()});
   }
-  return snapshot;
+  return moment;
 }
 
-std::vector<bool> eachWithEach(const Snapshot& snapshot) {
-  const std::size_t count = snapshot.bodies.size();
+std::vector<bool> eachWithEach(const Moment& moment) {
+  const std::size_t count = moment.bodies.size();
   std::vector<bool> result(count, false);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      if (i != j && isPair(*snapshot.model, snapshot.member(i), snapshot.member(j)))
-        result[i] = true;
+      if (i != j && isPair(*moment.model, moment.member(i), moment.member(j))) result[i] = true;
     }
   }
   return result;
@@ -60,33 +58,33 @@ std::vector<bool> all(std::size_t count, bool value) {
 }
 
 TEST(ComparedBodies, AloneThereIsNoPartner) {
-  EXPECT_EQ(areCompared(*snapshotOf(1, {}, {}, 1), {}), all(1, false));
-  EXPECT_EQ(areCompared(*snapshotOf(0, {"a/1"}, {}, 1), {}), all(1, false));
-  EXPECT_TRUE(areCompared(*snapshotOf(0, {}, {}, 1), {}).empty());
+  EXPECT_EQ(areCompared(*madeMoment(1, {}, {}, 1), {}), all(1, false));
+  EXPECT_EQ(areCompared(*madeMoment(0, {"a/1"}, {}, 1), {}), all(1, false));
+  EXPECT_TRUE(areCompared(*madeMoment(0, {}, {}, 1), {}).empty());
 }
 
 TEST(ComparedBodies, LinksThatAreAllJoinedHaveNone) {
-  EXPECT_EQ(areCompared(*snapshotOf(40, {}, {}, 1000), {}), all(40, false));
-  EXPECT_EQ(areCompared(*snapshotOf(40, {}, {}, 1), {}), all(40, true));
-  EXPECT_EQ(areCompared(*snapshotOf(40, {}, {{"*", "*"}}, 1), {}), all(40, false));
+  EXPECT_EQ(areCompared(*madeMoment(40, {}, {}, 1000), {}), all(40, false));
+  EXPECT_EQ(areCompared(*madeMoment(40, {}, {}, 1), {}), all(40, true));
+  EXPECT_EQ(areCompared(*madeMoment(40, {}, {{"*", "*"}}, 1), {}), all(40, false));
 }
 
 TEST(ComparedBodies, OnlyTheEndsOfAChainAreFarEnoughApart) {
   std::vector<bool> expected = all(40, false);
   expected.front() = expected.back() = true;
-  EXPECT_EQ(areCompared(*snapshotOf(40, {}, {}, 38), {}), expected);
+  EXPECT_EQ(areCompared(*madeMoment(40, {}, {}, 38), {}), expected);
 }
 
 TEST(ComparedBodies, OnePartnerFarDownTheListIsEnough) {
   std::vector<std::string> objects = namesOf("a", 50);
-  EXPECT_EQ(areCompared(*snapshotOf(0, objects, {{"a/*", "a/*"}}, 1), {}), all(50, false));
+  EXPECT_EQ(areCompared(*madeMoment(0, objects, {{"a/*", "a/*"}}, 1), {}), all(50, false));
   objects.emplace_back("tool/1");
-  EXPECT_EQ(areCompared(*snapshotOf(0, objects, {{"a/*", "a/*"}}, 1), {}), all(51, true));
+  EXPECT_EQ(areCompared(*madeMoment(0, objects, {{"a/*", "a/*"}}, 1), {}), all(51, true));
 }
 
 TEST(ComparedBodies, PairsThatAreKnownCount) {
-  const auto snapshot = snapshotOf(3, {}, {{"*", "*"}}, 1);
-  EXPECT_EQ(areCompared(*snapshot, {{0, 2, 0.0}}), (std::vector<bool>{true, false, true}));
+  const auto moment = madeMoment(3, {}, {{"*", "*"}}, 1);
+  EXPECT_EQ(areCompared(*moment, {{0, 2, 0.0}}), (std::vector<bool>{true, false, true}));
 }
 
 TEST(ComparedBodies, AreThoseOfEachWithEach) {
@@ -105,9 +103,9 @@ TEST(ComparedBodies, AreThoseOfEachWithEach) {
     for (std::size_t i = below(12); i > 0; --i)
       ignored.emplace_back(names[below(names.size())], names[below(names.size())]);
     const int joints = random.uniform(0, 1) < 0.3 ? 1000 : static_cast<int>(below(3));
-    const auto snapshot = snapshotOf(below(30), objects, ignored, joints);
-    const std::vector<bool> expected = eachWithEach(*snapshot);
-    ASSERT_EQ(areCompared(*snapshot, {}), expected) << round;
+    const auto moment = madeMoment(below(30), objects, ignored, joints);
+    const std::vector<bool> expected = eachWithEach(*moment);
+    ASSERT_EQ(areCompared(*moment, {}), expected) << round;
     alone += static_cast<std::size_t>(std::count(expected.begin(), expected.end(), false));
   }
   EXPECT_GT(alone, 300U);

@@ -24,23 +24,23 @@ struct Cuboid {
   Eigen::Affine3d pose;
 };
 
-std::shared_ptr<const Snapshot> snapshotOf(const std::vector<Cuboid>& cuboids, int max_pairs) {
+MomentPtr madeMoment(const std::vector<Cuboid>& cuboids, int max_pairs) {
   auto model = std::make_shared<Model>(*modelOf("map", {}));
   model->parameters.distance_limit = 0.3;
   model->parameters.distance_accuracy = kAccuracy;
   model->parameters.max_pairs = max_pairs;
-  auto snapshot = std::make_shared<Snapshot>();
-  snapshot->model = model;
-  snapshot->incomplete = {"o/0"};
+  auto moment = std::make_shared<Moment>();
+  moment->model = model;
+  moment->incomplete = {"o/0"};
   for (const Cuboid& cuboid : cuboids) {
     MarkerShape shape = markerShape(markerOf(Marker::CUBE, cuboid.size, 0));
     auto content = std::make_shared<ObjectContent>();
-    content->bounded = {"o/" + std::to_string(snapshot->bodies.size()), shape.shapes, 0, ""};
+    content->bounded = {"o/" + std::to_string(moment->bodies.size()), shape.shapes, 0, ""};
     content->drawing = shape.drawing;
     const Aabb box = linkBox(content->bounded, cuboid.pose).value();
-    snapshot->bodies.push_back({std::nullopt, content, 0, box, cuboid.pose});
+    moment->bodies.push_back({std::nullopt, content, 0, box, cuboid.pose});
   }
-  return snapshot;
+  return moment;
 }
 
 SceneDistances emptyDistances() {
@@ -49,7 +49,8 @@ SceneDistances emptyDistances() {
 
 ComputedDistances computed(const std::vector<Cuboid>& cuboids, int max_pairs,
                            SceneDistances& distances) {
-  return distances.compute(snapshotOf(cuboids, max_pairs), {}, [] { return false; }).value();
+  MomentPairs pairs;
+  return distances.compute(madeMoment(cuboids, max_pairs), pairs, {}, [] { return false; }).value();
 }
 
 std::vector<double> sorted(const DistanceArray& array) {
@@ -120,7 +121,8 @@ TEST(MaxPairsTest, ThePairsOfAllThatTouchAreNotMeasured) {
   const std::vector<Cuboid> cuboids(kCount, {{1, 1, 1}, Eigen::Affine3d::Identity()});
   SceneDistances distances = emptyDistances();
   std::size_t steps = 0;
-  const auto found = distances.compute(snapshotOf(cuboids, kMax), {}, [&] {
+  MomentPairs pairs;
+  const auto found = distances.compute(madeMoment(cuboids, kMax), pairs, {}, [&] {
     ++steps;
     return false;
   });
@@ -135,15 +137,16 @@ TEST(MaxPairsTest, ThePairsOfAllThatTouchAreNotMeasured) {
 TEST(MaxPairsTest, NamesOfWhichSilenceSaysNothingAreNotComplete) {
   using Names = std::vector<std::string>;
   const std::vector<Cuboid> cuboids(4, {{1, 1, 1}, Eigen::Affine3d::Identity()});
-  auto snapshot = std::make_shared<Snapshot>(*snapshotOf(cuboids, 5));
+  auto moment = std::make_shared<Moment>(*madeMoment(cuboids, 5));
   SceneDistances distances = emptyDistances();
   const auto compute = [&](const char* name, const char* other, int max_pairs) {
-    auto model = std::make_shared<Model>(*snapshot->model);
+    auto model = std::make_shared<Model>(*moment->model);
     model->ignored_pairs = NamePairs(std::vector<NamePair>{{name, other}});
     model->parameters.max_pairs = max_pairs;
-    snapshot->model = model;
-    snapshot->incomplete = {};
-    return distances.compute(snapshot, {}, [] { return false; }).value().array;
+    moment->model = model;
+    moment->incomplete = {};
+    MomentPairs pairs;
+    return distances.compute(moment, pairs, {}, [] { return false; }).value().array;
   };
   DistanceArray found = compute("o/0", "o/1", 6);
   EXPECT_EQ(found.complete, Names({"o/0", "o/1", "o/2", "o/3"}));
@@ -163,18 +166,20 @@ TEST(MaxPairsTest, NamesOfWhichSilenceSaysNothingAreNotComplete) {
 
 TEST(MaxPairsTest, PairsThatAreLeftOutAreNoMoreThanMaxPairs) {
   const std::vector<Cuboid> cuboids(6, {{1, 1, 1}, Eigen::Affine3d::Identity()});
-  auto snapshot = std::make_shared<Snapshot>(*snapshotOf(cuboids, 10));
-  auto model = std::make_shared<Model>(*snapshot->model);
+  auto moment = std::make_shared<Moment>(*madeMoment(cuboids, 10));
+  auto model = std::make_shared<Model>(*moment->model);
   model->ignored_pairs =
       NamePairs(std::vector<NamePair>{{"o/0", "o/1"}, {"o/2", "o/3"}, {"o/4", "o/5"}});
   model->parameters.max_pairs = 2;
-  snapshot->model = model;
-  snapshot->incomplete = {};
+  moment->model = model;
+  moment->incomplete = {};
   for (std::size_t i = 0; i < 6; ++i) {  // two and two are near each other
-    snapshot->bodies[i].box.translate(Eigen::Vector3d(9.0 * static_cast<double>(i / 2), 0, 0));
+    moment->bodies[i].box.translate(Eigen::Vector3d(9.0 * static_cast<double>(i / 2), 0, 0));
   }
   SceneDistances distances = emptyDistances();
-  const DistanceArray found = distances.compute(snapshot, {}, [] { return false; }).value().array;
+  MomentPairs pairs;
+  const DistanceArray found =
+      distances.compute(moment, pairs, {}, [] { return false; }).value().array;
   EXPECT_EQ(found.not_compared.size(), 2U);
   EXPECT_EQ(found.incomplete, std::vector<std::string>());
   EXPECT_EQ(found.complete, (std::vector<std::string>{"o/0", "o/1", "o/2", "o/3"}));

@@ -131,8 +131,8 @@ class Sequence {
     return {points, nullptr, "gone"};
   }
 
-  std::shared_ptr<const Snapshot> snapshot() const {
-    auto result = std::make_shared<Snapshot>();
+  MomentPtr moment() const {
+    auto result = std::make_shared<Moment>();
     result->model = model_;
     result->header.frame_id = "map";
     result->incomplete = {"somebody"};
@@ -154,7 +154,7 @@ class Sequence {
     return is_there ? found->second.triangles : nullptr;
   }
 
-  Body bodyOf(const SnapshotBody& body) const {
+  Body bodyOf(const Moment::Body& body) const {
     if (body.object) return objectBody(*body.object, treeOf(body.object->bounded.shapes[0].points));
     Body result;
     for (const Shape& shape : model_->links[*body.link].shapes)
@@ -168,12 +168,12 @@ class Sequence {
     });
   }
 
-  std::string nameOf(const SnapshotBody& body) const {
+  std::string nameOf(const Moment::Body& body) const {
     return body.object ? body.object->bounded.name : model_->links[*body.link].name;
   }
 
   /// Neighbours in the chain, and the pair that the model ignores.
-  bool isLeftOut(const SnapshotBody& a, const SnapshotBody& b) const {
+  bool isLeftOut(const Moment::Body& a, const Moment::Body& b) const {
     if (a.link && b.link) return *a.link + 1 == *b.link;
     return nameOf(a) == "link0" && nameOf(b) == "o/0";
   }
@@ -184,7 +184,7 @@ class Sequence {
   }
 
   /// Every name was compared, and each pair that was left out has its boxes apart or is named.
-  void compareSilence(const Snapshot& taken, const DistanceArray& array) {
+  void compareSilence(const Moment& taken, const DistanceArray& array) {
     EXPECT_EQ(array.limit, model_->parameters.distance_limit);
     EXPECT_EQ(array.accuracy, kAccuracy);
     std::vector<std::string> names;
@@ -192,8 +192,8 @@ class Sequence {
     for (std::size_t i = 0; i < taken.bodies.size(); ++i) {
       names.push_back(nameOf(taken.bodies[i]));
       for (std::size_t j = i + 1; j < taken.bodies.size(); ++j) {
-        const SnapshotBody& a = taken.bodies[i];
-        const SnapshotBody& b = taken.bodies[j];
+        const Moment::Body& a = taken.bodies[i];
+        const Moment::Body& b = taken.bodies[j];
         const double apart = signedDistance(a.box, b.box);
         if (!isLeftOut(a, b) || apart > array.limit) continue;
         ASSERT_TRUE(entry != array.not_compared.end()) << nameOf(a) << " " << nameOf(b);
@@ -207,8 +207,8 @@ class Sequence {
   }
 
   void computeAndCompare() {
-    const auto taken = snapshot();
-    const auto computed = distances_.compute(taken, now_, [] { return false; });
+    const auto taken = moment();
+    const auto computed = distances_.compute(taken, moment_pairs_, now_, [] { return false; });
     distances_.trees().requestSettled(now_);
     ASSERT_TRUE(computed);
     EXPECT_EQ(computed->array.incomplete, taken->incomplete);
@@ -218,8 +218,8 @@ class Sequence {
     double nearest = limit;
     for (std::size_t i = 0; i < taken->bodies.size(); ++i) {
       for (std::size_t j = i + 1; j < taken->bodies.size(); ++j) {
-        const SnapshotBody& a = taken->bodies[i];
-        const SnapshotBody& b = taken->bodies[j];
+        const Moment::Body& a = taken->bodies[i];
+        const Moment::Body& b = taken->bodies[j];
         const bool is_there =
             entry != end && entry->first == nameOf(a) && entry->second == nameOf(b);
         if (isLeftOut(a, b)) {
@@ -227,7 +227,7 @@ class Sequence {
           continue;
         }
         const auto expected =
-            bodyDistance(bodyOf(a), a.fixed_from_body, bodyOf(b), b.fixed_from_body,
+            bodyDistance(bodyOf(a), a.frame_from_body, bodyOf(b), b.frame_from_body,
                          {kAccuracy, std::numeric_limits<double>::infinity(), 1'000'000})
                 .value();
         if (!is_there) {
@@ -266,6 +266,7 @@ class Sequence {
   std::vector<std::pair<std::weak_ptr<const PointSet>, TriangleMesh>> meshes_;
   std::vector<std::function<MadeTree()>> requests_;
   std::map<const PointSet*, MadeTree> trees_;  ///< delivered
+  MomentPairs moment_pairs_;
   SceneDistances distances_{
       {[this](const std::string&, const auto& points) {
          requests_.emplace_back(

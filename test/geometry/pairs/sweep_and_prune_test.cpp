@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Pairs and distances are those of comparing every two boxes, to the bit.
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "geometry/overlaps/brute_force_overlaps.h"
-#include "geometry/overlaps/sweep.h"
+#include "geometry/pairs/brute_force_overlaps.h"
+#include "geometry/pairs/sweep.h"
 #include "link_bounds/geometry/box/length.h"
 #include "testing/brute_force.h"
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sorts the boxes by their min along one axis. Then compares each box with those behind it, up to
 // the first one that starts after the box ends.
-#include "geometry/overlaps/sweep.h"
+#include "geometry/pairs/sweep.h"
 
 #include <array>
 #include <cstring>
 #include <limits>
 
-#include "geometry/overlaps/box_sample.h"
+#include "geometry/pairs/box_sample.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {

@@ -3,7 +3,7 @@
 // Searching boxes that keep moving allocates nothing.
 #include <gtest/gtest.h>
 
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
 #include "testing/brute_force.h"
 #include "testing/replaced_new.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sweeps with a wider margin than asked for. Until a box has moved farther than that slack allows,
 // the pairs of the sweep contain all pairs that are near, and no other sweep is needed.
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
 
-#include "geometry/overlaps/box_sample.h"
-#include "geometry/overlaps/sweep.h"
+#include "geometry/pairs/box_sample.h"
+#include "geometry/pairs/sweep.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {

@@ -3,7 +3,7 @@
 // Compares every two boxes: what SweepAndPrune must find, in the plainest way. Tests use it.
 #pragma once
 
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
 
 namespace link_bounds {
 

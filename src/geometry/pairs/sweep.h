@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/overlaps/bucket_sort.h"
+#include "geometry/pairs/bucket_sort.h"
 #include "link_bounds/geometry/box/aabb.h"
 
 namespace link_bounds {

@@ -11,7 +11,7 @@
 namespace link_bounds {
 
 /// Nanoseconds.
-struct Moment {
+struct RecordTime {
   std::int64_t recorded = 0;  ///< record time of the message that led to it
   std::int64_t stamp = 0;     ///< of the box or distance; 0 if all its transforms are static
 };
