@@ -139,7 +139,8 @@ def of_volumes(rows):
     figures.update(flat([row for row in rows if row['volume_ratio'] is not None],
                         'volumes/{mesh}/{method}', _='volume_ratio'))
     for method in {row['method'] for row in rows}:
-        for name, column, unit in (('volume', 'volume_ratio', 1), ('ns', 'ns', 1), ('ms', 'ns', 1e6)):
+        for name, column, unit in (('volume', 'volume_ratio', 1), ('ns', 'ns', 1),
+                                   ('ms', 'ns', 1e6)):
             own = [row for row in rows if row['method'] == method and row[column] is not None]
             if own:
                 figures['volumes/%s/%s' % (method, name)] = (

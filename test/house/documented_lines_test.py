@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Every line in a fenced `sh` block of README.md and doc/*.md runs as it is, but the EXCEPTIONS.
-Those that ask urdf_bounds or bag_bounds for a verdict or a proof succeed for a sound robot, and fail
-if one of its meshes is missing; the others run beside the demo, without a display.
+Those that ask urdf_bounds or bag_bounds for a verdict or a proof succeed for a sound robot, and
+fail if one of its meshes is missing; the others run beside the demo, without a display.
 
 Run as: documented_lines_test.py FOLDER_OF_THE_PROGRAMS
 """
@@ -44,7 +44,7 @@ EXCEPTIONS = {
     '(cd build': 'runs this test', 'g++ ': 'needs main.cpp, and a build of minutes',
     'scripts/figures ': MINUTES, 'scripts/bench ': MINUTES, 'scripts/pictures ': MINUTES,
     'scripts/get_robots ': NETWORK, 'LINK_BOUNDS_DATA=': MINUTES,
-    'rosrun link_bounds boxes_to.py ': 'needs messages that Debian lacks; boxes_to_test has stand-ins'}
+    'rosrun link_bounds boxes_to.py ': 'needs messages that Debian lacks'}
 # These lines go on until they are interrupted; then they must have printed something.
 ENDLESS = (r'roslaunch |rostopic echo (?!-n )|rostopic pub -l |rosbag record |'
            r'rosrun link_bounds zone_events.py')
@@ -282,8 +282,8 @@ class EveryLineTest(unittest.TestCase):
             seen.update(lines)
         self.assertGreater(len(seen), 15)
         with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
-            faults = [fault for fault in pool.map(lambda block: self.fault(block, demo.port), chosen)
-                      if fault]
+            found = pool.map(lambda block: self.fault(block, demo.port), chosen)
+            faults = [fault for fault in found if fault]
         self.assertEqual(faults, [], '\n'.join(faults))
 
     @staticmethod

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/figures --texts passes for README.md and doc/*.md, and fails where a figure was changed in
+"""scripts/figures --texts passes for README.md and doc/*.md. It fails where a figure was changed in
 a page, or in a page and in doc/figures.json: figures_test.py FOLDER_OF_THE_PACKAGE
 """
 import pathlib
