@@ -38,7 +38,7 @@ packages_of() {
     deb)
       echo build-essential debhelper dh-python dpkg-dev ;;
     bench)
-      echo libbenchmark-dev ;;
+      echo libbenchmark-dev libtf2-ros-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
     count)  # what counts cache lines
