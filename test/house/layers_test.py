@@ -12,7 +12,7 @@ import sys
 # From the bottom to the top.
 ROOMS = ['geometry/box', 'geometry/support', 'geometry/shape', 'geometry/volumes',
          'geometry/parts', 'geometry/overlaps', 'geometry/distance',
-         'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/reach',
+         'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/posed', 'robot/reach',
          'packages', 'ros', 'text',
          'node/names', 'node/log', 'node/messages', 'node/clock', 'node/threads', 'node/memory',
          'node/master', 'node/parameters', 'node/tf', 'node/loading', 'node/objects', 'node/scene', 'node/distances',
