@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "robot/urdf/simple_joints.h"
+#include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/pairs_certificate.h"
 
