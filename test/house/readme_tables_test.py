@@ -160,7 +160,7 @@ class DiagnosticsTest(unittest.TestCase):
     """The table of levels in doc/deployment.md; the test diagnostics holds that of keys."""
 
     def test_levels_and_texts(self):
-        code = text_of('src/node/diagnostics/diagnostics.cpp')
+        code = text_of('src/node/upkeep/diagnostics.cpp')
         code = code.replace(' " + logText(health.awaited_description)', ' robot_description"')
         code = code.replace('logText(nearestText(*health.nearest))',
                             '"NAME and NAME may be only N m apart"')

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "geometry/pairs/near_pairs.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 
 namespace link_bounds {
@@ -56,11 +56,14 @@ DistanceTable linkDistances(const Robot& robot, const BoundedRobot& bounded,
     indices.push_back(bounded.indices[link]);
   DistanceTable table{limit, {}, {}, hasPair(indices, rigid)};
   std::set<std::size_t> without;
-  SweepAndPrune search;
-  for (const BoxPair& pair : search.find(boxed.boxes, limit)) {
+  NearPairs near;
+  const auto are_compared = [&](std::size_t a, std::size_t b) {
+    return !areJoined(rigid, indices[a], indices[b]);
+  };
+  NearPairSearch().find(boxed.boxes, {limit}, are_compared, near);
+  for (const BoxPair& pair : near.compared) {
     const std::size_t a = boxed.links[pair.first];
     const std::size_t b = boxed.links[pair.second];
-    if (areJoined(rigid, bounded.indices[a], bounded.indices[b])) continue;
     const std::optional<BodyDistance> distance = distanceOf(a, b);
     if (distance && distance->lower <= limit)
       table.pairs.push_back({bounded.links[a].name, bounded.links[b].name, *distance});
