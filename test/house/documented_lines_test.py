@@ -37,7 +37,7 @@ EXCEPTIONS = {
     'scripts/demo ': 'installs packages, and builds for minutes', 'scripts/test ': 'runs this test',
     'roslaunch link_bounds link_bounds.launch rviz:=true': 'needs a display',
     'scripts/deb ': MINUTES + '; scripts/test --all runs it', 'docker ': 'needs docker',
-    'sudo ': ROOT, 'echo "deb ': ROOT, 'echo "yaml ': ROOT, 'rosdep ': NETWORK,
+    'sudo ': ROOT, 'autopkgtest ': ROOT, 'echo "deb ': ROOT, 'echo "yaml ': ROOT, 'rosdep ': NETWORK,
     'source /opt/ros/noetic': NOETIC, 'source devel/setup.bash': NOETIC, 'catkin ': NOETIC,
     'mkdir -p ~/catkin_ws': NOETIC, 'git clone ': NETWORK, 'scripts/arm64 ': ROOT,
     'cmake ': MINUTES + '; scripts/test does the like', 'source ~/ros/': 'needs the line before it',
@@ -133,10 +133,13 @@ class DocumentedLinesTest(unittest.TestCase):
 
     def status(self, line, is_sound):
         """Of the shell, in a folder with all files that the line reads."""
-        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag)\b', line):
+        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag|csv)\b', line):
             if name.endswith('.bag'):
                 message = ('/tf_static', transforms(line), time_of(BEGIN))
                 write_bag(str(self.folder / name), [message])
+            elif name.endswith('.csv'):
+                joints = list(links_of(line).values())
+                self.write(name, '%s\n%s\n' % (','.join(joints), ','.join('0' for _ in joints)))
             elif name.endswith('.yaml'):
                 self.write(name, FAR_ZONE)
             elif name.endswith('.srdf'):

@@ -91,13 +91,13 @@ void fixBase(const Robot& robot, GivenRanges& given) {
 
 }  // namespace
 
-std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given) {
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given) {
   checkNames(robot, given);
   checkLimits(robot, given, "the boxes are those of this pose");
   std::map<std::string, double> values;
   for (const auto& [name, range] : given)
     values.emplace(name, range.lower);
-  return linkPoses(robot, jointValues(robot, values));
+  return jointValues(robot, values);
 }
 
 std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base) {

@@ -13,8 +13,8 @@
 
 namespace link_bounds {
 
-/// What is printed: boxes of one pose, or proofs about all poses.
-enum class Report { kPose, kReach, kPairs };
+/// What is printed: boxes of one pose, boxes of the rows of a table, or proofs about all poses.
+enum class Report { kPose, kRows, kReach, kPairs };
 
 /// Of --reach and --pairs.
 constexpr double kDefaultAccuracy = 0.01;  // m
@@ -22,13 +22,17 @@ constexpr double kDefaultBudget = 60;      // s
 
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
-  GivenRanges joints;  ///< rad or m; of kPose values, lower == upper
+  GivenRanges joints;  ///< rad or m; values, lower == upper, but of kReach and kPairs
   Report report = Report::kPose;
   bool visual = true;
   bool collision = false;
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
+  std::optional<std::string> poses;              ///< of kRows, a file; "-" likewise
+  std::optional<std::string> columns;            ///< of `poses`, names with commas between them
+  std::optional<std::string> series;             ///< of kRows, a file to write
+  std::optional<unsigned> jobs;                  ///< of kRows, > 0; none: the cores
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0

@@ -35,6 +35,13 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --distances LIMIT   also how far links are apart: the pairs whose proven distance is at most
                       LIMIT [m], but none that are rigidly connected or neighbours by one joint;
                       csv: only these, as first,second,distance,distance_max,on_first_x, ...
+  --poses FILE        many poses: a csv file with names of joints in its first line and a pose in each
+                      further one [rad, m], also a column time [s]; - is standard input; prints the
+                      boxes around all rows, with --distances each pair where it is nearest, and how
+                      many rows have a contact: a distance of 0
+  --columns A,B       of --poses: the names of the columns; the file then has no line of names
+  --series FILE       of --poses: also writes each row: row,time, then the columns of csv
+  --jobs N            of --poses: threads (default: one per core); the results are the same
   --reach             instead of the boxes of one pose: boxes that the links never leave while the
                       joints move within their limits, proven, and poses that attain each face
   --pairs             which links can collide in any pose within the limits, with proof or witness;
@@ -53,16 +60,19 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
                       without a range, nothing is proven of what depends on such a joint
   --verbose           the memory that each mesh takes, on standard error
-  --strict            exit with 2 if any geometry could not be used
+  --strict            exit with 2 if any geometry could not be used; of --poses: with 1 if a joint has
+                      no column, a column is none of a joint, or a value is no number or is outside
+                      the limits of its joint
   --allow-incomplete  what is incomplete or not decided does not change the exit code
   -h, --help          this text
   --version           the version of link_bounds
 
 Lengths are metres. Exit code, the first that applies:
-  1  unusable robot, SRDF or arguments
-  3  the SRDF disables a pair that can collide
-  4  of --distances, --reach and --pairs without --allow-incomplete: a mesh is missing or something
-     else is incomplete, a pair is UNDECIDED, the accuracy was not reached, or nothing was looked at
+  1  unusable robot, SRDF, table or arguments
+  3  the SRDF disables a pair that can collide; a row of --poses has a contact
+  4  of --distances, --poses, --reach and --pairs without --allow-incomplete: a mesh is missing or
+     something else is incomplete, a pair is UNDECIDED, the accuracy was not reached, a row was left
+     out, or nothing was looked at
   2  see --strict
   0  everything was answered and holds
 )";

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/posed/row_threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace link_bounds {
+namespace {
+
+/// Rows that one thread takes at once. They follow each other, so that searches begin where the
+/// last row's ended.
+constexpr std::size_t kRows = 32;
+
+}  // namespace
+
+unsigned coreCount() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void forRows(std::size_t begin, std::size_t end, unsigned threads, const RowWork& work) {
+  std::atomic<std::size_t> next{begin};
+  const auto take = [&](unsigned thread) {
+    for (;;) {
+      const std::size_t first = next.fetch_add(kRows);
+      if (first >= end) return;
+      work(thread, first, std::min(first + kRows, end));
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (unsigned thread = 1; thread < threads; ++thread)
+    workers.push_back(std::async(std::launch::async, take, thread));
+  take(0);
+  for (std::future<void>& worker : workers)
+    worker.get();
+}
+
+}  // namespace link_bounds
