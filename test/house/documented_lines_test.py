@@ -209,15 +209,17 @@ class Shell:
         return port
 
     def start(self, line):
-        output = open(self.folder / ('output_%d' % len(self.processes)), 'w+', encoding='utf-8')
-        self.processes[line] = subprocess.Popen(
-            ['bash', '-c', line], cwd=self.folder, env=self.environment, stdout=output,
-            stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, start_new_session=True)
-        self.processes[line].output = pathlib.Path(output.name)
-        output.close()
+        path = self.folder / ('output_%d' % len(self.processes))
+        with open(path, 'w') as output, open(str(path) + '_errors', 'w') as errors:
+            process = subprocess.Popen(
+                ['bash', '-c', line], cwd=self.folder, env=self.environment, stdout=output,
+                stderr=errors, stdin=subprocess.DEVNULL, start_new_session=True)
+        process.output = path
+        self.processes[line] = process
 
     def said(self, line):
-        return self.processes[line].output.read_text('utf-8')
+        path = self.processes[line].output
+        return ''.join(pathlib.Path(str(path) + end).read_text('utf-8') for end in ('', '_errors'))
 
     @staticmethod
     def wait(condition, what):
@@ -247,16 +249,21 @@ class Shell:
 
     def await_boxes(self, line):
         with xmlrpc.client.ServerProxy('http://localhost:%d' % self.port) as master:
-            self.wait(lambda: any(topic.endswith('/boxes') for topic, _ in master.getSystemState(
-                '/test')[2][0]), '~boxes of ' + line)
+            self.wait(lambda: self.goes_on(line) and any(
+                topic.endswith('/boxes') for topic, _ in master.getSystemState('/test')[2][0]),
+                      '~boxes of ' + line)
 
     def check_endless(self, line):
         file = re.search(r' (>|-O) (\S+)', line)
         name = file[2] + '.active' * (file[1] == '-O') if file else ''  # rosbag's, while it writes
         path = self.folder / name if file else self.processes[line].output
-        self.wait(lambda: path.stat().st_size, 'the output of ' + line)
+        self.wait(lambda: self.goes_on(line) and path.exists() and path.stat().st_size,
+                  'the output of ' + line)
+
+    def goes_on(self, line):
         if self.processes[line].poll() is not None:
             raise AssertionError(line + '\nhas ended: ' + self.said(line))
+        return True
 
     def end(self):
         for number in (signal.SIGINT, signal.SIGKILL):
