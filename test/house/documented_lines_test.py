@@ -23,12 +23,13 @@ from patience import PATIENCE
 
 PROGRAMS = pathlib.Path()
 PAGES = ('README.md', 'doc/tools.md')
-URDF_MODES = ('--distances', '--reach', '--pairs')
+URDF_MODES = ('--distances', '--poses', '--path', '--reach', '--pairs')
 INCOMPLETE = 4  # exit code
 APART = 0.4  # metres between the links
 BALL = '<geometry><sphere radius="0.05"/></geometry>'
 LOST = '<geometry><mesh filename="file:///no/such/file.stl"/></geometry>'
 FAR_ZONE = 'far: {min: [8, 8, 8], max: [9, 9, 9]}\n'
+FAR_OBJECT = 'far: {type: CUBE, pose: {position: {x: 9}}, scale: {x: 1, y: 1, z: 1}}\n'
 SCRIPTS = {'rosrun': 'program=$2; shift 2; exec "%s/$program" "$@"', 'xacro': 'exec cat "$1"'}
 
 
@@ -93,12 +94,14 @@ class DocumentedLinesTest(unittest.TestCase):
 
     def status(self, line, is_sound):
         """Of the shell, in a folder with all files that the line reads."""
-        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag)\b', line):
+        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag|csv)\b', line):
             if name.endswith('.bag'):
                 message = ('/tf_static', transforms(line), time_of(BEGIN))
                 write_bag(str(self.folder / name), [message])
             elif name.endswith('.yaml'):
-                self.write(name, FAR_ZONE)
+                self.write(name, FAR_OBJECT if '--objects ' + name in line else FAR_ZONE)
+            elif name.endswith('.csv'):
+                self.write(name, 'unnamed_1,unnamed_2\n0,0\n1,1\n')
             elif name.endswith('.srdf'):
                 self.write(name, '<robot name="r"/>')
             else:
