@@ -62,16 +62,20 @@ def arm(robots):
     return ElementTree.tostring(root, encoding="unicode")
 
 
-def rows(urdf, count, step):
-    """A csv table: each joint swings around the middle of its range, by at most `step` a row."""
-    joints = []
+def joints_of(urdf):
+    """The name and the limits of each joint that can be set."""
     for joint in ElementTree.fromstring(urdf).findall("joint"):
         if joint.get("type") == "fixed" or joint.find("mimic") is not None:
             continue
         lower, upper = -math.pi, math.pi
         if joint.get("type") != "continuous":
             lower, upper = (float(joint.find("limit").get(end)) for end in ("lower", "upper"))
-        joints.append((joint.get("name"), lower, upper))
+        yield joint.get("name"), lower, upper
+
+
+def rows(urdf, count, step):
+    """A csv table: each joint swings around the middle of its range, by at most `step` a row."""
+    joints = list(joints_of(urdf))
     chance = random.Random(1)
     phases = [(chance.uniform(0, 6.28), chance.uniform(0.3, 1)) for _ in joints]
     lines = [",".join(name for name, _, _ in joints)]

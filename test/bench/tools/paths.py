@@ -67,19 +67,19 @@ def measured(name, urdf, geometry, folder, count):
 
 
 def way_points(urdf, count):
-    """A csv table: a random walk around the middle of the ranges."""
-    header, middle = humanoid.rows(urdf, 1, 0).splitlines()
-    chance = random.Random(2)
-    start = [float(value) for value in middle.split(",")]
-    lines, values = [header], start
+    """A csv table: a random walk within the limits, around the middle of the ranges."""
+    joints, chance = list(humanoid.joints_of(urdf)), random.Random(2)
+    middles = [(lower + upper) / 2 for _, lower, upper in joints]
+    ranges = [(max(lower, middle - 0.6), min(upper, middle + 0.6))
+              for (_, lower, upper), middle in zip(joints, middles)]
+    lines, values = [",".join(name for name, _, _ in joints)], middles
     for _ in range(count):
         lines.append(",".join("%.6f" % value for value in values))
-        while True:
+        moved = [math.inf]
+        while not all(low <= value <= high for value, (low, high) in zip(moved, ranges)):
             step = [chance.gauss(0, 1) for _ in values]
             length = math.sqrt(sum(x * x for x in step))
             moved = [value + EDGE * x / length for value, x in zip(values, step)]
-            if all(abs(a - b) < 0.6 for a, b in zip(moved, start)):
-                break
         values = moved
     return "\n".join(lines) + "\n"
 
