@@ -33,13 +33,12 @@ packages_of() {
         python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
-    link)  # what other packages link the library and use the messages with
-      echo g++ make cmake catkin libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev \
-        ros-message-runtime ;;
+    link)  # what the headers of the library and of the messages include
+      echo libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev ros-message-runtime ;;
     deb)
       echo build-essential debhelper dh-python dpkg-dev ;;
     bench)
-      echo libbenchmark-dev ;;
+      echo libbenchmark-dev libtf2-ros-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
     count)  # what counts cache lines

@@ -12,9 +12,9 @@
 
 #include "node/interface/command_line.h"
 #include "node/interface/usage.h"
-#include "node/log/log_text.h"
-#include "node/memory/heap.h"
 #include "node/publisher_node.h"
+#include "node/upkeep/heap.h"
+#include "world/log/log_text.h"
 
 namespace {
 

@@ -8,11 +8,11 @@
 
 #include <algorithm>
 
-#include "node/distances/object_body.h"
+#include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
-#include "node/log/guarded.h"
-#include "node/log/log_text.h"
-#include "node/names/topics.h"
+#include "world/log/guarded.h"
+#include "world/log/log_text.h"
+#include "world/moment/object_body.h"
 
 namespace link_bounds {
 namespace {

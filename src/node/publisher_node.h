@@ -9,21 +9,21 @@
 
 #include <memory>
 
-#include "node/diagnostics/callback_times.h"
-#include "node/diagnostics/diagnostics.h"
-#include "node/diagnostics/lost_frames.h"
-#include "node/history/scene_copier.h"
+#include "node/inputs/incomplete_messages.h"
+#include "node/inputs/tf_receiver.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
-#include "node/memory/heap.h"
-#include "node/messages/incomplete_messages.h"
 #include "node/outputs/box_service.h"
+#include "node/outputs/scene_copier.h"
 #include "node/outputs/scene_output.h"
 #include "node/outputs/swept_output.h"
-#include "node/scene/scene_feed.h"
-#include "node/tf/tf_receiver.h"
 #include "node/threads/periodic.h"
 #include "node/threads/timed_queue.h"
+#include "node/upkeep/callback_times.h"
+#include "node/upkeep/diagnostics.h"
+#include "node/upkeep/heap.h"
+#include "node/upkeep/lost_frames.h"
+#include "world/bodies/scene_feed.h"
 
 namespace link_bounds {
 

@@ -13,8 +13,8 @@
 #include <set>
 #include <string>
 
-#include "node/tf/transform_buffer.h"
 #include "testing/random_tf.h"
+#include "world/tf/transform_buffer.h"
 
 namespace link_bounds {
 

@@ -3,7 +3,7 @@
 // Linear maps that are likely to find a hole in a table of directions.
 #pragma once
 
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

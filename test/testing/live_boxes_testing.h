@@ -5,8 +5,8 @@
 
 #include <geometry_msgs/TransformStamped.h>
 
-#include "node/scene/scene.h"
 #include "testing/brute_force.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "node/objects/live_objects.h"
 #include "testing/live_boxes_testing.h"
+#include "world/bodies/live_objects.h"
 
 namespace link_bounds {
 

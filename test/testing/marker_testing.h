@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "link_bounds/geometry/shape/link_boxes.h"
-#include "node/objects/marker_shape.h"
 #include "testing/brute_force.h"
+#include "world/bodies/marker_shape.h"
 
 namespace link_bounds {
 

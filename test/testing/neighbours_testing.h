@@ -8,9 +8,9 @@
 #include <limits>
 #include <set>
 
-#include "node/objects/object_source.h"
 #include "testing/live_objects_testing.h"
 #include "testing/marker_testing.h"
+#include "world/bodies/object_source.h"
 
 namespace link_bounds {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "node/tf/tf2_pose.h"
 #include "testing/quad.h"
+#include "world/tf/tf2_pose.h"
 
 namespace link_bounds {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "node/history/swept_box.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/quad_motion.h"
+#include "world/history/swept_box.h"
 
 namespace link_bounds {
 

@@ -28,7 +28,7 @@
 #include <cmath>
 
 #include "geometry/distance/triangle_tree.h"
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
 

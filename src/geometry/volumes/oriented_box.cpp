@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/shape/shape_extents.h"
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
 

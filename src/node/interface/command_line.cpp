@@ -8,8 +8,8 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <set>
 
-#include "node/parameters/parameter_reader.h"
-#include "node/parameters/parameter_table.h"
+#include "node/interface/parameter_reader.h"
+#include "node/interface/parameter_table.h"
 
 namespace link_bounds {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <sstream>
 
-#include "node/names/topics.h"
-#include "node/parameters/parameter_table.h"
-#include "node/parameters/parameter_text.h"
+#include "node/interface/parameter_table.h"
+#include "node/interface/parameter_text.h"
+#include "node/interface/topics.h"
 
 namespace link_bounds {
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "node/log/guarded.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "node/loading/model.h"
 #include "node/threads/worker.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 

@@ -9,12 +9,13 @@
 #include <filesystem>
 #include <sstream>
 
+#include "node/interface/parameter_text.h"
+#include "node/interface/read_parameters.h"
+#include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
-#include "node/log/log_text.h"
-#include "node/names/topics.h"
-#include "node/parameters/parameter_text.h"
 #include "node/threads/queued_function.h"
 #include "packages/package_path.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 namespace {

@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
+#include "node/interface/parameter_server.h"
 #include "node/loading/mesh_readers.h"
-#include "node/loading/model.h"
 #include "node/loading/model_hand_over.h"
 #include "node/loading/robot_description.h"
-#include "node/parameters/parameter_server.h"
 #include "node/threads/worker.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 

@@ -7,7 +7,7 @@
 #include <ros/names.h>
 #include <ros/this_node.h>
 
-#include "node/log/log_text.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "node/parameters/parameter_server.h"
+#include "node/interface/parameter_server.h"
 
 namespace link_bounds {
 

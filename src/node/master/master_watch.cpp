@@ -13,9 +13,9 @@
 #include <chrono>
 #include <utility>
 
-#include "node/log/guarded.h"
 #include "node/master/registration.h"
 #include "node/threads/start_thread.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {

@@ -10,7 +10,7 @@
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 
 namespace link_bounds {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "node/master/xmlrpc_call.h"
+#include "node/interface/xmlrpc_call.h"
 
 namespace link_bounds {
 

@@ -117,14 +117,14 @@ void placeLabels(std::vector<Label> labels, MarkerArray& array) {
 
 }  // namespace
 
-MarkerArray boxMarkers(const Snapshot& snapshot) {
-  const Model& model = *snapshot.model;
+MarkerArray boxMarkers(const Moment& moment) {
+  const Model& model = *moment.model;
   MarkerArray array;
   std::vector<Label> labels;
-  for (const SnapshotBody& body : snapshot.bodies) {
-    const std::string& name = snapshot.name(body);
+  for (const Moment::Body& body : moment.bodies) {
+    const std::string& name = moment.name(body);
     addBox(body.box, name, body.link ? model.frames[*body.link] : kObjectsNamespace + name,
-           snapshot.header, model.parameters, array, labels);
+           moment.header, model.parameters, array, labels);
   }
   placeLabels(std::move(labels), array);
   return array;

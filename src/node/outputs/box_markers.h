@@ -9,14 +9,14 @@
 #include <string>
 #include <utility>
 
-#include "node/distances/snapshot.h"
+#include "world/moment/moment.h"
 
 namespace link_bounds {
 
 /// An ADD per marker of each box: faces (id 0), edges (id 1) and label (id 2), as marker_style and
 /// marker_labels of the model say. The namespace is the tf name of a link, or
 /// "link_bounds/objects/<name>" for an object. Boxes that rviz cannot draw are left out.
-visualization_msgs::MarkerArray boxMarkers(const Snapshot& snapshot);
+visualization_msgs::MarkerArray boxMarkers(const Moment& moment);
 
 /// Remembers the markers that rviz may show, so that each array can delete those that are gone.
 class ShownMarkers {

@@ -67,6 +67,16 @@ void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {
   filler.finish();
 }
 
+void fillBoxes(const Moment& moment, AxisAlignedBoxArray& message) {
+  BoxFiller filler(message, moment.header.frame_id);
+  for (const Moment::Body& body : moment.bodies)
+    filler.add(moment.name(body), {body.box, body.stamp, false});
+  for (const std::string& name : moment.incomplete)
+    filler.addIncomplete(name);
+  filler.finish();
+  message.header.stamp = moment.header.stamp;
+}
+
 void fillGroups(const Scene& scene, AxisAlignedBoxArray& message) {
   const Model& model = *scene.model();
   BoxFiller filler(message, model.fixed_frame);

@@ -6,7 +6,8 @@
 #include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
+#include "world/moment/moment.h"
 
 namespace link_bounds {
 
@@ -34,6 +35,9 @@ class BoxFiller {
 
 /// Overwrites `message` with the boxes of links and objects. There must be a model.
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message);
+
+/// The same with those of a moment, and its header.
+void fillBoxes(const Moment& moment, AxisAlignedBoxArray& message);
 
 /// The same with the boxes of groups.
 void fillGroups(const Scene& scene, AxisAlignedBoxArray& message);

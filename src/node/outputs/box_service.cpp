@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "node/history/past_boxes.h"
-#include "node/log/log_text.h"
-#include "node/names/topics.h"
-#include "node/outputs/past_message.h"
+#include "node/interface/topics.h"
+#include "node/outputs/box_message.h"
+#include "world/history/past_boxes.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 namespace {
@@ -161,7 +161,7 @@ void BoxService::answer(Call& call, const ros::ServiceCallbackHelperCallParams& 
   if (worker.isStopping()) throw std::runtime_error(kStopping);
   if (std::exchange(call.is_long, false)) throw TurnQueue::NextTurn();
   const PastBoxes boxes = job.maker.take();
-  fillBoxes(*job.scene, boxes, job.request, response.boxes);
+  fillBoxes(boxes.moment, response.boxes);
   response.message = messageOf(boxes);
 }
 

@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "link_bounds/GetBoxes.h"
-#include "node/history/scene_copier.h"
-#include "node/messages/incomplete_messages.h"
+#include "node/inputs/incomplete_messages.h"
+#include "node/outputs/scene_copier.h"
 #include "node/threads/turn_queue.h"
 
 namespace link_bounds {

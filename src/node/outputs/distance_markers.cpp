@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "node/outputs/drawable.h"
 #include "node/outputs/label_layout.h"
 

@@ -17,7 +17,8 @@ constexpr std::uint32_t kMarkersQueue = 10;
 }  // namespace
 
 DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard,
-                               TreeRequests requests, std::function<void()> send)
+                               TreeRequests requests, MomentPairs& pairs,
+                               std::function<void()> send)
     : guard_(guard),
       send_(std::move(send)),
       distances_(private_node, privateName(kDistancesTopic), kDistancesQueue,
@@ -26,7 +27,7 @@ DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard
                [this](const auto&) { guard_(send_); }),
       markers_(private_node, privateName(kDistanceMarkersTopic), kMarkersQueue,
                [this](const auto&) { guard_(send_); }),
-      thread_(std::move(requests),
+      thread_(std::move(requests), pairs,
               {[this](const ComputedDistances& computed) { publish(computed); },
                [this] { publishDueMarkers(); }, [this] { return isWanted(); }}) {}
 
@@ -50,7 +51,7 @@ void DistanceOutput::publish(const ComputedDistances& computed) {
 
 void DistanceOutput::publishDueMarkers() {
   if (!unmarked_) return;
-  const Parameters& parameters = unmarked_->snapshot->model->parameters;
+  const Parameters& parameters = unmarked_->moment->model->parameters;
   const Time now = std::chrono::steady_clock::now();
   if (std::chrono::duration<double>(now - last_markers_).count() < 1 / parameters.marker_rate)
     return;

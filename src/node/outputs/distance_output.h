@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "node/distances/distance_thread.h"
-#include "node/log/guarded.h"
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
+#include "node/outputs/distance_thread.h"
 #include "node/outputs/output.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 
@@ -34,9 +34,9 @@ struct DistanceHealth {
 class DistanceOutput {
  public:
   /// `send` gives the last ~boxes to give(); it is called when somebody subscribes. `guard` runs
-  /// the callbacks of roscpp.
+  /// the callbacks of roscpp. `pairs` must outlive this.
   DistanceOutput(ros::NodeHandle& private_node, const Guard& guard, TreeRequests requests,
-                 std::function<void()> send);
+                 MomentPairs& pairs, std::function<void()> send);
   DistanceOutput(const DistanceOutput&) = delete;
   DistanceOutput& operator=(const DistanceOutput&) = delete;
 
@@ -47,7 +47,7 @@ class DistanceOutput {
   bool isWanted() const;
 
   /// To be called with each ~boxes while isWanted().
-  void give(std::shared_ptr<const Snapshot> snapshot) { thread_.give(std::move(snapshot)); }
+  void give(MomentPtr moment) { thread_.give(std::move(moment)); }
 
   /// May be called on any thread, also after stop().
   void give(MadeTree tree) { thread_.give(std::move(tree)); }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "link_bounds/geometry/box/rounding.h"
-#include "node/parameters/parameters.h"
+#include "world/model/parameters.h"
 
 namespace link_bounds {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One work per topic waits at most: that of the newest snapshot.
+// One work per topic waits at most: that of the newest moment.
 #include "node/outputs/optional_outputs.h"
 
 #include <utility>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "node/outputs/queues.h"
 
 namespace link_bounds {
@@ -20,8 +20,10 @@ Worker::Options workerOptions() {
 
 }  // namespace
 
-OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, Newest newest)
+OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, MomentPairs& pairs,
+                                 Newest newest)
     : guard_(std::move(guard)),
+      pairs_(pairs),
       newest_(std::move(newest)),
       overlaps_(private_node, privateName(kOverlapsTopic), kBoxesQueue,
                 greetWith("overlaps", &OptionalOutputs::publishOverlaps, newest_.published)),
@@ -31,47 +33,47 @@ OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, New
                greetWith("markers", &OptionalOutputs::publishMarkers, newest_.current)),
       worker_(workerOptions()) {}
 
-/// A key of its own: no newer snapshot takes the place of a greeting.
+/// A key of its own: no newer moment takes the place of a greeting.
 OutputTopic::OnSubscriber OptionalOutputs::greetWith(const char* topic, Publish publish,
-                                                     const std::function<SnapshotPtr()>& newest) {
+                                                     const std::function<MomentPtr()>& newest) {
   return [this, topic, publish, &newest](const SubscriberPtr& subscriber) {
     guard_([&] {
-      if (const SnapshotPtr snapshot = newest())
-        post(std::string(topic) + std::to_string(++greetings_), publish, snapshot, subscriber);
+      if (const MomentPtr moment = newest())
+        post(std::string(topic) + std::to_string(++greetings_), publish, moment, subscriber);
     });
   };
 }
 
-void OptionalOutputs::post(const std::string& key, Publish publish, SnapshotPtr snapshot,
+void OptionalOutputs::post(const std::string& key, Publish publish, MomentPtr moment,
                            SubscriberPtr to) {
-  worker_.post(key, [this, publish, snapshot = std::move(snapshot), to = std::move(to)] {
-    (this->*publish)(*snapshot, to);
+  worker_.post(key, [this, publish, moment = std::move(moment), to = std::move(to)] {
+    (this->*publish)(moment, to);
   });
 }
 
-void OptionalOutputs::give(const SnapshotPtr& snapshot) {
-  if (overlaps_.hasSubscribers()) post("overlaps", &OptionalOutputs::publishOverlaps, snapshot);
-  if (parts_.hasSubscribers()) post("parts", &OptionalOutputs::publishParts, snapshot);
+void OptionalOutputs::give(const MomentPtr& moment) {
+  if (overlaps_.hasSubscribers()) post("overlaps", &OptionalOutputs::publishOverlaps, moment);
+  if (parts_.hasSubscribers()) post("parts", &OptionalOutputs::publishParts, moment);
 }
 
-void OptionalOutputs::giveMarkers(const SnapshotPtr& snapshot) {
-  post("markers", &OptionalOutputs::publishMarkers, snapshot);
+void OptionalOutputs::giveMarkers(const MomentPtr& moment) {
+  post("markers", &OptionalOutputs::publishMarkers, moment);
 }
 
-void OptionalOutputs::publishOverlaps(const Snapshot& snapshot, const SubscriberPtr& to) {
+void OptionalOutputs::publishOverlaps(const MomentPtr& moment, const SubscriberPtr& to) {
   const auto is_over = [this] { return worker_.isStopping(); };
-  if (scene_overlaps_.fill(snapshot, overlaps_message_, is_over))
+  if (overlap_filler_.fill(moment, pairs_, overlaps_message_, is_over))
     overlaps_.publish(overlaps_message_, to);
 }
 
-void OptionalOutputs::publishParts(const Snapshot& snapshot, const SubscriberPtr& to) {
-  if (part_boxes_.fill(snapshot, parts_message_)) parts_.publish(parts_message_, to);
+void OptionalOutputs::publishParts(const MomentPtr& moment, const SubscriberPtr& to) {
+  if (part_boxes_.fill(*moment, parts_message_)) parts_.publish(parts_message_, to);
 }
 
 /// Of a greeting no other subscriber hears, so it leaves alone what is remembered for all.
-void OptionalOutputs::publishMarkers(const Snapshot& snapshot, const SubscriberPtr& to) {
-  visualization_msgs::MarkerArray message = boxMarkers(snapshot);
-  if (!to) shown_.replaceBy(message, snapshot.header, markers_.takeLoss());
+void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPtr& to) {
+  visualization_msgs::MarkerArray message = boxMarkers(*moment);
+  if (!to) shown_.replaceBy(message, moment->header, markers_.takeLoss());
   markers_.publish(message, to);
 }
 
@@ -81,7 +83,8 @@ void OptionalOutputs::adopt() {
 
 void OptionalOutputs::freeSpareMemory() {
   worker_.post("memory", [this] {
-    scene_overlaps_ = SceneOverlaps();
+    pairs_.freeMemory();
+    overlap_filler_ = OverlapFiller();
     overlaps_message_ = BoxOverlapArray();
   });
 }

@@ -18,8 +18,8 @@
 #include <system_error>
 #include <utility>
 
-#include "node/log/guarded.h"
 #include "node/outputs/subscriber_link.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {

@@ -4,31 +4,25 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "link_bounds/BoxOverlapArray.h"
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
-#include "node/distances/snapshot.h"
+#include "world/moment/moment_pairs.h"
 
 namespace link_bounds {
 
-/// Searches the boxes of one moment after another and reuses its memory.
-class SceneOverlaps {
+/// Fills messages of one moment after another and reuses their memory.
+class OverlapFiller {
  public:
-  /// Overwrites `message`; reuses its memory. False if `is_over`, which is asked now and then, said
-  /// so.
+  /// Overwrites `message` with the pairs whose boxes are within overlap_margin. False if `is_over`,
+  /// which is asked now and then, said so.
   bool fill(
-      const Snapshot& snapshot, BoxOverlapArray& message,
+      const MomentPtr& moment, MomentPairs& pairs, BoxOverlapArray& message,
       const std::function<bool()>& is_over = [] { return false; });
 
  private:
-  void collect(const Snapshot& snapshot);
   BoxOverlap& nextOf(std::vector<BoxOverlap>& overlaps, std::size_t count);
 
-  std::vector<Aabb> boxes_;
-  std::vector<PairMember> owners_;
-  SweepAndPrune search_;
   std::vector<BoxOverlap> spare_;  ///< unused entries, whose strings have memory
 };
 

@@ -8,8 +8,8 @@
 #include <functional>
 #include <optional>
 
-#include "node/log/guarded.h"
 #include "node/threads/periodic.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 

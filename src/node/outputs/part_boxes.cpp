@@ -16,20 +16,20 @@ void PartBoxes::adopt(std::shared_ptr<const Model> model) {
     parts_.emplace_back(parts);
 }
 
-bool PartBoxes::fill(const Snapshot& snapshot, AxisAlignedBoxArray& message) {
-  if (snapshot.model->parameters.parts_per_link <= 1) return false;
-  if (snapshot.model != model_) adopt(snapshot.model);
+bool PartBoxes::fill(const Moment& moment, AxisAlignedBoxArray& message) {
+  if (moment.model->parameters.parts_per_link <= 1) return false;
+  if (moment.model != model_) adopt(moment.model);
   BoxFiller filler(message, model_->fixed_frame);
-  for (const std::size_t i : snapshot.incomplete_links)
+  for (const std::size_t i : moment.incomplete_links)
     filler.addIncomplete(model_->links[i].name);
-  for (const SnapshotBody& body : snapshot.bodies) {
+  for (const Moment::Body& body : moment.bodies) {
     if (!body.link) break;
     const std::size_t i = *body.link;
     BoxState state;
     state.stamp = body.stamp;
     state.incomplete = false;  // is named once, above
     for (std::size_t part = 0; part < model_->parts[i].size(); ++part) {
-      parts_[i].update(part, body.fixed_from_body);
+      parts_[i].update(part, body.frame_from_body);
       state.box = parts_[i].box(part);
       filler.add(model_->links[i].name, state);
     }

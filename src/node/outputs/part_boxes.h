@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/distances/snapshot.h"
+#include "world/moment/moment.h"
 
 namespace link_bounds {
 
@@ -15,7 +15,7 @@ class PartBoxes {
  public:
   /// Overwrites `message` with the parts of all links that have a box, with name, stamp and
   /// incompleteness of the link. False if the model wants one part per link.
-  bool fill(const Snapshot& snapshot, AxisAlignedBoxArray& message);
+  bool fill(const Moment& moment, AxisAlignedBoxArray& message);
 
  private:
   void adopt(std::shared_ptr<const Model> model);

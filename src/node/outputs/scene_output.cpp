@@ -25,13 +25,13 @@ SceneOutput::SceneOutput(Periodic& periodic, ros::NodeHandle& private_node, cons
                  }),
       boxes_output_(periodic, guard, [this] { publishBoxes(); }),
       markers_output_(periodic, guard, [this] { giveMarkers(); }),
-      optional_(private_node, guard,
+      optional_(private_node, guard, pairs_,
                 {[this] { return published(); }, [this] { return current(); }}),
-      distances_(private_node, guard, std::move(requests), [this] { giveDistances(); }) {}
+      distances_(private_node, guard, std::move(requests), pairs_, [this] { giveDistances(); }) {}
 
 void SceneOutput::adopt() {
   const Parameters& parameters = scene_.model()->parameters;
-  snapshot_ = nullptr;
+  moment_ = nullptr;
   distances_.adopt(parameters);
   optional_.adopt();
   boxes_output_.setRate(parameters.max_rate);
@@ -41,7 +41,7 @@ void SceneOutput::adopt() {
 }
 
 void SceneOutput::request() {
-  snapshot_ = nullptr;
+  moment_ = nullptr;
   boxes_output_.request();
   if (optional_.areMarkersWanted()) markers_output_.request();
 }
@@ -62,6 +62,7 @@ void SceneOutput::publishBoxes() {
   publishFootprint();
   published_ = nullptr;
   if (boxes_output_.isLimited()) published_ = current();
+  expectPairs();
   giveBoxes();
   giveDistances();
   on_boxes_();
@@ -78,15 +79,22 @@ void SceneOutput::greetWithFootprint(OutputTopic::Subscriber& subscriber) {
 }
 
 /// Of the last ~boxes; null before the first. Without a limit of the rate, the scene is still that.
-std::shared_ptr<const Snapshot> SceneOutput::published() {
+MomentPtr SceneOutput::published() {
   if (publications_ > 0 && !published_) published_ = current();
   return published_;
 }
 
 /// Of the scene as it is; null before the first model.
-std::shared_ptr<const Snapshot> SceneOutput::current() {
-  if (!snapshot_ && scene_.model()) snapshot_ = takeSnapshot(scene_);
-  return snapshot_;
+MomentPtr SceneOutput::current() {
+  if (!moment_ && scene_.model()) moment_ = momentOf(scene_);
+  return moment_;
+}
+
+/// Before the threads get the moment, so that the first of them searches for all.
+void SceneOutput::expectPairs() {
+  const Parameters& parameters = scene_.model()->parameters;
+  const double overlaps = optional_.areOverlapsWanted() ? parameters.overlap_margin : 0;
+  pairs_.expect(std::max(overlaps, distances_.isWanted() ? parameters.distance_limit : 0));
 }
 
 void SceneOutput::giveBoxes() {
@@ -98,7 +106,7 @@ void SceneOutput::giveDistances() {
 }
 
 void SceneOutput::giveMarkers() {
-  if (const auto snapshot = current()) optional_.giveMarkers(snapshot);
+  if (const auto moment = current()) optional_.giveMarkers(moment);
 }
 
 void SceneOutput::recordLag(ros::Time stamp) {

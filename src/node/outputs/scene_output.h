@@ -15,12 +15,12 @@
 #include "node/outputs/optional_outputs.h"
 #include "node/outputs/output.h"
 #include "node/outputs/paced_output.h"
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 
 /// Boxes, groups and footprint are published at once. What only listeners want is computed on other
-/// threads from a snapshot of the scene: overlaps, parts and distances from that of a ~boxes,
+/// threads from a moment of the scene: overlaps, parts and distances from that of a ~boxes,
 /// markers from the newest one.
 class SceneOutput {
  public:
@@ -40,7 +40,7 @@ class SceneOutput {
   /// Publishes a change of the scene as soon as the rates allow. There must be a model.
   void request();
 
-  /// Frees the memory that the search for overlaps keeps between updates.
+  /// Frees the memory that overlaps keep between updates.
   void freeSpareMemory() { optional_.freeSpareMemory(); }
 
   /// Number of messages on ~boxes.
@@ -59,28 +59,29 @@ class SceneOutput {
   void publishBoxes();
   void publishFootprint();
   void greetWithFootprint(OutputTopic::Subscriber& subscriber);
-  std::shared_ptr<const Snapshot> published();
+  MomentPtr published();
+  void expectPairs();
   void giveBoxes();
   void giveDistances();
   void giveMarkers();
-  std::shared_ptr<const Snapshot> current();
+  MomentPtr current();
   void recordLag(ros::Time stamp);
 
   const Scene& scene_;
   std::function<void()> on_boxes_ = [] {};
   std::uint64_t publications_ = 0;
   std::optional<double> lag_ms_;
-  ros::Time last_stamp_;                       ///< of ~boxes
-  AxisAlignedBoxArray boxes_message_;          ///< the last one published
-  AxisAlignedBoxArray groups_message_;         ///< the last one published
-  std::shared_ptr<const Snapshot> published_;  ///< of the last ~boxes; null if nobody needs it
-  std::shared_ptr<const Snapshot>
-      snapshot_;  ///< of the scene as it is; null if nobody asked for it
+  ros::Time last_stamp_;                ///< of ~boxes
+  AxisAlignedBoxArray boxes_message_;   ///< the last one published
+  AxisAlignedBoxArray groups_message_;  ///< the last one published
+  MomentPtr published_;                 ///< that of the last ~boxes; null if nobody needs it
+  MomentPtr moment_;                    ///< of the scene as it is; null if nobody asked for it
   Output<AxisAlignedBoxArray> boxes_;
   Output<AxisAlignedBoxArray> groups_;
   Output<geometry_msgs::Polygon> footprint_;
   PacedOutput boxes_output_;
   PacedOutput markers_output_;
+  MomentPairs pairs_;
   OptionalOutputs optional_;
   DistanceOutput distances_;
 };

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 
-#include "node/names/topics.h"
-#include "node/outputs/past_message.h"
+#include "node/interface/topics.h"
+#include "node/outputs/box_message.h"
 #include "node/outputs/queues.h"
 #include "node/outputs/swept_markers.h"
+#include "world/history/past_boxes.h"
 
 namespace link_bounds {
 namespace {
@@ -70,7 +71,7 @@ void SweptOutput::publish() {
   if (!scene || !whyRefused(*scene).empty()) return;
   const PastBoxes boxes = pastBoxes(*scene, request, [this] { return worker_.isStopping(); });
   if (worker_.isStopping()) return;
-  fillBoxes(*scene, boxes, request, message_);
+  fillBoxes(boxes.moment, message_);
   boxes_.publish(message_);
   if (are_markers_due_.exchange(false)) markers_.publish(sweptMarkers(message_));
 }

@@ -9,10 +9,10 @@
 #include <atomic>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/history/scene_copier.h"
 #include "node/outputs/output.h"
 #include "node/outputs/paced_output.h"
-#include "node/parameters/parameters.h"
+#include "node/outputs/scene_copier.h"
+#include "world/model/parameters.h"
 
 namespace link_bounds {
 

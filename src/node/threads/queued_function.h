@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-#include "node/log/guarded.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 

@@ -15,10 +15,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "node/log/guarded.h"
 #include "node/threads/be_nice.h"
 #include "node/threads/queued_function.h"
 #include "node/threads/start_thread.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {

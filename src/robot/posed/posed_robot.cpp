@@ -98,10 +98,13 @@ bool PosedRobot::isSurelyBeyond(std::size_t first, std::size_t second, double li
 PoseDistances PosedRobot::distances(double limit, const Wanted& wanted) {
   PoseDistances result;
   std::set<std::size_t> unmeasured;
-  for (const BoxPair& pair : search_.find(search_boxes_, limit)) {
+  const auto are_compared = [this](std::size_t first, std::size_t second) {
+    return are_pairs_[boxed_[first] * bounded_.links.size() + boxed_[second]];
+  };
+  search_.find(search_boxes_, {limit}, are_compared, near_);
+  for (const BoxPair& pair : near_.compared) {
     const std::size_t a = boxed_[pair.first];
     const std::size_t b = boxed_[pair.second];
-    if (!are_pairs_[a * bounded_.links.size() + b]) continue;
     place(a);
     place(b);
     if (isSurelyBeyond(a, b, wanted ? wanted(a, b) : limit)) continue;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/pairs/near_pairs.h"
 #include "link_bounds/geometry/distance/body_distances.h"
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
 #include "link_bounds/robot/robot_loader.h"
 #include "robot/urdf/joint_ranges.h"
 
@@ -70,7 +70,8 @@ class PosedRobot {
   std::vector<bool> are_pairs_;  ///< by first * number of links + second
   std::vector<Eigen::Affine3d> root_from_links_;
   LinkBoxes boxes_;
-  SweepAndPrune search_;
+  NearPairSearch search_;
+  NearPairs near_;                  ///< of the last distances()
   std::vector<std::size_t> boxed_;  ///< links
   std::vector<Aabb> search_boxes_;  ///< theirs
   std::vector<bool> is_placed_;     ///< of each link, in distances_

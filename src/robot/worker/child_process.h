@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/support/check_interrupt.h"
+#include "link_bounds/geometry/check_interrupt.h"
 
 namespace link_bounds {
 

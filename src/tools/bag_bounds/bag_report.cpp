@@ -125,7 +125,7 @@ class Writer {
   }
 
   void writeRow(const std::string& kind, const std::string& name, const std::string& other,
-                std::optional<double> value, const Moment& when) const {
+                std::optional<double> value, const RecordTime& when) const {
     out_ << kind << ',' << csvField(name) << ',' << csvField(other) << ','
          << (value ? exactNumber(*value) : "") << ',' << time(when.recorded) << ','
          << exactSeconds(when.stamp) << '\n';

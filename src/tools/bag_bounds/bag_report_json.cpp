@@ -48,7 +48,7 @@ class JsonWriter {
     return "[" + result + "]";
   }
 
-  std::string when(const Moment& moment) const {
+  std::string when(const RecordTime& moment) const {
     return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
   }
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "node/names/topics.h"
+#include "node/interface/topics.h"
 #include "packages/package_path.h"
 #include "tools/bag_bounds/report_words.h"
 #include "tools/command_line/interrupt.h"

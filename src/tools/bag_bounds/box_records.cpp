@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-void extend(BoxRecord& record, const Aabb& box, const Moment& now) {
+void extend(BoxRecord& record, const Aabb& box, const RecordTime& now) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     if (!record.has_box || box.min()[k] < record.min[axis].value)

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "node/scene/scene.h"
-#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/record_time.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 
 struct Extreme {
   double value = 0;  ///< [m]
-  Moment when;
+  RecordTime when;
 };
 
 struct BoxRecord {

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "node/outputs/box_message.h"
-#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/record_time.h"
 
 namespace link_bounds {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/scene/scene.h"
 #include "tools/bag_bounds/bag/bag_writer.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

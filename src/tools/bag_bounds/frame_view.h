@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
 
 namespace link_bounds {
 

@@ -3,8 +3,8 @@
 // Trees come back within the request, so that nothing waits for them.
 #include "tools/bag_bounds/nearest_pairs.h"
 
-#include "node/distances/object_body.h"
 #include "tools/command_line/interrupt.h"
+#include "world/moment/object_body.h"
 
 namespace link_bounds {
 namespace {
@@ -45,11 +45,11 @@ TreeRequests NearestPairs::requests() {
 }
 
 void NearestPairs::add(const Scene& scene, std::int64_t now) {
-  const auto computed = compute(takeSnapshot(scene));
+  const auto computed = compute(momentOf(scene));
   if (!computed) return;
   const DistanceArray& array = computed->array;
   has_compared_ |= !array.complete.empty() || !array.distances.empty();
-  for (std::size_t i = computed->snapshot->incomplete.size(); i < array.incomplete.size(); ++i)
+  for (std::size_t i = computed->moment->incomplete.size(); i < array.incomplete.size(); ++i)
     incomplete_.insert(array.incomplete[i]);
   const double limit = scene.model()->parameters.distance_limit;
   for (const Distance& distance : array.distances) {
@@ -59,13 +59,12 @@ void NearestPairs::add(const Scene& scene, std::int64_t now) {
 }
 
 /// Nothing if it was interrupted: without all trees, distances are smaller than they need be.
-std::optional<ComputedDistances> NearestPairs::compute(
-    const std::shared_ptr<const Snapshot>& snapshot) try {
-  auto computed = distances_.compute(snapshot, kNow, isInterrupted);
+std::optional<ComputedDistances> NearestPairs::compute(const MomentPtr& moment) try {
+  auto computed = distances_.compute(moment, moment_pairs_, kNow, isInterrupted);
   const std::uint64_t version = distances_.trees().version();
   distances_.trees().requestSettled(kSettled);
   if (distances_.trees().version() != version)
-    computed = distances_.compute(snapshot, kNow, isInterrupted);
+    computed = distances_.compute(moment, moment_pairs_, kNow, isInterrupted);
   return computed;
 } catch (const Interrupted&) {
   return std::nullopt;
@@ -74,7 +73,7 @@ std::optional<ComputedDistances> NearestPairs::compute(
 void NearestPairs::keep(const Distance& distance, std::int64_t now) {
   const std::pair<std::string, std::string> names{distance.first, distance.second};
   const auto found = pairs_.find(names);
-  const Moment when{now, static_cast<std::int64_t>(distance.stamp.toNSec())};
+  const RecordTime when{now, static_cast<std::int64_t>(distance.stamp.toNSec())};
   if (found != pairs_.end()) {
     if (distance.distance < found->second.distance.distance) found->second = {distance, when};
   } else if (pairs_.size() < kMaxPairs) {

@@ -15,14 +15,14 @@
 
 #include "link_bounds/Distance.h"
 #include "link_bounds/robot/robot_loader.h"
-#include "node/distances/scene_distances.h"
-#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/record_time.h"
+#include "world/moment/scene_distances.h"
 
 namespace link_bounds {
 
 struct NearestPair {
   Distance distance;  ///< that of the smallest lower bound
-  Moment when;
+  RecordTime when;
 };
 
 /// Pairs, limit and accuracy are those of the model. Triangles are loaded when they are first
@@ -59,10 +59,11 @@ class NearestPairs {
 
  private:
   TreeRequests requests();
-  std::optional<ComputedDistances> compute(const std::shared_ptr<const Snapshot>& snapshot);
+  std::optional<ComputedDistances> compute(const MomentPtr& moment);
   void keep(const Distance& distance, std::int64_t now);
 
   LoadTree load_tree_;
+  MomentPairs moment_pairs_;
   SceneDistances distances_;
   std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
   std::set<std::string> problems_;

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "node/messages/checked_stream.h"
-#include "node/names/topics.h"
-#include "tools/bag_bounds/moment.h"
+#include "node/inputs/checked_stream.h"
+#include "node/interface/topics.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "node/loading/model.h"
-#include "node/scene/scene_feed.h"
 #include "tools/bag_bounds/bag/bag_reader.h"
+#include "world/bodies/scene_feed.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 

@@ -75,7 +75,7 @@ void ZoneWatch::compare(Watched& watched, std::int64_t now) {
 void ZoneWatch::visit(Watched& watched, const std::string& name, const BoxState& state,
                       std::int64_t now) {
   if (!state.box) return;
-  const Moment moment{now, state.stamp};
+  const RecordTime moment{now, state.stamp};
   const double distance = signedDistance(*state.box, watched.record.zone.box);
   std::optional<NearestToZone>& nearest = watched.record.nearest;
   if (!nearest || distance < nearest->distance) nearest = {name, distance, moment};
@@ -91,7 +91,7 @@ void ZoneWatch::visit(Watched& watched, const std::string& name, const BoxState&
   inside.stamp = state.stamp;
 }
 
-void ZoneWatch::enter(Watched& watched, const std::string& name, const Moment& now) const {
+void ZoneWatch::enter(Watched& watched, const std::string& name, const RecordTime& now) const {
   ZoneRecord& record = watched.record;
   ++record.entries;
   watched.inside[name] = {record.stays.size(), comparisons_, now.stamp};
@@ -103,7 +103,7 @@ void ZoneWatch::enter(Watched& watched, const std::string& name, const Moment& n
 }
 
 void ZoneWatch::end(Watched& watched, std::map<std::string, Inside>::iterator body, StayEnd how,
-                    const Moment& now) {
+                    const RecordTime& now) {
   if (body->second.stay < watched.record.stays.size()) {
     Stay& stay = watched.record.stays[body->second.stay];
     stay.end = how;

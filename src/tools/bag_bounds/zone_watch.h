@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/bag_bounds/frame_view.h"
-#include "tools/bag_bounds/moment.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/bag_bounds/zones.h"
 
 namespace link_bounds {
@@ -20,15 +20,15 @@ enum class StayEnd { kLeft, kLost, kReportEnded };
 
 struct Stay {
   std::string name;
-  Moment entered;
+  RecordTime entered;
   StayEnd end = StayEnd::kReportEnded;
-  Moment left;  ///< when it ended
+  RecordTime left;  ///< when it ended
 };
 
 struct NearestToZone {
   std::string name;
   double distance;  ///< of the two boxes [m], see signedDistance: no point of the body is nearer
-  Moment when;
+  RecordTime when;
 };
 
 struct ZoneRecord {
@@ -82,9 +82,9 @@ class ZoneWatch {
   void updateViews(ros::Time now);
   void compare(Watched& watched, std::int64_t now);
   void visit(Watched& watched, const std::string& name, const BoxState& state, std::int64_t now);
-  void enter(Watched& watched, const std::string& name, const Moment& now) const;
+  void enter(Watched& watched, const std::string& name, const RecordTime& now) const;
   static void end(Watched& watched, std::map<std::string, Inside>::iterator body, StayEnd how,
-                  const Moment& now);
+                  const RecordTime& now);
 
   Scene* scene_ = nullptr;
   TransformBuffer* tf_ = nullptr;

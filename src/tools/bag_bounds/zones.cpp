@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "node/loading/model.h"
 #include "tools/command_line/options.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {

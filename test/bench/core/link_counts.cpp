@@ -5,7 +5,7 @@
 
 #include "bench/core/judgement.h"
 #include "bench/core/methods.h"
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/brute_force.h"
 

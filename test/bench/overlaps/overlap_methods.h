@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "bench/overlaps/overlap_scenes.h"
-#include "link_bounds/geometry/overlaps/sweep_and_prune.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
 
 namespace link_bounds::bench {
 

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "bench/pipeline/pipelines.h"
-#include "node/loading/model.h"
-#include "node/scene/scene.h"
-#include "node/tf/tf_message.h"
+#include "world/bodies/scene.h"
+#include "world/model/model.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds::bench {
 

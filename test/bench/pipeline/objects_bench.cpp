@@ -13,9 +13,9 @@
 #include "bench/common/suite.h"
 #include "bench/common/target.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
-#include "node/memory/heap.h"
-#include "node/objects/marker_shape.h"
+#include "node/upkeep/heap.h"
 #include "testing/brute_force.h"
+#include "world/bodies/marker_shape.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "bench/common/measured_mesh.h"
 #include "bench/common/tf_robot.h"
-#include "node/loading/model.h"
+#include "world/model/model.h"
 
 namespace link_bounds::bench {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "bench/common/mesh_choice.h"
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 
 namespace link_bounds::bench {
 namespace {

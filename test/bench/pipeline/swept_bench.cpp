@@ -9,8 +9,8 @@
 
 #include "bench/common/benchmark_main.h"
 #include "bench/common/result.h"
-#include "node/history/swept_box.h"
 #include "testing/live_boxes_testing.h"
+#include "world/history/swept_box.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "node/outputs/box_message.h"
-#include "node/tf/frame_names.h"
-#include "node/tf/tf_message.h"
+#include "world/tf/frame_names.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads and deserialises /tf as bag_bounds does it: bag_ours FILE
 #include "bench/tools/bag_counts.h"
-#include "node/tf/tf_message.h"
 #include "tools/bag_bounds/bag/bag_reader.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds::bench {
 namespace {

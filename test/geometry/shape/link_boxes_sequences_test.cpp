@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/brute_force.h"
 #include "testing/sanitized.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

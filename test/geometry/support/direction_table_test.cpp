@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Degenerate and other hard sets of points: extents equal those of the scan, to the bit.
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 
 #include <gtest/gtest.h>
 

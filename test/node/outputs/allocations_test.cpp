@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From the bytes of a tf message to filled messages, our code takes no memory from the heap, but
-// for the snapshot that other threads share.
+// for the moment that other threads share.
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
 
@@ -11,9 +11,9 @@
 #include "node/outputs/box_message.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/part_boxes.h"
-#include "node/tf/tf_message.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/replaced_new.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds {
 namespace {
@@ -27,7 +27,7 @@ constexpr int kUpdates = 1000;
 /// Requests of our code and of roscpp, whose message code is compiled into this program, too.
 struct Counts {
   long ours = 0;
-  long snapshots = 0;
+  long moments = 0;
   long roscpp = 0;
 };
 
@@ -68,11 +68,11 @@ class Chain {
     fillBoxes(scene_, boxes_);
     fillGroups(scene_, groups_);
     long* const counter = replaced_new::counter;
-    if (counter) replaced_new::counter = &counts.snapshots;
-    const std::shared_ptr<const Snapshot> snapshot = takeSnapshot(scene_);
+    if (counter) replaced_new::counter = &counts.moments;
+    const MomentPtr moment = momentOf(scene_);
     replaced_new::counter = counter;
-    ASSERT_TRUE(parts_.fill(*snapshot, parts_message_));
-    scene_overlaps_.fill(*snapshot, overlaps_);
+    ASSERT_TRUE(parts_.fill(*moment, parts_message_));
+    overlap_filler_.fill(moment, pairs_, overlaps_);
     if (counter) replaced_new::counter = &counts.roscpp;
     ros::serialization::serializeMessage(boxes_);
     ros::serialization::serializeMessage(groups_);
@@ -95,7 +95,8 @@ class Chain {
   AxisAlignedBoxArray groups_;
   PartBoxes parts_;
   AxisAlignedBoxArray parts_message_;
-  SceneOverlaps scene_overlaps_;
+  MomentPairs pairs_;
+  OverlapFiller overlap_filler_;
   BoxOverlapArray overlaps_;
 };
 
@@ -112,9 +113,9 @@ TEST(Allocations, NoneOfOursInAThousandUpdates) {
   EXPECT_GT(chain.overlapCount(), 0u);
   EXPECT_EQ(counts.ours, 0);
   EXPECT_GT(counts.roscpp, 0);
-  EXPECT_LE(counts.snapshots, 3 * kUpdates);  // itself, its bodies, and the name of the fixed frame
+  EXPECT_LE(counts.moments, 3 * kUpdates);  // itself, its bodies, and the name of the fixed frame
   std::cout << "allocations in " << kUpdates << " updates of " << kLinks << " links: ours "
-            << counts.ours << ", for snapshots " << counts.snapshots << ", roscpp's for sending "
+            << counts.ours << ", for moments " << counts.moments << ", roscpp's for sending "
             << counts.roscpp << "\n";
 }
 

@@ -55,7 +55,7 @@ TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
            now);
     ASSERT_TRUE(scene.update(now));
     const Aabb box = scene.links.states()[0].box.value();
-    const QuadBox cube = boxOf(boxMarkers(*takeSnapshot(scene)).markers.front());
+    const QuadBox cube = boxOf(boxMarkers(*momentOf(scene)).markers.front());
     for (int k = 0; k < 3; ++k) {
       const auto axis = static_cast<std::size_t>(k);
       ASSERT_LE(cube.min[axis], static_cast<Quad>(box.min()[k]));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts have the poses of the boxes in the snapshot.
+// Parts have the poses of the boxes in the moment.
 #include "node/outputs/part_boxes.h"
 
 #include <gtest/gtest.h>
@@ -42,9 +42,9 @@ class PartBoxesTest : public testing::Test {
 
 TEST_F(PartBoxesTest, AreWantedOnlyIfThereAreSeveral) {
   adopt(modelInParts(2));
-  EXPECT_TRUE(parts_.fill(*takeSnapshot(scene_), message_));
+  EXPECT_TRUE(parts_.fill(*momentOf(scene_), message_));
   adopt(modelInParts(1));
-  EXPECT_FALSE(parts_.fill(*takeSnapshot(scene_), message_));
+  EXPECT_FALSE(parts_.fill(*momentOf(scene_), message_));
 }
 
 TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
@@ -52,7 +52,7 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   for (const int turns : {1, 3, 1}) {
     for (int i = 0; i < turns; ++i)
       turn(30 + 15 * i);
-    parts_.fill(*takeSnapshot(scene_), message_);
+    parts_.fill(*momentOf(scene_), message_);
     ASSERT_EQ(message_.boxes.size(), 2u);
     const Aabb box = *scene_.links.states()[0].box;
     const Aabb larger = padded(box, 1);
@@ -64,25 +64,25 @@ TEST_F(PartBoxesTest, FollowTheLinkHoweverSeldomTheyAreAskedFor) {
   }
 }
 
-TEST_F(PartBoxesTest, AgreeWithTheSnapshotAfterTheLinksHaveMovedOn) {
+TEST_F(PartBoxesTest, AgreeWithTheMomentAfterTheLinksHaveMovedOn) {
   adopt(modelInParts(2));
   turn(30);
   const Aabb box = *scene_.links.states()[0].box;
-  const auto snapshot = takeSnapshot(scene_);
+  const auto moment = momentOf(scene_);
   turn(60);
-  parts_.fill(*snapshot, message_);
+  parts_.fill(*moment, message_);
   EXPECT_EQ(message_.boxes[0].min.x, box.min().x());
   EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
 }
 
-TEST_F(PartBoxesTest, BelongToTheModelOfTheSnapshot) {
+TEST_F(PartBoxesTest, BelongToTheModelOfTheMoment) {
   adopt(modelInParts(2));
   turn(30);
-  const auto before = takeSnapshot(scene_);
+  const auto before = momentOf(scene_);
   parts_.fill(*before, message_);
   adopt(modelInParts(3));
   turn(45);
-  parts_.fill(*takeSnapshot(scene_), message_);
+  parts_.fill(*momentOf(scene_), message_);
   EXPECT_EQ(message_.boxes[0].min.x, scene_.links.states()[0].box->min().x());
   parts_.fill(*before, message_);
   EXPECT_EQ(message_.boxes[0].stamp, ros::Time(stamp_ - 1));
@@ -91,7 +91,7 @@ TEST_F(PartBoxesTest, BelongToTheModelOfTheSnapshot) {
 TEST_F(PartBoxesTest, NameALinkWithoutBoxOnce) {
   adopt(modelInParts(2));
   turn(45);
-  parts_.fill(*takeSnapshot(scene_), message_);
+  parts_.fill(*momentOf(scene_), message_);
   EXPECT_EQ(message_.incomplete, std::vector<std::string>{"lost"});
 }
 

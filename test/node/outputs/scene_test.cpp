@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Links before objects; groups over both.
-#include "node/scene/scene.h"
+#include "world/bodies/scene.h"
 
 #include <gtest/gtest.h>
 

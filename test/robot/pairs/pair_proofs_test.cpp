@@ -349,6 +349,31 @@ TEST(PairProofs, MemoryDoesNotChangeVerdicts) {
   EXPECT_EQ(again.pose, kept.pose);
 }
 
+/// Two boxes that spin at both ends of an arm, whose joints bring them as near as a finger's width:
+/// what they fill is as far away.
+TEST(PairProofs, WheelsAndRollsTakeNoMoreBoxesThanBodiesAtRest) {
+  const Model model = Chain()
+                          .shape("<box size='0.2 0.2 0.05'/>")
+                          .joint("continuous", "0 0 0", "0 0 1")
+                          .joint("revolute", "0 0 0.3", "0 1 0", limits(-1.5, 1.5))
+                          .joint("revolute", "0 0 0.3", "1 0 0", limits(-1.5, 1.5))
+                          .joint("revolute", "0 0 0.3", "0 1 0", limits(-1.5, 1.5))
+                          .joint("continuous", "0 0 0.1", "0 0 1")
+                          .shape("<box size='0.2 0.2 0.05'/>")
+                          .model();
+  int slices = 0;
+  ProofControl control;
+  control.threads = 1;
+  control.is_over = [&] { return ++slices > 300; };
+  const auto proofs =
+      provePairs(model.robot, model.bounded, jointRanges(model.robot), {0, 1000}, control);
+  ASSERT_EQ(proofs.size(), 1U);
+  EXPECT_EQ(proofs[0].verdict, Verdict::kNever) << proofs[0].nearest;
+  EXPECT_GT(proofs[0].nearest, 0.01);
+  EXPECT_GT(proofs[0].clearance, 0);
+  EXPECT_EQ(proofs[0].pose.size(), 5U);
+}
+
 TEST(PairProofs, CoordinatesWithoutAFiniteDistanceLeaveAPairUndecided) {
   for (const char* xyz : {"1e61 0 0", "1e200 0 0"}) {
     const Model model = Chain()

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "link_bounds/geometry/check_interrupt.h"
 #include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "link_bounds/geometry/shape/shape.h"
-#include "link_bounds/geometry/support/check_interrupt.h"
 
 namespace link_bounds {
 

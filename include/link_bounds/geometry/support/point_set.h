@@ -7,18 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "link_bounds/geometry/support/check_interrupt.h"
+#include "link_bounds/geometry/check_interrupt.h"
+#include "link_bounds/geometry/support/query/extents.h"
 
 namespace link_bounds {
-
-/// The smallest and largest r . p over the points p of a set, for three directions r; metres.
-struct Extents {
-  Eigen::Vector3d low;
-  Eigen::Vector3d high;
-};
-
-/// Three directions, as the rows of a matrix or of the linear part of a pose; copies nothing.
-using Directions = Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>;
 
 struct DirectionTable;  // private to the library
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "link_bounds/geometry/support/check_interrupt.h"
+#include "link_bounds/geometry/check_interrupt.h"
 
 namespace link_bounds {
 

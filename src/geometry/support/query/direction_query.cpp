@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "geometry/support/direction_fold.h"
 #include "geometry/support/query/point_scan.h"
+#include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {
 namespace {

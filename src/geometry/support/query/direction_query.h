@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "geometry/support/direction_table.h"
 #include "geometry/support/query/query_path.h"
-#include "link_bounds/geometry/support/point_set.h"
+#include "geometry/support/table/direction_table.h"
+#include "link_bounds/geometry/support/query/extents.h"
 
 #if defined(__aarch64__) && !defined(LINK_BOUNDS_PLAIN)
 #define LINK_BOUNDS_NEON

@@ -5,7 +5,7 @@
 
 #include <immintrin.h>
 
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {
 namespace {

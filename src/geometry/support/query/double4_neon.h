@@ -6,7 +6,7 @@
 
 #include <arm_neon.h>
 
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 
 #define LINK_BOUNDS_TARGET
 

@@ -3,7 +3,7 @@
 // Plain code: the dot products of a block are independent, so the compiler makes them vectors.
 #include "geometry/support/query/farthest_point.h"
 
-#include "geometry/support/direction_fold.h"
+#include "geometry/support/table/direction_fold.h"
 
 namespace link_bounds {
 namespace {

@@ -3,7 +3,7 @@
 // The point of a set that lies farthest along a direction.
 #pragma once
 
-#include "geometry/support/direction_table.h"
+#include "geometry/support/table/direction_table.h"
 
 namespace link_bounds {
 

@@ -5,7 +5,7 @@
 // pass begins where the one before it ended.
 #pragma once
 
-#include "link_bounds/geometry/support/point_set.h"
+#include "link_bounds/geometry/support/query/extents.h"
 
 namespace link_bounds {
 

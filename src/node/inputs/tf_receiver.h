@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Subscribes to /tf and /tf_static.
+#pragma once
+
+#include <ros/message_event.h>
+#include <ros/node_handle.h>
+
+#include <functional>
+
+#include "node/interface/topics.h"
+#include "world/tf/tf_message.h"
+
+namespace link_bounds {
+
+/// Not copyable, because roscpp writes messages into its memory.
+class TfReceiver {
+ public:
+  using Event = ros::MessageEvent<const TfMessage>;
+  using Callback = std::function<void(const Event& event, bool is_static)>;
+
+  /// `on_message` is called for each message.
+  TfReceiver(ros::NodeHandle& node, const Callback& on_message);
+  TfReceiver(const TfReceiver&) = delete;
+  TfReceiver& operator=(const TfReceiver&) = delete;
+
+  /// To be called regularly: frees the memory that only a huge message needs.
+  void freeSpareMemory();
+
+ private:
+  ros::Subscriber subscribe(ros::NodeHandle& node, const TopicName& topic, bool is_static,
+                            const Callback& on_message);
+
+  TfMessageMemory memory_;
+  TfMessageMemory static_memory_;
+  ros::Subscriber subscriber_;
+  ros::Subscriber static_subscriber_;
+};
+
+}  // namespace link_bounds

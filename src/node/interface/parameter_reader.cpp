@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Conversions of single values.
+#include "node/interface/parameter_reader.h"
+
+#include "node/interface/parameter_text.h"
+
+namespace link_bounds {
+
+using XmlRpc::XmlRpcValue;
+
+std::string fromXml(XmlRpcValue& value, std::string& out) {
+  if (value.getType() != XmlRpcValue::TypeString) return "a string";
+  out = static_cast<std::string&>(value);
+  return "";
+}
+
+std::string fromXml(XmlRpcValue& value, bool& out) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) return "true or false";
+  out = static_cast<bool&>(value);
+  return "";
+}
+
+std::string fromXml(XmlRpcValue& value, int& out) {
+  if (value.getType() != XmlRpcValue::TypeInt) return "a whole number";
+  out = static_cast<int&>(value);
+  return "";
+}
+
+std::string fromXml(XmlRpcValue& value, double& out) {
+  if (value.getType() == XmlRpcValue::TypeInt) {
+    out = static_cast<int&>(value);
+  } else if (value.getType() == XmlRpcValue::TypeDouble) {
+    out = static_cast<double&>(value);
+  } else {
+    return "a number";
+  }
+  return "";
+}
+
+std::string fromXml(XmlRpcValue& value, std::vector<std::string>& out) {
+  constexpr const char* kExpected = "a list of strings";
+  if (value.getType() != XmlRpcValue::TypeArray) return kExpected;
+  out.assign(static_cast<std::size_t>(value.size()), "");
+  for (int i = 0; i < value.size(); ++i) {
+    if (!fromXml(value[i], out[static_cast<std::size_t>(i)]).empty()) return kExpected;
+  }
+  return "";
+}
+
+/// roscpp takes _name:=[a, b] on the command line for a string.
+std::string wrongValue(const std::string& name, XmlRpcValue& value, const std::string& fault) {
+  const bool is_list_wanted = fault.find("must be a list") == 0 || fault.find("must be a map") == 0;
+  const bool is_text = value.getType() == XmlRpcValue::TypeString;
+  return "parameter " + name + " is " + valueText(value) + ", but " + fault +
+         (is_list_wanted && is_text ? "; give lists and maps by rosparam or a launch file" : "");
+}
+
+std::vector<std::string> ParameterReader::warnings() const {
+  std::vector<std::string> result;
+  if (values_.getType() != XmlRpcValue::TypeStruct) return result;
+  for (auto& [name, value] : values_) {
+    if (known_.count(name) || name == "diagnostic_period") continue;  // of diagnostic_updater
+    result.push_back("parameter ~" + name + ", which is " + valueText(value) +
+                     ", is unknown and ignored; see --help");
+  }
+  return result;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The one table of parameters: name, meaning and rule. It serves the reader and --help, and so the
+// test of README's table.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "world/model/parameters.h"
+
+namespace link_bounds {
+
+namespace rules {
+
+/// A rule returns what a value must be, or "" if the value obeys.
+template <class T>
+std::string any(const T&) {
+  return "";
+}
+
+inline std::string notNegative(double value) {
+  return std::isfinite(value) && value >= 0 ? "" : "must be a finite number >= 0";
+}
+
+inline std::string positive(double value) {
+  return std::isfinite(value) && value > 0 ? "" : "must be a finite number > 0";
+}
+
+/// Lengths beyond it are slips, such as micrometres for metres. Sums of them stay finite and exact
+/// to a nanometre.
+constexpr double kMaxLength = 1e6;  // m
+
+inline std::string length(double value) {
+  return value >= 0 && value <= kMaxLength ? "" : "must be a number of metres from 0 to 1e6";
+}
+
+inline std::string positiveLength(double value) {
+  return value > 0 && value <= kMaxLength ? "" : "must be a number of metres > 0, at most 1e6";
+}
+
+inline std::string notNegativeInt(int value) {
+  return value >= 0 ? "" : "must be a whole number >= 0";
+}
+
+inline std::string positiveInt(int value) {
+  return value > 0 ? "" : "must be a whole number > 0";
+}
+
+inline std::string partCount(int value) {
+  return value >= 1 && value <= 256 ? "" : "must be a whole number from 1 to 256";
+}
+
+inline std::string geometry(const std::string& value) {
+  const bool is_known = value == "visual" || value == "collision" || value == "both";
+  return is_known ? "" : "must be visual, collision or both";
+}
+
+inline std::string markerStyle(const std::string& value) {
+  const bool is_known = value == "edges" || value == "faces" || value == "both";
+  return is_known ? "" : "must be edges, faces or both";
+}
+
+inline std::string color(const std::array<double, 4>& rgba) {
+  for (const double part : rgba) {
+    if (!(part >= 0 && part <= 1))
+      return "must be four numbers from 0 to 1: red, green, blue, alpha";
+  }
+  return "";
+}
+
+inline std::string linkPadding(const std::map<std::string, double>& value) {
+  for (const auto& [link, padding] : value) {
+    if (!length(padding).empty())
+      return "must be numbers of metres from 0 to 1e6; see link \"" + link + "\"";
+  }
+  return "";
+}
+
+inline std::string groups(const std::map<std::string, std::vector<std::string>>& value) {
+  return value.count(kRobotGroup) ? "must not define \"robot\", which is always all links" : "";
+}
+
+inline std::string ignorePairs(const std::vector<std::string>& value) {
+  const auto is_name = [](const std::string&) { return true; };
+  for (const std::string& entry : value) {
+    if (namePairs(entry, is_name).empty())
+      return "must be pairs of names with a space between them; see \"" + entry + "\"";
+  }
+  return "";
+}
+
+inline std::string attached(const std::map<std::string, std::vector<std::string>>& value) {
+  for (const auto& [link, objects] : value) {
+    for (const std::string& object : objects) {
+      if (object.find('/') == std::string::npos)
+        return "must name objects NS/ID or NS/*; see \"" + object + "\" of link \"" + link + "\"";
+    }
+  }
+  return "";
+}
+
+}  // namespace rules
+
+/// Calls visit(name, value, rule, meaning) for each private parameter.
+template <class AnyParameters, class Visitor>
+void visitParameters(AnyParameters& p, Visitor&& visit) {
+  visit("fixed_frame", p.fixed_frame, rules::any<std::string>,
+        "frame of the boxes; \"\" = the URDF's root link");
+  visit("geometry", p.geometry, rules::geometry, "visual, collision or both");
+  visit("links", p.links, rules::any<std::vector<std::string>>,
+        "only these links; [] = every link with geometry");
+  visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
+        "none of these links");
+  visit("padding", p.padding, rules::length,
+        "metres, 0 to 1e6, added on every side of link boxes and their parts (groups and markers "
+        "follow)");
+  visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
+  visit("groups", p.groups, rules::groups,
+        "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
+        "namespace");
+  visit("max_rate", p.max_rate, rules::notNegative, "Hz; 0 = every update");
+  visit("timeout", p.timeout, rules::notNegative,
+        "ROS seconds without a newer stamp on the path of a link; then it is stale: no box, in "
+        "incomplete. 0 = never");
+  visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
+        "goes before link names in tf; if not set here, it is found upwards as "
+        "robot_state_publisher finds it");
+  visit("marker_rate", p.marker_rate, rules::positive, "Hz, > 0");
+  visit("marker_style", p.marker_style, rules::markerStyle, "edges, faces or both");
+  visit("marker_color", p.marker_color, rules::color, "rgba of faces; edges opaque");
+  visit("marker_labels", p.marker_labels, rules::any<bool>, "names as text");
+  visit("overlap_margin", p.overlap_margin, rules::length,
+        "metres, 0 to 1e6; pairs of boxes with distance <= it are in ~overlaps");
+  visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
+        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps and ~distances; * in a "
+        "name is any "
+        "text without a slash, as in NS/*: all objects of a namespace");
+  visit("attached", p.attached, rules::attached,
+        "objects NS/ID or NS/* that are part of that link's rigid body in every pair of ~overlaps "
+        "and ~distances, as a tool would be");
+  visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
+        "links with this many movable joints between them, or fewer, are never a pair in "
+        "~overlaps and ~distances; >= 0");
+  visit("max_pairs", p.max_pairs, rules::positiveInt,
+        "pairs, > 0, in one message of ~distances: the nearest ones; incomplete names who has "
+        "others, /diagnostics counts those");
+  visit("distance_limit", p.distance_limit, rules::length,
+        "metres, 0 to 1e6; pairs of bodies with distance <= it are in ~distances");
+  visit("distance_accuracy", p.distance_accuracy, rules::positiveLength,
+        "metres, > 0, at most 1e6; distances are refined until distance_max - distance <= it");
+  visit("distance_warning", p.distance_warning, rules::length,
+        "metres, 0 to 1e6; /diagnostics warns while ~nearest is at or below it; 0 = never");
+  visit("swept_span", p.swept_span, rules::notNegative,
+        "seconds, >= 0, of motion that the boxes of ~swept cover; 0 = none are sent");
+  visit("parts_per_link", p.parts_per_link, rules::partCount,
+        "max number of boxes per link on ~parts, 1 to 256");
+  visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");
+  visit("max_mesh_bytes", p.max_mesh_bytes, rules::positiveInt, "bytes of one mesh file, > 0");
+}
+
+}  // namespace link_bounds

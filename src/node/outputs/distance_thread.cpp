@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Waits for a moment or a tree, computes, publishes.
+#include "node/outputs/distance_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
+constexpr std::chrono::milliseconds kTick(50);
+
+}  // namespace
+
+DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callbacks callbacks,
+                               std::chrono::milliseconds keep)
+    : pairs_(pairs),
+      callbacks_(std::move(callbacks)),
+      keep_(keep),
+      distances_(requests),
+      requests_(std::move(requests)),
+      worker_([this] {
+        Worker::Options options;
+        options.name = "distances";
+        options.is_nice = true;
+        options.on_tick = [this] { return onTick(); };
+        options.tick_period = kTick;
+        return options;
+      }()) {}
+
+/// Only taken over here; onTick() computes once for all that waits.
+void DistanceThread::give(MomentPtr moment) {
+  if (published_ == given_) unpublished_since_ = Clock::now();
+  worker_.post("moment", [this, moment = std::move(moment), number = ++given_] {
+    current_ = moment;
+    current_number_ = number;
+    has_news_ = true;
+  });
+}
+
+void DistanceThread::give(MadeTree tree) {
+  const std::string key = "tree " + std::to_string(++trees_);
+  worker_.post(key, [this, tree = std::move(tree)] {
+    distances_.trees().add(tree);
+    has_news_ = true;
+  });
+}
+
+DistanceTimes DistanceThread::takeTimes() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(times_, {});
+}
+
+/// What waits was given after the last computation had begun.
+double DistanceThread::behind() const {
+  if (published_ == given_) return 0;
+  const Clock::time_point since = std::max(unpublished_since_.load(), published_begin_.load());
+  return std::chrono::duration<double>(Clock::now() - since).count();
+}
+
+std::vector<std::string> DistanceThread::errors() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return errors_;
+}
+
+/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. True
+/// while there is a moment.
+bool DistanceThread::onTick() {
+  try {
+    if (std::exchange(has_news_, false) && current_) compute();
+    distances_.trees().requestSettled(Clock::now());
+    callbacks_.tick();
+    forgetIfUnwanted();
+  } catch (...) {
+    forget();
+    throw;
+  }
+  return current_ != nullptr;
+}
+
+void DistanceThread::compute() {
+  const auto begin = Clock::now();
+  const auto result =
+      distances_.compute(current_, pairs_, begin, [this] { return worker_.isStopping(); });
+  if (!result) return;
+  const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++times_.count;
+    times_.sum_ms += ms;
+    times_.max_ms = std::max(times_.max_ms, ms);
+    errors_ = distances_.trees().errors();
+  }
+  callbacks_.publish(*result);
+  published_begin_ = begin;
+  published_ = current_number_;
+}
+
+void DistanceThread::forgetIfUnwanted() {
+  if (callbacks_.is_wanted()) last_wanted_ = Clock::now();
+  if (current_ && Clock::now() - last_wanted_ >= keep_) forget();
+}
+
+void DistanceThread::forget() {
+  distances_ = SceneDistances(requests_);
+  current_ = nullptr;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A level, one sentence, and key-value pairs.
+#include "node/upkeep/diagnostics.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+#include "node/interface/topics.h"
+#include "world/log/log_text.h"
+
+namespace link_bounds {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::size_t kMaxObjectLines = 100;  // all are counted
+constexpr std::size_t kMaxPublisherLines = 100;
+constexpr double kMaxAge = 100;  // of boxes when they are sent [ms]
+
+void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
+  status.level = std::max<std::int8_t>(status.level, level);
+  status.message += (status.message.empty() ? "" : "; ") + text;
+}
+
+void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue pair;
+  pair.key = logText(key);
+  pair.value = logText(value);
+  status.values.push_back(pair);
+}
+
+std::size_t countBoxes(const Scene& scene) {
+  std::size_t count = 0;
+  scene.forEach(
+      [&count](const std::string&, const BoxState& state) { count += state.box ? 1 : 0; });
+  return count;
+}
+
+bool hasLinkBox(const LiveBoxes& links) {
+  return std::any_of(links.states().begin(), links.states().end(),
+                     [](const BoxState& state) { return state.box.has_value(); });
+}
+
+void addIncomplete(const std::string& name, const std::string& reason, DiagnosticStatus& status) {
+  add(status, "incomplete: " + name, reason);
+}
+
+/// Adds an entry per incomplete link; returns their number.
+std::size_t addIncomplete(const LiveBoxes& links, DiagnosticStatus& status) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < links.states().size(); ++i) {
+    if (!links.states()[i].incomplete) continue;
+    addIncomplete(links.model()->links[i].name, links.reason(i), status);
+    ++count;
+  }
+  return count;
+}
+
+/// The same for objects, but at most kMaxObjectLines entries.
+std::size_t addIncomplete(const LiveObjects& objects, DiagnosticStatus& status) {
+  std::size_t count = 0;
+  for (const auto& [key, object] : objects.objects()) {
+    if (!object.state.incomplete) continue;
+    if (count < kMaxObjectLines)
+      addIncomplete(object.content->bounded.name, objects.reason(object), status);
+    ++count;
+  }
+  return count;
+}
+
+void addMeshes(const Model& model, DiagnosticStatus& status) {
+  std::size_t total = 0;
+  for (const auto& [path, bytes] : model.mesh_bytes)
+    total += bytes;
+  add(status, "meshes", std::to_string(model.mesh_bytes.size()));
+  add(status, "mesh memory [bytes]", std::to_string(total));
+  for (const auto& [path, bytes] : model.mesh_bytes)
+    add(status, "memory of " + path + " [bytes]", std::to_string(bytes));
+}
+
+void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& status) {
+  const Model& model = *scene.model();
+  add(status, "fixed frame", model.fixed_frame);
+  add(status, "bounded links", std::to_string(model.links.size()));
+  add(status, "objects", std::to_string(scene.objects.objects().size()));
+  add(status, "boxes", std::to_string(countBoxes(scene)));
+  addMeshes(model, status);
+  const std::size_t links = addIncomplete(scene.links, status);
+  const std::size_t objects = addIncomplete(scene.objects, status);
+  if (model.links.empty() && health.awaited_description.empty()) {
+    raise(status, DiagnosticStatus::WARN, "no link is bounded");
+  } else if (!hasLinkBox(scene.links) && !model.links.empty()) {
+    raise(status, DiagnosticStatus::ERROR, "not one link has a box");
+  }
+  if (links > 0) raise(status, DiagnosticStatus::WARN, std::to_string(links) + " links incomplete");
+  if (objects > 0) {
+    raise(status, DiagnosticStatus::WARN, std::to_string(objects) + " objects incomplete");
+  }
+}
+
+std::string nearestText(const Distance& nearest) {
+  return nearest.first + " and " + nearest.second + " may be only " +
+         std::to_string(nearest.distance) + " m apart";
+}
+
+void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
+  add(status, "transforms taken", std::to_string(intake.accepted));
+  add(status, "of those late", std::to_string(intake.late));
+  add(status, "transforms refused, stamp repeated", std::to_string(intake.repeated));
+  add(status, "transforms refused, too old", std::to_string(intake.too_old));
+  add(status, "transforms refused, unusable", std::to_string(intake.unusable));
+  add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));
+}
+
+void addLatePublishers(const LatePublishers::Texts& publishers, DiagnosticStatus& status) {
+  add(status, "publishers behind", std::to_string(publishers.size()));
+  std::size_t count = 0;
+  for (const auto& [publisher, text] : publishers) {
+    if (++count > kMaxPublisherLines) return;
+    add(status, "publisher behind: " + publisher, text);
+  }
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string result;
+  for (const std::string& text : texts)
+    result += (result.empty() ? "" : "; ") + text;
+  return result.empty() ? "none" : result;
+}
+
+/// `seconds` since the last status.
+void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus& status) {
+  const auto count = static_cast<double>(health.times.count);
+  const auto text = [](bool is_known, double value) {
+    return is_known ? std::to_string(value) : "none";
+  };
+  const bool has_nearest = health.nearest && !health.nearest->first.empty();
+  add(status, "distances", health.is_wanted ? "computed" : "silent: nobody subscribes");
+  add(status, "nearest", has_nearest ? nearestText(*health.nearest) : "none");
+  add(status, "distance pairs", std::to_string(health.pairs));
+  add(status, "pairs left out of ~distances", std::to_string(health.left_out));
+  add(status, "distance pairs decided by boxes", std::to_string(health.levels[Distance::BOX]));
+  add(status, "distance pairs decided by hulls", std::to_string(health.levels[Distance::HULL]));
+  add(status, "distance pairs decided by meshes", std::to_string(health.levels[Distance::MESH]));
+  add(status, "without triangles", joined(health.errors));
+  add(status, "distances per second", std::to_string(count / seconds));
+  add(status, "time per distances, mean of the last second [ms]",
+      text(count > 0, health.times.sum_ms / count));
+  add(status, "time per distances, maximum of the last second [ms]",
+      text(count > 0, health.times.max_ms));
+  add(status, "distances behind boxes [s]", std::to_string(health.behind));
+}
+
+void warnOfDistance(const DistanceHealth& health, double warning, DiagnosticStatus& status) {
+  if (!health.nearest || health.nearest->first.empty()) return;
+  if (warning > 0 && health.nearest->distance <= warning)
+    raise(status, DiagnosticStatus::WARN, logText(nearestText(*health.nearest)));
+}
+
+void addTimes(CallbackTimes& times, DiagnosticStatus& status) {
+  const Durations recent = times.takeRecentTf();
+  const auto text = [&recent](double value) {
+    return recent.count > 0 ? std::to_string(value) : "none";
+  };
+  add(status, "time per tf message, mean of the last second [ms]", text(recent.mean()));
+  add(status, "time per tf message, maximum of the last second [ms]", text(recent.max));
+  add(status, "time per tf message, longest [ms]", std::to_string(times.tf().max));
+  add(status, "longest callback [ms]", std::to_string(times.longest()));
+  add(status, "longest callback, CPU [ms]", std::to_string(times.longestCpu()));
+}
+
+/// Says which part of the age is the node's own.
+std::string ageText(double age_ms, double delay_ms) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "boxes were up to " << age_ms
+       << " ms old when they were sent; the longest delay in this node was " << delay_ms << " ms";
+  return text.str();
+}
+
+/// What max_rate adds is wanted.
+void warnOfAge(const Health& health, double max_rate, DiagnosticStatus& status) {
+  const double age_ms = std::max(health.lag_ms.value_or(0), health.delay_ms);
+  if (age_ms > kMaxAge + (max_rate > 0 ? 1e3 / max_rate : 0))
+    raise(status, DiagnosticStatus::WARN, ageText(age_ms, health.delay_ms));
+}
+
+std::string nodeName() {
+  const std::string name = ros::this_node::getName();
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
+
+void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) {
+  if (scene.model()) {
+    describeScene(scene, health, status);
+  } else if (health.awaited_description.empty()) {
+    raise(status, DiagnosticStatus::ERROR, "the robot is still loading");
+  }
+  if (!health.awaited_description.empty()) {
+    raise(status, DiagnosticStatus::WARN, "waiting for " + logText(health.awaited_description));
+  }
+  if (scene.model())
+    warnOfDistance(health.distances, scene.model()->parameters.distance_warning, status);
+  if (scene.model()) warnOfAge(health, scene.model()->parameters.max_rate, status);
+  if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
+  if (!health.late_publishers.empty())
+    raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");
+  if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
+  if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics(ros::NodeHandle& node)
+    : publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>(kDiagnosticsTopic.name, 10)) {}
+
+void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTimes& times) {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = ros::Time::now();
+  DiagnosticStatus& status = array.status.emplace_back();
+  status.name = nodeName() + ": boxes";
+  assess(scene, health, status);
+  add(status, "tf messages", std::to_string(times.tf().count));
+  addIntake(health.intake, status);
+  add(status, "clock jumps", std::to_string(health.clock_jumps));
+  addLatePublishers(health.late_publishers, status);
+  add(status, "updates", std::to_string(health.updates));
+  const double seconds = secondsSinceLast();
+  const auto updates =
+      static_cast<double>(health.updates - std::exchange(last_updates_, health.updates));
+  add(status, "updates per second", std::to_string(updates / seconds));
+  add(status, "updates joined, last second", std::to_string(health.joined));
+  add(status, "longest delay of a message in the node [ms]", std::to_string(health.delay_ms));
+  add(status, "longest lag of boxes behind their stamp [ms]",
+      health.lag_ms ? std::to_string(*health.lag_ms) : "none");
+  add(status, "publications", std::to_string(health.publications));
+  add(status, "footprint", health.footprint);
+  addDistances(health.distances, seconds, status);
+  addTimes(times, status);
+  publisher_.publish(array);
+}
+
+/// Since the last status, by wall time.
+double Diagnostics::secondsSinceLast() {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  return (now - std::exchange(last_status_, now)).toSec();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the node reports about itself.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "node/outputs/distance_output.h"
+#include "node/upkeep/callback_times.h"
+#include "world/bodies/scene.h"
+#include "world/tf/late_publishers.h"
+
+namespace link_bounds {
+
+/// What cannot be read from the scene.
+struct Health {
+  std::string awaited_description;  ///< name of the parameter; empty: not waited for
+  bool waits_for_clock = false;
+  bool clock_jumped = false;       ///< in the last five seconds
+  std::uint64_t clock_jumps = 0;   ///< back, since the start
+  std::uint64_t updates = 0;       ///< changes of the scene, since the start
+  std::uint64_t publications = 0;  ///< of ~boxes, since the start
+  std::size_t joined = 0;          ///< messages that shared an update with a later one, since the
+                                   ///< last status
+  std::optional<double> lag_ms;    ///< by how much a new stamp of a ~boxes lay behind ROS time when
+                                   ///< it was published; the maximum since the last status
+  double delay_ms = 0;             ///< from the arrival of a message until it was handled; the
+                                   ///< maximum since the last status
+  std::string footprint;           ///< whether ~footprint is published, and if not, why
+  TfIntake intake;
+  LatePublishers::Texts late_publishers;
+  DistanceHealth distances;
+};
+
+class Diagnostics {
+ public:
+  explicit Diagnostics(ros::NodeHandle& node);
+
+  /// Publishes one status named "<node name>: boxes". ERROR: there is no model, or links are
+  /// bounded but none has a box. WARN: something is incomplete or waited for, no link is bounded,
+  /// a publisher's stamps run behind, the clock jumped, or boxes were older than 100 ms when they
+  /// were sent. Else OK. `times` begins a new period.
+  void publish(const Scene& scene, const Health& health, CallbackTimes& times);
+
+ private:
+  double secondsSinceLast();
+
+  ros::Publisher publisher_;
+  ros::SteadyTime last_status_ = ros::SteadyTime::now();
+  std::uint64_t last_updates_ = 0;  ///< at last_status_
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Two calls of glibc.
+#include "node/upkeep/heap.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+constexpr int kLargeBlock = 1 << 20;        // bytes; smaller ones are frequent, and faster kept
+constexpr std::size_t kManyObjects = 1000;  // they take about 1 MiB
+
+}  // namespace
+
+void returnLargeBlocks() {
+  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+}
+
+bool ObjectMemory::isWorthReturning(std::size_t objects) {
+  max_objects_ = std::max(max_objects_, objects);
+  if (max_objects_ < kManyObjects || objects > max_objects_ / 2) return false;
+  max_objects_ = objects;
+  return true;
+}
+
+void returnFreeMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "world/bodies/live_object.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+bool isSame(const Shape& a, const Shape& b) {
+  if (!a.points != !b.points || (a.points && !a.points->isSame(*b.points))) return false;
+  return a.solid == b.solid && a.size == b.size &&
+         a.link_from_shape.matrix() == b.link_from_shape.matrix();
+}
+
+}  // namespace
+
+std::int64_t olderStamp(std::int64_t a, std::int64_t b) {
+  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+}
+
+bool isSame(const ObjectContent& a, const ObjectContent& b) {
+  const std::vector<Shape>& shapes = b.bounded.shapes;
+  return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
+         a.drawing == b.drawing && a.is_neighbour == b.is_neighbour &&
+         a.bounded.missing == b.bounded.missing && a.refused_name == b.refused_name &&
+         std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
+                    [](const Shape& x, const Shape& y) { return isSame(x, y); });
+}
+
+std::string whyNameRefused(const LiveObject& other) {
+  return std::string("its name is that of a ") + (other.content->is_neighbour ? "box" : "marker") +
+         " of " + other.content->publisher + "; give one of them another name";
+}
+
+}  // namespace link_bounds

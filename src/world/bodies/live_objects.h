@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of objects that come and go, kept up to date with tf and with time.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "link_bounds/robot/mesh/mesh_store.h"
+#include "world/bodies/object_clock.h"
+#include "world/bodies/object_placer.h"
+#include "world/model/object_key.h"
+
+namespace link_bounds {
+
+/// Until a fixed frame is known the objects are kept and none has a box. All functions that return
+/// bool tell whether a box, a stamp or an incomplete name changed.
+class LiveObjects {
+ public:
+  using Objects = std::map<ObjectKey, LiveObject>;
+
+  explicit LiveObjects(FrameTracker& frames) : frames_(frames), placer_(frames) {}
+
+  /// In the order of ~boxes.
+  const Objects& objects() const { return objects_; }
+
+  /// How many objects have been removed so far.
+  std::uint64_t removals() const { return removals_; }
+
+  /// The objects of a name, whatever their set: at most one that has the name, and those that are
+  /// refused because of it.
+  std::pair<Objects::const_iterator, Objects::const_iterator> named(const ObjectKey& key) const;
+
+  /// The object that has the name of `key`, but for that of `key` itself; null if none has.
+  const LiveObject* otherOfName(const ObjectKey& key) const;
+
+  /// Starts over with the fixed frame and timeout that the tracker has now. Objects that were
+  /// placed once are carried over by the newest transform between the two frames, as soon as there
+  /// is one. Neighbours that are silent are removed.
+  void adopt(ros::Time now);
+
+  /// Adds an object or replaces it. Until the new one can be placed, the previous box stays, named
+  /// as incomplete.
+  bool put(const ObjectKey& key, ObjectContent content, ros::Time now);
+  bool remove(const ObjectKey& key);
+  /// All objects of markers. Neighbours stay: they end with the messages of their sender.
+  bool removeAll();
+
+  /// The points of a mesh that objects wait for or have in another version, or why there are none.
+  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+
+  /// To be called after each update of the poses, and before any other function reads them.
+  bool update(ros::Time now);
+
+  /// After the clock jumped back or began to run. What is left of a lifetime stays as it was,
+  /// waiting begins again, and no stamp of a box is ahead of `now`.
+  bool restart(ros::Time now);
+
+  /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
+  /// those of silent neighbours, gives up waiting. A neighbour that has been silent for kForget
+  /// times the timeout is forgotten.
+  bool expire(ros::Time now);
+  static constexpr double kForget = 10;
+
+  /// The objects that were given up since the last call and still are.
+  std::vector<const LiveObject*> takeGivenUp();
+
+  /// An object that is sent again and again before there is a transform at its stamp.
+  struct NeverPlaced {
+    const LiveObject* object;
+    double ahead;  ///< its stamp, of the newest transform [s]; negative: behind
+  };
+
+  /// Those that wait for longer than others until they are given up, in frames that tf connects.
+  std::vector<NeverPlaced> neverPlaced(ros::Time now);
+
+  /// The frame whose transform places the object: its header frame, or the fixed frame in which it
+  /// was placed, while that one is not carried over.
+  const std::string& neededFrame(const LiveObject& object) const;
+
+  /// Why the object is incomplete, in words; "" if it is not.
+  std::string reason(const LiveObject& object) const;
+
+ private:
+  void leaveFixedFrame();
+  void follow(LiveObject& object);
+  void release(LiveObject& object);
+  Objects::iterator erase(Objects::iterator object);
+  bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
+  bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;
+  bool dropSilent(LiveObject& object, ros::Time now);
+  bool nameAgain(const ObjectKey& key, LiveObject& object, ros::Time now);
+  bool refresh(LiveObject& object, ros::Time now);
+  bool refreshAll(ros::Time now);
+  bool refreshFollowing(ros::Time now);
+  bool refreshNotCarried(ros::Time now);
+  bool refreshWaiting(ros::Time now);
+  TransformProblem bound(LiveObject& object, ros::Time now, BoxState& state);
+
+  FrameTracker& frames_;
+  ObjectPlacer placer_;
+  ObjectClock clock_;
+  Objects objects_;
+  std::uint64_t removals_ = 0;
+  std::map<FrameTracker::Frame, std::set<LiveObject*>> followers_;  ///< by header frame
+  std::optional<FrameTracker::Frame> fixed_frame_;                  ///< in which the boxes are
+  std::vector<ObjectKey> given_up_;
+  std::size_t waiting_ = 0;  ///< objects whose transform is not there yet
+};
+
+}  // namespace link_bounds

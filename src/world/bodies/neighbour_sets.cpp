@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "world/bodies/neighbour_sets.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace link_bounds {
+namespace {
+
+bool share(const std::set<std::string>& a, const std::set<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&b](const auto& name) { return b.count(name) > 0; });
+}
+
+/// Without a frame, which is refused, the links alone tell whose message it is.
+bool canBeSame(const std::string& frame, const std::string& other) {
+  return frame == other || frame.empty() || other.empty();
+}
+
+ObjectKey keyOf(const std::string& name, std::uint64_t set) {
+  ObjectKey key = *parseObjectName(name);
+  key.set = set;
+  return key;
+}
+
+}  // namespace
+
+bool NeighbourSets::take(const AxisAlignedBoxArray& array, const NeighbourSender& sender,
+                         ros::Time now) {
+  NeighbourBoxes boxes = neighbourBoxes(array, sender.name);
+  Sender& from = senders_[sender.name];
+  from.connection = sender.connection;
+  from.has_connection = sender.connection != nullptr;
+  from.lost_since.reset();
+  bool is_changed = false;
+  Set* const set = setOf(from, boxes, is_changed);
+  if (set) is_changed |= replace(*set, sender.name, std::move(boxes), now);
+  return is_changed;
+}
+
+/// Null if it is not known whose message it is: an empty one of a sender with several sets or none,
+/// or one without a frame that fits several. Other messages may show that two sets are one.
+NeighbourSets::Set* NeighbourSets::setOf(Sender& sender, const NeighbourBoxes& boxes,
+                                         bool& is_changed) {
+  std::set<std::string> links = linksOf(boxes);
+  const bool is_empty = boxes.contents.empty();
+  const bool is_merging = !is_empty && !boxes.frame.empty();
+  std::list<Set>& sets = sender.sets;
+  Set* found = nullptr;
+  std::size_t count = 0;
+  for (auto set = sets.begin(); set != sets.end();) {
+    const bool is_same =
+        is_empty || share(set->links, links) || (set->links.empty() && links.empty());
+    if (!is_same || !canBeSame(set->frame, boxes.frame)) {
+      ++set;
+      continue;
+    }
+    ++count;
+    if (!is_merging || !found) {
+      found = &*set++;
+      continue;
+    }
+    is_changed |= removeAll(*set);
+    set = sets.erase(set);
+  }
+  if (is_empty ? count != 1 : !is_merging && count > 1) return nullptr;
+  if (!found) found = &sets.emplace_back(Set{++sets_, "", {}, {}});
+  if (!boxes.frame.empty()) found->frame = boxes.frame;
+  if (!is_empty) found->links = std::move(links);
+  return found;
+}
+
+bool NeighbourSets::replace(Set& set, const std::string& sender, NeighbourBoxes boxes,
+                            ros::Time now) {
+  std::map<ObjectKey, ObjectContent> contents = named(set, sender, boxes);
+  bool is_changed = false;
+  for (const ObjectKey& key : set.keys)
+    if (!contents.count(key)) is_changed |= objects_.remove(key);
+  set.keys.clear();
+  set.is_fresh = true;
+  for (auto& [key, content] : contents) {
+    set.keys.insert(key);
+    is_changed |= objects_.put(key, std::move(content), now);
+  }
+  for (const auto& [name, reason] : boxes.refused) {
+    const auto line = log_.line(name, reason, sender, ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+  }
+  return is_changed;
+}
+
+/// The first of the names that no other object has; the first one at all if each is taken.
+ObjectKey NeighbourSets::freeKey(const std::vector<std::string>& names, const Set& set,
+                                 const std::map<ObjectKey, ObjectContent>& taken) const {
+  for (const std::string& name : names) {
+    const ObjectKey key = keyOf(name, set.number);
+    if (!taken.count(key) && !objects_.otherOfName(key)) return key;
+  }
+  return keyOf(names.front(), set.number);
+}
+
+std::map<ObjectKey, ObjectContent> NeighbourSets::named(const Set& set, const std::string& sender,
+                                                        NeighbourBoxes& boxes) const {
+  std::map<ObjectKey, ObjectContent> result;
+  for (auto& [box, content] : boxes.contents) {
+    const ObjectKey key = freeKey(
+        {neighbourName(sender, box), neighbourName(sender, boxes.frame + '/' + box)}, set, result);
+    const auto [entry, is_new] = result.try_emplace(key);
+    if (!is_new) {
+      entry->second.bounded.missing = boxes.refused[box] =
+          "its name is that of another box of this node; give one of them another name";
+      continue;
+    }
+    content.bounded.name = objectName(key);
+    if (const LiveObject* other = objects_.otherOfName(key)) {
+      content.bounded.shapes.clear();
+      content.bounded.missing = boxes.refused[box] = content.refused_name = whyNameRefused(*other);
+    }
+    entry->second = std::move(content);
+  }
+  return result;
+}
+
+bool NeighbourSets::removeAll(const Set& set) {
+  bool is_changed = false;
+  for (const ObjectKey& key : set.keys)
+    is_changed |= objects_.remove(key);
+  return is_changed;
+}
+
+bool NeighbourSets::removeEnded(ros::SteadyTime now) {
+  bool is_changed = false;
+  for (auto sender = senders_.begin(); sender != senders_.end();) {
+    if (hasEnded(sender->second, now)) {
+      for (const Set& set : sender->second.sets)
+        is_changed |= removeAll(set);
+      sender->second.sets.clear();
+    }
+    forgetEmptySets(sender->second);
+    sender = sender->second.sets.empty() ? senders_.erase(sender) : std::next(sender);
+  }
+  return is_changed;
+}
+
+bool NeighbourSets::hasEnded(Sender& sender, ros::SteadyTime now) const {
+  if (!sender.has_connection || !sender.connection.expired()) return false;
+  if (!sender.lost_since) sender.lost_since = now;
+  return now - *sender.lost_since >= ros::WallDuration(kFarewell);
+}
+
+/// Objects end by themselves when they have been silent for long, or with a ~reload.
+void NeighbourSets::forgetEmptySets(Sender& sender) const {
+  for (auto set = sender.sets.begin(); set != sender.sets.end();) {
+    if (!std::exchange(set->is_fresh, false) && set->removals != objects_.removals()) {
+      set->removals = objects_.removals();
+      for (auto key = set->keys.begin(); key != set->keys.end();)
+        key = objects_.objects().count(*key) ? std::next(key) : set->keys.erase(key);
+    }
+    set = set->keys.empty() ? sender.sets.erase(set) : std::next(set);
+  }
+}
+
+}  // namespace link_bounds

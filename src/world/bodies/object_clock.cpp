@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "world/bodies/object_clock.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+/// Stamps that are less ahead of the clock [ns] come from clocks that differ a little.
+constexpr std::int64_t kFarAhead = 500'000'000;
+
+std::int64_t nanoseconds(ros::Time time) {
+  return static_cast<std::int64_t>(time.toNSec());
+}
+
+/// 0 if it is for ever.
+std::int64_t lifetime(const LiveObject& object) {
+  return std::max<std::int64_t>(object.lifetime.toNSec(), 0);
+}
+
+/// How much of the lifetime has passed; of a neighbour, for how long it is silent.
+std::int64_t elapsed(const LiveObject& object, std::int64_t now) {
+  const std::int64_t age = now - object.received;
+  return object.content->is_neighbour ? age : std::min(age, lifetime(object));
+}
+
+}  // namespace
+
+std::int64_t ObjectClock::observe(ros::Time now) {
+  last_now_ = std::max(last_now_, nanoseconds(now));
+  return nanoseconds(now);
+}
+
+std::int64_t ObjectClock::restart(ros::Time now) {
+  newest_now_ = std::max(newest_now_, last_now_);
+  last_now_ = nanoseconds(now);
+  return last_now_;
+}
+
+std::int64_t ObjectClock::receivedAfterJump(const LiveObject& object, ros::Time now) const {
+  return nanoseconds(now) - elapsed(object, last_now_);
+}
+
+std::int64_t ObjectClock::stampOf(const ObjectContent& content, std::int64_t now) const {
+  const bool is_late = content.stamp > now + kFarAhead && content.stamp <= newest_now_;
+  return is_late ? now : content.stamp;
+}
+
+bool hasExpired(const LiveObject& object, std::int64_t now) {
+  return lifetime(object) > 0 && elapsed(object, now) == lifetime(object);
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks a marker, turns it into the content of an object, and finds its mesh.
+#include "world/bodies/object_source.h"
+
+#include <ros/console.h>
+
+#include <cmath>
+#include <iomanip>
+#include <set>
+#include <sstream>
+
+#include "world/bodies/marker_shape.h"
+#include "world/model/model.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// Nodes like this one draw the boxes of objects in namespaces with this prefix.
+constexpr char kOwnNamespace[] = "link_bounds/";
+
+/// Meshes that are remembered: a publisher may invent names without end.
+constexpr std::size_t kMaxMeshes = 10000;
+
+bool isOurs(const Marker& marker) {
+  return marker.ns.compare(0, sizeof(kOwnNamespace) - 1, kOwnNamespace) == 0;
+}
+
+std::int64_t placementStamp(const Marker& marker) {
+  return marker.frame_locked ? 0 : static_cast<std::int64_t>(marker.header.stamp.toNSec());
+}
+
+std::string whyNeverPlaced(const LiveObjects::NeverPlaced& object) {
+  std::ostringstream text;
+  text << "it is sent again and again, and its stamp is " << std::setprecision(3)
+       << std::abs(object.ahead) << " s " << (object.ahead > 0 ? "ahead of" : "behind")
+       << " the newest transform from \"" << object.object->content->frame
+       << "\"; synchronize the clocks of both publishers, or stamp 0 to follow that frame";
+  return text.str();
+}
+
+}  // namespace
+
+ObjectSource::ObjectSource(LiveObjects& objects,
+                           std::function<void(const MeshUse& use)> request_mesh)
+    : objects_(objects), request_mesh_(std::move(request_mesh)) {}
+
+bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
+  if (marker.action == Marker::DELETEALL) return objects_.removeAll();
+  if (isOurs(marker)) return false;
+  const ObjectKey key{marker.ns, marker.id};
+  if (marker.action == Marker::DELETE) return objects_.remove(key);
+  if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);
+  return objects_.put(key, contentOf(key, std::move(marker), publisher), now);
+}
+
+ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
+                                      const std::string& publisher) {
+  ObjectContent content;
+  content.bounded.name = objectName(key);
+  content.bounded.missing = whyMarkerRefused(marker);
+  if (const LiveObject* other = objects_.otherOfName(key))
+    content.refused_name = whyNameRefused(*other);
+  content.publisher = publisher;
+  content.lifetime = marker.lifetime;
+  const std::string& refusal =
+      content.refused_name.empty() ? content.bounded.missing : content.refused_name;
+  if (!refusal.empty()) {
+    const auto line =
+        marker_log_.line(content.bounded.name, refusal, publisher, ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+  }
+  if (!content.bounded.isWhole()) return content;
+  content.frame = tfName("", marker.header.frame_id);
+  content.stamp = placementStamp(marker);
+  MarkerShape shape = markerShape(std::move(marker));
+  content.bounded.shapes = std::move(shape.shapes);
+  content.mesh_uri = std::move(shape.mesh_uri);
+  content.drawing = shape.drawing;
+  if (!content.mesh_uri.empty()) useMesh(content);
+  return content;
+}
+
+/// A mesh that nobody had any more while it was loading was given up.
+void ObjectSource::useMesh(ObjectContent& content) {
+  if (meshes_.size() >= kMaxMeshes && meshes_.count(content.mesh_uri) == 0) meshes_.clear();
+  Mesh& mesh = meshes_[content.mesh_uri];
+  const MeshUse use = mesh.use.lock();
+  content.mesh_use = use ? use : std::make_shared<const std::string>(content.mesh_uri);
+  mesh.use = content.mesh_use;
+  content.bounded.missing = mesh.error;
+  content.bounded.shapes.front().points = mesh.points.lock();
+  if (content.isLoading() && !(use && mesh.is_loading)) request(mesh);
+}
+
+void ObjectSource::request(Mesh& mesh) {
+  mesh.is_loading = true;
+  request_mesh_(mesh.use.lock());
+}
+
+bool ObjectSource::fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
+  Mesh& known = meshes_[uri];
+  known.points = mesh.points;
+  known.error = mesh.error;
+  known.is_loading = false;
+  if (!mesh.error.empty()) {
+    const auto line = mesh_log_.line(uri, mesh.error, "an object", ros::SteadyTime::now());
+    if (line) ROS_ERROR_STREAM(*line);
+  }
+  return objects_.fillMesh(uri, mesh, now);
+}
+
+void ObjectSource::warnOfGivenUp(ros::Time now) {
+  for (const LiveObject* object : objects_.takeGivenUp())
+    warn(*object, objects_.reason(*object) + "; publish that frame, or stamp 0 to follow it");
+  for (const LiveObjects::NeverPlaced& object : objects_.neverPlaced(now))
+    warn(*object.object, whyNeverPlaced(object));
+}
+
+void ObjectSource::warn(const LiveObject& object, const std::string& reason) {
+  const auto line = marker_log_.line(object.content->bounded.name, reason,
+                                     object.content->publisher, ros::SteadyTime::now());
+  if (line) ROS_WARN_STREAM(*line);
+}
+
+void ObjectSource::reloadMeshes() {
+  marker_log_.forget();
+  neighbours_.forgetLog();
+  mesh_log_.forget();
+  std::map<std::string, Mesh> known = std::move(meshes_);
+  meshes_.clear();
+  for (const auto& [key, object] : objects_.objects()) {
+    const ObjectContent& content = *object.content;
+    if (!content.mesh_use) continue;
+    const auto [mesh, is_new] = meshes_.try_emplace(content.mesh_uri);
+    if (!is_new) continue;
+    mesh->second.points = known[content.mesh_uri].points;
+    mesh->second.use = content.mesh_use;
+    request(mesh->second);
+  }
+}
+
+}  // namespace link_bounds

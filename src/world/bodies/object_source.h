@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From markers of any publisher to objects: what is added, replaced, deleted, refused or ignored.
+#pragma once
+
+#include <link_bounds/AxisAlignedBoxArray.h>
+#include <visualization_msgs/Marker.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "world/bodies/live_objects.h"
+#include "world/bodies/neighbour_sets.h"
+#include "world/log/refusal_log.h"
+
+namespace link_bounds {
+
+/// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
+/// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
+/// an incomplete name changed.
+class ObjectSource {
+ public:
+  ObjectSource(LiveObjects& objects, std::function<void(const MeshUse& use)> request_mesh);
+
+  /// Moves the points of a list out of the marker.
+  bool take(visualization_msgs::Marker&& marker, const std::string& publisher, ros::Time now);
+
+  /// ~boxes of another node.
+  bool takeNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
+                     ros::Time now) {
+    return neighbours_.take(boxes, sender, now);
+  }
+
+  /// To be called now and then: removes the boxes of nodes that have ended.
+  bool removeEndedNeighbours(ros::SteadyTime now) { return neighbours_.removeEnded(now); }
+
+  bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+
+  /// Logs which objects waited for a transform that did not come, or wait again and again.
+  void warnOfGivenUp(ros::Time now);
+
+  /// Requests the meshes of all objects again: files may have been repaired or replaced. What was
+  /// logged may be logged again.
+  void reloadMeshes();
+
+ private:
+  /// A mesh; it has neither points nor an error while it loads.
+  struct Mesh {
+    std::weak_ptr<const PointSet> points;
+    std::string error;
+    bool is_loading = false;
+    std::weak_ptr<const std::string> use;
+  };
+
+  ObjectContent contentOf(const ObjectKey& key, visualization_msgs::Marker&& marker,
+                          const std::string& publisher);
+  void useMesh(ObjectContent& content);
+  void warn(const LiveObject& object, const std::string& reason);
+  void request(Mesh& mesh);
+
+  LiveObjects& objects_;
+  NeighbourSets neighbours_{objects_};
+  std::function<void(const MeshUse& use)> request_mesh_;
+  std::map<std::string, Mesh> meshes_;  ///< by URI
+  RefusalLog marker_log_{"the marker", "further markers"};
+  RefusalLog mesh_log_{"the mesh", "meshes of further objects"};
+};
+
+}  // namespace link_bounds

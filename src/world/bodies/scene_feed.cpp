@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The clock is observed before anything else.
+#include "world/bodies/scene_feed.h"
+
+#include <ros/console.h>
+
+#include <utility>
+
+namespace link_bounds {
+
+SceneFeed::SceneFeed(Handlers handlers, std::function<ros::SteadyTime()> steady_now)
+    : handlers_(std::move(handlers)),
+      object_source_(scene_.objects, handlers_.request_mesh),
+      clock_(std::move(steady_now)) {}
+
+void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
+  tf_.distrustStampsAhead(now);
+  input_.forgetLog();
+  scene_.adopt(std::move(model), now);
+  object_source_.reloadMeshes();
+}
+
+void SceneFeed::onTransforms(const std::vector<TransformView>& transforms, bool is_static,
+                             const TransformInput::Publisher& publisher, ros::Time now) {
+  observeClock(now);
+  input_.add(transforms, is_static, publisher, clock_, now, tf_);
+  has_new_transforms_ = true;
+  taken(false, now);
+}
+
+void SceneFeed::taken(bool is_changed, ros::Time now) {
+  is_changed_ |= is_changed;
+  ++taken_;
+  if (!joins_) update(now);
+}
+
+/// Objects are placed as if all transforms that came before them had been looked at one by one.
+void SceneFeed::updatePoses(ros::Time now) {
+  if (std::exchange(has_new_transforms_, false)) is_changed_ |= scene_.update(now);
+}
+
+void SceneFeed::update(ros::Time now) {
+  if (taken_ == 0) return;
+  joined_ += std::exchange(taken_, 0) - 1;
+  updatePoses(now);
+  if (std::exchange(is_changed_, false)) onNews();
+}
+
+void SceneFeed::onMarkers(visualization_msgs::Marker* markers, std::size_t count,
+                          const std::string& publisher, ros::Time now) {
+  observeClock(now);
+  updatePoses(now);
+  bool is_changed = false;
+  for (std::size_t i = 0; i < count; ++i)
+    is_changed |= object_source_.take(std::move(markers[i]), publisher, now);
+  taken(is_changed, now);
+}
+
+void SceneFeed::onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender,
+                            ros::Time now) {
+  observeClock(now);
+  updatePoses(now);
+  taken(object_source_.takeNeighbour(boxes, sender, now), now);
+}
+
+void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now) {
+  if (object_source_.fillMesh(uri, mesh, now)) onNews();
+}
+
+void SceneFeed::onTick(ros::Time now) {
+  observeClock(now);
+  update(now);
+  const bool has_ended = object_source_.removeEndedNeighbours(ros::SteadyTime::now());
+  const bool is_changed = scene_.expire(now) || has_ended;
+  object_source_.warnOfGivenUp(now);
+  if (is_changed) onNews();
+}
+
+void SceneFeed::observeClock(ros::Time now) {
+  switch (clock_.observe(now)) {
+    case ClockWatch::Event::kNone:
+      return;
+    case ClockWatch::Event::kStarted:
+      tf_.startClock(now);
+      if (scene_.restart(now)) onNews();
+      return;
+    case ClockWatch::Event::kJumpedBack:
+      logJump();
+      tf_.clear();
+      if (scene_.restart(now)) onNews();
+      return;
+  }
+}
+
+void SceneFeed::logJump() {
+  const std::string line =
+      jump_log_.line("the clock jumped back; forgetting all transforms that are not static",
+                     ros::SteadyTime::now());
+  if (!line.empty()) ROS_WARN_STREAM(line);
+}
+
+/// Nothing is reported before the first model.
+void SceneFeed::onNews() {
+  if (scene_.model()) handlers_.on_news();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene with what feeds it: tf, markers, meshes and the clock. The node and bag_bounds share it,
+// so that the same messages give the same boxes.
+#pragma once
+
+#include <visualization_msgs/Marker.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "world/bodies/object_source.h"
+#include "world/bodies/scene.h"
+#include "world/log/repeat_log.h"
+#include "world/tf/clock_watch.h"
+#include "world/tf/transform_input.h"
+
+namespace link_bounds {
+
+/// Not copyable: it hands out references to itself.
+class SceneFeed {
+ public:
+  struct Handlers {
+    /// Requests the mesh of an object; returns at once. The mesh comes back through onMesh().
+    std::function<void(const MeshUse& use)> request_mesh;
+    /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
+    /// once for each update, tick and jump of the clock.
+    std::function<void()> on_news;
+  };
+
+  /// See ClockWatch of `steady_now`.
+  explicit SceneFeed(Handlers handlers,
+                     std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
+  SceneFeed(const SceneFeed&) = delete;
+  SceneFeed& operator=(const SceneFeed&) = delete;
+
+  /// Starts over with a model. Objects and transforms stay. Is no news.
+  void adopt(std::shared_ptr<const Model> model, ros::Time now);
+
+  /// While `joins`, messages are only taken: they become news with the next update() or tick, which
+  /// must come before anything else reads the scene.
+  void setJoining(bool joins) { joins_ = joins; }
+
+  /// Updates the scene with all that was taken.
+  void update(ros::Time now);
+
+  /// Messages that led to no news of their own because they were joined, since the last call.
+  std::size_t takeJoined() { return std::exchange(joined_, 0); }
+
+  void onTransforms(const std::vector<TransformView>& transforms, bool is_static,
+                    const TransformInput::Publisher& publisher, ros::Time now);
+
+  /// The markers of one message, which are moved from.
+  void onMarkers(visualization_msgs::Marker* markers, std::size_t count,
+                 const std::string& publisher, ros::Time now);
+
+  /// ~boxes of another node.
+  void onNeighbour(const AxisAlignedBoxArray& boxes, const NeighbourSender& sender, ros::Time now);
+
+  void onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
+
+  /// To be called every kTick [s]: finds what has become too old, at most one tick late.
+  void onTick(ros::Time now);
+  static constexpr double kTick = 0.05;
+
+  /// To be called after onTick(): see TransformBuffer::forgetQuiet().
+  void forgetQuietFrames(ros::SteadyTime now) { tf_.forgetQuiet(now); }
+
+  /// See TransformInput.
+  LatePublishers::Texts takeLatePublishers() { return input_.takeLatePublishers(); }
+
+  Scene& scene() { return scene_; }
+  TransformBuffer& tf() { return tf_; }
+  const ClockWatch& clock() const { return clock_; }
+
+ private:
+  void taken(bool is_changed, ros::Time now);
+  void updatePoses(ros::Time now);
+  void observeClock(ros::Time now);
+  void logJump();
+  void onNews();
+
+  Handlers handlers_;
+  TransformBuffer tf_;
+  Scene scene_{tf_};
+  TransformInput input_;
+  ObjectSource object_source_;
+  ClockWatch clock_;
+  RepeatLog jump_log_;
+  bool joins_ = false;
+  bool has_new_transforms_ = false;  ///< this and the next two: since the last update
+  bool is_changed_ = false;
+  std::size_t taken_ = 0;   ///< messages
+  std::size_t joined_ = 0;  ///< see takeJoined()
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Climbs as TransformBuffer::pose does, but during a span.
+#include "world/history/motion_path.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace link_bounds {
+namespace {
+
+using Frame = TransformBuffer::Frame;
+using Samples = std::vector<const EdgeSample*>;
+
+std::string seconds(std::int64_t nanoseconds) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << static_cast<double>(nanoseconds) / 1e9 << " s";
+  return text.str();
+}
+
+std::string quoted(const std::string& name) {
+  return '"' + name + '"';
+}
+
+/// The way up from a frame, as far as tf knows it for the whole span.
+struct Climb {
+  std::vector<Frame> frames;  ///< the first one, and the parent of each edge
+  std::vector<EdgeMotion> edges;
+  std::string problem;  ///< why it does not go on; "" where a tree of tf ends
+};
+
+class Climber {
+ public:
+  Climber(const TransformBuffer& tf, MotionSpan span, double timeout)
+      : tf_(tf), span_(span), timeout_(timeout) {}
+
+  /// Until isEnd(frame), or as far as possible.
+  template <class IsEnd>
+  Climb climb(Frame frame, IsEnd isEnd) const {
+    Climb result;
+    result.frames.push_back(frame);
+    while (!isEnd(frame)) {
+      const EdgeHistory* history = tf_.history(frame);
+      if (!history || history->samples().isEmpty()) break;
+      Samples samples = history->between(span_.begin, span_.end);
+      result.problem = samples.empty() ? notCovered(frame, *history) : problemOf(frame, samples);
+      if (!result.problem.empty()) break;
+      frame = samples.front()->parent;
+      if (result.edges.size() > tf_.size()) {
+        result.problem = "the parents of frame " + quoted(tf_.name(frame)) + " form a loop";
+        break;
+      }
+      result.frames.push_back(frame);
+      result.edges.emplace_back(std::move(samples));
+    }
+    return result;
+  }
+
+ private:
+  std::string notCovered(Frame frame, const EdgeHistory& history) const {
+    const SampleRing& samples = history.samples();
+    const std::size_t forgotten = samples.countUntil(history.oldestKept() - 1);
+    return "tf knows frame " + quoted(tf_.name(frame)) + " from " +
+           seconds(samples[forgotten].stamp) + " to " + seconds(samples.newest().stamp) +
+           ", which does not cover the span from " + seconds(span_.begin) + " to " +
+           seconds(span_.end);
+  }
+
+  std::string problemOf(Frame frame, const Samples& samples) const {
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const EdgeSample& older = *samples[i - 1];
+      const EdgeSample& newer = *samples[i];
+      const bool is_gap =
+          timeout_ > 0 && static_cast<double>(newer.stamp - older.stamp) > timeout_ * 1e9;
+      if (older.parent != newer.parent || is_gap) return problemBetween(frame, older, newer);
+    }
+    return "";
+  }
+
+  std::string problemBetween(Frame frame, const EdgeSample& older, const EdgeSample& newer) const {
+    const std::string who = "frame " + quoted(tf_.name(frame));
+    const std::string where = " between " + seconds(older.stamp) + " and " + seconds(newer.stamp);
+    if (older.parent == newer.parent)
+      return who + " has no transform" + where + ", which is longer than timeout";
+    return who + " changes its parent from " + quoted(tf_.name(older.parent)) + " to " +
+           quoted(tf_.name(newer.parent)) + where;
+  }
+
+  const TransformBuffer& tf_;
+  MotionSpan span_;
+  double timeout_;
+};
+
+}  // namespace
+
+MotionPath pathBetween(const TransformBuffer& tf, Frame target, Frame source, MotionSpan span,
+                       double timeout) {
+  const Climber climber(tf, span, timeout);
+  Climb up = climber.climb(source, [&](Frame frame) { return frame == target; });
+  const auto place = [&](Frame frame) {
+    return std::find(up.frames.begin(), up.frames.end(), frame);
+  };
+  const auto is_met = [&](Frame frame) { return place(frame) != up.frames.end(); };
+  Climb down = climber.climb(target, is_met);
+  const auto top = place(down.frames.back());
+  if (top == up.frames.end()) {
+    std::string problem = up.problem.empty() ? down.problem : up.problem;
+    if (problem.empty())
+      problem = "no transform from " + quoted(tf.name(source)) + " to " + quoted(tf.name(target));
+    return {{}, {}, problem};
+  }
+  up.edges.erase(up.edges.begin() + (top - up.frames.begin()), up.edges.end());
+  return {std::move(up.edges), std::move(down.edges), ""};
+}
+
+}  // namespace link_bounds

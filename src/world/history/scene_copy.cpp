@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// First links and objects, then the transforms between their frames and that of the request.
+#include "world/history/scene_copy.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kBodiesPerLook = 8;  // at the clock
+
+template <class T>
+void sortWithoutRepeats(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+SceneCopy::SceneCopy(BoxRequest request, std::shared_ptr<const Model> model)
+    : request_(std::move(request)), model_(std::move(model)) {
+  if (request_.frame.empty()) request_.frame = model_->fixed_frame;
+  if (request_.names.empty()) {
+    links_.resize(model_->links.size());
+    std::iota(links_.begin(), links_.end(), 0);
+  } else {
+    findNames();
+  }
+}
+
+/// Objects of these names are looked for later. A link goes before an object of the same name.
+void SceneCopy::findNames() {
+  std::unordered_map<std::string_view, std::size_t> links;
+  for (std::size_t i = 0; i < model_->links.size(); ++i)
+    links.emplace(model_->links[i].name, i);
+  sortWithoutRepeats(request_.names);
+  for (const std::string& name : request_.names) {
+    const auto link = links.find(name);
+    const auto key = link == links.end() ? parseObjectName(name) : std::nullopt;
+    if (link != links.end()) {
+      links_.push_back(link->second);
+    } else if (key) {
+      keys_.push_back(*key);
+    } else {
+      unknown_names_.push_back(name);
+    }
+  }
+  sortWithoutRepeats(links_);
+  sortWithoutRepeats(keys_);
+  unknown_names_.reserve(unknown_names_.size() + keys_.size());
+}
+
+bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseconds budget) {
+  const Clock::time_point end = Clock::now() + budget;
+  if (!past_) begin(scene, now);
+  if (past_->unknown_frame) return true;
+  for (int i = 1; copyNextBody(scene); ++i) {
+    if (i % kBodiesPerLook == 0 && Clock::now() >= end) return false;
+  }
+  return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
+}
+
+void SceneCopy::begin(const Scene& scene, ros::Time now) {
+  past_ = std::make_unique<PastScene>(request_, staleBefore(model_->parameters.timeout, now));
+  past_->model = model_;
+  past_->now = now;
+  past_->unknown_names = std::move(unknown_names_);
+  const std::size_t objects = scene.objects.objects().size();
+  const std::size_t bodies =
+      links_.size() + (request_.names.empty() ? objects : std::min(keys_.size(), objects));
+  past_->bodies.reserve(bodies);
+  past_->excerpt.reserve(bodies + 1);
+  const TransformBuffer& tf = scene.frames.tf();
+  const auto target = tf.find(request_.frame);
+  if (target && (tf.isMet(*target) || request_.frame == model_->fixed_frame)) {
+    past_->target = past_->excerpt.add(tf, *target);
+  } else {
+    past_->unknown_frame = request_.frame;
+  }
+}
+
+/// False if there is none.
+bool SceneCopy::copyNextBody(const Scene& scene) {
+  if (next_link_ < links_.size()) {
+    copyLink(scene, links_[next_link_++]);
+    return true;
+  }
+  const LiveObjects::Objects& objects = scene.objects.objects();
+  if (request_.names.empty()) {
+    const auto next = last_object_ ? objects.upper_bound(*last_object_) : objects.begin();
+    if (next == objects.end()) return false;
+    last_object_ = next->first;
+    copyObject(scene, next->second);
+    return true;
+  }
+  if (next_key_ == keys_.size()) return false;
+  const ObjectKey& key = keys_[next_key_++];
+  const auto [begin, end] = scene.objects.named(key);
+  if (begin == end) past_->unknown_names.push_back(objectName(key));
+  for (auto object = begin; object != end; ++object)
+    copyObject(scene, object->second);
+  return true;
+}
+
+void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
+  const TransformBuffer& tf = scene.frames.tf();
+  PastBody body;
+  body.bounded = &model_->links[link];
+  body.link = link;
+  body.incomplete = !body.bounded->isWhole();
+  body.reason = body.bounded->missing;
+  // After a ~reload this may be another model than the scene has.
+  const auto frame =
+      scene.links.model() == model_.get() ? scene.links.frame(link) : tf.find(model_->frames[link]);
+  if (frame && !body.bounded->shapes.empty()) body.frame = past_->excerpt.add(tf, *frame);
+  past_->bodies.push_back(std::move(body));
+}
+
+/// An object that does not follow its frame, or that a neighbour moves, stays where its last box
+/// is.
+void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
+  const TransformBuffer& tf = scene.frames.tf();
+  PastBody body;
+  body.object = object.content;
+  if (object.content->follows() && object.content->stamp == 0 &&
+      object.content->bounded.isWhole() && !object.content->isLoading()) {
+    body.frame = past_->excerpt.add(tf, object.frame);
+  } else {
+    body.incomplete = object.state.incomplete;
+    body.reason = scene.objects.reason(object);
+    if (object.state.box) {
+      body.object = object.boxed.content;
+      body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
+      body.frame_from_body = object.boxed.fixed_from_header;
+      body.stamp = object.state.stamp;
+    }
+  }
+  body.bounded = &body.object->bounded;
+  past_->bodies.push_back(std::move(body));
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The box that a link never leaves during its motion.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "link_bounds/geometry/shape/bounded_link.h"
+#include "world/history/motion_path.h"
+
+namespace link_bounds {
+
+/// The problem if it was given up.
+constexpr const char* kNotInTime = "there was no time to compute its box";
+
+struct SweptBox {
+  std::optional<Aabb> box;  ///< in the target frame, padded as linkBox() does it
+  std::string problem;      ///< why there is no box, in words; "" if there is one
+};
+
+/// A box that contains the link's box in each pose that tf2 gives for the frame `source` in the
+/// frame `target` at a time of the span, interpolated or not. Along no axis is it longer than the
+/// box around all of those by more than 1 mm + 1 %, unless a motion is so wild that a million
+/// poses do not suffice.
+///
+/// There is no box if tf does not know the whole motion: if a history does not cover the span, if
+/// an edge between the frames changes its parent meanwhile, if two samples that follow each other
+/// are further apart than `timeout` (seconds; 0: they may be), or if a pose is not finite. Nor is
+/// there one if `gives_up`, which is asked often, returns true before the box is proven.
+SweptBox sweptBox(
+    const TransformBuffer& tf, TransformBuffer::Frame target, TransformBuffer::Frame source,
+    MotionSpan span, const BoundedLink& link, double timeout,
+    const std::function<bool()>& gives_up = [] { return false; });
+
+}  // namespace link_bounds

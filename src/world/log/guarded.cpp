@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Not by ROS_ERROR_THROTTLE, which measures ROS time and so says nothing while /clock is absent.
+#include "world/log/guarded.h"
+
+#include <ros/console.h>
+#include <ros/time.h>
+
+#include <mutex>
+
+#include "world/log/log_text.h"
+
+namespace link_bounds {
+namespace {
+
+const ros::WallDuration kPeriod(1.0);
+
+}  // namespace
+
+void logUnexpected(const std::exception& error) {
+  static std::mutex mutex;
+  static ros::SteadyTime last_line;  // zero before the first
+  const std::lock_guard<std::mutex> lock(mutex);
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (!last_line.isZero() && now - last_line < kPeriod) return;
+  last_line = now;
+  ROS_ERROR("unexpected: %s", logText(error.what()).c_str());
+}
+
+}  // namespace link_bounds

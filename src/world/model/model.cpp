@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes a model of a description and parameters.
+#include "world/model/model.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "packages/package_path.h"
+#include "world/model/parameter_error.h"
+
+namespace link_bounds {
+namespace {
+
+std::string withoutSlashes(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of('/');
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of('/') - begin + 1);
+}
+
+Selection selectionOf(const Parameters& parameters) {
+  Selection selection;
+  selection.visual = parameters.geometry != "collision";
+  selection.collision = parameters.geometry != "visual";
+  selection.links = parameters.links;
+  selection.ignore_links = parameters.ignore_links;
+  selection.padding = parameters.padding;
+  selection.link_padding = parameters.link_padding;
+  selection.parts_per_link = parameters.parts_per_link;
+  return selection;
+}
+
+SceneGroup allLinks(std::size_t count) {
+  SceneGroup group;
+  group.name = kRobotGroup;
+  for (std::size_t i = 0; i < count; ++i)
+    group.members.push_back(i);
+  return group;
+}
+
+/// The links that can be members of groups.
+struct KnownLinks {
+  std::map<std::string, std::size_t> bounded;
+  std::set<std::string> without_geometry;
+};
+
+/// The namespace "ns" of a member "ns/*"; nothing for other members.
+std::optional<std::string> namespaceOf(const std::string& member) {
+  if (member.size() < 2 || member.compare(member.size() - 2, 2, "/*") != 0) return std::nullopt;
+  return member.substr(0, member.size() - 2);
+}
+
+/// A name that fits a link and an object means the link.
+void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
+  const auto found = known.bounded.find(member);
+  if (found != known.bounded.end()) {
+    group.members.push_back(found->second);
+  } else if (known.without_geometry.count(member)) {
+    return;
+  } else if (const auto ns = namespaceOf(member)) {
+    group.namespaces.push_back(*ns);
+  } else if (const auto key = parseObjectName(member)) {
+    group.objects.push_back(*key);
+  } else {
+    group.lacks_members = true;
+  }
+}
+
+std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& parameters,
+                                   const KnownLinks& known) {
+  std::vector<SceneGroup> groups{allLinks(links)};
+  for (const auto& [name, members] : parameters.groups) {
+    groups.emplace_back().name = name;
+    for (const std::string& member : members)
+      addMember(groups.back(), member, known);
+  }
+  return groups;
+}
+
+bool hasGeometry(const Link& link, const Selection& selection) {
+  const auto counts = [&](const auto& element) {
+    return element.purpose == Purpose::kVisual ? selection.visual : selection.collision;
+  };
+  return std::any_of(link.elements.begin(), link.elements.end(), counts) ||
+         std::any_of(link.lost.begin(), link.lost.end(), counts);
+}
+
+KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
+  KnownLinks known;
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    known.bounded[model.links[i].name] = i;
+  for (const Link& link : robot.links) {
+    if (!hasGeometry(link, selection)) known.without_geometry.insert(link.name);
+  }
+  return known;
+}
+
+/// The bodies of some links, which `indices` gives in the order of the result.
+RigidBodies bodiesOf(const Robot& robot, const std::vector<std::size_t>& indices) {
+  const RigidBodies all = rigidBodies(robot);
+  RigidBodies bodies{{}, all.parents};
+  for (const std::size_t index : indices)
+    bodies.of_links.push_back(all.of_links[index]);
+  return bodies;
+}
+
+/// The pairs that an entry of ignore_pairs stands for; none if it cannot be split into names.
+std::vector<NamePair> pairsOf(const std::string& entry, const std::set<std::string>& links) {
+  return namePairs(entry, [&links](const std::string& name) {
+    return links.count(name) || parseObjectName(name) || isPattern(name);
+  });
+}
+
+std::vector<NamePair> ignoredPairs(const Parameters& parameters,
+                                   const std::set<std::string>& links) {
+  std::vector<NamePair> result;
+  for (const std::string& entry : parameters.ignore_pairs) {
+    const std::vector<NamePair> pairs = pairsOf(entry, links);
+    result.insert(result.end(), pairs.begin(), pairs.end());
+  }
+  return result;
+}
+
+void checkIgnoredPairs(const Parameters& parameters, const std::set<std::string>& links) {
+  for (const std::string& entry : parameters.ignore_pairs) {
+    if (!pairsOf(entry, links).empty()) continue;
+    throw ParameterError("parameter ~ignore_pairs: \"" + entry +
+                         "\" cannot be split into two names of links or objects; correct it");
+  }
+}
+
+/// Links without geometry have a body, too.
+std::vector<Attachment> attachmentsOf(const Parameters& parameters, const Robot& robot) {
+  const RigidBodies bodies = rigidBodies(robot);
+  std::vector<Attachment> result;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const auto found = parameters.attached.find(robot.links[i].name);
+    if (found == parameters.attached.end()) continue;
+    for (const std::string& objects : found->second)
+      result.push_back({objects, bodies.of_links[i]});
+  }
+  return result;
+}
+
+/// One warning per unknown name. Names with a slash may be those of objects.
+std::vector<std::string> unknownNames(const Parameters& parameters,
+                                      const std::vector<NamePair>& ignored_pairs,
+                                      const std::set<std::string>& links) {
+  std::map<std::string, std::string> unknown;
+  const auto check = [&](const std::string& name, const std::string& parameter) {
+    if (!links.count(name)) unknown.emplace(name, parameter);
+  };
+  for (const std::string& name : parameters.links)
+    check(name, "links");
+  for (const std::string& name : parameters.ignore_links)
+    check(name, "ignore_links");
+  for (const auto& [name, padding] : parameters.link_padding)
+    check(name, "link_padding");
+  for (const auto& [name, objects] : parameters.attached)
+    check(name, "attached");
+  for (const auto& [group, members] : parameters.groups) {
+    for (const std::string& name : members) {
+      if (name.find('/') == std::string::npos) check(name, "groups/" + group);
+    }
+  }
+  for (const NamePair& pair : ignored_pairs) {
+    for (const std::string& name : {pair.first, pair.second}) {
+      const auto fits = [&name](const std::string& link) { return fitsPattern(link, name); };
+      const bool is_object = name.find('/') != std::string::npos;
+      if (!is_object && std::none_of(links.begin(), links.end(), fits)) check(name, "ignore_pairs");
+    }
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [name, parameter] : unknown) {
+    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
+                       "\", which the robot description does not have; correct the name");
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::string tfName(const std::string& tf_prefix, const std::string& link) {
+  if (!link.empty() && link.front() == '/') return link.substr(1);
+  const std::string prefix = withoutSlashes(tf_prefix);
+  return prefix.empty() ? link : prefix + "/" + link;
+}
+
+Model modelWithoutRobot(const Parameters& parameters) {
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = tfName("", parameters.fixed_frame);
+  model.groups = makeGroups(0, parameters, KnownLinks());
+  model.ignored_pairs = NamePairs(ignoredPairs(parameters, {}));
+  return model;
+}
+
+MeshSource meshSource(const Parameters& parameters) {
+  const MeshLimits limits{parameters.mesh_timeout,
+                          static_cast<std::uint64_t>(parameters.max_mesh_bytes)};
+  return {rosPackages(), "", nullptr, limits};
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader) {
+  return makeModel(description, parameters, loader, meshSource(parameters));
+}
+
+Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,
+                const MeshSource& source) {
+  const Robot robot = parseRobot(description);
+  std::set<std::string> names;
+  for (const Link& link : robot.links)
+    names.insert(link.name);
+  checkIgnoredPairs(parameters, names);
+  const std::vector<NamePair> ignored_pairs = ignoredPairs(parameters, names);
+  const Selection selection = selectionOf(parameters);
+  BoundedRobot bounded = loader.load(robot, selection, source);
+  Model model;
+  model.parameters = parameters;
+  model.fixed_frame = parameters.fixed_frame.empty()
+                          ? tfName(parameters.tf_prefix, robot.links[robot.root].name)
+                          : tfName("", parameters.fixed_frame);
+  model.links = std::move(bounded.links);
+  model.parts = std::move(bounded.parts);
+  for (const BoundedLink& link : model.links) {
+    model.frames.push_back(tfName(parameters.tf_prefix, link.name));
+  }
+  model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
+  model.bodies = bodiesOf(robot, bounded.indices);
+  model.ignored_pairs = NamePairs(ignored_pairs);
+  model.attached = attachmentsOf(parameters, robot);
+  for (const auto& [path, points] : bounded.meshes)
+    model.mesh_bytes.emplace(path, points->bytes());
+  model.mesh_uris = std::move(bounded.mesh_uris);
+  model.problems = std::move(bounded.problems);
+  model.warnings = unknownNames(parameters, ignored_pairs, names);
+  model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
+                        bounded.part_problems.end());
+  if (model.links.empty()) {
+    model.warnings.push_back(
+        "no link is bounded: parameters ~links, ~ignore_links and ~geometry leave no link with "
+        "geometry; correct them");
+  }
+  if (parameters.distance_warning > parameters.distance_limit) {
+    model.warnings.push_back(
+        "parameter ~distance_warning is larger than ~distance_limit, beyond which nothing is "
+        "measured; raise ~distance_limit");
+  }
+  model.warnings.insert(model.warnings.end(), robot.warnings.begin(), robot.warnings.end());
+  return model;
+}
+
+std::optional<std::size_t> bodyOf(const Model& model, const PairMember& member) {
+  if (member.link) return model.bodies.of_links[*member.link];
+  for (const Attachment& attachment : model.attached) {
+    if (fitsPattern(*member.name, attachment.objects)) return attachment.body;
+  }
+  return std::nullopt;
+}
+
+bool isPair(const Model& model, const PairMember& a, const PairMember& b) {
+  const std::optional<std::size_t> body = bodyOf(model, a);
+  const std::optional<std::size_t> other = body ? bodyOf(model, b) : std::nullopt;
+  if (other && areBodiesJoined(model.bodies, *body, *other, model.parameters.adjacent_joints))
+    return false;
+  return !model.ignored_pairs.contains(*a.name, *b.name);
+}
+
+}  // namespace link_bounds

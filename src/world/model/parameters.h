@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters that decide what the boxes are and when they are published.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+
+constexpr char kRobotGroup[] = "robot";  ///< the group of all links
+
+/// Meanings and units are in node/interface/parameter_table.h.
+struct Parameters {
+  std::string fixed_frame;
+  std::string geometry = "visual";
+  std::vector<std::string> links;
+  std::vector<std::string> ignore_links;
+  double padding = 0.0;
+  std::map<std::string, double> link_padding;
+  std::map<std::string, std::vector<std::string>> groups;
+  double max_rate = 0.0;
+  double timeout = 2.0;
+  std::string tf_prefix;
+  double marker_rate = 30.0;
+  std::string marker_style = "both";
+  std::array<double, 4> marker_color{{0.1, 0.7, 1.0, 0.25}};
+  bool marker_labels = false;
+  double overlap_margin = 0.0;
+  std::vector<std::string> ignore_pairs;
+  std::map<std::string, std::vector<std::string>> attached;
+  int adjacent_joints = 1;
+  int max_pairs = 10000;
+  double distance_limit = 0.1;
+  double distance_accuracy = 1e-4;
+  double distance_warning = 0.0;
+  double swept_span = 0.0;
+  int parts_per_link = 1;
+  double mesh_timeout = 30.0;
+  int max_mesh_bytes = 536870912;
+};
+
+}  // namespace link_bounds

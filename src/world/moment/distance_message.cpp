@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names, stamps and levels of the bodies of a moment.
+#include "world/moment/distance_message.h"
+
+#include <algorithm>
+
+#include "link_bounds/ros/messages.h"
+
+namespace link_bounds {
+namespace {
+
+std::uint8_t toLevel(DistanceLevel level) {
+  switch (level) {
+    case DistanceLevel::kBox:
+      return Distance::BOX;
+    case DistanceLevel::kHull:
+      return Distance::HULL;
+    case DistanceLevel::kMesh:
+      return Distance::MESH;
+  }
+  return Distance::BOX;
+}
+
+}  // namespace
+
+Distance toMessage(const Moment& moment, const FoundPair& pair) {
+  const Moment::Body& first = moment.bodies[pair.first];
+  const Moment::Body& second = moment.bodies[pair.second];
+  const BodyDistance& found = pair.distance;
+  Distance message;
+  message.first = moment.name(first);
+  message.second = moment.name(second);
+  message.stamp.fromNSec(static_cast<std::uint64_t>(olderStamp(first.stamp, second.stamp)));
+  message.distance = found.lower;
+  message.distance_max = found.upper;
+  message.on_first = toPoint(found.on_first);
+  message.on_second = toPoint(found.on_second);
+  message.normal.x = found.normal.x();
+  message.normal.y = found.normal.y();
+  message.normal.z = found.normal.z();
+  message.level = toLevel(found.level);
+  return message;
+}
+
+BoxOverlap toMessage(const Moment& moment, const BoxPair& pair) {
+  BoxOverlap message;
+  message.first = moment.name(moment.bodies[pair.first]);
+  message.second = moment.name(moment.bodies[pair.second]);
+  message.distance = pair.distance;
+  return message;
+}
+
+Distance nearestOf(const std::vector<Distance>& distances, double limit) {
+  const auto nearest =
+      std::min_element(distances.begin(), distances.end(),
+                       [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  if (nearest != distances.end()) return *nearest;
+  Distance none;
+  none.distance = limit;
+  none.distance_max = limit;
+  none.level = Distance::BOX;
+  return none;
+}
+
+}  // namespace link_bounds

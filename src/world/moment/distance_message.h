@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From pairs of bodies to messages.
+#pragma once
+
+#include <vector>
+
+#include "link_bounds/BoxOverlap.h"
+#include "link_bounds/Distance.h"
+#include "link_bounds/geometry/pairs/sweep_and_prune.h"
+#include "world/moment/moment.h"
+#include "world/moment/pair_heap.h"
+
+namespace link_bounds {
+
+Distance toMessage(const Moment& moment, const FoundPair& pair);
+
+BoxOverlap toMessage(const Moment& moment, const BoxPair& pair);
+
+/// The pair of the smallest lower bound. If no pair is within the limit [m]: nothing is nearer than
+/// that.
+Distance nearestOf(const std::vector<Distance>& distances, double limit);
+
+}  // namespace link_bounds

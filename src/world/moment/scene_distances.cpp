@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes choose the pairs, BodyDistances measures them.
+#include "world/moment/scene_distances.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <tuple>
+
+#include "world/moment/compared_bodies.h"
+#include "world/moment/distance_message.h"
+
+namespace link_bounds {
+namespace {
+
+/// Pairs of tree nodes that one search may compare, about 1 us each. Links of public robots need
+/// fewer than 10,000; the limit bounds the time that hostile meshes take.
+constexpr std::size_t kMaxSteps = 100'000;
+
+/// The other way round, because the heap functions of std put the largest first.
+bool isFarther(const BoxPair& a, const BoxPair& b) {
+  return std::tie(a.distance, a.first, a.second) > std::tie(b.distance, b.first, b.second);
+}
+
+}  // namespace
+
+/// Boxes decide in which order bodies are measured, and where a full list ends the search: no pair
+/// is nearer than its boxes, nor nearer than 0.
+std::optional<ComputedDistances> SceneDistances::compute(
+    const MomentPtr& moment, MomentPairs& pairs, TriangleTrees::Time now,
+    const std::function<bool()>& is_cancelled) {
+  const Parameters& parameters = moment->model->parameters;
+  const double limit = parameters.distance_limit;
+  bodies_.update(moment, now);
+  bodies_.setGoal({parameters.distance_accuracy, limit, kMaxSteps});
+  if (!findCandidates(moment, pairs, is_cancelled)) return std::nullopt;
+  PairHeap nearest(static_cast<std::size_t>(parameters.max_pairs));
+  left_out_ = 0;
+  while (!candidates_.empty()) {
+    if (is_cancelled()) return std::nullopt;
+    if (nearest.isFull() && std::max(candidates_.front().distance, 0.0) >= nearest.farthest())
+      break;
+    std::pop_heap(candidates_.begin(), candidates_.end(), isFarther);
+    const BoxPair pair = candidates_.back();
+    candidates_.pop_back();
+    measure(pair, limit, nearest);
+  }
+  for (const BoxPair& pair : candidates_)
+    leaveOut(pair.first, pair.second);
+  bodies_.forgetUnused();
+  return result(moment, nearest.take());
+}
+
+/// Fills candidates_, a heap with the nearest boxes first. False if it was cancelled.
+bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
+                                    const std::function<bool()>& is_cancelled) {
+  const double limit = moment->model->parameters.distance_limit;
+  const auto read = [&](const NearPairs& near) {
+    candidates_.clear();
+    std::copy_if(near.compared.begin(), near.compared.end(), std::back_inserter(candidates_),
+                 [limit](const BoxPair& pair) { return pair.distance <= limit; });
+    not_compared_ = near.left_out;
+    are_pairs_listed_ = near.is_listed;
+  };
+  if (!pairs.read(moment, limit, read, is_cancelled)) return false;
+  is_incomplete_.assign(moment->bodies.size(), false);
+  is_compared_ = areCompared(*moment, candidates_);
+  std::make_heap(candidates_.begin(), candidates_.end(), isFarther);
+  return true;
+}
+
+/// Of a pair that may push another one out, nothing is remembered: there may be very many.
+void SceneDistances::measure(const BoxPair& pair, double limit, PairHeap& nearest) {
+  const std::optional<BodyDistance> found =
+      nearest.isFull() ? bodies_.findOnce(pair.first, pair.second, nearest.farthest())
+                       : bodies_.find(pair.first, pair.second);
+  if (!found) {  // coordinates above 1e60 m
+    is_incomplete_[pair.first] = true;
+    is_incomplete_[pair.second] = true;
+  } else if (found->lower <= limit) {
+    if (const auto one_too_many = nearest.add({pair.first, pair.second, *found}))
+      leaveOut(one_too_many->first, one_too_many->second);
+  }
+}
+
+void SceneDistances::leaveOut(std::size_t first, std::size_t second) {
+  ++left_out_;
+  is_incomplete_[first] = true;
+  is_incomplete_[second] = true;
+}
+
+ComputedDistances SceneDistances::result(const MomentPtr& moment,
+                                         const std::vector<FoundPair>& pairs) const {
+  const Parameters& parameters = moment->model->parameters;
+  ComputedDistances result{moment, {}, {}, {}, left_out_};
+  DistanceArray& array = result.array;
+  array.header = moment->header;
+  array.limit = parameters.distance_limit;
+  array.accuracy = parameters.distance_accuracy;
+  for (const FoundPair& pair : pairs) {
+    array.distances.push_back(toMessage(*moment, pair));
+    ++result.levels[array.distances.back().level];
+  }
+  result.nearest = nearestOf(array.distances, parameters.distance_limit);
+  for (const BoxPair& pair : not_compared_)
+    array.not_compared.push_back(toMessage(*moment, pair));
+  addNames(*moment, array);
+  return result;
+}
+
+void SceneDistances::addNames(const Moment& moment, DistanceArray& array) const {
+  array.incomplete = moment.incomplete;
+  std::set<std::string> incomplete(array.incomplete.begin(), array.incomplete.end());
+  for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
+    const std::string& name = moment.name(moment.bodies[i]);
+    if (is_incomplete_[i] && incomplete.insert(name).second) array.incomplete.push_back(name);
+  }
+  for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
+    const std::string& name = moment.name(moment.bodies[i]);
+    if (is_compared_[i] && are_pairs_listed_[i] && incomplete.count(name) == 0)
+      array.complete.push_back(name);
+  }
+}
+
+}  // namespace link_bounds

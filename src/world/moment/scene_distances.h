@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The distances of all near bodies of a moment, as messages.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "link_bounds/DistanceArray.h"
+#include "world/moment/live_bodies.h"
+#include "world/moment/moment_pairs.h"
+#include "world/moment/pair_heap.h"
+
+namespace link_bounds {
+
+struct ComputedDistances {
+  MomentPtr moment;  ///< of which they were computed
+  DistanceArray array;
+  Distance nearest;
+  std::array<std::size_t, 3> levels{};  ///< pairs in the array by what decided them
+  std::size_t left_out = 0;             ///< pairs that may be within the limit, see max_pairs
+};
+
+/// Not thread-safe; belongs to one thread.
+class SceneDistances {
+ public:
+  explicit SceneDistances(TreeRequests requests) : bodies_(std::move(requests)) {}
+
+  /// `pairs` may be shared with other users of the moment. Nothing if `is_cancelled` returns true
+  /// before the end; it is called for each pair.
+  std::optional<ComputedDistances> compute(const MomentPtr& moment, MomentPairs& pairs,
+                                           TriangleTrees::Time now,
+                                           const std::function<bool()>& is_cancelled);
+
+  TriangleTrees& trees() { return bodies_.trees(); }
+
+ private:
+  bool findCandidates(const MomentPtr& moment, MomentPairs& pairs,
+                      const std::function<bool()>& is_cancelled);
+  void measure(const BoxPair& pair, double limit, PairHeap& nearest);
+  void leaveOut(std::size_t first, std::size_t second);
+  ComputedDistances result(const MomentPtr& moment, const std::vector<FoundPair>& pairs) const;
+  void addNames(const Moment& moment, DistanceArray& array) const;
+
+  LiveBodies bodies_;
+  std::vector<BoxPair> candidates_;     ///< not measured yet
+  std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs
+  std::vector<bool> is_incomplete_;     ///< of the bodies, as the next two
+  std::vector<bool> is_compared_;       ///< with any other one
+  std::vector<bool> are_pairs_listed_;  ///< all of those that are not compared
+  std::size_t left_out_ = 0;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Intervals are measured by the steady clock.
+#include "world/tf/clock_watch.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace link_bounds {
+namespace {
+
+constexpr double kMinJump = 0.1;   // s
+constexpr double kFarAhead = 0.5;  // s
+const ros::WallDuration kLateArrivals(0.5);
+const ros::WallDuration kReportJump(5.0);
+const ros::WallDuration kClockTimeout(5.0);
+
+/// Seconds; the difference of two ros::Time throws when it is too large for a ros::Duration.
+double since(ros::Time earlier, ros::Time later) {
+  const auto nanoseconds = [](ros::Time time) { return static_cast<std::int64_t>(time.toNSec()); };
+  return static_cast<double>(nanoseconds(later) - nanoseconds(earlier)) / 1e9;
+}
+
+}  // namespace
+
+ClockWatch::ClockWatch(std::function<ros::SteadyTime()> steady_now)
+    : steady_now_(std::move(steady_now)), start_(steady_now_()) {}
+
+ClockWatch::Event ClockWatch::observe(ros::Time now) {
+  const ros::Time last = last_;
+  // `last_` keeps its value in a small step back, so that many such steps add up to a jump.
+  if (since(now, last) <= kMinJump) {
+    last_ = std::max(last, now);
+    return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
+  }
+  last_ = now;
+  jump_ = steady_now_();
+  ++jumps_;
+  return Event::kJumpedBack;
+}
+
+bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
+  if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
+  return steady_now_() - jump_ <= kLateArrivals;
+}
+
+bool ClockWatch::hasJustJumped() const {
+  return !jump_.isZero() && steady_now_() - jump_ < kReportJump;
+}
+
+bool ClockWatch::isMissing() const {
+  return ros::Time::isSimTime() && last_.isZero() && steady_now_() - start_ > kClockTimeout;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A TFMessage is a count, then per transform: seq, stamp, frame_id, child_frame_id, translation,
+// rotation.
+#include "world/tf/tf_message.h"
+
+#include <boost/make_shared.hpp>
+#include <cstring>
+
+namespace link_bounds {
+namespace {
+
+using ros::serialization::IStream;
+
+constexpr std::size_t kLarge = 1 << 20;  // bytes, about five thousand transforms
+
+std::string_view stripped(std::string_view name) {
+  if (!name.empty() && name.front() == '/') name.remove_prefix(1);
+  return name;
+}
+
+std::string_view readName(IStream& stream) {
+  std::uint32_t size = 0;
+  stream.next(size);
+  return stripped({reinterpret_cast<const char*>(stream.advance(size)), size});
+}
+
+}  // namespace
+
+TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
+    : parent(stripped(transform.header.frame_id)),
+      child(stripped(transform.child_frame_id)),
+      stamp(transform.header.stamp) {
+  const auto& q = transform.transform.rotation;
+  const auto& t = transform.transform.translation;
+  parent_from_child.numbers = {t.x, t.y, t.z, q.x, q.y, q.z, q.w};
+}
+
+void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
+  bytes.assign(data, data + size);
+  transforms.clear();
+  IStream stream(bytes.data(), size);
+  std::uint32_t count = 0;
+  for (stream.next(count); count > 0; --count) {
+    std::uint32_t seq = 0;
+    ros::Time stamp;
+    stream.next(seq);
+    stream.next(stamp);
+    const auto* const begin = reinterpret_cast<const char*>(stream.getData());
+    const std::string_view parent = readName(stream);
+    const std::string_view child = readName(stream);
+    const auto* const end = reinterpret_cast<const char*>(stream.getData());
+    const std::string_view names(begin, static_cast<std::size_t>(end - begin));
+    Tf2Pose& pose = transforms.emplace_back(parent, child, names, stamp).parent_from_child;
+    std::memcpy(pose.numbers.data(), stream.advance(sizeof(pose.numbers)), sizeof(pose.numbers));
+  }
+}
+
+boost::shared_ptr<TfMessage> TfMessageMemory::lend() {
+  if (!message_ || !message_.unique()) message_ = boost::make_shared<TfMessage>();
+  return message_;
+}
+
+void TfMessageMemory::giveBack() {
+  if (message_ && message_->capacity() > kLarge) message_.reset();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A tf2_msgs/TFMessage whose names are views into its bytes: roscpp's own type allocates memory for
+// each name.
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/serialization.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <boost/shared_ptr.hpp>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "world/tf/tf2_pose.h"
+
+namespace link_bounds {
+
+/// One transform. Its names are views into a message that must outlive it, without one leading
+/// slash, as in tf2.
+struct TransformView {
+  TransformView(const geometry_msgs::TransformStamped& transform);
+  TransformView(std::string_view parent_name, std::string_view child_name, std::string_view bytes,
+                ros::Time time)
+      : parent(parent_name), child(child_name), names(bytes), stamp(time) {}
+
+  std::string_view parent;
+  std::string_view child;
+  std::string_view names;  ///< both as they were sent, with their lengths; empty if not received
+  ros::Time stamp;
+  Tf2Pose parent_from_child;
+};
+
+struct TfMessage {
+  TfMessage() = default;
+  TfMessage(const TfMessage&) = delete;
+  TfMessage& operator=(const TfMessage&) = delete;
+
+  /// Reads a serialised TFMessage into memory that is reused. Throws what ros::serialization throws
+  /// if it is too short.
+  void read(const std::uint8_t* data, std::uint32_t size);
+
+  /// Its memory [bytes].
+  std::size_t capacity() const {
+    return bytes.capacity() + transforms.capacity() * sizeof(TransformView);
+  }
+
+  std::vector<TransformView> transforms;  ///< into bytes
+  std::vector<std::uint8_t> bytes;
+};
+
+/// Memory that each message of a topic reuses.
+class TfMessageMemory {
+ public:
+  /// The previous message, or a new one if somebody still holds that.
+  boost::shared_ptr<TfMessage> lend();
+
+  /// To be called now and then: frees memory that only large messages need.
+  void giveBack();
+
+ private:
+  boost::shared_ptr<TfMessage> message_;
+};
+
+}  // namespace link_bounds
+
+namespace ros::message_traits {
+
+template <>
+struct MD5Sum<link_bounds::TfMessage> : MD5Sum<tf2_msgs::TFMessage> {};
+template <>
+struct DataType<link_bounds::TfMessage> : DataType<tf2_msgs::TFMessage> {};
+template <>
+struct Definition<link_bounds::TfMessage> : Definition<tf2_msgs::TFMessage> {};
+
+}  // namespace ros::message_traits
+
+namespace ros::serialization {
+
+template <>
+struct Serializer<link_bounds::TfMessage> {
+  template <class Stream>
+  static void read(Stream& stream, link_bounds::TfMessage& message) {
+    const std::uint32_t size = stream.getLength();
+    message.read(stream.advance(size), size);
+  }
+};
+
+}  // namespace ros::serialization

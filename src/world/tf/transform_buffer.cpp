@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Adds transforms to the table, and reads poses along its edges.
+#include "world/tf/transform_buffer.h"
+
+#include <algorithm>
+
+#include "world/tf/transform_refusal.h"
+
+namespace link_bounds {
+namespace {
+
+/// Without a transform for so long, a frame that nobody needs is forgotten.
+const ros::WallDuration kQuiet(60);
+constexpr std::size_t kSlice = 1000;  // edges and samples to look at in one go: some 50 us
+
+/// Publishers of one frame may differ by so much, and the frame may be without a newer stamp for so
+/// long, without a warning [ns].
+constexpr std::int64_t kTolerance = 1000000000;
+constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
+constexpr const char* kTooOld =
+    "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
+    "if that newest one is wrong, ~reload makes the node forget it";
+constexpr const char* kLate =
+    "its stamp is older than the newest one of the frame, so it does not move the frame; "
+    "synchronise the clocks";
+
+std::int64_t nanoseconds(ros::Time time) {
+  return static_cast<std::int64_t>(time.toNSec());
+}
+
+}  // namespace
+
+TransformBuffer::Frame TransformBuffer::frame(std::string_view name) {
+  const Frame frame = names_.frame(name);
+  edges_.resize(names_.size());
+  adoptNumber(frame);
+  ++edges_[frame].holds;
+  return frame;
+}
+
+/// A number that was forgotten may have been given to another name.
+void TransformBuffer::adoptNumber(Frame frame) {
+  if (!edges_[frame].is_unused) return;
+  edges_[frame].is_unused = false;
+  --unused_;
+}
+
+std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& transforms,
+                                          bool is_static, ros::Time now) {
+  std::vector<Refusal> refusals;
+  ++message_;
+  names_.beginMessage();
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    Refusal refusal{i, whyRefused(transforms[i])};
+    if (refusal.reason) ++intake_.unusable;
+    if (refusal.reason || !insert(transforms[i], is_static, nanoseconds(now), refusal))
+      refusals.push_back(refusal);
+  }
+  return refusals;
+}
+
+/// False if the transform is to be reported: `refusal` then says why.
+bool TransformBuffer::insert(const TransformView& transform, bool is_static, std::int64_t now,
+                             Refusal& refusal) {
+  const auto [child, parent] = names_.next(transform.parent, transform.child, transform.names);
+  if (names_.size() > edges_.size()) edges_.resize(names_.size());
+  if (unused_ > 0) {
+    adoptNumber(child);
+    adoptNumber(parent);
+  }
+  if (child == parent) {
+    ++intake_.unusable;
+    refusal.reason = kOwnParent;
+    return false;
+  }
+  Edge& edge = edges_[child];
+  if (!edge.has_parent || edge.parent != parent) {
+    edges_[parent].referenced = pass_;
+    edge.had_others |= edge.has_parent;
+  }
+  if (!edge.history) edge.history.emplace(edge.is_static = is_static);
+  const std::int64_t stamp = nanoseconds(transform.stamp);
+  const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
+  if (is_accepted ? record(edge, parent, stamp, now) : refuse(edge, stamp)) return true;
+  if (now - edge.received <= kTolerance && edge.newest - stamp <= kTolerance) return true;
+  refusal.reason = is_accepted ? kLate : kTooOld;
+  refusal.is_accepted = is_accepted;
+  refusal.behind = static_cast<double>(edge.newest - stamp) / 1e9;
+  return false;
+}
+
+/// False if the transform is refused.
+bool TransformBuffer::insert(Edge& edge, std::int64_t stamp, Frame parent, const Tf2Pose& pose) {
+  if (edge.history->insert(stamp, parent, pose)) return true;
+  if (!edge.is_distrusted || !edge.isTooOld(stamp)) return false;
+  edge.clear();
+  return edge.history->insert(stamp, parent, pose);
+}
+
+/// Parent and stamp of a transform that was accepted. A late one leaves the newest in place, and
+/// the time when that was received: false.
+bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now) {
+  ++intake_.accepted;
+  edge.message = message_;
+  edge.is_distrusted = false;
+  const bool is_new = !edge.has_parent;
+  const bool is_other = !is_new && edge.parent != parent;
+  if (is_new || is_other) {
+    if (edge.watched > 0) ++structure_;
+    edge.is_met = edges_[parent].is_met = true;
+  }
+  if (is_other) settled_ = std::max({settled_, stamp, edge.newest});
+  if (stamp < edge.newest) {
+    ++intake_.late;
+    return false;
+  }
+  edge.newest = edge.is_static ? 0 : stamp;
+  edge.received = now;
+  edge.parent = parent;
+  edge.has_parent = true;
+  return true;
+}
+
+/// Static edges stay.
+void TransformBuffer::Edge::clear() {
+  if (!history || is_static) return;
+  history->clear();
+  newest = 0;
+  has_parent = false;
+}
+
+/// A transform that is not too old repeats a stamp: true.
+bool TransformBuffer::refuse(const Edge& edge, std::int64_t stamp) {
+  const bool is_repeated = !edge.isTooOld(stamp);
+  ++(is_repeated ? intake_.repeated : intake_.too_old);
+  return is_repeated;
+}
+
+/// Climbs from the source as far as it can, then from the target until it meets that way.
+std::optional<Tf2Pose> TransformBuffer::pose(Frame target, Frame source, std::int64_t stamp) const {
+  if (source == target) return Tf2Pose();
+  if (!climb(source, target, stamp)) return std::nullopt;
+  Tf2Pose frame_from_target;
+  Frame frame = target;
+  EdgeSample scratch;
+  for (std::size_t steps = 0; !marks_.position(frame); ++steps) {
+    const EdgeSample* edge = at(frame, stamp, scratch);
+    if (steps > edges_.size() || !edge) return std::nullopt;
+    frame_from_target = edge->parent_from_child * frame_from_target;
+    frame = edge->parent;
+  }
+  const Tf2Pose& frame_from_source = steps_[*marks_.position(frame)].frame_from_source;
+  if (frame == target) return frame_from_source;
+  return inverse(frame_from_target) * frame_from_source;
+}
+
+/// Ends at the target or where a history ends; false if a loop closes.
+bool TransformBuffer::climb(Frame source, Frame target, std::int64_t stamp) const {
+  marks_.begin(edges_.size());
+  steps_.assign(1, {source, Tf2Pose()});
+  marks_.set(source, 0);
+  EdgeSample scratch;
+  while (steps_.back().frame != target) {
+    const EdgeSample* edge = at(steps_.back().frame, stamp, scratch);
+    if (!edge) return true;
+    if (marks_.position(edge->parent)) return false;
+    marks_.set(edge->parent, steps_.size());
+    steps_.push_back({edge->parent, edge->parent_from_child * steps_.back().frame_from_source});
+  }
+  return true;
+}
+
+void TransformBuffer::clear() {
+  for (Edge& edge : edges_)
+    edge.clear();
+  ++message_;
+  ++structure_;
+  ++epoch_;
+}
+
+void TransformBuffer::distrustStampsAhead(ros::Time now) {
+  for (Frame child = 0; child < edges_.size(); ++child)
+    edges_[child].is_distrusted = newest(child) > nanoseconds(now) + EdgeHistory::kLength;
+}
+
+void TransformBuffer::startClock(ros::Time now) {
+  for (Edge& edge : edges_) {
+    if (edge.received == 0) edge.received = nanoseconds(now);
+  }
+}
+
+/// In passes over all frames. A quiet frame that nobody needs loses its edge. Static edges are
+/// quiet but needed, by a marker that is placed once or by the next request: the first `kept` stay.
+/// One pass later, if no edge has led to it meanwhile, it loses its name. Its number waits until
+/// those who may read it on other threads have ended.
+void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
+  if (noted_at_.isZero() || now - noted_at_ >= kQuiet) {
+    if (!noted_at_.isZero()) quiet_since_ = noted_message_;
+    noted_message_ = message_;
+    noted_at_ = now;
+  }
+  std::size_t work = 0;
+  for (; work < kSlice && !waiting_.empty() && *readers_before_ == 0; ++work) {
+    names_.reuse(waiting_.back());
+    waiting_.pop_back();
+  }
+  while (work < kSlice && inUse() > kept) {
+    if (next_ == edges_.size()) return endPass();
+    work += visit(next_++, kept);
+  }
+}
+
+/// Returns how many edges and samples it looked at or forgot.
+std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
+  Edge& edge = edges_[frame];
+  if (edge.is_unused) return 1;
+  const bool is_watched = edge.watched > 0 && edge.watched + 1 >= pass_;
+  if (edge.holds > 0 || is_watched || edge.message > quiet_since_) return reference(frame);
+  if (edge.is_static && !edge.is_kept && kept_static_ < kept_static) {
+    edge.is_kept = true;
+    ++kept_static_;
+  }
+  if (edge.is_kept) return reference(frame);
+  const std::size_t work = 1 + (edge.history ? edge.history->samples().size() : 0);
+  names_.forgetEdge(frame);
+  Edge forgotten;
+  forgotten.is_met = edge.is_met;
+  forgotten.referenced = edge.referenced;
+  edge = std::move(forgotten);
+  if (edge.referenced + 1 >= pass_) return work;
+  names_.forget(frame);
+  edge.is_met = false;
+  edge.is_unused = true;
+  ++unused_;
+  forgotten_.push_back(frame);
+  return work;
+}
+
+/// Notes that an edge leads to its parents.
+std::size_t TransformBuffer::reference(Frame child) {
+  const Edge& edge = edges_[child];
+  if (const auto parent = names_.cachedParent(child)) edges_[*parent].referenced = pass_;
+  if (edge.has_parent) edges_[edge.parent].referenced = pass_;
+  if (!edge.had_others || !edge.history) return 1;
+  const SampleRing& samples = edge.history->samples();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    edges_[samples[i].parent].referenced = pass_;
+  return 1 + samples.size();
+}
+
+void TransformBuffer::endPass() {
+  ++pass_;
+  next_ = 0;
+  if (!waiting_.empty() || *readers_before_ > 0) return;
+  waiting_ = std::exchange(forgotten_, {});
+  readers_before_ = std::exchange(readers_, std::make_shared<std::atomic<int>>(0));
+}
+
+}  // namespace link_bounds

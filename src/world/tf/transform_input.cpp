@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Filters and logs.
+#include "world/tf/transform_input.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace link_bounds {
+namespace {
+
+std::string reasonOf(const Refusal& refusal) {
+  if (!refusal.behind) return refusal.reason;
+  return "it is " + std::to_string(*refusal.behind) + " s behind: " + refusal.reason;
+}
+
+}  // namespace
+
+void TransformInput::add(const std::vector<TransformView>& transforms, bool is_static,
+                         const Publisher& publisher, const ClockWatch& clock, ros::Time now,
+                         TransformBuffer& tf) {
+  const auto is_late = [&](const TransformView& transform) {
+    return clock.isFromBeforeJump(transform.stamp, now);
+  };
+  if (is_static || std::none_of(transforms.begin(), transforms.end(), is_late)) {
+    return addAll(transforms, is_static, publisher, now, tf);
+  }
+  std::vector<TransformView> kept;
+  std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
+  tf.countDropped(transforms.size() - kept.size());
+  addAll(kept, is_static, publisher, now, tf);
+}
+
+void TransformInput::addAll(const std::vector<TransformView>& transforms, bool is_static,
+                            const Publisher& publisher, ros::Time now, TransformBuffer& tf) {
+  const std::vector<Refusal> refusals = tf.add(transforms, is_static, now);
+  if (!refusals.empty()) report(refusals, transforms, publisher());
+}
+
+/// A publisher that is late has thousands of late transforms: words are made only for those lines
+/// that are logged.
+void TransformInput::report(const std::vector<Refusal>& refusals,
+                            const std::vector<TransformView>& transforms,
+                            const std::string& publisher) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const Refusal* late = nullptr;
+  for (const Refusal& refusal : refusals) {
+    if (refusal.behind) late = &refusal;
+    RefusalLog& log = refusal.is_accepted ? late_log_ : log_;
+    const std::string_view frame = transforms[refusal.index].child;
+    if (log.isQuiet(frame, now)) continue;
+    if (const auto line = log.line(std::string(frame), reasonOf(refusal), publisher, now))
+      ROS_WARN_STREAM(*line);
+  }
+  if (late) late_publishers_.add(publisher, transforms[late->index].child, *late->behind, now);
+}
+
+void TransformInput::forgetLog() {
+  log_.forget();
+  late_log_.forget();
+  late_publishers_.clear();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From the transforms of a message into a TransformBuffer.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "world/log/refusal_log.h"
+#include "world/tf/clock_watch.h"
+#include "world/tf/late_publishers.h"
+#include "world/tf/tf_message.h"
+#include "world/tf/transform_buffer.h"
+
+namespace link_bounds {
+
+class TransformInput {
+ public:
+  /// The name of the node that sent the message; called at most once for each message.
+  using Publisher = std::function<std::string()>;
+
+  /// Adds the transforms of a message that arrived at `now`, without those that were sent before
+  /// the clock jumped back. Logs what tf refuses, and who sends late.
+  void add(const std::vector<TransformView>& transforms, bool is_static, const Publisher& publisher,
+           const ClockWatch& clock, ros::Time now, TransformBuffer& tf);
+
+  /// Who sends stamps behind the newest ones; see LatePublishers.
+  LatePublishers::Texts takeLatePublishers() {
+    return late_publishers_.take(ros::SteadyTime::now());
+  }
+
+  /// What was logged may be logged again.
+  void forgetLog();
+
+ private:
+  void addAll(const std::vector<TransformView>& transforms, bool is_static,
+              const Publisher& publisher, ros::Time now, TransformBuffer& tf);
+
+  void report(const std::vector<Refusal>& refusals, const std::vector<TransformView>& transforms,
+              const std::string& publisher);
+
+  RefusalLog log_{"a transform of", "transforms of further frames"};
+  RefusalLog late_log_{"a transform of", "transforms of further frames", "late"};
+  LatePublishers late_publishers_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the thread publishes, when it computes again, and when it forgets.
+#include "node/outputs/distance_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "testing/distance_bodies.h"
+#include "testing/live_boxes_testing.h"
+
+namespace link_bounds {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+/// Two boxes of triangles whose hulls and triangles are `gap` apart, in a model of their own.
+MomentPtr madeMoment(double gap) {
+  std::vector<BoundedLink> links;
+  for (const char* name : {"a", "b"}) {
+    Shape shape;
+    shape.points = std::make_shared<const PointSet>(boxMesh({1, 1, 1}).vertices);
+    links.push_back({name, {shape}, 0, ""});
+  }
+  auto model = std::make_shared<Model>(*modelOf("map", links));
+  model->parameters.distance_limit = 10;
+  model->parameters.adjacent_joints = 0;
+  for (const BoundedLink& link : links)
+    model->mesh_uris[link.name] = link.shapes.front().points;
+  auto moment = std::make_shared<Moment>();
+  moment->model = model;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Eigen::Affine3d pose = Eigen::Affine3d::Identity();
+    pose.translation().x() = static_cast<double>(i) * (1 + gap);
+    moment->bodies.push_back({i, nullptr, 0, linkBox(links[i], pose).value(), pose});
+  }
+  return moment;
+}
+
+/// Looks again and again, for at most 20 s.
+template <class Condition>
+bool becomesTrue(const Condition& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + seconds(20);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+class DistanceThreadTest : public testing::Test {
+ protected:
+  /// Waits until something published satisfies the condition.
+  template <class Condition>
+  bool wait(const Condition& condition) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return published_.wait_for(lock, seconds(20), [&] {
+      return std::any_of(results_.begin(), results_.end(), condition);
+    });
+  }
+
+  bool waitForGap(double gap) {
+    return wait([gap](const ComputedDistances& computed) {
+      return std::abs(computed.nearest.distance - gap) < 1e-3;
+    });
+  }
+
+  TreeRequests requests() {
+    return {[this](const std::string&, const auto& points) {
+              ++requested_;
+              if (fails_.exchange(false)) throw std::bad_alloc();
+              thread_->give({points, triangleTree(boxMesh({1, 1, 1})), ""});
+            },
+            [](const auto&) {}};
+  }
+
+  void start(milliseconds keep) {
+    thread_ = std::make_unique<DistanceThread>(
+        requests(), pairs_,
+        DistanceThread::Callbacks{[this](const ComputedDistances& computed) {
+                                    const std::lock_guard<std::mutex> lock(mutex_);
+                                    results_.push_back(computed);
+                                    published_.notify_all();
+                                  },
+                                  [] {}, [this] { return is_wanted_.load(); }},
+        keep);
+  }
+
+  MomentPairs pairs_;
+  std::mutex mutex_;
+  std::condition_variable published_;
+  std::vector<ComputedDistances> results_;  ///< guarded by mutex_
+  std::atomic<bool> is_wanted_{true};
+  std::atomic<bool> fails_{false};
+  std::atomic<int> requested_{0};
+  std::unique_ptr<DistanceThread> thread_;  ///< last: it ends first
+};
+
+TEST_F(DistanceThreadTest, ComputesEachNewMomentAndTree) {
+  start(seconds(10));
+  thread_->give(madeMoment(0.5));
+  ASSERT_TRUE(waitForGap(0.5));
+  thread_->give(madeMoment(0.25));
+  ASSERT_TRUE(waitForGap(0.25));
+  EXPECT_EQ(requested_, 4);
+  EXPECT_GE(thread_->takeTimes().count, 2U);
+}
+
+TEST_F(DistanceThreadTest, IsBehindWhileAMomentWaits) {
+  start(seconds(10));
+  EXPECT_EQ(thread_->behind(), 0);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);  // nothing can be published
+    thread_->give(madeMoment(0.5));
+    EXPECT_TRUE(becomesTrue([this] { return thread_->behind() > 0.2; }));
+    thread_->give(madeMoment(0.25));
+    EXPECT_GT(thread_->behind(), 0.2) << "since the first one";
+  }
+  ASSERT_TRUE(waitForGap(0.25));
+  EXPECT_TRUE(becomesTrue([this] { return thread_->behind() == 0; }));
+}
+
+TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
+  start(seconds(10));
+  const auto moment = madeMoment(0.5);
+  fails_ = true;
+  thread_->give(moment);
+  ASSERT_TRUE(becomesTrue([this] { return !fails_; }));
+  thread_->give(moment);
+  ASSERT_TRUE(waitForGap(0.5));
+  EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
+}
+
+TEST_F(DistanceThreadTest, ForgetsEverythingWhenNobodyWantsIt) {
+  start(milliseconds(100));
+  auto moment = madeMoment(0.5);
+  const std::weak_ptr<const Model> model = moment->model;
+  const std::weak_ptr<const PointSet> points = model.lock()->links[0].shapes[0].points;
+  thread_->give(std::move(moment));
+  ASSERT_TRUE(waitForGap(0.5));
+  EXPECT_FALSE(points.expired());
+  is_wanted_ = false;
+  EXPECT_TRUE(becomesTrue([&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    results_.clear();  // they hold the moment
+    return model.expired() && points.expired();
+  }));
+}
+
+TEST_F(DistanceThreadTest, IgnoresWhatIsGivenAfterTheEnd) {
+  start(seconds(10));
+  thread_->stop();
+  thread_->give(madeMoment(0.5));
+  thread_->give(MadeTree());
+  thread_->stop();
+  EXPECT_TRUE(results_.empty());
+}
+
+}  // namespace
+}  // namespace link_bounds

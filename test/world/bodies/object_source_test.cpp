@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What becomes of a marker that cannot be bounded.
+#include "world/bodies/object_source.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "testing/marker_testing.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+const ObjectKey kKey{"scene", 1};
+
+class ObjectSourceTest : public testing::Test {
+ protected:
+  ObjectSourceTest() {
+    frames_.setTarget("map", 2, now_);
+    objects_.adopt(now_);
+  }
+
+  static Marker cube() {
+    Marker marker = markerOf(Marker::CUBE, {1, 1, 1});
+    marker.header.frame_id = "map";
+    marker.ns = kKey.ns;
+    marker.id = kKey.id;
+    return marker;
+  }
+
+  static Marker badCube(double lifetime) {
+    Marker marker = cube();
+    marker.pose.position.x = std::numeric_limits<double>::quiet_NaN();
+    marker.lifetime = ros::Duration(lifetime);
+    return marker;
+  }
+
+  bool take(Marker marker) { return source_.take(std::move(marker), "/camera", now_); }
+
+  bool pass(double seconds) {
+    now_ += ros::Duration(seconds);
+    return objects_.expire(now_);
+  }
+
+  void expectRefused(const std::string& begin) const {
+    const LiveObject& object = objects_.objects().at(kKey);
+    EXPECT_TRUE(object.state.incomplete);
+    EXPECT_FALSE(object.state.box);
+    EXPECT_EQ(objects_.reason(object).rfind(begin, 0), 0u) << objects_.reason(object);
+  }
+
+  ros::Time now_{100};
+  TransformBuffer tf_;
+  FrameTracker frames_{tf_};
+  LiveObjects objects_{frames_};
+  ObjectSource source_{objects_, [](const MeshUse&) {}};
+};
+
+TEST_F(ObjectSourceTest, AnUnknownActionIsRefusedWithAReason) {
+  for (const int action : {1, 4, -1, 1000}) {
+    take(cube());
+    EXPECT_TRUE(objects_.objects().at(kKey).state.box);
+    Marker marker = cube();
+    marker.action = action;
+    EXPECT_TRUE(take(marker));
+    expectRefused("action " + std::to_string(action));
+  }
+  EXPECT_TRUE(take(cube()));
+  EXPECT_FALSE(objects_.objects().at(kKey).state.incomplete);
+}
+
+TEST_F(ObjectSourceTest, AnUnknownActionOfATextIsRefusedToo) {
+  Marker text = cube();
+  text.type = Marker::TEXT_VIEW_FACING;
+  text.action = 7;
+  take(text);
+  expectRefused("action 7");
+}
+
+TEST_F(ObjectSourceTest, ARefusedMarkerHasItsLifetime) {
+  take(badCube(0.5));
+  expectRefused("pose");
+  EXPECT_FALSE(pass(0.4));
+  EXPECT_FALSE(take(badCube(0.5))) << "nothing changes but its age";
+  EXPECT_FALSE(pass(0.4));
+  EXPECT_TRUE(pass(0.2));
+  EXPECT_TRUE(objects_.objects().empty());
+}
+
+TEST_F(ObjectSourceTest, WithoutALifetimeARefusedMarkerStays) {
+  take(badCube(0));
+  pass(1000);
+  expectRefused("pose");
+}
+
+TEST_F(ObjectSourceTest, RunningNumbersLeaveNothingBehind) {
+  for (int i = 0; i < 300; ++i) {
+    Marker marker = badCube(0.5);
+    marker.id = i;
+    take(marker);
+    pass(0.1);
+  }
+  EXPECT_LE(objects_.objects().size(), 6u);
+}
+
+TEST_F(ObjectSourceTest, ARefusedMarkerLeavesNoFrame) {
+  const std::size_t frames = tf_.size();
+  take(badCube(0));
+  for (const char* frame : {"", "/"}) {
+    Marker marker = cube();
+    marker.header.frame_id = frame;
+    take(marker);
+    expectRefused("header.frame_id");
+  }
+  EXPECT_EQ(tf_.size(), frames);
+  EXPECT_TRUE(take(cube()));
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Our reading of a TFMessage is roscpp's, and so is what is refused.
+#include "world/tf/tf_message.h"
+
+#include <gtest/gtest.h>
+
+#include "testing/live_boxes_testing.h"
+
+namespace link_bounds {
+namespace {
+
+const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d(1, 2, 3).normalized()));
+
+std::vector<std::uint8_t> bytesOf(const tf2_msgs::TFMessage& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+void read(const std::vector<std::uint8_t>& bytes, TfMessage& message) {
+  message.read(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+}
+
+tf2_msgs::TFMessage threeTransforms() {
+  tf2_msgs::TFMessage message;
+  message.transforms = {edge("base", "a", 1.5, kTurn, {1, 2, 3}),
+                        edge("/a", "/b", 2.5, kTurn, {4, 5, 6}),
+                        edge("", std::string(100000, 'x'), 0, kTurn, {7, 8, 9})};
+  return message;
+}
+
+TEST(TfMessage, IsReadAsRoscppReadsIt) {
+  const tf2_msgs::TFMessage sent = threeTransforms();
+  TfMessage message;
+  read(bytesOf(sent), message);
+  ASSERT_EQ(message.transforms.size(), sent.transforms.size());
+  for (std::size_t i = 0; i < sent.transforms.size(); ++i) {
+    const TransformView expected(sent.transforms[i]);
+    EXPECT_EQ(message.transforms[i].parent, expected.parent);
+    EXPECT_EQ(message.transforms[i].child, expected.child);
+    EXPECT_EQ(message.transforms[i].stamp, expected.stamp);
+    EXPECT_EQ(message.transforms[i].parent_from_child.numbers, expected.parent_from_child.numbers);
+  }
+  EXPECT_EQ(message.transforms[1].parent, "a");
+  EXPECT_EQ(message.transforms[1].child, "b");
+}
+
+TEST(TfMessage, ShorterOnesLeaveNothingOfLongerOnes) {
+  TfMessage message;
+  read(bytesOf(threeTransforms()), message);
+  read(bytesOf(tf2_msgs::TFMessage()), message);
+  EXPECT_TRUE(message.transforms.empty());
+}
+
+TEST(TfMessage, CutOffAnywhereIsAnError) {
+  tf2_msgs::TFMessage sent = threeTransforms();
+  sent.transforms.pop_back();
+  std::vector<std::uint8_t> bytes = bytesOf(sent);
+  TfMessage message;
+  while (!bytes.empty()) {
+    bytes.pop_back();
+    EXPECT_THROW(read(bytes, message), ros::serialization::StreamOverrunException) << bytes.size();
+  }
+}
+
+TEST(TfMessage, LyingCountsAndLengthsAreErrors) {
+  TfMessage message;
+  EXPECT_THROW(read({255, 255, 255, 255}, message), ros::serialization::StreamOverrunException);
+  std::vector<std::uint8_t> bytes = bytesOf(threeTransforms());
+  std::fill(bytes.begin() + 16, bytes.begin() + 20, 255);  // the length of the first frame_id
+  EXPECT_THROW(read(bytes, message), ros::serialization::StreamOverrunException);
+}
+
+tf2_msgs::TFMessage manyTransforms(std::size_t count) {
+  tf2_msgs::TFMessage message;
+  message.transforms.assign(count, edge("a", "b", 1.5, kTurn, {1, 2, 3}));
+  return message;
+}
+
+TEST(TfMessageMemory, IsUsedAgainUnlessSomebodyHoldsIt) {
+  TfMessageMemory memory;
+  read(bytesOf(manyTransforms(1000)), *memory.lend());
+  memory.giveBack();
+  const auto first = memory.lend();
+  EXPECT_GT(first->capacity(), 1000 * sizeof(TransformView));
+  EXPECT_NE(memory.lend(), first);
+}
+
+TEST(TfMessageMemory, OfALargeMessageIsGivenBack) {
+  TfMessageMemory memory;
+  read(bytesOf(manyTransforms(300000)), *memory.lend());
+  EXPECT_GT(memory.lend()->capacity(), 50000000u);
+  memory.giveBack();
+  EXPECT_EQ(memory.lend()->capacity(), 0u);
+}
+
+}  // namespace
+}  // namespace link_bounds
