@@ -50,12 +50,13 @@ ENDLESS = (r'roslaunch |rostopic echo (?!-n )|rostopic pub -l |rosbag record |'
            r'rosrun link_bounds zone_events.py')
 DEADLINE = 60 * PATIENCE  # s
 AT_ONCE = 4  # blocks; they wait most of the time
-URDF_MODES = ('--distances', '--reach', '--pairs')
+URDF_MODES = ('--distances', '--poses', '--path', '--reach', '--pairs')
 INCOMPLETE = 4  # exit code
 APART = 0.4  # metres between the links
 BALL = '<geometry><sphere radius="0.05"/></geometry>'
 LOST = '<geometry><mesh filename="file:///no/such/file.stl"/></geometry>'
 FAR_ZONE = 'far: {min: [8, 8, 8], max: [9, 9, 9]}\n'
+FAR_OBJECT = 'far: {type: CUBE, pose: {position: {x: 9}}, scale: {x: 1, y: 1, z: 1}}\n'
 SCRIPTS = {'rosrun': 'program=$2; shift 2; exec "%s/$program" "$@"', 'xacro': 'exec cat "$1"'}
 
 
@@ -139,9 +140,10 @@ class DocumentedLinesTest(unittest.TestCase):
                 write_bag(str(self.folder / name), [message])
             elif name.endswith('.csv'):
                 joints = list(links_of(line).values())
-                self.write(name, '%s\n%s\n' % (','.join(joints), ','.join('0' for _ in joints)))
+                rows = [joints, ['0'] * len(joints), ['1'] * len(joints)]
+                self.write(name, ''.join(','.join(row) + '\n' for row in rows))
             elif name.endswith('.yaml'):
-                self.write(name, FAR_ZONE)
+                self.write(name, FAR_OBJECT if '--objects ' + name in line else FAR_ZONE)
             elif name.endswith('.srdf'):
                 self.write(name, '<robot name="r"/>')
             else:
