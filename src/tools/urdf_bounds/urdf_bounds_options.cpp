@@ -226,7 +226,8 @@ void checkReport(const UrdfBoundsOptions& options) {
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
   need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
-  need(options.certificate.has_value(), has_pairs, "--certificate", "--pairs");
+  need(options.certificate.has_value(), options.report != Report::kPose, "--certificate",
+       "--reach or --pairs");
   need(options.adjacent, has_pairs, "--adjacent", "--pairs");
   need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
