@@ -148,7 +148,8 @@ void prove(const UrdfBoundsOptions& options, const Robot& simple, PathScene& sce
   const std::function<bool()> is_over = budgetOf(options);
   const PathGoal goal{scene.table.clearance};
   const std::vector<Limits> ranges = rangesOf(motions);
-  const unsigned jobs = options.jobs.value_or(coreCount());
+  const auto jobs = static_cast<unsigned>(
+      std::min<std::size_t>(options.jobs.value_or(coreCount()), motions.size()));
   std::vector<PathProver> provers;
   for (unsigned i = 0; i < jobs; ++i)
     provers.emplace_back(simple, scene.bodies, scene.pairs, ranges, goal);

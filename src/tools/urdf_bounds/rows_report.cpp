@@ -154,7 +154,11 @@ class RowsRun {
   bool hasCompared() const { return workers_.front().has_compared; }
 
  private:
-  unsigned jobs() const { return options_.jobs.value_or(coreCount()); }
+  unsigned jobs() const {
+    const std::size_t useful = (table_.rows() + kAtOnce - 1) / kAtOnce;
+    return static_cast<unsigned>(
+        std::min<std::size_t>(options_.jobs.value_or(coreCount()), useful));
+  }
 
   void openSeries(const std::string& file) {
     series_.open(file);
