@@ -165,7 +165,7 @@ class PathProver::Search {
     if (pair.segment == segment_) return pair;
     for (BodyDistances* distances : {&pair.distances, &pair.hulls}) {
       const bool is_hull = distances == &pair.hulls;
-      for (const std::size_t i : {0, 1})
+      for (const std::size_t i : {0u, 1u})
         distances->set(i, is_hull ? pair.bodies[i]->hull.body : pair.bodies[i]->body);
       distances->move(0, Eigen::Affine3d::Identity());
     }

@@ -24,8 +24,6 @@
 
 namespace link_bounds {
 
-const char* const kProgram = "urdf_bounds";
-
 namespace {
 
 BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {

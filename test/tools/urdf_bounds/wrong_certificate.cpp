@@ -6,14 +6,11 @@
 #include <iostream>
 
 #include "robot/urdf/simple_joints.h"
-#include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/pairs_certificate.h"
 #include "tools/urdf_bounds/reach_certificate.h"
 
 namespace link_bounds {
-
-const char* const kProgram = "wrong_certificate";
 
 namespace {
 
