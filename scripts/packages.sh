@@ -11,7 +11,7 @@ packages_of() {
         libassimp-dev libbz2-dev libconsole-bridge-dev libeigen3-dev liblz4-dev libtinyxml2-dev \
         liburdfdom-dev libyaml-cpp-dev \
         libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
-        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
+        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/distance/triangle_distance.h"
+#include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 
 namespace link_bounds {

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/distance/triangle_tree.h"
+
 namespace link_bounds {
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "geometry/distance/triangle_tree.h"
+#include "link_bounds/geometry/distance/body.h"
 
 namespace link_bounds {
 
