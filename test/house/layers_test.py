@@ -20,7 +20,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
          'node/outputs', 'node/upkeep', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
-         'tools/bag_bounds/bag', 'tools/bag_bounds',
+         'tools/bag_bounds/bag', 'tools/bag_bounds', 'tools/cloud_filter',
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
          'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
 
