@@ -87,7 +87,7 @@ class Mover {
     return result;
   }
 
-  /// True if tf2 may move it in two ways: see step 6 of motion_bound.h.
+  /// True if tf2 may move it in two ways: see step 6 of deviation_bound.h.
   bool isAmbiguous() const {
     bool result = false;
     forEachEdge(*this, [&](const EdgeMotion& edge) { result |= edge.isAmbiguous(); });

@@ -3,8 +3,8 @@
 // Where the links are from the sensor's frame while it scans.
 //
 // tf2's poses are computed at some moments. Between two of them a point of the sensor's frame goes,
-// in the frame of a link, nearly the straight way. motion_bound.h proves how far it leaves it, and
-// there are as many moments as keep that below a millimetre.
+// in the frame of a link, nearly the straight way. deviation_bound.h proves how far it leaves it,
+// and there are as many moments as keep that below a millimetre.
 #pragma once
 
 #include <string>
