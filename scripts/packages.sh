@@ -12,7 +12,8 @@ packages_of() {
         liburdfdom-dev libyaml-cpp-dev \
         libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
         pybind11-dev python3-dev python3-setuptools \
-        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
+        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libsensor-msgs-dev \
+        libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;

@@ -37,7 +37,8 @@ def main():
                       va='center', annotation_clip=False)
     axes.set(xscale='log', yscale='log', ylim=(3, None), xlabel='vertices of the mesh', ylabel='ns per box')
     axes.grid(True, which='major', alpha=0.3)
-    axes.spines[['top', 'right']].set_visible(False)
+    for side in ('top', 'right'):
+        axes.spines[side].set_visible(False)
     figure.tight_layout()
     figure.subplots_adjust(right=0.7)
     figure.savefig(sys.argv[2], dpi=110)

@@ -37,7 +37,7 @@ EXCEPTIONS = {
     'scripts/demo ': 'installs packages, and builds for minutes', 'scripts/test ': 'runs this test',
     'roslaunch link_bounds link_bounds.launch rviz:=true': 'needs a display',
     'scripts/deb ': MINUTES + '; scripts/test --all runs it', 'docker ': 'needs docker',
-    'sudo ': ROOT, 'echo "deb ': ROOT, 'echo "yaml ': ROOT, 'rosdep ': NETWORK,
+    'sudo ': ROOT, 'autopkgtest ': ROOT, 'echo "deb ': ROOT, 'echo "yaml ': ROOT, 'rosdep ': NETWORK,
     'source /opt/ros/noetic': NOETIC, 'source devel/setup.bash': NOETIC, 'catkin ': NOETIC,
     'mkdir -p ~/catkin_ws': NOETIC, 'git clone ': NETWORK, 'scripts/arm64 ': ROOT,
     'cmake ': MINUTES + '; scripts/test does the like', 'source ~/ros/': 'needs the line before it',
@@ -50,12 +50,13 @@ ENDLESS = (r'roslaunch |rostopic echo (?!-n )|rostopic pub -l |rosbag record |'
            r'rosrun link_bounds zone_events.py')
 DEADLINE = 60 * PATIENCE  # s
 AT_ONCE = 4  # blocks; they wait most of the time
-URDF_MODES = ('--distances', '--reach', '--pairs')
+URDF_MODES = ('--distances', '--poses', '--path', '--reach', '--pairs')
 INCOMPLETE = 4  # exit code
 APART = 0.4  # metres between the links
 BALL = '<geometry><sphere radius="0.05"/></geometry>'
 LOST = '<geometry><mesh filename="file:///no/such/file.stl"/></geometry>'
 FAR_ZONE = 'far: {min: [8, 8, 8], max: [9, 9, 9]}\n'
+FAR_OBJECT = 'far: {type: CUBE, pose: {position: {x: 9}}, scale: {x: 1, y: 1, z: 1}}\n'
 SCRIPTS = {'rosrun': 'program=$2; shift 2; exec "%s/$program" "$@"', 'xacro': 'exec cat "$1"'}
 
 
@@ -133,12 +134,16 @@ class DocumentedLinesTest(unittest.TestCase):
 
     def status(self, line, is_sound):
         """Of the shell, in a folder with all files that the line reads."""
-        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag)\b', line):
+        for name in re.findall(r'[\w./]+\.(?:urdf\.xacro|urdf|srdf|yaml|bag|csv)\b', line):
             if name.endswith('.bag'):
                 message = ('/tf_static', transforms(line), time_of(BEGIN))
                 write_bag(str(self.folder / name), [message])
+            elif name.endswith('.csv'):
+                joints = list(links_of(line).values())
+                rows = [joints, ['0'] * len(joints), ['1'] * len(joints)]
+                self.write(name, ''.join(','.join(row) + '\n' for row in rows))
             elif name.endswith('.yaml'):
-                self.write(name, FAR_ZONE)
+                self.write(name, FAR_OBJECT if '--objects ' + name in line else FAR_ZONE)
             elif name.endswith('.srdf'):
                 self.write(name, '<robot name="r"/>')
             else:
@@ -206,15 +211,17 @@ class Shell:
         return port
 
     def start(self, line):
-        output = open(self.folder / ('output_%d' % len(self.processes)), 'w+', encoding='utf-8')
-        self.processes[line] = subprocess.Popen(
-            ['bash', '-c', line], cwd=self.folder, env=self.environment, stdout=output,
-            stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, start_new_session=True)
-        self.processes[line].output = pathlib.Path(output.name)
-        output.close()
+        path = self.folder / ('output_%d' % len(self.processes))
+        with open(path, 'w') as output, open(str(path) + '_errors', 'w') as errors:
+            process = subprocess.Popen(
+                ['bash', '-c', line], cwd=self.folder, env=self.environment, stdout=output,
+                stderr=errors, stdin=subprocess.DEVNULL, start_new_session=True)
+        process.output = path
+        self.processes[line] = process
 
     def said(self, line):
-        return self.processes[line].output.read_text('utf-8')
+        path = self.processes[line].output
+        return ''.join(pathlib.Path(str(path) + end).read_text('utf-8') for end in ('', '_errors'))
 
     @staticmethod
     def wait(condition, what):
@@ -244,16 +251,21 @@ class Shell:
 
     def await_boxes(self, line):
         with xmlrpc.client.ServerProxy('http://localhost:%d' % self.port) as master:
-            self.wait(lambda: any(topic.endswith('/boxes') for topic, _ in master.getSystemState(
-                '/test')[2][0]), '~boxes of ' + line)
+            self.wait(lambda: self.goes_on(line) and any(
+                topic.endswith('/boxes') for topic, _ in master.getSystemState('/test')[2][0]),
+                      '~boxes of ' + line)
 
     def check_endless(self, line):
         file = re.search(r' (>|-O) (\S+)', line)
         name = file[2] + '.active' * (file[1] == '-O') if file else ''  # rosbag's, while it writes
         path = self.folder / name if file else self.processes[line].output
-        self.wait(lambda: path.stat().st_size, 'the output of ' + line)
+        self.wait(lambda: self.goes_on(line) and path.exists() and path.stat().st_size,
+                  'the output of ' + line)
+
+    def goes_on(self, line):
         if self.processes[line].poll() is not None:
             raise AssertionError(line + '\nhas ended: ' + self.said(line))
+        return True
 
     def end(self):
         for number in (signal.SIGINT, signal.SIGKILL):

@@ -74,6 +74,12 @@ def groups_of_deb(folder):
     return ' '.join(re.findall('^@packages (.*)@$', binary_packages, re.MULTILINE))
 
 
+def launched_packages(folder):
+    """Of the nodes in launch files and tests."""
+    files = texts(folder, ['launch/*.launch', 'test/**/*.test'])
+    return {name for text in files.values() for name in re.findall(r'<node[^>]*\spkg="(.*?)"', text)}
+
+
 def main():
     folder = sys.argv[1]
     known, of_deb = packages(folder, GROUPS), packages(folder, groups_of_deb(folder))
@@ -90,6 +96,8 @@ def main():
             {key for key in run_keys if not is_complete_at_run_time(key, of_deb)},
         'only a display needs, so package.xml should have as test_depend':
             DISPLAY_ONLY & keys(folder, '(exec_|build_export_|build_)?depend'),
+        'launch files start nodes of, so package.xml should have as exec_depend or test_depend':
+            launched_packages(folder) - keys(folder, '(exec_|test_)?depend') - {'link_bounds'},
         'only the demos need, so the packages for apt should only recommend':
             {name for name in packages(folder, 'run') if re.search('rviz|state-publisher', name)},
         'headers and messages need, so package.xml should have as build_export_depend':

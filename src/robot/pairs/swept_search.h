@@ -7,6 +7,7 @@
 // and where the bodies stay far from each other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>

@@ -9,25 +9,19 @@
 #include <vector>
 
 namespace link_bounds {
-namespace {
-
-/// Rows that one thread takes at once. They follow each other, so that searches begin where the
-/// last row's ended.
-constexpr std::size_t kRows = 32;
-
-}  // namespace
 
 unsigned coreCount() {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-void forRows(std::size_t begin, std::size_t end, unsigned threads, const RowWork& work) {
+void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,
+             const RowWork& work) {
   std::atomic<std::size_t> next{begin};
   const auto take = [&](unsigned thread) {
     for (;;) {
-      const std::size_t first = next.fetch_add(kRows);
+      const std::size_t first = next.fetch_add(at_once);
       if (first >= end) return;
-      work(thread, first, std::min(first + kRows, end));
+      work(thread, first, std::min(first + at_once, end));
     }
   };
   std::vector<std::future<void>> workers;

@@ -11,9 +11,10 @@ namespace link_bounds {
 /// Rows begin <= row < end, on the thread of that number.
 using RowWork = std::function<void(unsigned thread, std::size_t begin, std::size_t end)>;
 
-/// Calls `work` for all rows, a few at a time, on so many threads, which are numbered from 0.
+/// Calls `work` for all rows, so many at once, on so many threads, which are numbered from 0.
 /// Returns when all is done. Throws what one of them threw.
-void forRows(std::size_t begin, std::size_t end, unsigned threads, const RowWork& work);
+void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,
+             const RowWork& work);
 
 /// One per core.
 unsigned coreCount();

@@ -24,6 +24,10 @@ namespace {
 /// Between two progress reports, and before texts of rows are written.
 constexpr std::size_t kBlock = 1024;
 
+/// Rows that one thread takes at once. They follow each other, so that searches begin where those
+/// of the last row ended.
+constexpr std::size_t kAtOnce = 32;
+
 /// How near each pair was in the rows that one thread has seen.
 class PairRecords {
  public:
@@ -99,11 +103,12 @@ class RowsRun {
       if (hasTerminal()) drawBar(done, rows, "rows");
       const std::size_t end = std::min(done + kBlock, rows);
       texts_.assign(end - done, "");
-      forRows(done, end, jobs(), [&](unsigned thread, std::size_t first, std::size_t last) {
-        for (std::size_t row = first; row < last; ++row) {
-          if (table_.faults[row].empty()) add(workers_[thread], row, texts_[row - done]);
-        }
-      });
+      forRows(done, end, jobs(), kAtOnce,
+              [&](unsigned thread, std::size_t first, std::size_t last) {
+                for (std::size_t row = first; row < last; ++row) {
+                  if (table_.faults[row].empty()) add(workers_[thread], row, texts_[row - done]);
+                }
+              });
       for (const std::string& text : texts_)
         series_ << text;
     }
@@ -149,7 +154,11 @@ class RowsRun {
   bool hasCompared() const { return workers_.front().has_compared; }
 
  private:
-  unsigned jobs() const { return options_.jobs.value_or(coreCount()); }
+  unsigned jobs() const {
+    const std::size_t useful = (table_.rows() + kAtOnce - 1) / kAtOnce;
+    return static_cast<unsigned>(
+        std::min<std::size_t>(options_.jobs.value_or(coreCount()), useful));
+  }
 
   void openSeries(const std::string& file) {
     series_.open(file);

@@ -15,14 +15,14 @@
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/input.h"
 #include "tools/urdf_bounds/link_distances.h"
+#include "tools/urdf_bounds/objects.h"
 #include "tools/urdf_bounds/pairs_report.h"
+#include "tools/urdf_bounds/path_report.h"
 #include "tools/urdf_bounds/reach_report.h"
 #include "tools/urdf_bounds/report.h"
 #include "tools/urdf_bounds/rows_report.h"
 
 namespace link_bounds {
-
-const char* const kProgram = "urdf_bounds";
 
 namespace {
 
@@ -30,7 +30,8 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.visual;
   selection.collision = options.collision;
-  selection.triangles = options.distances || options.report == Report::kPairs;
+  selection.triangles =
+      options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
   BoundedRobot bounded = RobotLoader().load(robot, selection, source);
   for (const std::string& problem : bounded.problems)
@@ -108,14 +109,34 @@ Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcomeOf(incomplete, distances);
 }
 
-/// Boxes and distances of the rows of a table.
+/// What --objects names.
+PathObjects loadObjects(const UrdfBoundsOptions& options) {
+  PathObjects objects;
+  if (!options.objects) return objects;
+  const std::string& file = *options.objects;
+  objects.robot = parseObjects(readText(file, "a file of objects"), file);
+  Selection selection;
+  selection.triangles = true;
+  const MeshSource source{rosPackages(), folderOf(file), progressBar(), {}, isInterrupted};
+  objects.bounded = RobotLoader().load(objects.robot, selection, source);
+  for (const auto* problems : {&objects.bounded.problems, &objects.bounded.body_problems}) {
+    for (const std::string& problem : *problems)
+      warn(file + ": " + problem);
+  }
+  return objects;
+}
+
+/// Boxes and distances of the rows of a table, or proofs about the motion between them.
 Outcome runRows(const UrdfBoundsOptions& options, const Robot& robot) {
   const Robot simple = withSimpleJoints(robot);
   const JointValues given = valuesFor(simple, options.joints);
   const JointTable table = readJointTable(options, simple);
   catchInterrupts();
   const BoundedRobot bounded = loadLinks(robot, options);
-  const Outcome outcome = writeRows(options, robot, bounded, table, given);
+  const Outcome outcome =
+      options.report == Report::kPath
+          ? writePath(options, robot, bounded, loadObjects(options), table, given)
+          : writeRows(options, robot, bounded, table, given);
   if (options.verbose) reportMemory(bounded);
   return outcome;
 }
@@ -133,7 +154,8 @@ Outcome runProof(const UrdfBoundsOptions& options, const Robot& robot) {
 
 Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
   if (options.report == Report::kPose) return runPose(options, robot);
-  if (options.report == Report::kRows) return runRows(options, robot);
+  if (options.report == Report::kRows || options.report == Report::kPath)
+    return runRows(options, robot);
   return runProof(options, withSimpleJoints(robot));
 }
 

@@ -24,6 +24,8 @@ enum Code {
   kDistances,
   kPoses,
   kColumns,
+  kPath,
+  kObjects,
   kSeries,
   kJobs,
   kReach,
@@ -51,6 +53,8 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"distances", required_argument, nullptr, kDistances},
                                    {"poses", required_argument, nullptr, kPoses},
                                    {"columns", required_argument, nullptr, kColumns},
+                                   {"path", no_argument, nullptr, kPath},
+                                   {"objects", required_argument, nullptr, kObjects},
                                    {"series", required_argument, nullptr, kSeries},
                                    {"jobs", required_argument, nullptr, kJobs},
                                    {"reach", no_argument, nullptr, kReach},
@@ -143,7 +147,7 @@ void addFormat(const std::string& name, UrdfBoundsOptions& options) {
 
 void setReport(Report report, UrdfBoundsOptions& options) {
   if (options.report != Report::kPose && options.report != report)
-    throw UsageError("--reach and --pairs are two reports; give only one of them");
+    throw UsageError("--reach, --pairs and --path are different reports; give only one of them");
   options.report = report;
 }
 
@@ -175,6 +179,11 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
       return;
     case kColumns:
       options.columns = optarg;
+      return;
+    case kPath:
+      return setReport(Report::kPath, options);
+    case kObjects:
+      options.objects = optarg;
       return;
     case kSeries:
       options.series = optarg;
@@ -255,13 +264,16 @@ void need(bool is_given, bool is_useful, const char* option, const char* report)
 void checkProof(const UrdfBoundsOptions& options) {
   const bool has_pairs = options.report == Report::kPairs;
   const bool has_reach = options.report == Report::kReach;
+  const bool has_path = options.report == Report::kPath;
   need(options.accuracy.has_value(), has_reach || has_pairs, "--accuracy", "--reach or --pairs");
-  need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
-  need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
+  need(options.budget.has_value(), has_reach || has_pairs || has_path, "--budget",
+       "--reach, --pairs or --path");
+  need(options.clearance.has_value(), has_pairs || has_path, "--clearance", "--pairs or --path");
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
-  need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
-  need(options.certificate.has_value(), has_pairs, "--certificate", "--pairs");
+  need(options.srdf.has_value(), has_pairs || has_path, "--srdf", "--pairs or --path");
+  need(options.certificate.has_value(), has_reach || has_pairs, "--certificate",
+       "--reach or --pairs");
   need(options.adjacent, has_pairs, "--adjacent", "--pairs");
   need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
@@ -271,10 +283,17 @@ void checkProof(const UrdfBoundsOptions& options) {
 /// Options that only tables of joint values have.
 void checkTable(const UrdfBoundsOptions& options) {
   const bool has_rows = options.report == Report::kRows;
-  need(options.columns.has_value(), has_rows, "--columns", "--poses FILE");
-  need(options.jobs.has_value(), has_rows, "--jobs", "--poses FILE");
+  const bool has_path = options.report == Report::kPath;
+  need(has_path, options.poses.has_value(), "--path", "--poses FILE");
+  need(options.objects.has_value(), has_path, "--objects", "--path");
+  if (options.series && has_path)
+    throw UsageError(
+        "--series writes rows, --path is about what is between them; give only one of "
+        "the two");
+  need(options.columns.has_value(), has_rows || has_path, "--columns", "--poses FILE");
+  need(options.jobs.has_value(), has_rows || has_path, "--jobs", "--poses FILE");
   need(options.series.has_value(), has_rows, "--series", "--poses FILE");
-  if (options.poses && !has_rows)
+  if (options.poses && !has_rows && !has_path)
     throw UsageError(
         "--poses gives the joint values, --reach and --pairs are about all of them; "
         "give only one of the two");
@@ -296,6 +315,7 @@ void checkReport(const UrdfBoundsOptions& options) {
                                                                      : nullptr;
   const char* const other = report == Report::kReach   ? "--reach"
                             : report == Report::kPairs ? "--pairs"
+                            : report == Report::kPath  ? "--path"
                                                        : "--poses";
   if (of_a_pose) {
     throw UsageError(

@@ -12,9 +12,9 @@ ARM, LEG = "franka_description/urdf/panda.urdf", "ur_description/urdf/ur5e.urdf"
 BODY = """<robot name="humanoid">
 <link name="pelvis"><collision><geometry><box size="0.25 0.36 0.16"/></geometry></collision></link>
 <link name="waist1"/><link name="waist2"/>
-<link name="torso"><collision><origin xyz="0 0 0.25"/><geometry><box size="0.22 0.4 0.5"/></geometry>
-  </collision><collision><origin xyz="0 0 0.65"/><geometry><sphere radius="0.12"/></geometry>
-  </collision></link>
+<link name="torso"><collision><origin xyz="0 0 0.25"/>
+  <geometry><box size="0.22 0.4 0.5"/></geometry></collision>
+  <collision><origin xyz="0 0 0.65"/><geometry><sphere radius="0.12"/></geometry></collision></link>
 %s</robot>"""
 JOINT = """<joint name="%s" type="%s"><parent link="%s"/><child link="%s"/>
   <origin xyz="%s" rpy="%s"/><axis xyz="%s"/>
@@ -55,16 +55,27 @@ def humanoid(robots):
     return ElementTree.tostring(root, encoding="unicode")
 
 
-def rows(urdf, count, step):
-    """A csv table: each joint swings around the middle of its range, by at most `step` [rad] a row."""
-    joints = []
+def arm(robots):
+    """The text of a URDF: one arm alone."""
+    root = ElementTree.fromstring('<robot name="panda"/>')
+    root.extend(limb(robots, ARM, ""))
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def joints_of(urdf):
+    """The name and the limits of each joint that can be set."""
     for joint in ElementTree.fromstring(urdf).findall("joint"):
         if joint.get("type") == "fixed" or joint.find("mimic") is not None:
             continue
         lower, upper = -math.pi, math.pi
         if joint.get("type") != "continuous":
             lower, upper = (float(joint.find("limit").get(end)) for end in ("lower", "upper"))
-        joints.append((joint.get("name"), lower, upper))
+        yield joint.get("name"), lower, upper
+
+
+def rows(urdf, count, step):
+    """A csv table: each joint swings around the middle of its range, by at most `step` a row."""
+    joints = list(joints_of(urdf))
     chance = random.Random(1)
     phases = [(chance.uniform(0, 6.28), chance.uniform(0.3, 1)) for _ in joints]
     lines = [",".join(name for name, _, _ in joints)]

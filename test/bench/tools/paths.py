@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How fast urdf_bounds goes through tables of joint values: rows per second on one core, all pairs
-within 5 cm, beyond what one row takes. With LINK_BOUNDS_DATA a humanoid of 29 joints with collision
-meshes, made of the robots there; else the robot of the demo. paths.py [--quick] [--json FILE]"""
+"""How fast urdf_bounds goes through tables of joint values, on one core, beyond what loading takes:
+rows per second, with all pairs within 5 cm, and with --path the time for an edge of 0.3 rad among
+20 objects. With LINK_BOUNDS_DATA a humanoid of 29 joints with collision meshes, made of the robots
+there, and the Panda; else the robot of the demo. paths.py [--quick] [--json FILE]"""
 import argparse
 import json
+import math
 import os
 import pathlib
+import random
 import subprocess
 import tempfile
 
@@ -19,6 +22,9 @@ DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
 LIMIT = "0.05"  # m
 STEPS = (0.02, 0.2)  # of each joint from row to row [rad]: a motion at 50 Hz, and a scattered one
 TARGET = 2000  # rows per second
+EDGE = 0.3  # length of an edge in the space of the joints [rad]
+OBJECTS = 20
+EDGE_TARGET = 5  # ms
 
 
 def robot():
@@ -36,7 +42,7 @@ def seconds(arguments):
     out = program.stdout.read()
     _, status, usage = os.wait4(program.pid, 0)
     program.returncode = os.WEXITSTATUS(status)
-    assert program.returncode in (0, 3), program.returncode
+    assert program.returncode in (0, 3, 4), program.returncode
     return usage.ru_utime + usage.ru_stime, json.loads(out)
 
 
@@ -60,6 +66,62 @@ def measured(name, urdf, geometry, folder, count):
                    "rows_per_second": round((count - 1) / max(times[1] - times[0], 1e-9))}
 
 
+def way_points(urdf, count):
+    """A csv table: a random walk within the limits, around the middle of the ranges."""
+    joints, chance = list(humanoid.joints_of(urdf)), random.Random(2)
+    middles = [(lower + upper) / 2 for _, lower, upper in joints]
+    ranges = [(max(lower, middle - 0.6), min(upper, middle + 0.6))
+              for (_, lower, upper), middle in zip(joints, middles)]
+    lines, values = [",".join(name for name, _, _ in joints)], middles
+    for _ in range(count):
+        lines.append(",".join("%.6f" % value for value in values))
+        moved = [math.inf]
+        while not all(low <= value <= high for value, (low, high) in zip(moved, ranges)):
+            step = [chance.gauss(0, 1) for _ in values]
+            length = math.sqrt(sum(x * x for x in step))
+            moved = [value + EDGE * x / length for value, x in zip(values, step)]
+        values = moved
+    return "\n".join(lines) + "\n"
+
+
+def objects():
+    """Boxes of 6 to 20 cm around the robot, as YAML."""
+    chance, text = random.Random(3), ""
+    for i in range(OBJECTS):
+        angle, radius = chance.uniform(0, 2 * math.pi), chance.uniform(0.5, 0.9)
+        sizes = tuple(chance.uniform(0.06, 0.2) for _ in range(3))
+        text += ("o%d: {type: CUBE, pose: {position: {x: %g, y: %g, z: %g}}, "
+                 "scale: {x: %g, y: %g, z: %g}}\n"
+                 % ((i, radius * math.cos(angle), radius * math.sin(angle), chance.uniform(0, 1))
+                    + sizes))
+    return text
+
+
+def edge_row(folder, urdf, geometry, count):
+    table, scene = os.path.join(folder, "path.csv"), os.path.join(folder, "objects.yaml")
+    pathlib.Path(scene).write_text(objects())
+    took = []
+    for rows in (2, count + 1):
+        pathlib.Path(table).write_text(way_points(urdf.read_text(), rows))
+        time, result = seconds([str(urdf), "--geometry", geometry, "--poses", table, "--path",
+                                "--objects", scene, "--format", "json"])
+        took.append(time)
+    verdicts = [segment["verdict"] for segment in result["segments"]]
+    return {"robot": urdf.stem, "edges": count,
+            "milliseconds": 1e3 * (took[1] - took[0]) / (count - 1),
+            **{verdict: verdicts.count(verdict) for verdict in ("SAFE", "COLLIDES", "UNDECIDED")}}
+
+
+def report_edges(row):
+    print("\n--path, edges of %g rad among %d objects, one core\n" % (EDGE, OBJECTS))
+    print("| robot | edges | SAFE | COLLIDES | UNDECIDED | mean time [ms] |")
+    print("|---|---:|---:|---:|---:|---:|")
+    print("| %(robot)s | %(edges)d | %(SAFE)d | %(COLLIDES)d | %(UNDECIDED)d | %(milliseconds).2f |"
+          % row)
+    print()
+    print_target("milliseconds for an edge", EDGE_TARGET, [row["milliseconds"]])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="2,000 rows instead of 20,000")
@@ -71,6 +133,11 @@ def main():
         urdf = pathlib.Path(folder, "robot.urdf")
         urdf.write_text(text)
         rows = list(measured(name, urdf, geometry, folder, 2000 if options.quick else 20000))
+        data = os.environ.get("LINK_BOUNDS_DATA")
+        arm = pathlib.Path(folder, "panda.urdf") if data else urdf
+        if data:
+            arm.write_text(humanoid.arm(os.path.join(data, "robots")))
+        edges = edge_row(folder, arm, geometry, 100 if options.quick else 1000)
     print("\ntable of joint values, pairs within 5 cm, one core\n")
     print("| robot | step [rad] | written | pairs a row | rows with contact | rows/s |")
     print("|---|---:|---|---:|---:|---:|")
@@ -81,9 +148,10 @@ def main():
     print()
     slowest = min(row["rows_per_second"] for row in rows if row["step"] == STEPS[0])
     print_target("rows per second of a slow motion", TARGET, [slowest], at_most=False)
+    report_edges(edges)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+            json.dump(rows + [edges], file, indent=1)
 
 
 if __name__ == "__main__":

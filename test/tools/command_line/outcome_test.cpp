@@ -5,11 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/command_line/terminal.h"
-
 namespace link_bounds {
-
-const char* const kProgram = "outcome_test";
 
 namespace {
 
