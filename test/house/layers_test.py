@@ -14,6 +14,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'geometry/support', 'geometry/shape', 'geometry/volumes',
          'geometry/parts', 'geometry/pairs', 'geometry/distance',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/reach',
+         'robot/stopping',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
