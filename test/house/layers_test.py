@@ -14,7 +14,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'geometry/support', 'geometry/shape', 'geometry/volumes',
          'geometry/parts', 'geometry/pairs', 'geometry/distance', 'geometry/cloud',
          'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/posed',
-         'robot/reach',
+         'robot/reach', 'robot/stopping',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
          'world/cloud',

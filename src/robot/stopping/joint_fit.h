@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The value of a joint from the pose of its link.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+
+/// The joint value nearest to a pose, and how far the pose is from what the joint allows.
+struct JointFit {
+  double value = 0;         ///< [rad, from -pi to pi, or m]; 0 of a fixed joint
+  double length_error = 0;  ///< [m]
+  double angle_error = 0;   ///< [rad]
+};
+
+/// Of a fixed, revolute, continuous or prismatic joint; one without an axis counts as fixed.
+JointFit fitOf(const Joint& joint, const Eigen::Isometry3d& parent_from_child);
+
+/// The angle without full turns, from -pi to pi [rad].
+double withoutTurns(double angle);
+
+}  // namespace link_bounds

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The box of a link while the joints before it move a little, each on its own.
+//
+// All is seen in one frame, with axes where they are at the start. Let h(d) be the support of a
+// set: the max of d . p over its points p. Let S be all places of the link while the joints after
+// joint j move. Joint j turns S by an angle q from a to b about an axis n through o. A point p then
+// has the coordinate m . o + d . (p - o) along a direction m, with d = Q(-q) m. So the support of
+// the turned set is
+//
+//   m . o + max over q of g(Q(-q) m),   g(d) = h(d) - d . o.
+//
+// With w = b - a < pi, the directions at a and b are d0, d1, and c = (n . m) n is what they share.
+// A direction between them is u d0 + v d1 - (u + v - 1) c, with u = sin(w - x) / sin w and
+// v = sin x / sin w, x = q - a; u + v >= 1. Supports are sublinear, so
+//
+//   g(d) <= u g(d0) + v g(d1) + (u + v - 1) g(-c) = u A + v B - g(-c)
+//
+// with A = g(d0) + g(-c) and B = g(d1) + g(-c). The max over x of u A + v B is A, B, or the height
+// of the sinusoid through both. The same holds with anything larger for g. For g(-c) that is
+// |n . m| r, if S is inside a ball of radius r around a point at the height of o. For a single
+// point of S all of it is exact. So each joint that turns asks for S along twice as many directions
+// (more if w is large), and the link is asked at the end. Where these get too many, a joint pads
+// all directions by how far it can move any point of S.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "link_bounds/geometry/shape/bounded_link.h"
+#include "link_bounds/robot/urdf/robot.h"
+
+namespace link_bounds {
+
+/// A joint and how it may move, in the frame of the box.
+struct MovingJoint {
+  enum class Kind {
+    kTurn,   ///< about the axis
+    kSlide,  ///< along the axis
+    kFree    ///< a base
+  };
+
+  Kind kind;
+  Eigen::Vector3d origin;  ///< on the axis; of a base, the point whose path is known
+  Eigen::Vector3d axis;    ///< unit; of a base the direction of its path
+  Limits offsets{0, 0};    ///< from where it is [rad or m]; not of a base
+  double distance = 0;     ///< length of the path of a base [m]
+  double spread = 0;       ///< the path deviates by no larger angle from its direction [rad]
+  double turn = 0;         ///< a base turns by no larger angle about any axis [rad]
+};
+
+/// Contains the link in all poses that the joints allow, rounded outward and padded. `joints` from
+/// the frame of the box to the link. Nothing if there is no box.
+std::optional<Aabb> boxOfMoving(const BoundedLink& link, const Eigen::Affine3d& frame_from_link,
+                                const std::vector<MovingJoint>& joints);
+
+}  // namespace link_bounds
