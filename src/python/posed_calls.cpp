@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::size_t kBoxNumbers = 6;
 
+/// Rows that one thread takes, which follow each other, so that searches begin where the last row's
+/// ended.
+constexpr std::size_t kAtOnce = 32;
+
 /// One entry of the structured array, as the message Distance.
 struct PairRow {
   std::int64_t row;
@@ -69,7 +73,7 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
   for (unsigned i = 0; i < jobs; ++i)
     workers.emplace_back(shared);
   StopFlag has_failed{false};
-  forRows(0, rows.count, jobs, [&](unsigned thread, std::size_t begin, std::size_t end) {
+  const auto take = [&](unsigned thread, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       if (stop || has_failed) throw EndedEarly();
       try {
@@ -79,7 +83,8 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
         throw;
       }
     }
-  });
+  };
+  forRows(0, rows.count, jobs, kAtOnce, take);
 }
 
 /// A single pose on this thread, with the GIL: waiting for it again may take longer than the boxes.
@@ -89,9 +94,8 @@ void forOne(SharedRobot& shared, const JointRows& rows, const PoseWork& work) {
 }
 
 /// Rows on other threads, without the GIL.
-void forRows(SharedRobot& shared, const JointRows& rows, unsigned jobs, const PoseWork& work) {
-  constexpr std::size_t kRowsPerJob = 32;  // what forRows gives a thread at once
-  const std::size_t useful = std::max<std::size_t>(1, rows.count / kRowsPerJob);
+void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const PoseWork& work) {
+  const std::size_t useful = std::max<std::size_t>(1, rows.count / kAtOnce);
   const auto threads =
       static_cast<unsigned>(std::min<std::size_t>(jobs == 0 ? coreCount() : jobs, useful));
   interruptible([&](const StopFlag& stop) { forPoses(shared, rows, threads, stop, work); });
@@ -157,7 +161,7 @@ py::array boxesOf(SharedRobot& shared, const py::object& q, unsigned jobs) {
   if (rows.is_single)
     forOne(shared, rows, write);
   else
-    forRows(shared, rows, jobs, write);
+    forMany(shared, rows, jobs, write);
   return std::move(result);
 }
 
@@ -176,7 +180,7 @@ py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, un
     const py::gil_scoped_release others;
     forOne(shared, rows, measure);
   } else {
-    forRows(shared, rows, jobs, measure);
+    forMany(shared, rows, jobs, measure);
   }
   std::size_t total = 0;
   for (const std::vector<PairRow>& of_row : found)

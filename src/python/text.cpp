@@ -9,9 +9,6 @@
 
 namespace link_bounds {
 
-/// The module says nothing on standard error.
-const char* const kProgram = "link_bounds";
-
 pybind11::str toPython(const std::string& text) {
   PyObject* const result =
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape");
