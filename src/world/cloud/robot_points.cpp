@@ -49,9 +49,9 @@ class Labels {
       const double y = CloudPoints::read<Number>(bytes + points.y);
       const double z = CloudPoints::read<Number>(bytes + points.z);
       // Not short-circuited: one branch a point.
-      const bool is_candidate = (x >= low.x()) & (x <= high.x()) & (y >= low.y()) &
-                                (y <= high.y()) & (z >= low.z()) & (z <= high.z());
-      if (is_candidate) {
+      const int is_candidate = int{x >= low.x()} & int{x <= high.x()} & int{y >= low.y()} &
+                               int{y <= high.y()} & int{z >= low.z()} & int{z <= high.z()};
+      if (is_candidate != 0) {
         look(i, {x, y, z}, bytes);
       } else if (min_squared_ > 0 && x * x + y * y + z * z < min_squared_) {
         found_.push_back({i, kTooNear});
