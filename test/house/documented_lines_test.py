@@ -47,7 +47,7 @@ EXCEPTIONS = {
     'rosrun link_bounds boxes_to.py ': 'needs messages that Debian lacks'}
 # These lines go on until they are interrupted; then they must have printed something.
 ENDLESS = (r'roslaunch |rostopic echo (?!-n )|rostopic pub -l |rosbag record |'
-           r'rosrun link_bounds zone_events.py')
+           r'rosrun link_bounds (zone_events.py|cloud_filter )')
 DEADLINE = 60 * PATIENCE  # s
 AT_ONCE = 4  # blocks; they wait most of the time
 URDF_MODES = ('--distances', '--poses', '--path', '--reach', '--pairs')
