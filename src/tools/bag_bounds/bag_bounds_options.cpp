@@ -26,6 +26,10 @@ as one, by their record times.
   --distances LIMIT   also the pairs whose proven distance was ever at most LIMIT [m], but none that
                       are rigidly connected or neighbours by one joint
   --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
+  --tf-prefix P       tf has P/LINK for each link of the robot, as for the node's tf_prefix
+  --static-from BAG   first takes /tf_static of this bag: for a recording in parts, the first one
+  --min-coverage C    share of the time between its first and last transform in which each link must
+                      have a box, 0 to 1; default 0.99
   --start S           reports from S seconds after the first message on, as rosbag play -s
   --end S             reads no further than S seconds after the first message
   --format F          table (default): rounded to micrometres
@@ -41,7 +45,8 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
      the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT
-  4  without --allow-incomplete: a name is incomplete, a topic of --objects has no
+  4  without --allow-incomplete: a name is incomplete, such as a link that never had a
+     box, less than --min-coverage, or not any more at the end; a topic of --objects has no
      message, not all distances are known, nothing was compared, or a part of the
      bags was not read: damage, or interrupted
   2  see --strict
@@ -57,6 +62,9 @@ enum Code {
   kZones,
   kDistances,
   kObjects,
+  kTfPrefix,
+  kStaticFrom,
+  kMinCoverage,
   kStart,
   kEnd,
   kFormat,
@@ -73,6 +81,9 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"zones", required_argument, nullptr, kZones},
                                    {"distances", required_argument, nullptr, kDistances},
                                    {"objects", required_argument, nullptr, kObjects},
+                                   {"tf-prefix", required_argument, nullptr, kTfPrefix},
+                                   {"static-from", required_argument, nullptr, kStaticFrom},
+                                   {"min-coverage", required_argument, nullptr, kMinCoverage},
                                    {"start", required_argument, nullptr, kStart},
                                    {"end", required_argument, nullptr, kEnd},
                                    {"format", required_argument, nullptr, kFormat},
@@ -93,6 +104,12 @@ std::string nonEmpty(const std::string& option_name, const std::string& text) {
 std::string topicName(const std::string& text) {
   const std::string name = nonEmpty("--objects", text);
   return name.front() == '/' ? name : "/" + name;
+}
+
+double shareOption(const std::string& option_name, const std::string& text) {
+  const std::optional<double> share = toNumber(text);
+  if (share && *share >= 0 && *share <= 1) return *share;
+  throw UsageError(option_name + " is \"" + text + "\", but must be a number from 0 to 1");
 }
 
 /// `code` is what getopt_long returned.
@@ -120,6 +137,15 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       return;
     case kObjects:
       options.objects.insert(topicName(optarg));
+      return;
+    case kTfPrefix:
+      options.tf_prefix = nonEmpty("--tf-prefix", optarg);
+      return;
+    case kStaticFrom:
+      options.static_from = nonEmpty("--static-from", optarg);
+      return;
+    case kMinCoverage:
+      options.min_coverage = shareOption("--min-coverage", optarg);
       return;
     case kStart:
       options.start = limitOption("--start", optarg, "seconds");

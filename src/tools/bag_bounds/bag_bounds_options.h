@@ -25,6 +25,9 @@ struct BagBoundsOptions {
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
   std::set<std::string> objects;  ///< topics
+  std::string tf_prefix;          ///< as the node's parameter
+  std::string static_from;        ///< a bag whose static transforms are taken first; "": none
+  double min_coverage = 0.99;     ///< of each link, see Coverage
   Demand demand;
   bool help = false;     ///< the other members are then undefined
   bool version = false;  ///< likewise

@@ -34,6 +34,7 @@ Parameters parametersOf(const BagBoundsOptions& options) {
   Parameters parameters;
   parameters.fixed_frame = options.fixed_frame;
   parameters.geometry = options.geometry;
+  parameters.tf_prefix = options.tf_prefix;
   parameters.distance_limit = options.distances.value_or(0);
   return parameters;
 }
@@ -50,6 +51,7 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   std::vector<std::string> inputs = options.bags;
   inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
   inputs.push_back(options.zones);
+  inputs.push_back(options.static_from);
   for (const std::string& input : inputs) {
     std::error_code ignored;
     if (std::filesystem::equivalent(input, options.out, ignored))
@@ -111,13 +113,28 @@ void BagRun::begin() {
   last_ = begin_;
   scene_.adopt(model_, begin_);
   zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  if (!options_.static_from.empty()) takeStatic();
   onStep(begin_, false);
+}
+
+/// As if they had been sent at the begin.
+void BagRun::takeStatic() {
+  BagReader reader({options_.static_from}, {kTfStaticTopic.name}, isInterrupted);
+  BagMessage message{};
+  bool is_empty = true;
+  for (; reader.next(message); is_empty = false)
+    scene_.takeStatic(message);
+  static_losses_ = reader.losses();
+  if (is_empty && !reader.wasInterrupted())
+    throw UsageError("--static-from " + options_.static_from + " has no message on " +
+                     kTfStaticTopic.name + "; name the bag of the first part of the recording");
 }
 
 void BagRun::read() {
   begin();
   readMessages();
   if (shown_percent_) eraseBar();
+  coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
   zones_.finish(last_);
   if (out_) out_->close();
@@ -170,6 +187,7 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
   zones_.onStep(now, is_tick, isReported(now));
   if (!isReported(now)) return;
   last_ = now;
+  if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (has_recorded_) return;
   zones_.onNews(now, true);
   record(now);
@@ -178,7 +196,7 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
 void BagRun::record(std::int64_t now) {
   has_recorded_ = true;
   last_ = now;
-  boxes_.add(scene_.scene(), now);
+  if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (pairs_) pairs_->add(scene_.scene(), now);
   if (out_) out_->write(scene_.scene(), now);
 }
@@ -191,10 +209,14 @@ BagReport BagRun::report() const {
   report.to = last_;
   report.messages = messages_;
   report.boxes = boxes_.records();
+  addCoverage(report.boxes);
+  report.min_coverage = options_.min_coverage;
   report.zones = zones_.records();
   if (pairs_) report.distances = pairs_->pairs();
+  report.has_compared = pairs_ && pairs_->hasCompared();
   report.distance_limit = options_.distances.value_or(0);
   report.losses = reader_.losses();
+  report.losses.insert(report.losses.end(), static_losses_.begin(), static_losses_.end());
   if (scene_.damaged() > 0) {
     const bool is_one = scene_.damaged() == 1;
     report.losses.push_back(std::to_string(scene_.damaged()) +
@@ -205,6 +227,16 @@ BagReport BagRun::report() const {
   return report;
 }
 
+/// Links come first. Those without shapes never have a box.
+void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
+  const std::vector<double> shares = coverage_.shares();
+  for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
+    if (model_->links[i].shapes.empty()) continue;
+    boxes[i].coverage = shares[i];
+    if (!boxes[i].has_box) boxes[i].remedy = frameRemedy(i, scene_.scene(), scene_.tf());
+  }
+}
+
 /// "" if the report is about something.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (scene_.transforms() == 0)
@@ -213,7 +245,7 @@ std::string BagRun::whyUseless(const BagReport& report) const {
     return "nothing was recorded between --start and --end; the bags end " +
            shortSeconds(scene_.now(), begin_) + " s after their begin";
   if (!boxes_.hasLinkBox())
-    return "no link ever had a box: " + report.boxes.front().reason +
+    return "no link ever had a box: " + withRemedy(report.boxes.front()) +
            "; is it the bag of this robot, and does --fixed-frame exist in it?";
   if (const Zone* zone = zones_.neverCompared())
     return "zone \"" + zone->name +

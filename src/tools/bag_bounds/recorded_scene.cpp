@@ -68,7 +68,8 @@ bool RecordedScene::take(const BagMessage& message) {
   if (!passTo(message.time)) return false;
   try {
     if (isTransforms(message)) {
-      takeTransforms(message);
+      takeTransforms(message, *message.topic == kTfStaticTopic.name);
+      ++transforms_;
     } else if (!takeMarkers(message)) {
       return false;
     }
@@ -102,13 +103,20 @@ void RecordedScene::tick(std::int64_t time) {
   on_step_(time, true);
 }
 
-void RecordedScene::takeTransforms(const BagMessage& message) {
+void RecordedScene::takeStatic(const BagMessage& message) {
+  try {
+    takeTransforms(message, true);
+  } catch (const ros::Exception&) {
+    ++damaged_;
+  }
+}
+
+void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
   checkType(message, {"tf2_msgs/TFMessage", "tf/tfMessage", ""});
   tf_message_.read(message.data, message.size);
-  ++transforms_;
   feed_.onTransforms(
-      tf_message_.transforms, *message.topic == kTfStaticTopic.name,
-      [&message] { return *message.publisher; }, toRosTime(now_));
+      tf_message_.transforms, is_static, [&message] { return *message.publisher; },
+      toRosTime(now_));
 }
 
 bool RecordedScene::takeMarkers(const BagMessage& message) {

@@ -35,13 +35,18 @@ class RecordedScene {
   /// than transforms or markers.
   bool take(const BagMessage& message);
 
+  /// Takes static transforms at once, whatever their topic and time. Not to be called after take().
+  void takeStatic(const BagMessage& message);
+
   /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
   bool passTo(std::int64_t time);
 
   std::int64_t now() const { return now_; }
 
   Scene& scene() { return feed_.scene(); }
+  const Scene& scene() const { return feed_.scene(); }
   TransformBuffer& tf() { return feed_.tf(); }
+  const TransformBuffer& tf() const { return feed_.tf(); }
 
   /// Messages that were taken.
   std::uint64_t transforms() const { return transforms_; }
@@ -52,7 +57,7 @@ class RecordedScene {
 
  private:
   void tick(std::int64_t time);
-  void takeTransforms(const BagMessage& message);
+  void takeTransforms(const BagMessage& message, bool is_static);
   bool takeMarkers(const BagMessage& message);
   bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
   bool loadMeshes();

@@ -59,6 +59,8 @@ class ArgumentsTest(BagBoundsTest):
                 ('--end is "nan"', *good, '--end', 'nan'),
                 ('--end is before --start', *good, '--start', '2', '--end', '1'),
                 ('--distances is "near"', *good, '--distances', 'near'),
+                ('--min-coverage is "2", but must be', *good, '--min-coverage', '2'),
+                ('--static-from .*none.bag|none.bag', *good, '--static-from', self.path('none.bag')),
                 ('cannot read .*none.urdf: No such file', bag, '--urdf', self.path('none.urdf')),
                 ('cannot read .*none.yaml: No such file', *good, '--zones', self.path('none.yaml')),
                 ('--out is .*arms.bag, which is read', *good, '--out', bag),

@@ -5,6 +5,7 @@
 
 Run as: bag_bounds_test.py PATH_OF_bag_bounds
 """
+import copy
 import csv
 import io
 import itertools
@@ -20,7 +21,7 @@ import bag_bounds_testing
 from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PERIOD, UNDERCUT, BagBoundsTest,
                                 arms, degrees_at, main, moving_arms, run, seconds, static_arms,
                                 time_of, zone_text)
-from bounds_testing import wait_for
+from bounds_testing import transform, wait_for
 from emulation import catches, is_emulated
 from node_testing import ALL, SIZES, arm_bounds
 from page_testing import PACKAGE, code_block, rows_below
@@ -90,6 +91,85 @@ class ExtremesTest(BagBoundsTest):
         self.assertEqual([box['name'] for box in found['extremes'] if 'min' not in box],
                          ['left', 'left_tip'])
         self.assertRegex(found['incomplete']['left'], 'never had a box: no transform')
+
+
+def prefixed(messages, prefix='r1/'):
+    """The same transforms between frames of other names."""
+    messages = copy.deepcopy(messages)
+    for edge in (t for _, message, _ in messages for t in message.transforms):
+        edge.header.frame_id = prefix + edge.header.frame_id
+        edge.child_frame_id = prefix + edge.child_frame_id
+    return messages
+
+
+class CoverageTest(BagBoundsTest):
+    """No link is forgotten because it had no box."""
+
+    def coverage(self, found):
+        return {box['name']: box['coverage'] for box in found['extremes']}
+
+    def check_remedy(self, bag, name, remedy, *arguments):
+        """In each format; it makes the report complete."""
+        for text in ('table', 'csv', 'json'):
+            code, out, _ = run(bag, '--urdf', self.urdf, '--format', text)
+            self.assertEqual(code, INCOMPLETE)
+            self.assertRegex(out.replace('""', '"').replace('\\"', '"'),
+                             '%s"?[:,].*never had a box: no transform .*%s' % (name, remedy))
+        found = self.report(bag, *arguments)
+        self.assertEqual((found['incomplete'], set(self.coverage(found).values())), ({}, {1}))
+        return found['extremes']
+
+    def test_a_prefix(self):
+        bag = self.bag(prefixed(arms(COUNT)))
+        self.check_remedy(bag, 'left', 'tf has "r1/left"; add --tf-prefix r1', '--tf-prefix', 'r1')
+        code, out, _ = run(bag, '--urdf', self.urdf, '--distances', '0.1')
+        self.assertEqual(code, INCOMPLETE)
+        self.assertIn('(no two bodies were compared)', out)
+        self.assertNotIn('no pair was ever', out)
+        found = self.report(self.bag(arms(3)), '--tf-prefix', 'r1', code=INCOMPLETE,
+                            err='incomplete names: 4')
+        self.assertIn('tf has "left"; leave out --tf-prefix', found['incomplete']['left'])
+
+    def test_the_second_part_of_a_recording(self):
+        """Its static transforms are in the first part."""
+        first = self.bag(arms(COUNT)[:100], 'first.bag')
+        second = self.bag(arms(COUNT)[100:], 'second.bag')
+        extremes = self.check_remedy(
+            second, 'mast', 'nothing leads up from "mast"; .* add --static-from FIRST.bag',
+            '--static-from', first)
+        whole = self.bag([static_arms(BEGIN + seconds(99))] + arms(COUNT)[100:], 'whole.bag')
+        for box, expected in zip(extremes, self.report(whole)['extremes']):
+            self.assertEqual((box['min'], box['max']), (expected['min'], expected['max']))
+        self.check_refused('second.bag has no message on /tf_static', first, '--urdf', self.urdf,
+                           '--static-from', second)
+
+    def test_boxes_that_came_late(self):
+        """The robot's place in the world is known after a third of the time."""
+        late = prefixed(arms(300), 'a/')
+        link = transform('base', 'a/base', time_of(0))
+        late.insert(100, ('/tf_static', TFMessage([link]), time_of(BEGIN + seconds(100))))
+        bag = self.bag(late)
+        arguments = ('--tf-prefix', 'a', '--fixed-frame', 'base')
+        found = self.report(bag, *arguments, code=INCOMPLETE, err='incomplete names')
+        self.assertAlmostEqual(self.coverage(found)['left'], 2 / 3, delta=0.02)
+        self.assertRegex(found['incomplete']['left'],
+                         r'had a box in 0\.6\d* of its time, less than 0\.99\d* of --min-coverage: no')
+        self.report(bag, *arguments, '--min-coverage', '0.6')
+        self.report(bag, *arguments, '--min-coverage', '0.7', code=INCOMPLETE, err='incomplete')
+
+    def test_a_short_gap_is_covered_but_a_lost_link_is_not(self):
+        """Two seconds until a box is stale, then one without, of a hundred."""
+        gap = [moving_arms(i, links=('left', 'left_tip')) for i in range(5000) if not 100 < i < 225]
+        right = [moving_arms(i, links=('right',)) for i in range(5000)]
+        messages = [static_arms()] + sorted(gap + right, key=lambda message: message[2])
+        found = self.report(self.bag(messages))
+        self.assertEqual(found['incomplete'], {})
+        self.assertTrue(0.99 < self.coverage(found)['left'] < 1)
+        self.report(self.bag(messages), '--min-coverage', '1', code=INCOMPLETE, err='names: 2')
+        lost = [(topic, message, time) for topic, message, time in messages
+                if time < time_of(BEGIN + 90) or message.transforms[0].child_frame_id == 'right']
+        found = self.report(self.bag(lost), code=INCOMPLETE, err='names: 2')
+        self.assertRegex(found['incomplete']['left'], 'had no box 2 times')
 
 
 class DistancesTest(BagBoundsTest):
