@@ -5,6 +5,7 @@
 
 #include <getopt.h>
 
+#include "node/interface/parameter_table.h"
 #include "tools/command_line/options.h"
 
 namespace link_bounds {
@@ -27,6 +28,10 @@ as one, by their record times.
                       are rigidly connected or neighbours by one joint
   --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
   --tf-prefix P       tf has P/LINK for each link of the robot, as for the node's tf_prefix
+  --tf-topic T        transforms are on T and T_static, instead of /tf and /tf_static
+  --padding M         this and the next two are as the node's parameters: metres on every side
+  --timeout S         a link without a newer transform for so long has no box; default 2, 0 = never
+  --ignore-pairs "A B"  no distances between these links or objects; may be given several times
   --static-from BAG   first takes /tf_static of this bag: for a recording in parts, the first one
   --min-coverage C    share of the time between its first and last transform in which each link must
                       have a box, 0 to 1; default 0.99
@@ -63,6 +68,10 @@ enum Code {
   kDistances,
   kObjects,
   kTfPrefix,
+  kTfTopic,
+  kPadding,
+  kTimeout,
+  kIgnorePairs,
   kStaticFrom,
   kMinCoverage,
   kStart,
@@ -82,6 +91,10 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"distances", required_argument, nullptr, kDistances},
                                    {"objects", required_argument, nullptr, kObjects},
                                    {"tf-prefix", required_argument, nullptr, kTfPrefix},
+                                   {"tf-topic", required_argument, nullptr, kTfTopic},
+                                   {"padding", required_argument, nullptr, kPadding},
+                                   {"timeout", required_argument, nullptr, kTimeout},
+                                   {"ignore-pairs", required_argument, nullptr, kIgnorePairs},
                                    {"static-from", required_argument, nullptr, kStaticFrom},
                                    {"min-coverage", required_argument, nullptr, kMinCoverage},
                                    {"start", required_argument, nullptr, kStart},
@@ -101,9 +114,14 @@ std::string nonEmpty(const std::string& option_name, const std::string& text) {
 }
 
 /// In tf and in bags, names of topics begin with a slash.
-std::string topicName(const std::string& text) {
-  const std::string name = nonEmpty("--objects", text);
+std::string topicName(const std::string& option_name, const std::string& text) {
+  const std::string name = nonEmpty(option_name, text);
   return name.front() == '/' ? name : "/" + name;
+}
+
+/// `rule` is what the value must be, see rules.
+void checkRule(const std::string& option_name, const std::string& text, const std::string& rule) {
+  if (!rule.empty()) throw UsageError(option_name + " is \"" + text + "\", but " + rule);
 }
 
 double shareOption(const std::string& option_name, const std::string& text) {
@@ -136,10 +154,24 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       options.distances = limitOption("--distances", optarg);
       return;
     case kObjects:
-      options.objects.insert(topicName(optarg));
+      options.objects.insert(topicName("--objects", optarg));
       return;
     case kTfPrefix:
       options.tf_prefix = nonEmpty("--tf-prefix", optarg);
+      return;
+    case kTfTopic:
+      options.tf_topic = topicName("--tf-topic", optarg);
+      return;
+    case kPadding:
+      options.padding = limitOption("--padding", optarg);
+      checkRule("--padding", optarg, rules::length(options.padding));
+      return;
+    case kTimeout:
+      options.timeout = limitOption("--timeout", optarg, "seconds");
+      return;
+    case kIgnorePairs:
+      checkRule("--ignore-pairs", optarg, rules::ignorePairs({optarg}));
+      options.ignore_pairs.emplace_back(optarg);
       return;
     case kStaticFrom:
       options.static_from = nonEmpty("--static-from", optarg);

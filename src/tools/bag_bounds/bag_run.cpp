@@ -24,9 +24,22 @@ std::vector<Zone> readZones(const std::string& file) {
   return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
 }
 
+constexpr char kStaticEnd[] = "_static";
+
+std::string staticTopic(const BagBoundsOptions& options) {
+  return options.tf_topic + kStaticEnd;
+}
+
+/// "/tf" of both "/tf" and "/tf_static".
+std::string withoutStatic(const std::string& topic) {
+  const std::size_t end = topic.rfind(kStaticEnd);
+  const bool is_static = end != std::string::npos && end + sizeof(kStaticEnd) - 1 == topic.size();
+  return is_static ? topic.substr(0, end) : topic;
+}
+
 std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   std::set<std::string> topics = options.objects;
-  topics.insert({kTfTopic.name, kTfStaticTopic.name});
+  topics.insert({options.tf_topic, staticTopic(options)});
   return topics;
 }
 
@@ -35,6 +48,9 @@ Parameters parametersOf(const BagBoundsOptions& options) {
   parameters.fixed_frame = options.fixed_frame;
   parameters.geometry = options.geometry;
   parameters.tf_prefix = options.tf_prefix;
+  parameters.padding = options.padding;
+  parameters.timeout = options.timeout;
+  parameters.ignore_pairs = options.ignore_pairs;
   parameters.distance_limit = options.distances.value_or(0);
   return parameters;
 }
@@ -73,7 +89,7 @@ BagRun::BagRun(const BagBoundsOptions& options)
             return loader_.loadMeshes({uri}, mesh_source_).front();
           },
           [this](std::int64_t now) { onNews(now); },
-          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }),
+          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
       unused_topics_(options.objects) {
   mesh_source_.progress = nullptr;
   if (options.distances) {
@@ -119,7 +135,7 @@ void BagRun::begin() {
 
 /// As if they had been sent at the begin.
 void BagRun::takeStatic() {
-  BagReader reader({options_.static_from}, {kTfStaticTopic.name}, isInterrupted);
+  BagReader reader({options_.static_from}, {staticTopic(options_)}, isInterrupted);
   BagMessage message{};
   bool is_empty = true;
   for (; reader.next(message); is_empty = false)
@@ -127,7 +143,7 @@ void BagRun::takeStatic() {
   static_losses_ = reader.losses();
   if (is_empty && !reader.wasInterrupted())
     throw UsageError("--static-from " + options_.static_from + " has no message on " +
-                     kTfStaticTopic.name + "; name the bag of the first part of the recording");
+                     staticTopic(options_) + "; name the bag of the first part of the recording");
 }
 
 void BagRun::read() {
@@ -138,6 +154,7 @@ void BagRun::read() {
   boxes_.finish(last_);
   zones_.finish(last_);
   if (out_) out_->close();
+  findOtherTopics();
   for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
     warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
   if (was_interrupted_) {
@@ -145,6 +162,25 @@ void BagRun::read() {
         std::to_string(static_cast<int>(100 * reader_.progress())) +
         " % of the bags were read; the report ends there");
   }
+}
+
+/// Looks through the bags again, but only if a link never had a box.
+void BagRun::findOtherTopics() {
+  const std::vector<BoxRecord> boxes = boxes_.records();
+  const auto lacks = [](const BoxRecord& box) { return !box.has_box && !box.reason.empty(); };
+  if (!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), lacks)) return;
+  std::set<std::string> topics;
+  BagReader reader(options_.bags, {}, isInterrupted);
+  for (BagMessage message{}; reader.next(message);) {
+    const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
+    if (is_tf) topics.insert(withoutStatic(*message.topic));
+  }
+  topics.erase(options_.tf_topic);
+  for (const std::string& topic : topics)
+    other_topics_ += (other_topics_.empty() ? "--tf-topic " : " or --tf-topic ") + topic;
+  if (!topics.empty())
+    other_topics_ =
+        "the bags have transforms on " + *topics.begin() + ", too; add " + other_topics_;
 }
 
 void BagRun::readMessages() {
@@ -233,14 +269,18 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
-    if (!boxes[i].has_box) boxes[i].remedy = frameRemedy(i, scene_.scene(), scene_.tf());
+    if (!boxes[i].has_box) {
+      boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
+                        frameRemedy(i, scene_.scene(), scene_.tf());
+    }
   }
 }
 
 /// "" if the report is about something.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (scene_.transforms() == 0)
-    return "there is no message on /tf or /tf_static; record them, or name the bags that have them";
+    return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
+           (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);
   if (!has_recorded_)
     return "nothing was recorded between --start and --end; the bags end " +
            shortSeconds(scene_.now(), begin_) + " s after their begin";

@@ -37,6 +37,7 @@ class BagRun {
   Model loadModel();
   void begin();
   void takeStatic();
+  void findOtherTopics();
   void readMessages();
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);
@@ -67,6 +68,7 @@ class BagRun {
   std::uint64_t messages_ = 0;
   std::uint64_t steps_ = 0;
   std::set<std::string> unused_topics_;
+  std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from
   std::optional<std::size_t> shown_percent_;
 };

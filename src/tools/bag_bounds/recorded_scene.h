@@ -24,7 +24,9 @@ class RecordedScene {
   /// Called after each message and tick, at the record time [ns].
   using OnStep = std::function<void(std::int64_t now, bool is_tick)>;
 
-  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step);
+  /// `tf_topic` has transforms; the static ones are on its name with "_static".
+  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
+                const std::string& tf_topic = "/tf");
 
   /// To be called before the first message, at the time of that one.
   void adopt(std::shared_ptr<const Model> model, std::int64_t now);
@@ -62,6 +64,8 @@ class RecordedScene {
   bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
   bool loadMeshes();
 
+  const std::string tf_topic_;
+  const std::string static_topic_;
   LoadMesh load_mesh_;
   OnNews on_news_;
   OnStep on_step_;

@@ -143,6 +143,20 @@ class CoverageTest(BagBoundsTest):
         self.check_refused('second.bag has no message on /tf_static', first, '--urdf', self.urdf,
                            '--static-from', second)
 
+    def test_remapped_topics(self):
+        messages = [('/r1' + topic, message, time) for topic, message, time in arms(COUNT)]
+        bag = self.bag(messages)
+        code, _, err = run(bag, '--urdf', self.urdf)
+        self.assertEqual(code, 1)
+        self.assertRegex(err, 'error: there is no message on /tf or /tf_static; the bags have '
+                         'transforms on /r1/tf, too; add --tf-topic /r1/tf\n')
+        found = self.report(bag, '--tf-topic', 'r1/tf')
+        self.assertEqual(found, self.report(self.bag(arms(COUNT), 'plain.bag')))
+        other = TFMessage([transform('base', 'x', time_of(BEGIN))])
+        both = self.bag(messages + [('/tf', other, time_of(BEGIN))], 'both.bag')
+        found = self.report(both, code=INCOMPLETE, err='incomplete names: 4')
+        self.assertIn('add --tf-topic /r1/tf', found['incomplete']['left'])
+
     def test_boxes_that_came_late(self):
         """The robot's place in the world is known after a third of the time."""
         late = prefixed(arms(300), 'a/')
@@ -182,6 +196,19 @@ class DistancesTest(BagBoundsTest):
         self.assertAlmostEqual(pair['distance'], min(gaps.values()), delta=1e-4)
         self.assertLessEqual(pair['distance'], min(gaps.values()) + 1e-12)
         self.assertAlmostEqual(gaps[round(pair['time'] / PERIOD)], min(gaps.values()), delta=1e-4)
+
+    def test_parameters_of_the_node(self):
+        bag = self.bag(arms(10) + [moving_arms(210)])
+        self.assertEqual(self.report(bag, '--timeout', '0')['incomplete'], {})
+        bag = self.bag(arms(COUNT))
+        padded, plain = (self.report(bag, *arguments)['extremes'][0]
+                         for arguments in (('--padding', '0.25'), ()))
+        self.assertAlmostEqual(padded['max'][0] - plain['max'][0], 0.25, delta=1e-12)
+        for ignored, is_there in (('left r*t', False), ('left base', True)):
+            pairs = self.report(bag, '--distances', '0.3', '--ignore-pairs', ignored,
+                                code=UNDERCUT)['distances']
+            names = [(pair['first'], pair['second']) for pair in pairs]
+            self.assertEqual(('left', 'right') in names, is_there)
 
     def test_far_pairs(self):
         bag = self.bag(arms(COUNT))
