@@ -41,6 +41,7 @@ as one, by their record times.
                       csv: kind,name,other,value,time,stamp
                       json: also says what is incomplete and why
   --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
+  --series FILE       writes csv: each box when it changed, and each distance within LIMIT
   --strict            exit with 2 if any geometry could not be used
   --allow-incomplete  what is incomplete does not change the exit code
   -h, --help          this text
@@ -78,6 +79,7 @@ enum Code {
   kEnd,
   kFormat,
   kOut,
+  kSeries,
   kStrict,
   kAllowIncomplete,
   kHelp,
@@ -101,6 +103,7 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"end", required_argument, nullptr, kEnd},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
+                                   {"series", required_argument, nullptr, kSeries},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
@@ -192,6 +195,9 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       return;
     case kOut:
       options.out = nonEmpty("--out", optarg);
+      return;
+    case kSeries:
+      options.series = nonEmpty("--series", optarg);
       return;
     case kStrict:
       options.demand.strict = true;

@@ -24,6 +24,7 @@ struct BagBoundsOptions {
   std::optional<double> end;        ///< s after the first message
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
+  std::string series;             ///< likewise
   std::set<std::string> objects;  ///< topics
   std::string tf_topic = "/tf";   ///< static transforms are on this name with "_static"
   std::string tf_prefix;          ///< this and the next three: as the node's parameters

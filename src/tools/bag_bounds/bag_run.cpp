@@ -68,11 +68,17 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
   inputs.push_back(options.zones);
   inputs.push_back(options.static_from);
-  for (const std::string& input : inputs) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(input, options.out, ignored))
-      throw UsageError("--out is " + input + ", which is read; name another file");
-  }
+  const auto check = [&inputs](const std::string& option_name, const std::string& output) {
+    for (const std::string& input : inputs) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(input, output, ignored))
+        throw UsageError(option_name + " is " + input + ", which is read; name another file");
+    }
+  };
+  check("--out", options.out);
+  check("--series", options.series);
+  if (!options.series.empty() && options.series == options.out)
+    throw UsageError("--series is the file of --out; name another file");
   return options;
 }
 
@@ -97,6 +103,7 @@ BagRun::BagRun(const BagBoundsOptions& options)
         [this](const std::string& uri) { return loader_.loadTrees({uri}, mesh_source_).front(); });
   }
   if (!options.out.empty()) out_.emplace(options.out);
+  if (!options.series.empty()) series_.emplace(options.series);
 }
 
 Model BagRun::loadModel() {
@@ -154,6 +161,7 @@ void BagRun::read() {
   boxes_.finish(last_);
   zones_.finish(last_);
   if (out_) out_->close();
+  if (series_) series_->close();
   findOtherTopics();
   for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
     warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
@@ -235,6 +243,9 @@ void BagRun::record(std::int64_t now) {
   if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (pairs_) pairs_->add(scene_.scene(), now);
   if (out_) out_->write(scene_.scene(), now);
+  if (series_) {
+    series_->add(scene_.scene(), pairs_ ? pairs_->latest() : std::vector<Distance>(), now, begin_);
+  }
 }
 
 BagReport BagRun::report() const {

@@ -14,6 +14,7 @@
 #include "tools/bag_bounds/boxes_bag.h"
 #include "tools/bag_bounds/coverage.h"
 #include "tools/bag_bounds/recorded_scene.h"
+#include "tools/bag_bounds/series_file.h"
 
 namespace link_bounds {
 
@@ -59,6 +60,7 @@ class BagRun {
   Coverage coverage_;
   std::optional<NearestPairs> pairs_;
   std::optional<BoxesBag> out_;
+  std::optional<SeriesFile> series_;
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
   std::int64_t from_ = 0;   ///< what is reported, likewise
   std::int64_t to_ = 0;

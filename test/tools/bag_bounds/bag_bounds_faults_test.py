@@ -69,6 +69,9 @@ class ArgumentsTest(BagBoundsTest):
                 ('cannot read .*none.urdf: No such file', bag, '--urdf', self.path('none.urdf')),
                 ('cannot read .*none.yaml: No such file', *good, '--zones', self.path('none.yaml')),
                 ('--out is .*arms.bag, which is read', *good, '--out', bag),
+                ('--series is .*arms.bag, which is read', *good, '--series', bag),
+                ('--series is the file of --out', *good, '--out', 'a', '--series', 'a'),
+                ('none/a.csv: cannot be written', *good, '--series', self.path('none/a.csv')),
                 ('none/out.bag: cannot be written', *good, '--out', self.path('none/out.bag'))):
             with self.subTest(reason):
                 self.check_refused(reason, *arguments)

@@ -246,6 +246,27 @@ class FormatsTest(BagBoundsTest):
         self.assertEqual([(r[0], r[1], float(r[2])) for r in of_kind('distance')],
                          [(p['first'], p['second'], p['distance']) for p in found['distances']])
 
+    def test_series(self):
+        """Each box when it changed, once; each distance within the limit."""
+        path = self.path('series.csv')
+        bag = self.bag(arms(10) + [moving_arms(210)])
+        found = self.report(bag, '--distances', '0.3', '--series', path, code=UNDERCUT)
+        with open(path, encoding='utf-8') as file:
+            rows = list(csv.DictReader(file))
+        boxes = [row for row in rows if not row['other']]
+        self.assertEqual(len([row for row in boxes if row['name'] == 'mast']), 1)
+        left = [row for row in boxes if row['name'] == 'left']
+        self.assertEqual([float(row['time']) for row in left if row['min_x']],
+                         [seconds(i) for i in [*range(10), 210]])
+        self.assertEqual([row['min_x'] for row in left].index(''), 10)  # it was lost
+        keys = ['%s_%s' % key for key in itertools.product(('min', 'max'), 'xyz')]
+        for row, index in zip([row for row in left if row['min_x']], [*range(10), 210]):
+            for key, expected in zip(keys, arm_bounds('left', degrees_at(index))):
+                self.assertAlmostEqual(float(row[key]), expected, delta=1e-12)
+        pair = next(p for p in found['distances'] if (p['first'], p['second']) == ('left', 'right'))
+        self.assertEqual(min(float(row['distance']) for row in rows
+                             if (row['name'], row['other']) == ('left', 'right')), pair['distance'])
+
     def test_table(self):
         code, out, err = run(self.bag(arms(3)), '--urdf', self.urdf)
         self.assertEqual((code, err), (0, ''))
