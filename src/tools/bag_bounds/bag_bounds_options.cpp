@@ -5,6 +5,7 @@
 
 #include <getopt.h>
 
+#include "node/interface/parameter_table.h"
 #include "tools/command_line/options.h"
 
 namespace link_bounds {
@@ -26,12 +27,21 @@ as one, by their record times.
   --distances LIMIT   also the pairs whose proven distance was ever at most LIMIT [m], but none that
                       are rigidly connected or neighbours by one joint
   --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
+  --tf-prefix P       tf has P/LINK for each link of the robot, as for the node's tf_prefix
+  --tf-topic T        transforms are on T and T_static, instead of /tf and /tf_static
+  --padding M         this and the next two are as the node's parameters: metres on every side
+  --timeout S         a link without a newer transform for so long has no box; default 2, 0 = never
+  --ignore-pairs "A B"  no distances between these links or objects; may be given several times
+  --static-from BAG   first takes /tf_static of this bag: for a recording in parts, the first one
+  --min-coverage C    share of the time between its first and last transform in which each link must
+                      have a box, 0 to 1; default 0.99
   --start S           reports from S seconds after the first message on, as rosbag play -s
   --end S             reads no further than S seconds after the first message
   --format F          table (default): rounded to micrometres
                       csv: kind,name,other,value,time,stamp
                       json: also says what is incomplete and why
   --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
+  --series FILE       writes csv: each box when it changed, and each distance within LIMIT
   --strict            exit with 2 if any geometry could not be used
   --allow-incomplete  what is incomplete does not change the exit code
   -h, --help          this text
@@ -41,7 +51,8 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
      the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT
-  4  without --allow-incomplete: a name is incomplete, a topic of --objects has no
+  4  without --allow-incomplete: a name is incomplete, such as a link that never had a
+     box, less than --min-coverage, or not any more at the end; a topic of --objects has no
      message, not all distances are known, nothing was compared, or a part of the
      bags was not read: damage, or interrupted
   2  see --strict
@@ -57,10 +68,18 @@ enum Code {
   kZones,
   kDistances,
   kObjects,
+  kTfPrefix,
+  kTfTopic,
+  kPadding,
+  kTimeout,
+  kIgnorePairs,
+  kStaticFrom,
+  kMinCoverage,
   kStart,
   kEnd,
   kFormat,
   kOut,
+  kSeries,
   kStrict,
   kAllowIncomplete,
   kHelp,
@@ -73,10 +92,18 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"zones", required_argument, nullptr, kZones},
                                    {"distances", required_argument, nullptr, kDistances},
                                    {"objects", required_argument, nullptr, kObjects},
+                                   {"tf-prefix", required_argument, nullptr, kTfPrefix},
+                                   {"tf-topic", required_argument, nullptr, kTfTopic},
+                                   {"padding", required_argument, nullptr, kPadding},
+                                   {"timeout", required_argument, nullptr, kTimeout},
+                                   {"ignore-pairs", required_argument, nullptr, kIgnorePairs},
+                                   {"static-from", required_argument, nullptr, kStaticFrom},
+                                   {"min-coverage", required_argument, nullptr, kMinCoverage},
                                    {"start", required_argument, nullptr, kStart},
                                    {"end", required_argument, nullptr, kEnd},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
+                                   {"series", required_argument, nullptr, kSeries},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
@@ -90,9 +117,20 @@ std::string nonEmpty(const std::string& option_name, const std::string& text) {
 }
 
 /// In tf and in bags, names of topics begin with a slash.
-std::string topicName(const std::string& text) {
-  const std::string name = nonEmpty("--objects", text);
+std::string topicName(const std::string& option_name, const std::string& text) {
+  const std::string name = nonEmpty(option_name, text);
   return name.front() == '/' ? name : "/" + name;
+}
+
+/// `rule` is what the value must be, see rules.
+void checkRule(const std::string& option_name, const std::string& text, const std::string& rule) {
+  if (!rule.empty()) throw UsageError(option_name + " is \"" + text + "\", but " + rule);
+}
+
+double shareOption(const std::string& option_name, const std::string& text) {
+  const std::optional<double> share = toNumber(text);
+  if (share && *share >= 0 && *share <= 1) return *share;
+  throw UsageError(option_name + " is \"" + text + "\", but must be a number from 0 to 1");
 }
 
 /// `code` is what getopt_long returned.
@@ -119,7 +157,30 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       options.distances = limitOption("--distances", optarg);
       return;
     case kObjects:
-      options.objects.insert(topicName(optarg));
+      options.objects.insert(topicName("--objects", optarg));
+      return;
+    case kTfPrefix:
+      options.tf_prefix = nonEmpty("--tf-prefix", optarg);
+      return;
+    case kTfTopic:
+      options.tf_topic = topicName("--tf-topic", optarg);
+      return;
+    case kPadding:
+      options.padding = limitOption("--padding", optarg);
+      checkRule("--padding", optarg, rules::length(options.padding));
+      return;
+    case kTimeout:
+      options.timeout = limitOption("--timeout", optarg, "seconds");
+      return;
+    case kIgnorePairs:
+      checkRule("--ignore-pairs", optarg, rules::ignorePairs({optarg}));
+      options.ignore_pairs.emplace_back(optarg);
+      return;
+    case kStaticFrom:
+      options.static_from = nonEmpty("--static-from", optarg);
+      return;
+    case kMinCoverage:
+      options.min_coverage = shareOption("--min-coverage", optarg);
       return;
     case kStart:
       options.start = limitOption("--start", optarg, "seconds");
@@ -134,6 +195,9 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       return;
     case kOut:
       options.out = nonEmpty("--out", optarg);
+      return;
+    case kSeries:
+      options.series = nonEmpty("--series", optarg);
       return;
     case kStrict:
       options.demand.strict = true;

@@ -24,7 +24,15 @@ struct BagBoundsOptions {
   std::optional<double> end;        ///< s after the first message
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
+  std::string series;             ///< likewise
   std::set<std::string> objects;  ///< topics
+  std::string tf_topic = "/tf";   ///< static transforms are on this name with "_static"
+  std::string tf_prefix;          ///< this and the next three: as the node's parameters
+  double padding = 0;
+  double timeout = 2;
+  std::vector<std::string> ignore_pairs;
+  std::string static_from;     ///< a bag whose static transforms are taken first; "": none
+  double min_coverage = 0.99;  ///< of each link, see Coverage
   Demand demand;
   bool help = false;     ///< the other members are then undefined
   bool version = false;  ///< likewise

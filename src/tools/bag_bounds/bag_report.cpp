@@ -26,6 +26,7 @@ class Writer {
     writeExtremes();
     if (!report_.zones.empty()) writeZones();
     if (report_.distances) writeDistances();
+    writeCoverage();
     writeIncomplete(incompleteOf(report_), out_);
     for (const std::string& loss : report_.losses)
       out_ << "partial: " << printable(loss) << '\n';
@@ -49,6 +50,12 @@ class Writer {
                  stay.left);
       }
     }
+    for (const BoxRecord& box : report_.boxes) {
+      if (box.coverage)
+        out_ << "coverage," << csvField(box.name) << ",," << exactNumber(*box.coverage) << ",,\n";
+    }
+    for (const auto& [name, reason] : incompleteOf(report_))
+      out_ << "incomplete," << csvField(name) << ',' << csvField(reason) << ",,,\n";
     for (const std::string& loss : report_.losses)
       out_ << "partial," << csvField(loss) << ",,,,\n";
     if (!report_.distances) return;
@@ -109,7 +116,11 @@ class Writer {
   void writeDistances() const {
     out_ << '\n';
     if (report_.distances->empty()) {
-      out_ << "(no pair was ever within " << shortRow("", {report_.distance_limit})[1] << " m)\n";
+      if (report_.has_compared) {
+        out_ << "(no pair was ever within " << shortRow("", {report_.distance_limit})[1] << " m)\n";
+      } else {
+        out_ << "(no two bodies were compared)\n";
+      }
       return;
     }
     std::vector<Row> rows{{"first", "second", "distance", "distance max", "at", "level"}};
@@ -124,6 +135,18 @@ class Writer {
     writeAligned(rows, out_, 2);
   }
 
+  /// Only of links that were not covered all the time.
+  void writeCoverage() const {
+    std::vector<Row> rows{{"name", "coverage"}};
+    for (const BoxRecord& box : report_.boxes) {
+      if (box.coverage && *box.coverage < 1)
+        rows.push_back({printable(box.name), shortRow("", {*box.coverage})[1]});
+    }
+    if (rows.size() == 1) return;
+    out_ << '\n';
+    writeAligned(rows, out_);
+  }
+
   void writeRow(const std::string& kind, const std::string& name, const std::string& other,
                 std::optional<double> value, const RecordTime& when) const {
     out_ << kind << ',' << csvField(name) << ',' << csvField(other) << ','
@@ -135,23 +158,37 @@ class Writer {
   std::ostream& out_;
 };
 
+/// Why a box was missing for too long; "" if it was not. That of an object may never be missing.
+std::string lossOf(const BoxRecord& box, const BagReport& report) {
+  const bool is_short = box.coverage && *box.coverage < report.min_coverage;
+  const bool counts = !box.coverage || box.is_lost || is_short;
+  if (!box.has_box || !counts) return "";
+  const std::string share =
+      is_short ? "had a box in " + shortRow("", {*box.coverage})[1] + " of its time, less than " +
+                     shortRow("", {report.min_coverage})[1] + " of --min-coverage"
+               : "";
+  if (box.gaps == 0) return share.empty() || box.reason.empty() ? share : share + ": " + box.reason;
+  return (share.empty() ? share : share + "; ") + "had no box " + std::to_string(box.gaps) +
+         (box.gaps == 1 ? " time, " : " times, ") + shortSeconds(box.gaps_length, 0) +
+         " s in all, first at " + shortSeconds(box.first_gap, report.begin) + " s: " + box.reason;
+}
+
 }  // namespace
+
+std::string withRemedy(const BoxRecord& box) {
+  return box.reason + (box.remedy.empty() ? "" : "; " + box.remedy);
+}
 
 Reasons incompleteOf(const BagReport& report) {
   Reasons reasons;
   for (const BoxRecord& box : report.boxes) {
     if (!box.has_box && !box.reason.empty()) {
-      reasons.emplace_back(box.name, "never had a box: " + box.reason);
+      reasons.emplace_back(box.name, "never had a box: " + withRemedy(box));
       continue;
     }
     if (!box.partial.empty()) reasons.emplace_back(box.name, box.partial);
-    if (box.gaps > 0) {
-      reasons.emplace_back(box.name, "had no box " + std::to_string(box.gaps) +
-                                         (box.gaps == 1 ? " time, " : " times, ") +
-                                         shortSeconds(box.gaps_length, 0) + " s in all, first at " +
-                                         shortSeconds(box.first_gap, report.begin) +
-                                         " s: " + box.reason);
-    }
+    const std::string loss = lossOf(box, report);
+    if (!loss.empty()) reasons.emplace_back(box.name, loss);
   }
   return reasons;
 }

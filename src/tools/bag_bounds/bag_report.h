@@ -27,8 +27,13 @@ struct BagReport {
   std::vector<ZoneRecord> zones;
   std::optional<std::vector<NearestPair>> distances;
   double distance_limit = 0;  ///< [m]
+  bool has_compared = false;  ///< any two bodies, if there are distances
+  double min_coverage = 0;    ///< see Coverage
   std::vector<std::string> losses;
 };
+
+/// Why it never had a box, and what to do.
+std::string withRemedy(const BoxRecord& box);
 
 /// What is incomplete, and why.
 Reasons incompleteOf(const BagReport& report);

@@ -66,7 +66,8 @@ class JsonWriter {
   }
 
   std::string toJson(const BoxRecord& box) const {
-    const std::string name = "{\"name\": " + jsonString(box.name);
+    const std::string name = "{\"name\": " + jsonString(box.name) +
+                             (box.coverage ? ", \"coverage\": " + exactNumber(*box.coverage) : "");
     if (!box.has_box) return name + "}";
     return name + ", " + extremes("min", box.min) + ", " + extremes("max", box.max) + "}";
   }

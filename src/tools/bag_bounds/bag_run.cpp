@@ -24,9 +24,22 @@ std::vector<Zone> readZones(const std::string& file) {
   return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
 }
 
+constexpr char kStaticEnd[] = "_static";
+
+std::string staticTopic(const BagBoundsOptions& options) {
+  return options.tf_topic + kStaticEnd;
+}
+
+/// "/tf" of both "/tf" and "/tf_static".
+std::string withoutStatic(const std::string& topic) {
+  const std::size_t end = topic.rfind(kStaticEnd);
+  const bool is_static = end != std::string::npos && end + sizeof(kStaticEnd) - 1 == topic.size();
+  return is_static ? topic.substr(0, end) : topic;
+}
+
 std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   std::set<std::string> topics = options.objects;
-  topics.insert({kTfTopic.name, kTfStaticTopic.name});
+  topics.insert({options.tf_topic, staticTopic(options)});
   return topics;
 }
 
@@ -34,6 +47,10 @@ Parameters parametersOf(const BagBoundsOptions& options) {
   Parameters parameters;
   parameters.fixed_frame = options.fixed_frame;
   parameters.geometry = options.geometry;
+  parameters.tf_prefix = options.tf_prefix;
+  parameters.padding = options.padding;
+  parameters.timeout = options.timeout;
+  parameters.ignore_pairs = options.ignore_pairs;
   parameters.distance_limit = options.distances.value_or(0);
   return parameters;
 }
@@ -50,11 +67,18 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   std::vector<std::string> inputs = options.bags;
   inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
   inputs.push_back(options.zones);
-  for (const std::string& input : inputs) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(input, options.out, ignored))
-      throw UsageError("--out is " + input + ", which is read; name another file");
-  }
+  inputs.push_back(options.static_from);
+  const auto check = [&inputs](const std::string& option_name, const std::string& output) {
+    for (const std::string& input : inputs) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(input, output, ignored))
+        throw UsageError(option_name + " is " + input + ", which is read; name another file");
+    }
+  };
+  check("--out", options.out);
+  check("--series", options.series);
+  if (!options.series.empty() && options.series == options.out)
+    throw UsageError("--series is the file of --out; name another file");
   return options;
 }
 
@@ -71,7 +95,7 @@ BagRun::BagRun(const BagBoundsOptions& options)
             return loader_.loadMeshes({uri}, mesh_source_).front();
           },
           [this](std::int64_t now) { onNews(now); },
-          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }),
+          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
       unused_topics_(options.objects) {
   mesh_source_.progress = nullptr;
   if (options.distances) {
@@ -79,6 +103,7 @@ BagRun::BagRun(const BagBoundsOptions& options)
         [this](const std::string& uri) { return loader_.loadTrees({uri}, mesh_source_).front(); });
   }
   if (!options.out.empty()) out_.emplace(options.out);
+  if (!options.series.empty()) series_.emplace(options.series);
 }
 
 Model BagRun::loadModel() {
@@ -111,16 +136,33 @@ void BagRun::begin() {
   last_ = begin_;
   scene_.adopt(model_, begin_);
   zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  if (!options_.static_from.empty()) takeStatic();
   onStep(begin_, false);
+}
+
+/// As if they had been sent at the begin.
+void BagRun::takeStatic() {
+  BagReader reader({options_.static_from}, {staticTopic(options_)}, isInterrupted);
+  BagMessage message{};
+  bool is_empty = true;
+  for (; reader.next(message); is_empty = false)
+    scene_.takeStatic(message);
+  static_losses_ = reader.losses();
+  if (is_empty && !reader.wasInterrupted())
+    throw UsageError("--static-from " + options_.static_from + " has no message on " +
+                     staticTopic(options_) + "; name the bag of the first part of the recording");
 }
 
 void BagRun::read() {
   begin();
   readMessages();
   if (shown_percent_) eraseBar();
+  coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
   zones_.finish(last_);
   if (out_) out_->close();
+  if (series_) series_->close();
+  findOtherTopics();
   for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
     warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
   if (was_interrupted_) {
@@ -128,6 +170,25 @@ void BagRun::read() {
         std::to_string(static_cast<int>(100 * reader_.progress())) +
         " % of the bags were read; the report ends there");
   }
+}
+
+/// Looks through the bags again, but only if a link never had a box.
+void BagRun::findOtherTopics() {
+  const std::vector<BoxRecord> boxes = boxes_.records();
+  const auto lacks = [](const BoxRecord& box) { return !box.has_box && !box.reason.empty(); };
+  if (!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), lacks)) return;
+  std::set<std::string> topics;
+  BagReader reader(options_.bags, {}, isInterrupted);
+  for (BagMessage message{}; reader.next(message);) {
+    const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
+    if (is_tf) topics.insert(withoutStatic(*message.topic));
+  }
+  topics.erase(options_.tf_topic);
+  for (const std::string& topic : topics)
+    other_topics_ += (other_topics_.empty() ? "--tf-topic " : " or --tf-topic ") + topic;
+  if (!topics.empty())
+    other_topics_ =
+        "the bags have transforms on " + *topics.begin() + ", too; add " + other_topics_;
 }
 
 void BagRun::readMessages() {
@@ -170,6 +231,7 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
   zones_.onStep(now, is_tick, isReported(now));
   if (!isReported(now)) return;
   last_ = now;
+  if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (has_recorded_) return;
   zones_.onNews(now, true);
   record(now);
@@ -178,9 +240,12 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
 void BagRun::record(std::int64_t now) {
   has_recorded_ = true;
   last_ = now;
-  boxes_.add(scene_.scene(), now);
+  if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (pairs_) pairs_->add(scene_.scene(), now);
   if (out_) out_->write(scene_.scene(), now);
+  if (series_) {
+    series_->add(scene_.scene(), pairs_ ? pairs_->latest() : std::vector<Distance>(), now, begin_);
+  }
 }
 
 BagReport BagRun::report() const {
@@ -191,10 +256,14 @@ BagReport BagRun::report() const {
   report.to = last_;
   report.messages = messages_;
   report.boxes = boxes_.records();
+  addCoverage(report.boxes);
+  report.min_coverage = options_.min_coverage;
   report.zones = zones_.records();
   if (pairs_) report.distances = pairs_->pairs();
+  report.has_compared = pairs_ && pairs_->hasCompared();
   report.distance_limit = options_.distances.value_or(0);
   report.losses = reader_.losses();
+  report.losses.insert(report.losses.end(), static_losses_.begin(), static_losses_.end());
   if (scene_.damaged() > 0) {
     const bool is_one = scene_.damaged() == 1;
     report.losses.push_back(std::to_string(scene_.damaged()) +
@@ -205,15 +274,29 @@ BagReport BagRun::report() const {
   return report;
 }
 
+/// Links come first. Those without shapes never have a box.
+void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
+  const std::vector<double> shares = coverage_.shares();
+  for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
+    if (model_->links[i].shapes.empty()) continue;
+    boxes[i].coverage = shares[i];
+    if (!boxes[i].has_box) {
+      boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
+                        frameRemedy(i, scene_.scene(), scene_.tf());
+    }
+  }
+}
+
 /// "" if the report is about something.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (scene_.transforms() == 0)
-    return "there is no message on /tf or /tf_static; record them, or name the bags that have them";
+    return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
+           (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);
   if (!has_recorded_)
     return "nothing was recorded between --start and --end; the bags end " +
            shortSeconds(scene_.now(), begin_) + " s after their begin";
   if (!boxes_.hasLinkBox())
-    return "no link ever had a box: " + report.boxes.front().reason +
+    return "no link ever had a box: " + withRemedy(report.boxes.front()) +
            "; is it the bag of this robot, and does --fixed-frame exist in it?";
   if (const Zone* zone = zones_.neverCompared())
     return "zone \"" + zone->name +

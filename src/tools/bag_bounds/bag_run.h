@@ -12,7 +12,9 @@
 #include "tools/bag_bounds/bag_bounds_options.h"
 #include "tools/bag_bounds/bag_report.h"
 #include "tools/bag_bounds/boxes_bag.h"
+#include "tools/bag_bounds/coverage.h"
 #include "tools/bag_bounds/recorded_scene.h"
+#include "tools/bag_bounds/series_file.h"
 
 namespace link_bounds {
 
@@ -35,6 +37,8 @@ class BagRun {
  private:
   Model loadModel();
   void begin();
+  void takeStatic();
+  void findOtherTopics();
   void readMessages();
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);
@@ -42,6 +46,7 @@ class BagRun {
   void record(std::int64_t now);
   bool glance();
   void showProgress();
+  void addCoverage(std::vector<BoxRecord>& boxes) const;
   std::string whyUseless(const BagReport& report) const;
 
   const BagBoundsOptions& options_;
@@ -52,8 +57,10 @@ class BagRun {
   std::shared_ptr<const Model> model_;
   RecordedScene scene_;
   BoxRecords boxes_;
+  Coverage coverage_;
   std::optional<NearestPairs> pairs_;
   std::optional<BoxesBag> out_;
+  std::optional<SeriesFile> series_;
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
   std::int64_t from_ = 0;   ///< what is reported, likewise
   std::int64_t to_ = 0;
@@ -63,6 +70,8 @@ class BagRun {
   std::uint64_t messages_ = 0;
   std::uint64_t steps_ = 0;
   std::set<std::string> unused_topics_;
+  std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
+  std::vector<std::string> static_losses_;  ///< of the bag of --static-from
   std::optional<std::size_t> shown_percent_;
 };
 

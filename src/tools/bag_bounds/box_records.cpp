@@ -44,11 +44,14 @@ void add(BoxRecord& record, const BoxState& state, std::int64_t now, const GetRe
 
 }  // namespace
 
-void BoxRecords::add(const Scene& scene, std::int64_t now) {
+bool BoxRecords::add(const Scene& scene, std::int64_t now) {
+  bool has_changed = false;
   const std::vector<BoxState>& states = scene.links.states();
   links_.resize(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (links_[i].name.empty()) links_[i].name = scene.model()->links[i].name;
+    const bool had_box = links_[i].has_box && !links_[i].gap;
+    has_changed |= had_box != states[i].box.has_value();
     link_bounds::add(links_[i], states[i], now, [&] { return scene.links.reason(i); });
   }
   for (const auto& [key, object] : scene.objects.objects()) {
@@ -64,13 +67,18 @@ void BoxRecords::add(const Scene& scene, std::int64_t now) {
     link_bounds::add(found->second, object.state, now,
                      [&scene, &live = object] { return scene.objects.reason(live); });
   }
+  return has_changed;
 }
 
 void BoxRecords::finish(std::int64_t now) {
-  for (BoxRecord& link : links_)
-    endGap(link, now);
-  for (auto& [key, record] : objects_)
+  const auto finish = [now](BoxRecord& record) {
+    record.is_lost = record.gap.has_value();
     endGap(record, now);
+  };
+  for (BoxRecord& link : links_)
+    finish(link);
+  for (auto& [key, record] : objects_)
+    finish(record);
 }
 
 std::vector<BoxRecord> BoxRecords::records() const {

@@ -30,6 +30,9 @@ struct BoxRecord {
   std::int64_t first_gap = 0;       ///< record time of its begin [ns]
   std::int64_t gaps_length = 0;     ///< of those that have ended [ns]
   std::string reason;               ///< of the first gap; without any box: the newest
+  bool is_lost = false;             ///< had a box, but none at the end
+  std::optional<double> coverage;   ///< of links, see Coverage
+  std::string remedy;               ///< for a link without any box; "" if none is known
   std::string partial;              ///< why the box does not cover everything; "" if it does
 };
 
@@ -38,8 +41,8 @@ class BoxRecords {
   /// Objects of further names are only counted, so that memory has a limit.
   static constexpr std::size_t kMaxObjects = 10'000;
 
-  /// Takes all boxes of a scene that has a model.
-  void add(const Scene& scene, std::int64_t now);
+  /// Takes all boxes of a scene that has a model. True if the box of a link came or went.
+  bool add(const Scene& scene, std::int64_t now);
 
   /// Ends the gaps.
   void finish(std::int64_t now);

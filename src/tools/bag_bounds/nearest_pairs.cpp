@@ -45,6 +45,7 @@ TreeRequests NearestPairs::requests() {
 }
 
 void NearestPairs::add(const Scene& scene, std::int64_t now) {
+  latest_.clear();
   const auto computed = compute(momentOf(scene));
   if (!computed) return;
   const DistanceArray& array = computed->array;
@@ -52,7 +53,8 @@ void NearestPairs::add(const Scene& scene, std::int64_t now) {
   for (std::size_t i = computed->moment->incomplete.size(); i < array.incomplete.size(); ++i)
     incomplete_.insert(array.incomplete[i]);
   const double limit = scene.model()->parameters.distance_limit;
-  for (const Distance& distance : array.distances) {
+  latest_ = array.distances;
+  for (const Distance& distance : latest_) {
     was_undercut_ |= distance.distance < limit;
     keep(distance, now);
   }

@@ -40,6 +40,9 @@ class NearestPairs {
   /// The scene must have a model. Adds nothing if it is interrupted.
   void add(const Scene& scene, std::int64_t now);
 
+  /// Of the last add().
+  const std::vector<Distance>& latest() const { return latest_; }
+
   /// In alphabetical order.
   std::vector<NearestPair> pairs() const;
 
@@ -66,6 +69,7 @@ class NearestPairs {
   MomentPairs moment_pairs_;
   SceneDistances distances_;
   std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
+  std::vector<Distance> latest_;
   std::set<std::string> problems_;
   std::set<std::string> incomplete_;
   std::uint64_t left_out_ = 0;  ///< distances of further pairs

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "node/inputs/checked_stream.h"
-#include "node/interface/topics.h"
 #include "tools/bag_bounds/record_time.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
@@ -27,10 +26,6 @@ constexpr std::size_t kMarkersPerGlance = 256;   // at the interrupt flag
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
 constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
 
-bool isTransforms(const BagMessage& message) {
-  return *message.topic == kTfTopic.name || *message.topic == kTfStaticTopic.name;
-}
-
 void checkType(const BagMessage& message, std::initializer_list<const char*> types) {
   for (const char* type : types) {
     if (*message.type == type) return;
@@ -47,8 +42,11 @@ void deserialize(const BagMessage& message, Message& result) {
 
 }  // namespace
 
-RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step)
-    : load_mesh_(std::move(load_mesh)),
+RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
+                             const std::string& tf_topic)
+    : tf_topic_(tf_topic),
+      static_topic_(tf_topic + "_static"),
+      load_mesh_(std::move(load_mesh)),
       on_news_(std::move(on_news)),
       on_step_(std::move(on_step)),
       feed_({[this](const MeshUse& use) { wanted_meshes_.push_back(*use); },
@@ -67,8 +65,10 @@ void RecordedScene::adopt(std::shared_ptr<const Model> model, std::int64_t now) 
 bool RecordedScene::take(const BagMessage& message) {
   if (!passTo(message.time)) return false;
   try {
-    if (isTransforms(message)) {
-      takeTransforms(message);
+    const bool is_static = *message.topic == static_topic_;
+    if (is_static || *message.topic == tf_topic_) {
+      takeTransforms(message, is_static);
+      ++transforms_;
     } else if (!takeMarkers(message)) {
       return false;
     }
@@ -102,13 +102,20 @@ void RecordedScene::tick(std::int64_t time) {
   on_step_(time, true);
 }
 
-void RecordedScene::takeTransforms(const BagMessage& message) {
+void RecordedScene::takeStatic(const BagMessage& message) {
+  try {
+    takeTransforms(message, true);
+  } catch (const ros::Exception&) {
+    ++damaged_;
+  }
+}
+
+void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
   checkType(message, {"tf2_msgs/TFMessage", "tf/tfMessage", ""});
   tf_message_.read(message.data, message.size);
-  ++transforms_;
   feed_.onTransforms(
-      tf_message_.transforms, *message.topic == kTfStaticTopic.name,
-      [&message] { return *message.publisher; }, toRosTime(now_));
+      tf_message_.transforms, is_static, [&message] { return *message.publisher; },
+      toRosTime(now_));
 }
 
 bool RecordedScene::takeMarkers(const BagMessage& message) {

@@ -24,7 +24,9 @@ class RecordedScene {
   /// Called after each message and tick, at the record time [ns].
   using OnStep = std::function<void(std::int64_t now, bool is_tick)>;
 
-  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step);
+  /// `tf_topic` has transforms; the static ones are on its name with "_static".
+  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
+                const std::string& tf_topic = "/tf");
 
   /// To be called before the first message, at the time of that one.
   void adopt(std::shared_ptr<const Model> model, std::int64_t now);
@@ -35,13 +37,18 @@ class RecordedScene {
   /// than transforms or markers.
   bool take(const BagMessage& message);
 
+  /// Takes static transforms at once, whatever their topic and time. Not to be called after take().
+  void takeStatic(const BagMessage& message);
+
   /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
   bool passTo(std::int64_t time);
 
   std::int64_t now() const { return now_; }
 
   Scene& scene() { return feed_.scene(); }
+  const Scene& scene() const { return feed_.scene(); }
   TransformBuffer& tf() { return feed_.tf(); }
+  const TransformBuffer& tf() const { return feed_.tf(); }
 
   /// Messages that were taken.
   std::uint64_t transforms() const { return transforms_; }
@@ -52,11 +59,13 @@ class RecordedScene {
 
  private:
   void tick(std::int64_t time);
-  void takeTransforms(const BagMessage& message);
+  void takeTransforms(const BagMessage& message, bool is_static);
   bool takeMarkers(const BagMessage& message);
   bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
   bool loadMeshes();
 
+  const std::string tf_topic_;
+  const std::string static_topic_;
   LoadMesh load_mesh_;
   OnNews on_news_;
   OnStep on_step_;

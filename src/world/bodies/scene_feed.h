@@ -72,7 +72,9 @@ class SceneFeed {
   LatePublishers::Texts takeLatePublishers() { return input_.takeLatePublishers(); }
 
   Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
   TransformBuffer& tf() { return tf_; }
+  const TransformBuffer& tf() const { return tf_; }
   const ClockWatch& clock() const { return clock_; }
 
  private:

@@ -59,9 +59,19 @@ class ArgumentsTest(BagBoundsTest):
                 ('--end is "nan"', *good, '--end', 'nan'),
                 ('--end is before --start', *good, '--start', '2', '--end', '1'),
                 ('--distances is "near"', *good, '--distances', 'near'),
+                ('--padding is "2e6", but must be a number of metres from 0 to 1e6', *good,
+                 '--padding', '2e6'),
+                ('--timeout is "-1"', *good, '--timeout', '-1'),
+                ('--ignore-pairs is "left", but must be pairs', *good, '--ignore-pairs', 'left'),
+                ('--tf-topic is empty', *good, '--tf-topic', ''),
+                ('--min-coverage is "2", but must be', *good, '--min-coverage', '2'),
+                ('--static-from .*none.bag|none.bag', *good, '--static-from', self.path('none.bag')),
                 ('cannot read .*none.urdf: No such file', bag, '--urdf', self.path('none.urdf')),
                 ('cannot read .*none.yaml: No such file', *good, '--zones', self.path('none.yaml')),
                 ('--out is .*arms.bag, which is read', *good, '--out', bag),
+                ('--series is .*arms.bag, which is read', *good, '--series', bag),
+                ('--series is the file of --out', *good, '--out', 'a', '--series', 'a'),
+                ('none/a.csv: cannot be written', *good, '--series', self.path('none/a.csv')),
                 ('none/out.bag: cannot be written', *good, '--out', self.path('none/out.bag'))):
             with self.subTest(reason):
                 self.check_refused(reason, *arguments)

@@ -5,6 +5,7 @@
 
 Run as: bag_bounds_test.py PATH_OF_bag_bounds
 """
+import copy
 import csv
 import io
 import itertools
@@ -20,7 +21,7 @@ import bag_bounds_testing
 from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PERIOD, UNDERCUT, BagBoundsTest,
                                 arms, degrees_at, main, moving_arms, run, seconds, static_arms,
                                 time_of, zone_text)
-from bounds_testing import wait_for
+from bounds_testing import transform, wait_for
 from emulation import catches, is_emulated
 from node_testing import ALL, SIZES, arm_bounds
 from page_testing import PACKAGE, code_block, rows_below
@@ -92,6 +93,99 @@ class ExtremesTest(BagBoundsTest):
         self.assertRegex(found['incomplete']['left'], 'never had a box: no transform')
 
 
+def prefixed(messages, prefix='r1/'):
+    """The same transforms between frames of other names."""
+    messages = copy.deepcopy(messages)
+    for edge in (t for _, message, _ in messages for t in message.transforms):
+        edge.header.frame_id = prefix + edge.header.frame_id
+        edge.child_frame_id = prefix + edge.child_frame_id
+    return messages
+
+
+class CoverageTest(BagBoundsTest):
+    """No link is forgotten because it had no box."""
+
+    def coverage(self, found):
+        return {box['name']: box['coverage'] for box in found['extremes']}
+
+    def check_remedy(self, bag, name, remedy, *arguments):
+        """In each format; it makes the report complete."""
+        for text in ('table', 'csv', 'json'):
+            code, out, _ = run(bag, '--urdf', self.urdf, '--format', text)
+            self.assertEqual(code, INCOMPLETE)
+            self.assertRegex(out.replace('""', '"').replace('\\"', '"'),
+                             '%s"?[:,].*never had a box: no transform .*%s' % (name, remedy))
+        found = self.report(bag, *arguments)
+        self.assertEqual((found['incomplete'], set(self.coverage(found).values())), ({}, {1}))
+        return found['extremes']
+
+    def test_a_prefix(self):
+        bag = self.bag(prefixed(arms(COUNT)))
+        self.check_remedy(bag, 'left', 'tf has "r1/left"; add --tf-prefix r1', '--tf-prefix', 'r1')
+        code, out, _ = run(bag, '--urdf', self.urdf, '--distances', '0.1')
+        self.assertEqual(code, INCOMPLETE)
+        self.assertIn('(no two bodies were compared)', out)
+        self.assertNotIn('no pair was ever', out)
+        found = self.report(self.bag(arms(3)), '--tf-prefix', 'r1', code=INCOMPLETE,
+                            err='incomplete names: 4')
+        self.assertIn('tf has "left"; leave out --tf-prefix', found['incomplete']['left'])
+
+    def test_the_second_part_of_a_recording(self):
+        """Its static transforms are in the first part."""
+        first = self.bag(arms(COUNT)[:100], 'first.bag')
+        second = self.bag(arms(COUNT)[100:], 'second.bag')
+        extremes = self.check_remedy(
+            second, 'mast', 'nothing leads up from "mast"; .* add --static-from FIRST.bag',
+            '--static-from', first)
+        whole = self.bag([static_arms(BEGIN + seconds(99))] + arms(COUNT)[100:], 'whole.bag')
+        for box, expected in zip(extremes, self.report(whole)['extremes']):
+            self.assertEqual((box['min'], box['max']), (expected['min'], expected['max']))
+        self.check_refused('second.bag has no message on /tf_static', first, '--urdf', self.urdf,
+                           '--static-from', second)
+
+    def test_remapped_topics(self):
+        messages = [('/r1' + topic, message, time) for topic, message, time in arms(COUNT)]
+        bag = self.bag(messages)
+        code, _, err = run(bag, '--urdf', self.urdf)
+        self.assertEqual(code, 1)
+        self.assertRegex(err, 'error: there is no message on /tf or /tf_static; the bags have '
+                         'transforms on /r1/tf, too; add --tf-topic /r1/tf\n')
+        found = self.report(bag, '--tf-topic', 'r1/tf')
+        self.assertEqual(found, self.report(self.bag(arms(COUNT), 'plain.bag')))
+        other = TFMessage([transform('base', 'x', time_of(BEGIN))])
+        both = self.bag(messages + [('/tf', other, time_of(BEGIN))], 'both.bag')
+        found = self.report(both, code=INCOMPLETE, err='incomplete names: 4')
+        self.assertIn('add --tf-topic /r1/tf', found['incomplete']['left'])
+
+    def test_boxes_that_came_late(self):
+        """The robot's place in the world is known after a third of the time."""
+        late = prefixed(arms(300), 'a/')
+        link = transform('base', 'a/base', time_of(0))
+        late.insert(100, ('/tf_static', TFMessage([link]), time_of(BEGIN + seconds(100))))
+        bag = self.bag(late)
+        arguments = ('--tf-prefix', 'a', '--fixed-frame', 'base')
+        found = self.report(bag, *arguments, code=INCOMPLETE, err='incomplete names')
+        self.assertAlmostEqual(self.coverage(found)['left'], 2 / 3, delta=0.02)
+        self.assertRegex(found['incomplete']['left'],
+                         r'had a box in 0\.6\d* of its time, less than 0\.99\d* of --min-coverage: no')
+        self.report(bag, *arguments, '--min-coverage', '0.6')
+        self.report(bag, *arguments, '--min-coverage', '0.7', code=INCOMPLETE, err='incomplete')
+
+    def test_a_short_gap_is_covered_but_a_lost_link_is_not(self):
+        """Two seconds until a box is stale, then one without, of a hundred."""
+        gap = [moving_arms(i, links=('left', 'left_tip')) for i in range(5000) if not 100 < i < 225]
+        right = [moving_arms(i, links=('right',)) for i in range(5000)]
+        messages = [static_arms()] + sorted(gap + right, key=lambda message: message[2])
+        found = self.report(self.bag(messages))
+        self.assertEqual(found['incomplete'], {})
+        self.assertTrue(0.99 < self.coverage(found)['left'] < 1)
+        self.report(self.bag(messages), '--min-coverage', '1', code=INCOMPLETE, err='names: 2')
+        lost = [(topic, message, time) for topic, message, time in messages
+                if time < time_of(BEGIN + 90) or message.transforms[0].child_frame_id == 'right']
+        found = self.report(self.bag(lost), code=INCOMPLETE, err='names: 2')
+        self.assertRegex(found['incomplete']['left'], 'had no box 2 times')
+
+
 class DistancesTest(BagBoundsTest):
     def test_the_nearest_pair_and_its_time(self):
         bag = self.bag(arms(COUNT))
@@ -102,6 +196,19 @@ class DistancesTest(BagBoundsTest):
         self.assertAlmostEqual(pair['distance'], min(gaps.values()), delta=1e-4)
         self.assertLessEqual(pair['distance'], min(gaps.values()) + 1e-12)
         self.assertAlmostEqual(gaps[round(pair['time'] / PERIOD)], min(gaps.values()), delta=1e-4)
+
+    def test_parameters_of_the_node(self):
+        bag = self.bag(arms(10) + [moving_arms(210)])
+        self.assertEqual(self.report(bag, '--timeout', '0')['incomplete'], {})
+        bag = self.bag(arms(COUNT))
+        padded, plain = (self.report(bag, *arguments)['extremes'][0]
+                         for arguments in (('--padding', '0.25'), ()))
+        self.assertAlmostEqual(padded['max'][0] - plain['max'][0], 0.25, delta=1e-12)
+        for ignored, is_there in (('left r*t', False), ('left base', True)):
+            pairs = self.report(bag, '--distances', '0.3', '--ignore-pairs', ignored,
+                                code=UNDERCUT)['distances']
+            names = [(pair['first'], pair['second']) for pair in pairs]
+            self.assertEqual(('left', 'right') in names, is_there)
 
     def test_far_pairs(self):
         bag = self.bag(arms(COUNT))
@@ -138,6 +245,27 @@ class FormatsTest(BagBoundsTest):
                          [zone['nearest']['distance']])
         self.assertEqual([(r[0], r[1], float(r[2])) for r in of_kind('distance')],
                          [(p['first'], p['second'], p['distance']) for p in found['distances']])
+
+    def test_series(self):
+        """Each box when it changed, once; each distance within the limit."""
+        path = self.path('series.csv')
+        bag = self.bag(arms(10) + [moving_arms(210)])
+        found = self.report(bag, '--distances', '0.3', '--series', path, code=UNDERCUT)
+        with open(path, encoding='utf-8') as file:
+            rows = list(csv.DictReader(file))
+        boxes = [row for row in rows if not row['other']]
+        self.assertEqual(len([row for row in boxes if row['name'] == 'mast']), 1)
+        left = [row for row in boxes if row['name'] == 'left']
+        self.assertEqual([float(row['time']) for row in left if row['min_x']],
+                         [seconds(i) for i in [*range(10), 210]])
+        self.assertEqual([row['min_x'] for row in left].index(''), 10)  # it was lost
+        keys = ['%s_%s' % key for key in itertools.product(('min', 'max'), 'xyz')]
+        for row, index in zip([row for row in left if row['min_x']], [*range(10), 210]):
+            for key, expected in zip(keys, arm_bounds('left', degrees_at(index))):
+                self.assertAlmostEqual(float(row[key]), expected, delta=1e-12)
+        pair = next(p for p in found['distances'] if (p['first'], p['second']) == ('left', 'right'))
+        self.assertEqual(min(float(row['distance']) for row in rows
+                             if (row['name'], row['other']) == ('left', 'right')), pair['distance'])
 
     def test_table(self):
         code, out, err = run(self.bag(arms(3)), '--urdf', self.urdf)

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How long each link had a box, and what to do about links that had none.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/bodies/scene.h"
+
+namespace link_bounds {
+
+/// Of each link, the share of the time between its first and its last transform in which it had a
+/// box. Transforms of a link are those of its own frame. A static one is there from its first
+/// message to the end, and so is a frame at the top of the tree.
+class Coverage {
+ public:
+  /// To be called with each tick that is reported, when a box of a link comes or goes, and at the
+  /// end [record time, ns]. A look at each transform would take a tenth of the time of a run.
+  void sample(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
+
+  /// One per link, 0 to 1; a link that never had a transform counts as covered where it has a box.
+  std::vector<double> shares() const;
+
+ private:
+  struct Link {
+    bool has_begun = false;
+    bool has_box = false;           ///< at the last sample
+    std::int64_t time = 0;          ///< to the last transform [ns]
+    std::int64_t covered = 0;       ///< of that [ns]
+    std::int64_t open_time = 0;     ///< since the last transform [ns]
+    std::int64_t open_covered = 0;  ///< of that [ns]
+  };
+
+  void add(Link& link, TransformBuffer::Frame frame, const TransformBuffer& tf,
+           std::int64_t passed) const;
+
+  std::vector<Link> links_;
+  std::int64_t last_ = 0;      ///< time of the last sample [ns]
+  std::uint64_t version_ = 0;  ///< of tf at the last sample
+};
+
+/// Why tf may lack the frame of link `i`, which has no box, as an option to add; "" if unknown.
+std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer& tf);
+
+}  // namespace link_bounds

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes and distances over time, as a csv file.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "link_bounds/Distance.h"
+#include "world/bodies/scene.h"
+
+namespace link_bounds {
+
+/// A row per box that is another one than before, and per pair within the limit.
+class SeriesFile {
+ public:
+  /// Throws std::runtime_error if the file cannot be written; close() likewise.
+  explicit SeriesFile(const std::string& file);
+
+  /// At `now`, `begin` being that of the first message [record time, ns].
+  void add(const Scene& scene, const std::vector<Distance>& distances, std::int64_t now,
+           std::int64_t begin);
+
+  void close();
+
+ private:
+  struct Last {
+    bool has_box = false;
+    std::int64_t stamp = 0;
+    Aabb box;
+  };
+
+  void addBox(const std::string& name, const BoxState& state, const std::string& time);
+
+  std::string file_;
+  std::ofstream out_;
+  std::map<std::string, Last> last_;  ///< by name
+};
+
+}  // namespace link_bounds
