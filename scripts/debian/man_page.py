@@ -14,6 +14,7 @@ ABOUT = {
     'assert_box': 'test of published boxes for rostest',
     'assert_distance': 'test of published distances for rostest',
     'bag_bounds': 'boxes and distances of a robot during a recorded bag',
+    'cloud_filter': 'point clouds and laser scans without the points of a robot',
     'link_bounds_publisher': 'ROS node that publishes the exact box of each link of a robot',
     'urdf_bounds': 'exact boxes, distances and proofs of a robot from its URDF',
 }
