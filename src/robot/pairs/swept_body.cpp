@@ -107,12 +107,10 @@ class Sweep {
 
   void addCylinder(const Slab& slab) {
     const double diameter = 2 * (slab.radius + 2 * rounding_);
-    BodyShape cylinder;
-    cylinder.shape.solid = Solid::kCylinder;
-    cylinder.shape.size = {diameter, diameter, slab.high - slab.low + 4 * rounding_};
-    cylinder.shape.link_from_shape =
-        turned_ * Eigen::Translation3d(0, 0, (slab.low + slab.high) / 2);
-    body_.shapes.push_back(cylinder);
+    Shape& cylinder = body_.shapes.emplace_back().shape;
+    cylinder.solid = Solid::kCylinder;
+    cylinder.size = {diameter, diameter, slab.high - slab.low + 4 * rounding_};
+    cylinder.link_from_shape = turned_ * Eigen::Translation3d(0, 0, (slab.low + slab.high) / 2);
   }
 
   Eigen::Isometry3d pose_;
