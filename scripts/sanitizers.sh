@@ -35,7 +35,7 @@ configure_memory() {
   install_what_exists fuzz
   configure_sanitized "$BUILD/sanitized" \
     "-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -D__SANITIZE_ADDRESS__" \
-    -DCMAKE_CXX_COMPILER=clang++ -DLINK_BOUNDS_FUZZERS=ON
+    -DCMAKE_CXX_COMPILER="$(command -v clang++)" -DLINK_BOUNDS_FUZZERS=ON
 }
 
 # The build for threads, by g++: for what clang reports of roscpp, tsan.supp has no lines.
