@@ -72,7 +72,15 @@ def faults_of(path, level):
         return [f'{path} is in no room']
     text = path.read_text('utf-8')
     return ([f'{path}: {header} is above it' for header in upward(level, text)] +
+            [f'{path}: {header} belongs to the node'
+             for header in publishers(path.as_posix(), text)] +
             [f'{path}: {header} has no room' for header in unplaced(text)])
+
+
+def publishers(path, text):
+    """What src/world must not know: it computes, and the node sends."""
+    headers = re.findall(r'#include <(ros/(?:ros|node_handle|publisher|subscriber|init)\.h)>', text)
+    return headers if '/src/world/' in path else []
 
 
 def check_rules():
@@ -86,6 +94,8 @@ def check_rules():
     assert upward(support, '#include "link_bounds/geometry/support/point_set.h"\n')
     assert not upward(support, '#include "link_bounds/geometry/box/aabb.h"\n')
     assert not upward(support, '// #include "geometry/shape/shape_steps.h"\n')
+    assert publishers('/p/src/world/tf/a.cpp', '#include <ros/node_handle.h>\n')
+    assert not publishers('/p/src/world/tf/a.cpp', '#include <ros/time.h>\n')
     assert unplaced('#include "aabb.h"\n') and unplaced('#include "link_bounds/aabb.h"\n')
     assert not unplaced('#include "link_bounds/AxisAlignedBox.h"\n#include <vector>\n')
 

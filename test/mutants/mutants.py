@@ -118,7 +118,7 @@ def main():
             if arguments.log:
                 with arguments.log.open('a', encoding='utf-8') as log:
                     log.write(json.dumps({'mutant': key, 'fate': result, 'text': text}) + '\n')
-        kind = result.split()[0]
+        kind = result.split(' by ')[0]
         counts[kind] = counts.get(kind, 0) + 1
         print(f'{result:24} {text}', flush=True)
         if kind == 'survived' and before.get(key, '').startswith('killed'):

@@ -37,6 +37,11 @@ void raise(DiagnosticStatus& status, std::int8_t level, const std::string& words
   status.message += (status.message.empty() ? "" : "; ") + words;
 }
 
+bool filtersAnything(const FilteredRobot& robot) {
+  return std::any_of(robot.grids.begin(), robot.grids.end(),
+                     [](const auto& grid) { return !grid->box().isEmpty(); });
+}
+
 }  // namespace
 
 FilterHealth::FilterHealth(ros::NodeHandle& node)
@@ -72,10 +77,14 @@ void FilterHealth::publish(const FilteredRobot* robot) {
   status.name = ros::this_node::getName() + ": cloud filter";
   status.hardware_id = "none";
   if (!robot) raise(status, DiagnosticStatus::ERROR, "no robot has been loaded yet");
+  if (robot && !filtersAnything(*robot))
+    raise(status, DiagnosticStatus::ERROR, "no link of the robot is filtered");
   if (robot && !robot->problems.empty())
     raise(status, DiagnosticStatus::WARN, "geometry of the robot is missing or a convex hull");
   if (!new_reasons_.empty())
     raise(status, DiagnosticStatus::WARN, "clouds or scans were not filtered");
+  if (status.message.empty() && filter_ms_.empty())
+    raise(status, DiagnosticStatus::WARN, "no cloud or scan has come since the last status");
   if (status.message.empty()) status.message = "filtering";
   std::sort(filter_ms_.begin(), filter_ms_.end());
   const double all_points = static_cast<double>(points_);

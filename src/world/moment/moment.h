@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All bodies at one moment: what ~boxes says, and what everything else that is published follows
-// from.
+// All bodies at one moment: what ~boxes says. Overlaps, parts, markers and distances follow from
+// it, and boxes of the past are one, too.
 #pragma once
 
 #include <std_msgs/Header.h>

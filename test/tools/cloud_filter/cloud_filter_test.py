@@ -58,7 +58,10 @@ class CloudFilter(unittest.TestCase):
         cls.wait_status("/cloud_filter", lambda status: status.level == 2)  # no robot yet
         rospy.set_param("/robot_description", HAND)
         for name in ("/cloud_filter", "/compact_filter"):
-            cls.wait_status(name, lambda status: status.level == 0)
+            cls.wait_status(name, lambda status: status.level == 1 and
+                            status.message.startswith("no cloud or scan has come"))
+        cls.wait_status("/blind_filter", lambda status: status.level == 2 and
+                        status.message.startswith("no link of the robot is filtered"))
         cls.tf.wait_for_listener()
         cls.tf_static.wait_for_listener()
         wait_for(lambda: cls.clouds.get_num_connections() >= 2, "the filters listen")
@@ -66,11 +69,12 @@ class CloudFilter(unittest.TestCase):
         cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE))
 
     @classmethod
-    def wait_status(cls, name, condition):
+    def wait_status(cls, name, condition, is_new=True):
         def found(message):
             return any(status.name == name + ": cloud filter" and condition(status)
                        for status in message.status)
-        cls.status.clear()
+        if is_new:
+            cls.status.clear()
         cls.status.wait(found, "a status of " + name)
 
     def setUp(self):
@@ -98,8 +102,10 @@ class CloudFilter(unittest.TestCase):
 
     def test_what_lies_between_the_fingers_is_kept(self):
         self.send_tf(-0.1, 0.3)
+        self.status.clear()
         self.check(IS_ROBOT, lambda: self.clouds.publish(
             cloud(self.stamp, [(place, 0) for place in PLACES])))
+        self.wait_status("/cloud_filter", lambda status: status.message == "filtering", False)
 
     def test_each_point_has_its_own_time(self):
         self.send_tf(-0.1, 0.3)
