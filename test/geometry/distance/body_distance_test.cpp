@@ -18,7 +18,7 @@ using brute_force::Random;
 constexpr int kQuad = 100;
 
 /// A sanitizer makes all of this slow.
-constexpr int kShare = kIsSanitized ? 10 : 1;
+constexpr int kShare = kIsSanitized ? 20 : 1;
 
 /// What long double may err by, as a part of the size; the quadruple ones hold that.
 constexpr distance_oracle::Long kLongError = 1e-16L;

@@ -150,7 +150,7 @@ TEST(BodyDistances, AgreeInTheCoherentMotionOfMeshesWithBumps) {
   mirrored.linear() *= Eigen::Vector3d(-1, 0.5, 2).asDiagonal();
   b.add(bumpyBall(16, 0.01), mirrored);
   shell.add(bumpyBall(16, 0.003), Eigen::Affine3d(Eigen::Scaling(1.2)));
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < (kIsSanitized ? 1 : 2); ++i) {
     expectSameInMotion(a, b, {0.9, 0, 0}, {1e-5}, random);
     expectSameInMotion(a, a, {0.61, 0.1, 0}, {1e-6, 0.1}, random);
     expectSameInMotion(shell, a, {0.05, 0, 0}, {1e-4}, random);

@@ -6,6 +6,7 @@
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -106,7 +107,7 @@ TEST(MeshShape, ThatIsFlatTakesNoMoreStepsThanAThinOne) {
     thin.linear()(axis, axis) = 1e-2;
     flat.linear()(axis, axis) = 0;
     const Body thin_body{{*meshShape(ball, thin)}}, flat_body{{*meshShape(ball, flat)}};
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < (kIsSanitized ? 5 : 20); ++i) {
       Eigen::Affine3d pose = random.rigid(0.1);
       pose.translation() += 0.5 * random.vector(1).normalized();
       const double here = stepsNeeded(flat_body, flat_body, pose);

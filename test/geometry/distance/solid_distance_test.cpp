@@ -103,7 +103,7 @@ TEST(SolidDistance, OfABallIsThatOfItsCentreLessTheRadius) {
 TEST(SolidDistance, OfPointsThatASolidSweeps) {
   // As a list of spheres: the triangles are points.
   Random random(5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < repetitions(2000); ++i) {
     const double radius = random.magnitude(-2, -0.5);
     const auto points = random.points(20, 0.5);
     TriangleMesh spots{points, {}};

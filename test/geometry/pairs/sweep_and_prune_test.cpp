@@ -11,6 +11,7 @@
 #include "geometry/pairs/sweep.h"
 #include "link_bounds/geometry/box/length.h"
 #include "testing/brute_force.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 
@@ -197,7 +198,7 @@ TEST(SweepAndPrune, MovingBoxes) {
     for (const double margin : {0.0, 0.05}) {
       Random random(7);
       SweepAndPrune search;
-      Boxes boxes = clutter(random, 120, 0.6);
+      Boxes boxes = clutter(random, kIsSanitized ? 60 : 120, 0.6);
       std::vector<Eigen::Vector3d> velocities;
       for (std::size_t i = 0; i < boxes.size(); ++i)
         velocities.push_back(step(random, length));

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "testing/brute_force.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -99,7 +100,7 @@ TEST(WorldBox, WithoutPointsAndSolidItIsTheOrigin) {
 TEST(WorldBox, NearlyEqualsBruteForceOnRandomPoses) {
   brute_force::Random random(1);
   const auto points = random.points(200, 0.5);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < repetitions(1000); ++i) {
     const Eigen::Affine3d pose = random.affine(2);
     const Aabb expected = brute_force::box(points, pose);
     expectBox(worldBox(pointsShape(points), pose), expected.min(), expected.max());

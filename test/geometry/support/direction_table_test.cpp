@@ -120,7 +120,7 @@ TEST(DirectionTable, Sphere) {
 
 /// More points than are examined one by one.
 TEST(DirectionTable, FineSphere) {
-  const Points points = onSphere(kIsSanitized ? 40000 : 140000);
+  const Points points = onSphere(kIsSanitized ? 20000 : 140000);
   expectExact(points, 11, 100);
   EXPECT_LT(PointSet(points).bytes(), 64 * points.size());
 }
@@ -129,9 +129,10 @@ TEST(DirectionTable, FineSphere) {
 TEST(DirectionTable, AFinePlateAfterABall) {
   const int ball = kIsSanitized ? 20000 : 70000;
   Points points = onSphere(ball);
-  for (int i = 0; i < 500; ++i) {
-    for (int j = 0; j < 400; ++j)
-      points.emplace_back(0.01f * static_cast<float>(i), 0.01f * static_cast<float>(j), 2.0f);
+  const int side = kIsSanitized ? 150 : 450;
+  for (int i = 0; i < side * side; ++i) {
+    const auto x = static_cast<float>(i / side), y = static_cast<float>(i % side);
+    points.emplace_back(0.01f * x, 0.01f * y, 2.0f);
   }
   expectExact(points, 12, 100);
   EXPECT_LT(PointSet(points).size(), static_cast<std::size_t>(ball) + 1000);
@@ -166,8 +167,9 @@ TEST(DirectionTable, AnInterruptEndsTheWork) {
 TEST(DirectionTable, TwoLongLines) {
   // Seen across a line, its points come to a tie; to halve cones until it parts would never end.
   Points points;
-  for (int i = 0; i < 20000; ++i) {
-    const float part = static_cast<float>(i) / 20000;
+  const int count = kIsSanitized ? 5000 : 20000;
+  for (int i = 0; i < count; ++i) {
+    const float part = static_cast<float>(i) / static_cast<float>(count);
     points.insert(points.end(), {{part, 0, 0}, {part, part, 0}});
   }
   points.emplace_back(1, 1, 1);
@@ -176,7 +178,7 @@ TEST(DirectionTable, TwoLongLines) {
 
 TEST(DirectionTable, LargeSetsInParts) {
   brute_force::Random random(22);
-  Points points = onSphere(200000);
+  Points points = onSphere(kIsSanitized ? 50000 : 200000);
   for (Eigen::Vector3f& point : points)
     point *= 1 + 0.01f * random.vector(1).cast<float>().x();
   expectExact(points, 23, 30);
