@@ -180,7 +180,7 @@ TEST(BodyDistance, OfPosesOfAnySizeIsProven) {
 TEST(TriangleTree, AnInterruptEndsTheWork) {
   TriangleMesh mesh;
   Random random(21);
-  mesh.vertices = random.points(kIsSanitized ? 5000 : 20000, 1);
+  mesh.vertices = random.points(kIsSanitized ? 10000 : 20000, 1);
   for (std::uint32_t i = 0; i + 2 < mesh.vertices.size(); ++i)
     mesh.triangles.push_back({i, i + 1, i + 2});
   std::size_t calls = 0;
