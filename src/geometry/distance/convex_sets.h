@@ -12,6 +12,9 @@
 
 namespace link_bounds {
 
+/// Shorter vectors have no direction, because their squares vanish.
+constexpr double kShortest = 1e-140;
+
 /// Where a shape is during a search: in the axes of the world, from an origin near both bodies, so
 /// that no digits are lost far from the origin of the world.
 struct Placement {

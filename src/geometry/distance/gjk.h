@@ -27,9 +27,6 @@ struct GjkResult {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the first set to the second
 };
 
-/// Shorter vectors have no direction, because their squares vanish.
-constexpr double kShortest = 1e-140;
-
 /// A step that does not bring the simplex nearer by this part has met the limit of rounding: it
 /// stalls.
 constexpr double kMinProgress = 1e-13;

@@ -9,9 +9,6 @@ namespace {
 
 constexpr int kSteps = 4;  ///< then the boxes count as near
 
-/// Shorter vectors have no direction, because their squares vanish.
-constexpr double kShortest = 1e-140;
-
 }  // namespace
 
 void separate(const PlacedBox& first, const PlacedBox& second, double far_enough, double rounding,
