@@ -10,7 +10,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
-from certificate_intervals import Interval, Pose, length, rotation, rounded
+from certificate_intervals import Interval, Pose, exact, length, rotation, rounded
 
 
 class NotCovered(Exception):
@@ -75,6 +75,43 @@ def shape(element, file_of):
             index.reshape((-1, 3) if solid.tag == 'mesh' else (1, -1)))
 
 
+def nearest(points, parts, hint):
+    """A point of a triangle of a mesh near there."""
+    corners = points.lo[parts]
+    edges = corners[:, 1:] - corners[:, :1]
+    gram = edges @ edges.transpose(0, 2, 1)
+    along = (edges @ (hint - corners[:, 0])[..., None])[..., 0]
+    weights = np.stack([gram[:, 1, 1] * along[:, 0] - gram[:, 0, 1] * along[:, 1],
+                        gram[:, 0, 0] * along[:, 1] - gram[:, 0, 1] * along[:, 0]], 1)
+    weights /= np.maximum(np.linalg.det(gram), 1e-300)[:, None]
+    weights = np.clip(weights, 0, 1)
+    weights /= np.maximum(1, weights.sum(1) * (1 + 1e-15))[:, None]
+    found = corners[:, 0] + (weights[:, None] @ edges)[:, 0]
+    best = np.argmin(np.linalg.norm(found - hint, axis=1))
+    a, b, c = (points[i] for i in parts[best])
+    return a + (b - a) * exact(weights[best, 0]) + (c - a) * exact(weights[best, 1])
+
+
+def inside(element, body, hint):
+    """A point of the shape near there, and the radius of a ball around it that is in the shape."""
+    solid, (points, _, parts) = element.find('geometry')[0], body
+    if solid.tag == 'mesh':
+        return nearest(points, parts, hint), 0.0
+    place, rooms = origin(element), []
+    p = place.inverse().apply(Interval(hint)).lo
+    if solid.tag != 'box':
+        radius, of_circle = numbers(solid.get('radius'), 1)[0], solid.tag == 'cylinder'
+        around = p * (1, 1, 0 if of_circle else 1)
+        p -= around * (1 - min(1, radius * (1 - 1e-15) / max(np.linalg.norm(around), 1e-300)))
+        rooms.append(exact(radius) - length(Interval(p * (1, 1, 0 if of_circle else 1))))
+    if solid.tag != 'sphere':
+        axes = slice(0 if solid.tag == 'box' else 2, 3)
+        half = numbers(solid.get('size') or solid.get('length'), axes.stop - axes.start) / 2
+        p[axes] = np.clip(p[axes], -half, half)
+        rooms.append(Interval(half) - abs(Interval(p[axes])))
+    return place.apply(Interval(p)), min(room.lo.min() for room in rooms)
+
+
 class Robot:
     def __init__(self, file, given):
         tree = ElementTree.parse(file).getroot()
@@ -101,6 +138,15 @@ class Robot:
             elements = [element for element in self.links[link] if element.tag in kinds]
             self.bodies[link] = [shape(element, self.file_of) for element in elements]
         return self.bodies[link]
+
+    def inside(self, link, kinds, hint):
+        """A point of the link near there, and the radius of a ball around it that is in the link."""
+        hint = np.array(hint, float)
+        if hint.shape != (3,) or not np.isfinite(hint).all():
+            raise Refused('%s is no point' % hint)
+        elements = [element for element in self.links[link] if element.tag in kinds]
+        found = [inside(*shape, hint) for shape in zip(elements, self.body(link, kinds))]
+        return max(found, key=lambda ball: ball[1] - np.linalg.norm(ball[0].lo - hint))
 
     def cylinders(self, link, kinds):
         """Of each shape of body(): its pose, radius and length if it is a cylinder, or None."""

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "robot/pairs/pair_contact.h"
+
 namespace link_bounds {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr std::size_t kMaxSteps = 100'000;  // of a distance, see DistanceGoal
 /// Of distances, beside the motion of a box.
 constexpr double kShareOfMotion = 0.1;
 constexpr double kFinest = 1e-8;  // m
+constexpr double kMargin = 1e-8;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// A direction with fewer digits is as good, and shorter.
@@ -25,11 +28,11 @@ constexpr double kDigits = 1e6;
 }  // namespace
 
 PairCertificate::PairCertificate(JointPath path, const PairBody& first, const PairBody& second,
-                                 double clearance)
+                                 PairClaim claim)
     : path_(std::move(path)),
       first_(first),
       second_(second),
-      clearance_(clearance),
+      claim_(claim),
       motion_(path_, first.hull.cloud, second.hull.cloud) {
   distances_.set(0, first.body);
   distances_.set(1, second.body);
@@ -59,6 +62,10 @@ bool PairCertificate::writeTree(const std::function<bool()>& is_over, std::ostre
 bool PairCertificate::writeClosing(const JointBox& box, std::ostream& out) {
   path_.place(box.center, placed_);
   motion_.set(box, placed_);
+  return claim_.is_contact ? writeContact(out) : writeGap(out);
+}
+
+bool PairCertificate::writeGap(std::ostream& out) {
   const BodyCloud& first = first_.hull.cloud;
   const BodyCloud& second = second_.hull.cloud;
   const Eigen::Vector3d between = placed_.first_from_second * second.center() - first.center();
@@ -72,6 +79,26 @@ bool PairCertificate::writeClosing(const JointBox& box, std::ostream& out) {
   return true;
 }
 
+/// Two points that stay that near to each other. Others bound their motion with other rounding.
+bool PairCertificate::writeContact(std::ostream& out) {
+  const Eigen::Affine3d first_from_second(placed_.first_from_second);
+  const double reach = claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
+  distances_.move(1, first_from_second);
+  distances_.setGoal({kFinest, kFar, kMaxSteps});
+  auto found = distances_.find(0, 1);
+  if (!found || found->upper > reach)
+    found = coreContact(first_, second_, first_from_second, reach);
+  if (!found) return false;
+  const Eigen::Vector3d& a = found->on_first;
+  const Eigen::Vector3d b = placed_.first_from_second.inverse() * found->on_second;
+  std::ostringstream text;
+  text.precision(17);
+  text << "[[" << a.x() << "," << a.y() << "," << a.z() << "],[" << b.x() << "," << b.y() << ","
+       << b.z() << "]]";
+  out << text.str();
+  return true;
+}
+
 /// True if the two are that far apart along it anywhere in the box.
 bool PairCertificate::writeDirection(Eigen::Vector3d direction, const PairHull& first,
                                      const PairHull& second, std::ostream& out) const {
@@ -82,7 +109,7 @@ bool PairCertificate::writeDirection(Eigen::Vector3d direction, const PairHull& 
   const Eigen::Isometry3d& pose = placed_.first_from_second;
   const double gap = direction.dot(pose.translation()) - first.cloud.support(direction) -
                      second.cloud.support(pose.linear().transpose() * -direction);
-  const double least = clearance_ + motion_.rounding();
+  const double least = claim_.distance + motion_.rounding();
   if (gap - motion_.motion() < least &&
       motion_.gapAlong(direction, first.cloud, second.cloud) < least)
     return false;
@@ -118,7 +145,7 @@ double PairCertificate::accuracy() const {
 }
 
 bool PairCertificate::areTrianglesApart() {
-  const double least = clearance_ + motion_.motion() + motion_.rounding();
+  const double least = claim_.distance + motion_.motion() + motion_.rounding();
   distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
   distances_.setGoal({accuracy(), least + accuracy(), kMaxSteps});
   const std::optional<BodyDistance> distance = distances_.find(0, 1);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Why two bodies stay apart, in steps that a program without this search can check.
+// Why two bodies stay apart or in contact, in steps that a program without this search can check.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,17 @@
 
 namespace link_bounds {
 
-/// Halves the box of all joint values until the bodies are proven to be apart in each part. Refers
-/// to the bodies.
+/// What is certified of all poses: that the bodies are farther apart, or within that distance [m].
+struct PairClaim {
+  bool is_contact;
+  double distance;
+};
+
+/// Halves the box of all joint values until the claim is proven in each part. Refers to the bodies.
 class PairCertificate {
  public:
-  /// `clearance` [m] is less than what is proven. All ranges of the path must be known.
-  PairCertificate(JointPath path, const PairBody& first, const PairBody& second, double clearance);
+  /// The claim is less than what is proven. All ranges of the path must be known.
+  PairCertificate(JointPath path, const PairBody& first, const PairBody& second, PairClaim claim);
   PairCertificate(const PairCertificate&) = delete;
   PairCertificate& operator=(const PairCertificate&) = delete;
 
@@ -26,12 +31,15 @@ class PairCertificate {
   /// Writes the tree as a JSON array, a box before its halves and that with smaller values first:
   /// the variable that is halved, or what closes the box. That is a direction [x, y, z] from the
   /// first body to the second in the frame of the first, a list of such, for each shape of the
-  /// first body one for each of the second, or "mesh". False, with a part of the tree, if there are
+  /// first body one for each of the second, or "mesh"; of contact, a point of the first body and
+  /// one of the second, each in the frame of its body. False, with a part of the tree, if there are
   /// too many boxes or `is_over` says so.
   bool writeTree(const std::function<bool()>& is_over, std::ostream& out);
 
  private:
   bool writeClosing(const JointBox& box, std::ostream& out);
+  bool writeGap(std::ostream& out);
+  bool writeContact(std::ostream& out);
   bool writeDirection(Eigen::Vector3d direction, const PairHull& first, const PairHull& second,
                       std::ostream& out) const;
   bool writeDirections(std::ostream& out) const;
@@ -42,7 +50,7 @@ class PairCertificate {
   JointPath path_;
   const PairBody& first_;
   const PairBody& second_;
-  double clearance_;
+  PairClaim claim_;
   MotionBound motion_;
   PlacedPath placed_;
   BodyDistances distances_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/pairs/pair_contact.h"
 #include "robot/pairs/swept_search.h"
 
 namespace link_bounds {
@@ -54,14 +55,11 @@ constexpr double kNews = 0.95;
 constexpr double kFirstStep = 0.1;
 constexpr double kLastStep = 1e-9;
 
-/// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
-constexpr double kTouch = 1e-7;
-
 /// A bound that exceeds the clearance by this proves that it is not undercut [m].
 constexpr double kProof = 1e-9;
 
 /// Accuracy of distances: of poses, and beside the motion of a box [m].
-constexpr double kPoseAccuracy = kTouch / 4;
+constexpr double kPoseAccuracy = PairGoal::kTouch / 4;
 constexpr double kShareOfMotion = 0.1;
 
 /// A pose that is farther than the tolerance by less is measured [m].
@@ -112,7 +110,7 @@ std::size_t PairSearch::bytes() const {
 }
 
 bool PairSearch::isTouch(double distance) const {
-  return distance <= goal_.clearance + kTouch;
+  return distance <= goal_.clearance + PairGoal::kTouch;
 }
 
 bool PairSearch::collides() const {
@@ -436,20 +434,8 @@ bool PairSearch::isContactIn(const JointBox& box) {
   if (is_always && path_.variables.empty()) return isTouch(pose.upper);
   const double reach = is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
   if (pose.upper + motion <= reach) return true;
-  const Eigen::Affine3d origin = Eigen::Affine3d::Identity();
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  const auto isWithin = [&](const Body& first, const Body& second, double skin) {
-    if (!(reach + skin > motion)) return false;
-    const auto distance = bodyDistance(first, origin, second, first_from_second);
-    return distance && distance->upper + motion <= reach + skin;
-  };
-  return std::any_of(first_->cores.begin(), first_->cores.end(),
-                     [&](const SolidCore& core) {
-                       return isWithin(core.body, *second_->body, core.skin);
-                     }) ||
-         std::any_of(second_->cores.begin(), second_->cores.end(), [&](const SolidCore& core) {
-           return isWithin(*first_->body, core.body, core.skin);
-         });
+  return coreContact(*first_, *second_, first_from_second, reach - motion).has_value();
 }
 
 }  // namespace link_bounds

@@ -16,6 +16,9 @@
 namespace link_bounds {
 
 struct PairGoal {
+  /// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
+  static constexpr double kTouch = 1e-7;
+
   double clearance = 0;    ///< bodies that are as near collide [m]
   double accuracy = 0.01;  ///< of the clearance that is proven [m]
   double touching = 1e-4;  ///< bodies that are as near in all poses touch always [m]

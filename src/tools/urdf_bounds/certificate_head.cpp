@@ -15,7 +15,9 @@ void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, co
                                                   : "collision";
   out << "{\"certificate\": 1, \"of\": \"" << kind << "\", \"robot\": " << jsonString(robot.name)
       << ", \"geometry\": \"" << geometry
-      << "\", \"clearance\": " << exactNumber(options.clearance.value_or(0)) << ", \"given\": {";
+      << "\", \"clearance\": " << exactNumber(options.clearance.value_or(0))
+      << ", \"touching\": " << exactNumber(options.touching.value_or(kDefaultTouching))
+      << ", \"given\": {";
   const char* separator = "";
   for (const auto& [joint, range] : options.joints) {
     out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "

@@ -32,10 +32,10 @@ class Certificate {
   /// False, and nothing is written, if there is no tree.
   bool writePair(const PairProof& proof, const std::function<bool()>& is_over,
                  std::ostream& out) const {
-    const double clearance = goal() + kClaimed * (proof.clearance - goal());
+    const PairClaim claim = claimOf(proof);
     PairCertificate pair(
         jointPath(robot_, ranges_, bounded_.indices[proof.first], bounded_.indices[proof.second]),
-        bodies_[proof.first], bodies_[proof.second], clearance);
+        bodies_[proof.first], bodies_[proof.second], claim);
     std::ostringstream tree;
     std::string variables;
     for (const std::size_t joint : pair.path().variables) {
@@ -44,14 +44,22 @@ class Certificate {
     }
     if (!pair.writeTree(is_over, tree)) return false;
     out << "{\"first\": " << jsonString(bounded_.links[proof.first].name)
-        << ", \"second\": " << jsonString(bounded_.links[proof.second].name)
-        << ", \"clearance\": " << exactNumber(clearance) << ", \"variables\": [" << variables
-        << "], \"tree\": " << tree.str() << "}\n";
+        << ", \"second\": " << jsonString(bounded_.links[proof.second].name) << ", \"verdict\": \""
+        << toText(proof.verdict) << "\", \"distance\": " << exactNumber(claim.distance)
+        << ", \"variables\": [" << variables << "], \"tree\": " << tree.str() << "}\n";
     return true;
   }
 
  private:
-  double goal() const { return options_.clearance.value_or(0); }
+  /// Of one pose it is measured whether the bodies touch.
+  PairClaim claimOf(const PairProof& proof) const {
+    const double goal = options_.clearance.value_or(0);
+    if (proof.verdict == Verdict::kNever)
+      return {false, goal + kClaimed * (proof.clearance - goal)};
+    if (proof.verdict == Verdict::kTouching)
+      return {true, std::max(goal, options_.touching.value_or(kDefaultTouching))};
+    return {true, proof.pose.empty() ? goal + PairGoal::kTouch : goal};
+  }
 
   const UrdfBoundsOptions& options_;
   const Robot& robot_;
@@ -59,6 +67,10 @@ class Certificate {
   const std::vector<JointRange>& ranges_;
   std::vector<PairBody> bodies_;
 };
+
+bool isProven(Verdict verdict) {
+  return verdict == Verdict::kNever || verdict == Verdict::kAlways || verdict == Verdict::kTouching;
+}
 
 void writeEnd(std::size_t pairs, const std::map<Verdict, std::size_t>& left_out,
               std::ostream& out) {
@@ -83,9 +95,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
   std::map<Verdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (const PairProof& proof : proofs) {
-    const bool is_covered =
-        proof.verdict == Verdict::kNever && certificate.writePair(proof, is_over, out);
-    if (is_covered) {
+    if (isProven(proof.verdict) && certificate.writePair(proof, is_over, out)) {
       ++covered;
     } else {
       ++left_out[proof.verdict];
@@ -94,7 +104,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
   writeEnd(covered, left_out, out);
   out.close();
   if (!out) throw UsageError("cannot write " + *options.certificate);
-  return left_out[Verdict::kNever];
+  return left_out[Verdict::kNever] + left_out[Verdict::kAlways] + left_out[Verdict::kTouching];
 }
 
 }  // namespace link_bounds

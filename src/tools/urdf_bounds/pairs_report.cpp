@@ -89,7 +89,7 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
     if (!link.isWhole()) table.incomplete.emplace_back(link.name, link.missing);
   }
   const PairGoal goal{table.clearance, options.accuracy.value_or(kDefaultAccuracy),
-                      options.touching.value_or(PairGoal().touching)};
+                      options.touching.value_or(kDefaultTouching)};
   const ProofControl control = controlFor(options);
   const auto prove = [&](PairChoice choice) {
     return provePairs(robot, bounded, ranges, goal, control, choice);
@@ -109,7 +109,7 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
   }
   write(table, options);
   Outcome outcome = outcomeOf(table, goal);
-  outcome.addOpen("NEVER pairs that are not in the certificate", uncertified);
+  outcome.addOpen("proven pairs that are not in the certificate", uncertified);
   return outcome;
 }
 

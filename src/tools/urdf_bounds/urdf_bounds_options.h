@@ -20,6 +20,7 @@ enum class Report { kPose, kRows, kPath, kReach, kPairs };
 /// Of --reach and --pairs.
 constexpr double kDefaultAccuracy = 0.01;  // m
 constexpr double kDefaultBudget = 60;      // s
+constexpr double kDefaultTouching = 1e-4;  // m, of --pairs
 
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
@@ -38,11 +39,11 @@ struct UrdfBoundsOptions {
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
   std::optional<double> clearance;               ///< of kPairs and kPath [m], >= 0; none: 0
-  std::optional<double> touching;          ///< of kPairs [m], finite, >= 0; none: that of PairGoal
-  std::optional<std::string> srdf;         ///< of kPairs and kPath, a file
-  std::optional<std::string> certificate;  ///< of kReach and kPairs, a file to write
-  bool adjacent = false;                   ///< of kPairs
-  bool has_fixed_base = false;             ///< floating and planar joints at the root stay at 0
+  std::optional<double> touching;                ///< of kPairs [m], >= 0; none: kDefaultTouching
+  std::optional<std::string> srdf;               ///< of kPairs and kPath, a file
+  std::optional<std::string> certificate;        ///< of kReach and kPairs, a file to write
+  bool adjacent = false;                         ///< of kPairs
+  bool has_fixed_base = false;  ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
   bool as_srdf = false;         ///< of kPairs, instead of `format`
   bool accept_sampled = false;  ///< of `as_srdf`

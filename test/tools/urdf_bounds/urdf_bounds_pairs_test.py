@@ -168,34 +168,30 @@ class PairsTest(UrdfBoundsTest):
         self.assertIn('disables base and lower, which is not decided: no pose was tried', out)
         self.assertRegex(out, r'\n10 pairs: .* 7 UNDECIDED, 3 ADJACENT\n')
         self.assertRegex(err, 'was answered: UNDECIDED pairs: 7; --allow-incomplete')
-        for arguments, expected in (((), INCOMPLETE), (('--strict',), INCOMPLETE),
-                                    (('--strict', '--allow-incomplete'), 0)):
+        for arguments, expected in ((('--strict',), INCOMPLETE), (('--allow-incomplete',), 0)):
             self.assertEqual(run(self.urdf, *COARSE, '--budget', '1e-9', *arguments)[0], expected)
         # A finding comes first.
         path = self.srdf((TIP, 'lower'))
-        self.assertEqual(run(self.urdf, *COARSE, '--srdf', path, '--budget', '5',
-                             urdf=ARM)[0], 3)
+        self.assertEqual(run(self.urdf, *COARSE, '--srdf', path)[0], 3)
 
     def test_a_clearance_that_is_not_as_accurate_as_it_should_be(self):
-        """All is decided at once. So accurate a clearance takes much longer."""
-        arguments = ('--pairs', '--accuracy', '1e-7', '--budget', '3')
+        """Of one pose all is decided at once, but no distance is measured so accurately."""
+        still = ['%s:=0.5' % name for name in ('shoulder', 'elbow', 'wrist', 'roll', 'slide')]
+        arguments = ('--pairs', '--accuracy', '1e-12', *still)
         code, out, err = run(self.urdf, *arguments)
         self.assertEqual(code, INCOMPLETE, out)
         self.assertRegex(err, r'clearances that did not reach --accuracy: \d; --allow-incomplete')
         self.assertIn(' 0 UNDECIDED', out)
         self.assertEqual(run(self.urdf, *arguments, '--allow-incomplete')[0], 0)
+        self.assertEqual(run(self.urdf, '--pairs', '--accuracy', '1e-6', *still)[0], 0)
 
     def test_exit_codes(self):
         over = [self.urdf, *COARSE, '--budget', '1e-9']
-        self.assertEqual(run(*over)[0], 4)
-        self.assertEqual(run(*over, '--allow-incomplete')[0], 0)
         disabled = self.srdf(('base', 'lower'))
         self.assertEqual(run(*over, '--srdf', disabled)[0], 4)
         self.assertEqual(run(*over, '--srdf', disabled, '--allow-incomplete')[0], 0)
         # It may be a pair that the SRDF forgets.
         self.assertEqual(run(*over, '--srdf', self.srdf())[0], 4)
-        near = ['--pairs', '--accuracy', '1e-12', '--budget', '0.5', 'wrist:=0', 'roll:=0', 'slide:=0']
-        self.assertEqual(run(self.urdf, *near)[0], 4)
 
     def test_undecided_pairs_are_named_in_a_srdf(self):
         code, out, err = run(self.urdf, *COARSE, '--budget', '1e-9', '--format', 'srdf')
@@ -311,13 +307,14 @@ class PairsTest(UrdfBoundsTest):
         self.assertRegex(out, '<!-- not decided: base and ring -->\n *<!--')
 
     def test_many_links_take_little_memory(self):
-        names = ['link_of_the_robot_%d' % i for i in range(400)]
+        count, budget = (60, '0.01') if SANITIZED else (400, '1')
+        names = ['link_of_the_robot_%d' % i for i in range(count)]
         text = '<robot name="r">%s</robot>' % ''.join(
             [link(name, ball(0.1)) for name in names] +
-            [joint('j%d' % i, 'revolute', names[(i - 1) // 2], names[i], '0.3 0 0') for i in range(1, 400)])
-        code, out, err = run('-', '--pairs', '--budget', '1', '--verbose', urdf=text)
+            [joint('j%d' % i, 'revolute', names[(i - 1) // 2], names[i], '0.3 0 0') for i in range(1, count)])
+        code, out, err = run('-', '--pairs', '--budget', budget, '--verbose', urdf=text)
         self.assertEqual(code, 4)
-        self.assertIn('\n79800 pairs: ', out)
+        self.assertIn('\n%d pairs: ' % (count * (count - 1) // 2), out)
         if not SANITIZED:
             self.assertLess(int(re.search(r'(\d+) kB of memory at the peak', err).group(1)), 200000)
 
@@ -331,9 +328,9 @@ class PairsTest(UrdfBoundsTest):
     def test_incomplete_links_never_get_a_never(self):
         text = ARM.replace(link('ring', ball(0.2)), link(
             'ring', ball(0.2) + '</visual><visual><geometry><mesh filename="none.stl"/></geometry>'))
-        for more, code in ((['--strict'], 4), ([], 4)):
-            self.assertEqual(run('-', *COARSE, *more, urdf=text)[0], code, more)
+        self.assertEqual(run('-', *COARSE, '--strict', urdf=text)[0], 4)
         code, out, err = run('-', *COARSE, '--format', 'json', urdf=text)
+        self.assertEqual(code, 4)
         self.assertIn('none.stl', err)
         self.assertEqual(run('-', *COARSE, '--strict', '--allow-incomplete', urdf=text)[0], 2)
         self.assertEqual(run('-', *COARSE, '--allow-incomplete', urdf=text)[0], 0)
