@@ -10,6 +10,7 @@ FOLDER_OF_THE_PACKAGE
 import os
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import unittest
@@ -21,6 +22,8 @@ from three_hosts_testing import NEIGHBOURS
 PUBLISHER, PROGRAMS, PACKAGE = '', pathlib.Path(), pathlib.Path()
 ASSERTIONS = ('assert_box', 'assert_distance')
 MAX_PICTURE_BYTES = 3000000
+# Of README.md. With 240 words above and a picture of 343 pixels the commands end at 967 of 1,000 pixels.
+MAX_LINES, MAX_WORDS_ABOVE, MAX_PICTURE_HEIGHT = 250, 245, 350
 FOLDERS = ('doc/', 'include/', 'launch/', 'msg/', 'scripts/', 'src/', 'srv/', 'test/')
 
 
@@ -221,10 +224,31 @@ class PagesTest(unittest.TestCase):
 
     def test_pictures_are_there_and_small(self):
         pictures = [page.parent / name for page, text in pages().items()
-                    for name in re.findall(r'!\[[^]]*\]\((.*?)\)', text)]
-        self.assertGreater(len(pictures), 0)
+                    for name in re.findall(r'(?:!\[[^]]*\]\(|<img src=")(.*?)[)"]', text)]
+        self.assertIn(PACKAGE / 'doc/arm.gif', pictures)
         for picture in pictures:
             self.assertLess(picture.stat().st_size, MAX_PICTURE_BYTES, picture)
+
+
+class FirstScreenTest(unittest.TestCase):
+    """What it is, a picture, figures and two commands fit into 1,000 pixels as GitHub shows them."""
+
+    def setUp(self):
+        self.text = text_of('README.md')
+
+    def test_words_before_the_commands(self):
+        above, commands = self.text.split('```')[:2]
+        self.assertEqual(re.findall(r'^scripts/\w+', commands, re.MULTILINE),
+                         ['scripts/demo', 'scripts/test'])
+        self.assertLessEqual(len(above.split()), MAX_WORDS_ABOVE)
+
+    def test_height_of_the_picture(self):
+        name, shown = re.search(r'<img src="(.*?)" width="(\d+)"', self.text).groups()
+        width, height = struct.unpack('<6xHH', (PACKAGE / name).read_bytes()[:10])  # of a GIF
+        self.assertLessEqual(int(shown) * height / width, MAX_PICTURE_HEIGHT)
+
+    def test_is_one_page(self):
+        self.assertLessEqual(len(self.text.splitlines()), MAX_LINES)
 
 
 class ArchitectureTest(unittest.TestCase):
