@@ -17,6 +17,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'robot/stopping',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
+         'world/stopping',
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
          'node/outputs', 'node/upkeep', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
