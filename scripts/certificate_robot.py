@@ -10,11 +10,15 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
-from certificate_intervals import Interval, Pose, rotation
+from certificate_intervals import Interval, Pose, length, rotation, rounded
 
 
 class NotCovered(Exception):
     """This program cannot read it."""
+
+
+class Refused(Exception):
+    """The file does not prove what it says."""
 
 
 def numbers(text, count=3):
@@ -41,7 +45,7 @@ def triangles(path):
     words = re.findall(rb'vertex\s+(\S+)\s+(\S+)\s+(\S+)', data)
     if not data.lstrip().startswith(b'solid') or not words or len(words) % 3:
         raise NotCovered('%s is no STL file' % path)
-    return np.array(words, float)
+    return np.array(words, np.float32).astype(float)
 
 
 def shape(element, file_of):
@@ -98,6 +102,22 @@ class Robot:
             self.bodies[link] = [shape(element, self.file_of) for element in elements]
         return self.bodies[link]
 
+    def cylinders(self, link, kinds):
+        """Of each shape of body(): its pose, radius and length if it is a cylinder, or None."""
+        for element in (element for element in self.links[link] if element.tag in kinds):
+            solid = element.find('geometry').find('cylinder')
+            yield None if solid is None else (
+                origin(element), *(float(solid.get(name)) for name in ('radius', 'length')))
+
+    def motion(self, joint):
+        """Its type, its unit axis, and what lead() gives."""
+        kind, axis = joint.get('type'), joint.find('axis')
+        if kind not in ('fixed', 'revolute', 'continuous', 'prismatic'):
+            raise NotCovered('a %s joint is on the way' % kind)
+        axis = Interval([1.0, 0, 0] if axis is None else numbers(axis.get('xyz')))
+        size = length(axis)
+        return kind, axis * rounded(1 / size.hi, 1 / size.lo), self.lead(joint.get('name'))
+
     def lead(self, name):
         """Which joint this one follows, with factor and offset."""
         factor, offset = 1.0, 0.0
@@ -124,6 +144,11 @@ class Robot:
         if not lower <= upper or math.isinf(upper - lower):
             raise NotCovered('joint %s has no range' % name)
         return [lower, upper]
+
+    def root(self, link):
+        while link in self.above:
+            link = self.above[link].find('parent').get('link')
+        return link
 
     def way(self, first, second):
         """From one link to another: the joints, and whether they are passed upward."""

@@ -11,13 +11,15 @@ packages_of() {
         libassimp-dev libbz2-dev libconsole-bridge-dev libeigen3-dev liblz4-dev libtinyxml2-dev \
         liburdfdom-dev libyaml-cpp-dev \
         libroscpp-dev librospack-dev libtf2-dev ros-message-generation \
-        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libstd-msgs-dev \
+        pybind11-dev python3-dev python3-setuptools \
+        libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libsensor-msgs-dev \
+        libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-visualization-msgs ;;
     run)  # what the launch files start, assert_box in a .test file, and the command line tools to
           # look at it; rosmsg reads the messages in ros-*-msgs and the manifests in lib*-msgs-dev
-      echo python3 python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
+      echo python3 python3-numpy python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
         rosout ros-diagnostic-msgs ros-geometry-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs \
         ros-visualization-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libstd-msgs-dev \
         libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
@@ -29,17 +31,16 @@ packages_of() {
       echo ros-robot-state-publisher libsensor-msgs-dev python3-sensor-msgs ros-sensor-msgs ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
-        python3-numpy python3-rosmaster python3-rosunit python3-tf2-ros \
+        python3-rosmaster python3-rosunit python3-tf2-ros \
         python3-yaml ;;
     display)
       echo rviz libgl1-mesa-dri ;;
-    link)  # what other packages link the library and use the messages with
-      echo g++ make cmake catkin libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev \
-        ros-message-runtime ;;
+    link)  # what the headers of the library and of the messages include
+      echo libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev ros-message-runtime ;;
     deb)
       echo build-essential debhelper dh-python dpkg-dev ;;
     bench)
-      echo libbenchmark-dev ;;
+      echo libbenchmark-dev libtf2-ros-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
     count)  # what counts cache lines

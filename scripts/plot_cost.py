@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws what a box costs against the size of its mesh: plot_cost.py ROWS.json PICTURE.png
 
-The rows are those of `scripts/bench core --json`.
+The rows are those of `scripts/bench core --json`. The table below the plot has the other methods.
 """
 import json
 import sys
@@ -12,17 +12,11 @@ import matplotlib
 matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402, after the choice of the backend
 
-# Method, label, colour; solid lines are exact boxes, dashed ones loose.
-EXACT = [('paper_loop', "the paper's loop over triangles", '#888888'),
-         ('welded_scan', 'scan of all vertices', '#444444'),
-         ('bullet_slow', 'Bullet getAabbSlow, hull', '#d18700'),
-         ('fcl_exact', 'FCL computeBV, hull', '#a3348b'),
-         ('ours_sse2', 'link_bounds, SSE2', '#4aa3df'),
-         ('ours_avx2', 'link_bounds, AVX2', '#0b5fa5')]
-LOOSE = [('geometric_shapes', 'geometric_shapes', '#2f8f4e'),
-         ('corners8', 'eight corners', '#c0392b'),
-         ('fcl', "FCL's sphere", '#a3348b'),
-         ('bullet', 'Bullet getAabb, MoveIt', '#d18700')]
+# Method, label and its height above the last point, colour, style.
+METHODS = [('paper_loop', "exact: loop over all\ntriangles, the paper's way", 0, '#6b6b6b', 's-'),
+           ('fcl_exact', 'exact: FCL, computeBV\nof the hull', 0, '#c25b00', '^-'),
+           ('ours_avx2', 'exact: link_bounds', 6, '#0b5fa5', 'o-'),
+           ('corners8', 'loose: eight corners\nof the resting box', -12, '#8e2f6e', 'x--')]
 
 
 def points_of(rows, method):
@@ -31,24 +25,22 @@ def points_of(rows, method):
                   if row['method'] == method and row['kind'] != 'synthetic')
 
 
-def draw(rows, methods, style, axes):
-    for method, label, colour in methods:
-        points = points_of(rows, method)
-        if points:
-            axes.plot(*zip(*points), style, color=colour, label=label, markersize=3, linewidth=1)
-
-
 def main():
     with open(sys.argv[1], encoding='utf-8') as file:
         rows = json.load(file)
-    figure, axes = pyplot.subplots(figsize=(9, 5.2))
-    draw(rows, EXACT, 'o-', axes)
-    draw(rows, LOOSE, '.--', axes)
-    axes.set(xscale='log', yscale='log', xlabel='vertices of the mesh',
-             ylabel='ns per box', title='Cost of a box under rotation: exact (solid), loose (dashed)')
+    pyplot.rcParams['font.size'] = 12
+    figure, axes = pyplot.subplots(figsize=(8, 4.4))
+    for method, label, height, colour, style in METHODS:
+        points = points_of(rows, method)
+        axes.plot(*zip(*points), style, color=colour, markersize=6, linewidth=1.4)
+        axes.annotate(label, points[-1], xytext=(10, height), textcoords='offset points', color=colour,
+                      va='center', annotation_clip=False)
+    axes.set(xscale='log', yscale='log', ylim=(3, None), xlabel='vertices of the mesh', ylabel='ns per box')
     axes.grid(True, which='major', alpha=0.3)
-    axes.legend(loc='center left', bbox_to_anchor=(1.0, 0.5), frameon=False)
+    for side in ('top', 'right'):
+        axes.spines[side].set_visible(False)
     figure.tight_layout()
+    figure.subplots_adjust(right=0.7)
     figure.savefig(sys.argv[2], dpi=110)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws how long boxes take to arrive: plot_latency.py ROWS.json PICTURE.png
+"""Draws how long boxes take to arrive: plot_latency.py PICTURE.png ROWS.json ...
 
 The rows are those of `scripts/bench end-to-end --json`, at 1 kHz.
 """
@@ -33,15 +33,17 @@ def draw(rows, figure, axes, title):
 
 
 def main():
-    with open(sys.argv[1], encoding='utf-8') as file:
-        rows = json.load(file)
+    rows = []
+    for path in sys.argv[2:]:
+        with open(path, encoding='utf-8') as file:
+            rows += json.load(file)
     figure, (latency, cpu) = pyplot.subplots(1, 2, figsize=(9, 3.8))
     draw(rows, 'p50_us', latency, 'From tf message to boxes, median [µs]')
     draw(rows, 'cpu_us_per_update', cpu, 'CPU time of the node per message [µs]')
     latency.legend(frameon=False)
     figure.suptitle('tf at 1 kHz, over TCP on one machine')
     figure.tight_layout()
-    figure.savefig(sys.argv[2], dpi=110)
+    figure.savefig(sys.argv[1], dpi=110)
 
 
 if __name__ == '__main__':

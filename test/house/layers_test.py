@@ -12,16 +12,17 @@ import sys
 # From the bottom to the top.
 ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support/query',
          'geometry/support', 'geometry/shape', 'geometry/volumes',
-         'geometry/parts', 'geometry/pairs', 'geometry/distance',
-         'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/reach',
-         'robot/stopping',
+         'geometry/parts', 'geometry/pairs', 'geometry/distance', 'geometry/cloud',
+         'robot/urdf', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs', 'robot/posed',
+         'robot/reach', 'robot/stopping',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
          'world/stopping',
+         'world/cloud',
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
          'node/outputs', 'node/upkeep', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
-         'tools/bag_bounds/bag', 'tools/bag_bounds',
+         'tools/bag_bounds/bag', 'tools/bag_bounds', 'tools/cloud_filter', 'python',
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
          'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']

@@ -16,9 +16,8 @@ OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev',
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
 GROUPS = 'build run demo test display link'
 
-# Groups that the package for apt depends on or recommends; keys that are libraries, on which it
-# depends by ${shlibs:Depends}; and all that rosmsg and rossrv need: messages and manifest.
-GROUPS_OF_DEB = 'run demo display link'
+# Keys that are libraries, on which packages for apt depend by ${shlibs:Depends}; and all that rosmsg
+# and rossrv need: messages and manifest.
 LIBRARIES = {'assimp', 'roscpp', 'rospack', 'tf2', 'tf2_ros'}
 OF_MESSAGES = ('ros-{}', 'lib{}-dev')
 DISPLAY_ONLY = {'rviz'}
@@ -68,9 +67,22 @@ def exported_packages(folder):
     return {HEADERS[name] for name in names if name in HEADERS} | {'message_runtime'}
 
 
+def groups_of_deb(folder):
+    """The groups that the packages for apt depend on or recommend, to run or to be linked."""
+    control = pathlib.Path(folder, 'scripts/debian/control.in').read_text(encoding='utf-8')
+    binary_packages = control.split('\nPackage: ', 1)[1]
+    return ' '.join(re.findall('^@packages (.*)@$', binary_packages, re.MULTILINE))
+
+
+def launched_packages(folder):
+    """Of the nodes in launch files and tests."""
+    files = texts(folder, ['launch/*.launch', 'test/**/*.test'])
+    return {name for text in files.values() for name in re.findall(r'<node[^>]*\spkg="(.*?)"', text)}
+
+
 def main():
     folder = sys.argv[1]
-    known, of_deb = packages(folder, GROUPS), packages(folder, GROUPS_OF_DEB)
+    known, of_deb = packages(folder, GROUPS), packages(folder, groups_of_deb(folder))
     all_keys = keys(folder, r'\w*depend')
     run_keys = keys(folder, '(exec_)?depend') - LIBRARIES
     export_keys = keys(folder, '(build_export_)?depend')
@@ -80,11 +92,13 @@ def main():
             all_keys - rosdep_keys(folder),
         'scripts/packages.sh has no package for':
             {key for key in all_keys if not is_known(key, known)},
-        'the package for apt depends on no package for':
+        'the packages for apt depend on no package for':
             {key for key in run_keys if not is_complete_at_run_time(key, of_deb)},
         'only a display needs, so package.xml should have as test_depend':
             DISPLAY_ONLY & keys(folder, '(exec_|build_export_|build_)?depend'),
-        'only the demos need, so the package for apt should only recommend':
+        'launch files start nodes of, so package.xml should have as exec_depend or test_depend':
+            launched_packages(folder) - keys(folder, '(exec_|test_)?depend') - {'link_bounds'},
+        'only the demos need, so the packages for apt should only recommend':
             {name for name in packages(folder, 'run') if re.search('rviz|state-publisher', name)},
         'headers and messages need, so package.xml should have as build_export_depend':
             exported_packages(folder) - export_keys,

@@ -178,7 +178,7 @@ TEST_F(RobotBodies, TreesOfMeshesInUseCanBeLoadedLater) {
       loader_.loadTrees({"other", "missing", "ball", "file://" + ball, "package://x/y"}, source());
   EXPECT_EQ(imports_, 2) << "equal paths are read once";
   ASSERT_EQ(trees.size(), 5u);
-  for (const std::size_t i : {0, 2, 3}) {
+  for (const std::size_t i : {0u, 2u, 3u}) {
     ASSERT_TRUE(trees[i].triangles) << trees[i].error;
     EXPECT_EQ(trees[i].error, "");
   }
@@ -186,7 +186,7 @@ TEST_F(RobotBodies, TreesOfMeshesInUseCanBeLoadedLater) {
   EXPECT_EQ(trees[2].points, robot.mesh_uris.at("ball"));
   EXPECT_EQ(trees[2].triangles, trees[3].triangles);
   EXPECT_NE(trees[0].triangles, trees[2].triangles);
-  for (const std::size_t i : {1, 4}) {
+  for (const std::size_t i : {1u, 4u}) {
     EXPECT_FALSE(trees[i].points);
     EXPECT_FALSE(trees[i].triangles);
     EXPECT_NE(trees[i].error, "");

@@ -23,7 +23,7 @@ struct Model {
 /// The distance that urdf_bounds --distances prints for the pose of the proof.
 inline BodyDistance distanceInPose(const Model& model, const PairProof& proof) {
   const auto poses = linkPoses(model.robot, jointValues(model.robot, proof.pose));
-  const auto& [robot, bounded] = model;
+  const BoundedRobot& bounded = model.bounded;
   const auto at = [&](std::size_t i) { return Eigen::Affine3d(poses[bounded.indices[i]]); };
   return *bodyDistance(bounded.bodies[proof.first], at(proof.first), bounded.bodies[proof.second],
                        at(proof.second));

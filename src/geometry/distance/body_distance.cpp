@@ -8,7 +8,7 @@
 #include <cassert>
 
 #include "geometry/distance/gjk.h"
-#include "geometry/distance/pair_search.h"
+#include "geometry/distance/placed_distance.h"
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/box/rounding.h"
 

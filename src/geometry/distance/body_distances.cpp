@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/distance/pair_search.h"
+#include "geometry/distance/placed_distance.h"
 
 namespace link_bounds {
 

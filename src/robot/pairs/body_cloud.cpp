@@ -113,10 +113,23 @@ void BodyCloud::addClusters(std::size_t begin, std::size_t end, double swell) {
 
 double BodyCloud::farthestFrom(const Axis& axis) const {
   double farthest = 0;
-  for (const Cluster& cluster : clusters_) {
-    if (distanceFrom(axis, cluster.center) + cluster.radius + cluster.swell <= farthest) continue;
+  const auto look = [&](const Cluster& cluster) {
     for (std::size_t i = cluster.begin; i < cluster.end; ++i)
       farthest = std::max(farthest, distanceFrom(axis, points_[i]) + cluster.swell);
+  };
+  const auto bound = [&](const Cluster& cluster) {
+    return distanceFrom(axis, cluster.center) + cluster.radius + cluster.swell;
+  };
+  const Cluster* best = nullptr;
+  for (const Cluster& cluster : clusters_) {
+    if (best && bound(cluster) <= farthest) continue;
+    best = &cluster;
+    farthest = bound(cluster);
+  }
+  farthest = 0;
+  if (best) look(*best);
+  for (const Cluster& cluster : clusters_) {
+    if (bound(cluster) > farthest) look(cluster);
   }
   return farthest;
 }

@@ -33,9 +33,18 @@ double chordOf(double half_width) {
 MotionBound::MotionBound(const JointPath& path, const BodyCloud& first, const BodyCloud& second)
     : path_(path),
       half_widths_(path.joints.size()),
-      first_{&first, Eigen::Isometry3d::Identity(), {}, {}},
-      second_{&second, Eigen::Isometry3d::Identity(), {}, {}},
-      rounding_(kRounding * (path.length + first.magnitude() + second.magnitude())) {}
+      first_{&first, Eigen::Isometry3d::Identity(), {}, {}, 0},
+      second_{&second, Eigen::Isometry3d::Identity(), {}, {}, 0},
+      rounding_(kRounding * (path.length + first.magnitude() + second.magnitude())) {
+  if (path.joints.empty()) return;
+  const PathJoint& front = path.joints.front();
+  const PathJoint& back = path.joints.back();
+  const Eigen::Isometry3d to_second = path.after.inverse();
+  first_.own_lever =
+      first.farthestFrom({front.before.translation(), front.before.linear() * front.axis});
+  second_.own_lever =
+      second.farthestFrom({to_second.translation(), to_second.linear() * back.axis});
+}
 
 void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
   placed_ = &placed;
@@ -51,15 +60,19 @@ void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
 }
 
 void MotionBound::measure(Side& side, std::size_t joint) {
-  const Axis& axis = placed_->axes[joint];
-  const Eigen::Isometry3d to_body = side.from_body.inverse();
   double move = half_widths_[joint];
-  if (path_.joints[joint].motion == Motion::kRotation) {
-    move = chordOf(move) *
-           side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
-  }
+  if (path_.joints[joint].motion == Motion::kRotation) move = chordOf(move) * lever(side, joint);
   side.joints.push_back(joint);
   side.moves.push_back(kShare * move);
+}
+
+/// No point of the body is farther from the axis [m].
+double MotionBound::lever(const Side& side, std::size_t joint) const {
+  const std::size_t own = &side == &first_ ? 0 : path_.joints.size() - 1;
+  if (joint == own) return side.own_lever;
+  const Axis& axis = placed_->axes[joint];
+  const Eigen::Isometry3d to_body = side.from_body.inverse();
+  return side.body->farthestFrom({to_body * axis.origin, to_body.linear() * axis.direction});
 }
 
 /// The first joints move the first body, the others the second one, divided where that moves both

@@ -59,9 +59,11 @@ class MotionBound {
     Eigen::Isometry3d from_body;  ///< to the frame of the first link, at the centre
     std::vector<std::size_t> joints;
     std::vector<double> moves;  ///< of each joint, how far it moves a point of the body [m]
+    double own_lever = 0;       ///< of the joint next to the body, the same in all poses [m]
   };
 
   void measure(Side& side, std::size_t joint);
+  double lever(const Side& side, std::size_t joint) const;
   void chooseCut();
   double farthestAlong(const Side& side, const BodyCloud& part,
                        const Eigen::Vector3d& direction) const;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/pairs/swept_search.h"
+
 namespace link_bounds {
 namespace {
 
@@ -20,6 +22,14 @@ constexpr int kDescentSteps = 600;
 /// Between two pairs that are worked on in turn.
 constexpr int kSamplesPerSlice = 30;
 constexpr int kBranchesPerSlice = 30;
+
+/// A pair that takes as many slices of branching is also searched with fewer joints, and that gets
+/// all but one of so many further slices.
+constexpr std::size_t kSlicesBeforeSweep = 20;
+constexpr std::size_t kSweepShare = 4;
+
+/// With other values of the joint that was left out.
+constexpr int kHintedPoses = 30;
 
 /// Of a search for a proof that every pose collides, or that every pose touches.
 constexpr int kMaxOpenSteps = 20000;
@@ -54,6 +64,9 @@ constexpr double kProof = 1e-9;
 constexpr double kPoseAccuracy = kTouch / 4;
 constexpr double kShareOfMotion = 0.1;
 
+/// A pose that is farther than the tolerance by less is measured [m].
+constexpr double kFinest = 1e-3;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double width(const Limits& range) {
@@ -67,12 +80,13 @@ std::size_t bytesOf(const PathValues& values) {
 }  // namespace
 
 PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& second,
-                       const PairGoal& goal)
+                       const PairGoal& goal, bool may_sweep)
     : path_(std::move(path)),
       goal_(goal),
       motion_(path_, first.hull.cloud, second.hull.cloud),
       first_(&first),
-      second_(&second) {
+      second_(&second),
+      may_sweep_(may_sweep) {
   for (BodyDistances* distances : {&distances_, &hulls_}) {
     const bool is_hull = distances == &hulls_;
     distances->set(0, is_hull ? first.hull.body : first.body);
@@ -87,11 +101,14 @@ PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& se
   beginContact();
 }
 
+PairSearch::~PairSearch() = default;
+
 std::size_t PairSearch::bytes() const {
   const std::size_t pose = bytesOf(nearest_.values);
   const std::size_t boxes = nodes_.size() + latest_.size() + open_.size();
   return kBytes + path_.joints.size() * 2 * sizeof(PathJoint) +
-         starts_.size() * (sizeof(KnownPose) + pose) + boxes * (sizeof(Node) + 2 * pose);
+         starts_.size() * (sizeof(KnownPose) + pose) + boxes * (sizeof(Node) + 2 * pose) +
+         (swept_ ? swept_->bytes() : 0);
 }
 
 bool PairSearch::isTouch(double distance) const {
@@ -110,7 +127,7 @@ double PairSearch::clearance() const {
   double result = std::min(dropped_, nodes_.empty() ? kInfinity : nodes_.top().lower);
   for (const Node& node : latest_)
     result = std::min(result, node.lower);
-  return result;
+  return std::max(result, swept_clearance_);
 }
 
 bool PairSearch::isSampled() const {
@@ -128,7 +145,41 @@ void PairSearch::advance() {
     starts_.pop_back();
     return descend(start);
   }
-  branch();
+  if (!sweep()) branch();
+}
+
+/// False if its turn has not come, or it ends nothing.
+bool PairSearch::sweep() {
+  ++branch_slices_;
+  if (!may_sweep_ || branch_slices_ < kSlicesBeforeSweep || branch_slices_ % kSweepShare == 0)
+    return false;
+  if (!swept_)
+    swept_ = std::make_unique<SweptSearch>(path_, *first_, *second_, goal_, nearest_.upper);
+  if (swept_->isDone()) return false;
+  swept_->advance();
+  swept_clearance_ = std::max(swept_clearance_, swept_->clearance());
+  follow(swept_->takeHint());
+  if (clearance() >= enough()) finish();
+  return true;
+}
+
+/// Downhill from there, with the other variables where they bring the bodies nearest to each other.
+void PairSearch::follow(const std::map<std::size_t, double>& hint) {
+  if (hint.empty()) return;
+  KnownPose best;
+  for (int i = 0; i <= kHintedPoses; ++i) {
+    PathValues values;
+    for (std::size_t v = 0; v < path_.variables.size(); ++v) {
+      const Limits& range = path_.ranges[v];
+      const auto hinted = hint.find(path_.variables[v]);
+      values.push_back(hinted != hint.end()
+                           ? hinted->second
+                           : std::min(range.lower + width(range) * i / kHintedPoses, range.upper));
+    }
+    const KnownPose pose = measured(values);
+    if (pose.upper < best.upper) best = pose;
+  }
+  if (!best.values.empty()) starts_.push_back(best);
 }
 
 void PairSearch::finish() {
@@ -139,6 +190,7 @@ void PairSearch::finish() {
   latest_ = {};
   distances_ = BodyDistances();
   hulls_ = BodyDistances();
+  swept_ = nullptr;
 }
 
 /// To a few digits, where these collide, too.
@@ -160,13 +212,14 @@ void PairSearch::shortenPose() {
 /// Collisions are common at the ends of ranges.
 void PairSearch::sample() {
   std::uniform_real_distribution<double> uniform(0, 1);
+  const double limit = starts_.size() < kDescents ? kInfinity : starts_.front().upper;
   for (int i = 0; i < kSamplesPerSlice; ++i, ++samples_) {
     PathValues values;
     for (const Limits& range : path_.ranges) {
       const double share = std::min(std::max(1.2 * uniform(random_) - 0.1, 0.0), 1.0);
       values.push_back(std::min(range.lower + share * width(range), range.upper));
     }
-    const KnownPose pose = measured(values);
+    const KnownPose pose = measured(values, limit);
     offer(pose);
     starts_.push_back(pose);
     if (collides() && was_apart_) return;
@@ -176,10 +229,12 @@ void PairSearch::sample() {
   if (starts_.size() > kDescents) starts_.erase(starts_.begin(), starts_.end() - kDescents);
 }
 
-KnownPose PairSearch::measured(const PathValues& values) {
+KnownPose PairSearch::measured(const PathValues& values, double limit) {
   path_.place(values, placed_);
   distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
-  distances_.setGoal({kPoseAccuracy, goal_.clearance + 10, kMaxSteps});
+  const double near = std::max(goal_.clearance, goal_.touching) + kFinest;
+  const double far = std::min(limit, goal_.clearance + 10);
+  distances_.setGoal({kPoseAccuracy, std::max(near, far), kMaxSteps});
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   if (!distance) return {values};
   return {values, std::max(0.0, distance->lower - motion_.rounding()),
@@ -201,7 +256,7 @@ void PairSearch::descend(KnownPose pose) {
   for (double step = kFirstStep; step > kLastStep && left > 0 && !isTouch(pose.upper);) {
     bool is_lower = false;
     for (std::size_t i = 0; i < 4 * count && !is_lower; ++i, --left) {
-      const KnownPose other = measured(stepped(pose.values, step, i));
+      const KnownPose other = measured(stepped(pose.values, step, i), pose.upper);
       is_lower = other.upper < pose.upper;
       if (is_lower) pose = other;
     }
@@ -234,7 +289,7 @@ void PairSearch::branch() {
     if (collides()) return;
     if (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())) return finish();
     Node node = take();
-    node.lower = std::max(node.lower, bound(node.box));
+    node.lower = std::max({node.lower, bound(node.box), swept_clearance_});
     if (node.lower >= enough() || path_.variables.empty()) {
       dropped_ = std::min(dropped_, node.lower);
     } else {

@@ -4,6 +4,8 @@
 // joints between them.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <queue>
 #include <random>
 
@@ -26,10 +28,15 @@ struct KnownPose {
   double upper = std::numeric_limits<double>::infinity();
 };
 
+class SweptSearch;
+
 /// One pair, searched in slices. All ranges of the path must be known. Refers to the bodies.
 class PairSearch {
  public:
-  PairSearch(JointPath path, const PairBody& first, const PairBody& second, const PairGoal& goal);
+  /// With `may_sweep` a pair that takes long is also searched as SweptSearch does.
+  PairSearch(JointPath path, const PairBody& first, const PairBody& second, const PairGoal& goal,
+             bool may_sweep = true);
+  ~PairSearch();
   PairSearch(const PairSearch&) = delete;
   PairSearch& operator=(const PairSearch&) = delete;
 
@@ -52,6 +59,8 @@ class PairSearch {
   bool hasFreePose() const { return was_free_; }
   /// As many poses were tried as chance shall offer, or the only one.
   bool isSampled() const;
+  /// The same, and downhill from the nearest ones.
+  bool isExplored() const { return isSampled() && starts_.empty(); }
   std::size_t poses() const { return poses_; }  ///< that were tried
 
   /// No pose in the ranges has a smaller distance [m].
@@ -77,8 +86,12 @@ class PairSearch {
   void sample();
   void descend(KnownPose pose);
   PathValues stepped(PathValues values, double step, std::size_t direction);
-  KnownPose measured(const PathValues& values);
+  /// Of a pose that is farther than the limit it is only known that it is.
+  KnownPose measured(const PathValues& values,
+                     double limit = std::numeric_limits<double>::infinity());
   void offer(const KnownPose& pose);
+  bool sweep();
+  void follow(const std::map<std::size_t, double>& hint);
   void branch();
   void enter(const JointBox& box);
   double bound(const JointBox& box);
@@ -121,6 +134,10 @@ class PairSearch {
   std::vector<JointBox> open_;                                ///< where the aim is not proven
   int open_steps_ = 0;
   double closed_ = 0;  ///< share of the ranges where the aim is proven
+  bool may_sweep_;
+  std::size_t branch_slices_ = 0;
+  std::unique_ptr<SweptSearch> swept_;
+  double swept_clearance_ = 0;  ///< proven by `swept_`
   bool is_done_ = false;
 };
 

@@ -14,10 +14,17 @@ constexpr double kMaxAngle = 1e9;
 /// Rounding of 2 pi.
 constexpr double kTurnRounding = 1e-12;
 
+/// A test builds an engine that moves too little, which a check of its proofs has to find.
+#ifndef LINK_BOUNDS_SHARE_OF_MOTION
+#define LINK_BOUNDS_SHARE_OF_MOTION 1
+#endif
+constexpr double kShare = LINK_BOUNDS_SHARE_OF_MOTION;
+
 Limits withinOneTurn(const Limits& range) {
   const bool is_turn = range.upper - range.lower >= 2 * M_PI - kTurnRounding ||
                        std::max(std::abs(range.lower), std::abs(range.upper)) > kMaxAngle;
-  return is_turn ? Limits{-M_PI, M_PI} : range;
+  return is_turn ? Limits{-kShare * M_PI, kShare * M_PI}
+                 : Limits{kShare * range.lower, kShare * range.upper};
 }
 
 /// A direction that turns about an axis.

@@ -92,13 +92,10 @@ ReachSearch::ReachSearch(const Robot& robot, const BoundedRobot& bounded,
       goal_(goal),
       links_(bounded.links),
       rest_(nearestToZero(robot, ranges)),
+      radii_(linkRadii(robot, bounded, ranges)),
       reaches_(bounded.links.size()) {
-  const std::vector<double> distances = frameDistances(robot, ranges);
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    links_[i].padding = 0;
-    radii_.push_back(kRadiusRounding *
-                     (distances[indices_[i]] + std::sqrt(3) * magnitude(links_[i])));
-  }
+  for (BoundedLink& link : links_)
+    link.padding = 0;
 }
 
 void ReachSearch::boundRoughly() {
@@ -214,6 +211,17 @@ double Reach::maxGap() const {
   for (const ReachFace& face : faces)
     result = std::max(result, face.gap());
   return result;
+}
+
+std::vector<double> linkRadii(const Robot& robot, const BoundedRobot& bounded,
+                              const std::vector<JointRange>& ranges) {
+  const std::vector<double> distances = frameDistances(robot, ranges);
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    const double size = std::sqrt(3) * magnitude(bounded.links[i]);
+    radii.push_back(kRadiusRounding * (distances[bounded.indices[i]] + size));
+  }
+  return radii;
 }
 
 std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot& bounded,

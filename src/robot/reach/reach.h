@@ -40,6 +40,11 @@ struct ReachGoal {
   std::function<void(std::size_t, std::size_t, double)> progress = {};
 };
 
+/// Of each link of `bounded`, no less than the distance of any of its points from the root's origin
+/// in any pose [m].
+std::vector<double> linkRadii(const Robot& robot, const BoundedRobot& bounded,
+                              const std::vector<JointRange>& ranges);
+
 /// One per link of `bounded`; nothing for a link without a box, and for one behind a joint whose
 /// range is not known. Padding does not count.
 std::vector<std::optional<Reach>> reachOf(const Robot& robot, const BoundedRobot& bounded,

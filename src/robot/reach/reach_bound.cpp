@@ -147,6 +147,9 @@ ReachBound::Table ReachBound::table(std::size_t joint, Slices slices) {
   if (!has_slices && tables_[joint]) return tables_[joint];
   Supports found = supports(joint, grid_, slices);
   if (!found) return nullptr;
+  for (double& support : *found) {
+    if (step_ > 0) support = step_ * (std::ceil(support / step_) + 1);
+  }
   auto result = std::make_shared<const SupportTable>(cells_, std::move(*found));
   if (!has_slices) tables_[joint] = result;
   return result;

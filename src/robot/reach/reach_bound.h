@@ -57,6 +57,17 @@ class ReachBound {
   /// live as long as this.
   ReachBound(const Chain& chain, const BoundedLink& link, double radius, int cells, Stop stop);
 
+  /// Before box(): all supports of the tables become the second next multiple of the step [m], so
+  /// that others who compute with other roundings can check them.
+  void roundSupports(double step) { step_ = step; }
+
+  std::size_t joints() const { return chain_.joints.size(); }
+  /// Of a chain without shared variables, after box(): no less than h_joint along each of the
+  /// directions of the table; `joint` is not 0.
+  const std::vector<double>& supportsAfter(std::size_t joint) const {
+    return tables_[joint]->supports();
+  }
+
   /// The box in the root's frame that the link never leaves, rounded outward; nothing if stopped.
   std::optional<Aabb> box();
 
@@ -84,6 +95,7 @@ class ReachBound {
   double radius_;
   int cells_;
   Stop stop_;
+  double step_ = 0;  ///< 0: supports are not rounded
   Directions grid_;
   std::vector<Table> tables_;  ///< of each joint, and at last of the link; without slices
 };

@@ -32,6 +32,8 @@ class SupportTable {
   SupportTable(int cells, std::vector<double> supports)
       : cells_(cells), supports_(std::move(supports)) {}
 
+  const std::vector<double>& supports() const { return supports_; }
+
   /// What is no less than the support in `direction`, of any length.
   double at(const Eigen::Vector3d& direction) const;
 

@@ -66,6 +66,24 @@ void addParts(const Joint& whole, const Parts& parts, Robot& robot) {
   }
 }
 
+/// The name of a floating or planar joint is none of a joint with one value.
+std::string whyNotWhole(const Robot& robot, const std::string& name) {
+  std::string parts;
+  for (const Joint& joint : robot.joints) {
+    if (!name.empty() && joint.part_of == name) parts += (parts.empty() ? " " : ", ") + joint.name;
+  }
+  if (parts.empty()) return "";
+  return "joint \"" + name + "\" has more than one value; give some of" + parts + ", as in " +
+         name + ".x:=0.5 or, with --reach and --pairs, " + name + ".x:=-1..1";
+}
+
+const Joint* findMovable(const Robot& robot, const std::string& name) {
+  const auto found = std::find_if(
+      robot.joints.begin(), robot.joints.end(),
+      [&](const Joint& joint) { return hasValue(joint.motion) && joint.name == name; });
+  return found == robot.joints.end() ? nullptr : &*found;
+}
+
 void checkNames(const Robot& robot) {
   std::set<std::string> names;
   for (const Joint& joint : robot.joints) {
@@ -95,6 +113,27 @@ bool movesBase(const Robot& robot, std::size_t joint) {
   return !whole.empty() && std::all_of(above.begin(), above.end(), [&](std::size_t i) {
     return robot.joints[i].motion == Motion::kNone || robot.joints[i].part_of == whole;
   });
+}
+
+std::string whyNoJoint(const Robot& robot, const std::string& name) {
+  if (findMovable(robot, name)) return "";
+  const std::string parts = whyNotWhole(robot, name);
+  if (!parts.empty()) return parts;
+  std::string names;
+  for (const Joint& joint : robot.joints) {
+    if (hasValue(joint.motion) && !joint.mimic) names += " " + joint.name;
+  }
+  return "\"" + name + "\" is no movable joint of the robot; those that can be set:" +
+         (names.empty() ? " none" : names);
+}
+
+const Joint& movableJoint(const Robot& robot, const std::string& name) {
+  return *findMovable(robot, name);
+}
+
+std::string whyIgnored(const Joint& joint) {
+  return "the value given for joint \"" + joint.name + "\" is ignored, it mimics joint \"" +
+         joint.mimic->joint + "\"";
 }
 
 std::string missingRanges(const Robot& robot, std::vector<std::size_t> joints) {

@@ -24,6 +24,15 @@ Robot withSimpleJoints(const Robot& robot);
 /// link that fixed joints connect with the root.
 bool movesBase(const Robot& robot, std::size_t joint);
 
+/// Why such a robot has no movable joint of that name, and which names there are; "" if it has one.
+std::string whyNoJoint(const Robot& robot, const std::string& name);
+
+/// Which must exist.
+const Joint& movableJoint(const Robot& robot, const std::string& name);
+
+/// What is said of a value that is given for a joint that mimics another one.
+std::string whyIgnored(const Joint& joint);
+
 /// Which ranges are missing, and how to give them: of joints, given by their indices, that are
 /// parts of floating or planar ones.
 std::string missingRanges(const Robot& robot, std::vector<std::size_t> joints);

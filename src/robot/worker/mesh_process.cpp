@@ -105,6 +105,8 @@ std::vector<std::filesystem::path> foldersOfWorker() {
       std::filesystem::read_symlink("/proc/self/exe").parent_path()};
   const std::filesystem::path library = folderOfLibrary();
   if (library.empty()) return folders;
+  // As Debian packages it, so that libraries of two SOVERSIONs can be installed side by side.
+  folders.push_back(library / ("link_bounds" LINK_BOUNDS_SOVERSION));
   folders.push_back(library / "link_bounds");
   // For a library in lib/TRIPLET.
   folders.push_back(library.parent_path() / "link_bounds");

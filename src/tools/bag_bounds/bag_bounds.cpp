@@ -11,8 +11,6 @@
 
 namespace link_bounds {
 
-const char* const kProgram = "bag_bounds";
-
 namespace {
 
 /// What the node would log becomes a line of this program.

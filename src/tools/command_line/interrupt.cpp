@@ -21,7 +21,7 @@ void onInterrupt(int) {
 void catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onInterrupt;
-  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   for (const int signal : {SIGINT, SIGTERM})
     sigaction(signal, &action, nullptr);
 }

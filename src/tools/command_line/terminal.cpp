@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -26,7 +27,7 @@ void drawMeshes(std::size_t done, std::size_t total) {
 }  // namespace
 
 void say(const std::string& text) {
-  std::cerr << kProgram << ": " << printable(text) << '\n';
+  std::cerr << program_invocation_short_name << ": " << printable(text) << '\n';
 }
 
 void warn(const std::string& text) {
@@ -59,7 +60,8 @@ int runProgram(const std::function<int()>& program) {
   } catch (const std::bad_alloc&) {
     say("error: out of memory");
   } catch (const std::exception& error) {
-    say(std::string("error: ") + error.what() + "; see " + kProgram + " --help");
+    say(std::string("error: ") + error.what() + "; see " + program_invocation_short_name +
+        " --help");
   }
   return kUnusable;
 }

@@ -11,10 +11,7 @@
 
 namespace link_bounds {
 
-/// The name of the program, which begins each line. Each program defines it.
-extern const char* const kProgram;
-
-/// One line, even if the text contains line breaks.
+/// One line, even if the text contains line breaks. It begins with the name of the program.
 void say(const std::string& text);
 
 void warn(const std::string& text);

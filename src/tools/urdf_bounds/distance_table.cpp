@@ -44,10 +44,14 @@ std::string toJson(const LinkDistance& pair) {
 
 }  // namespace
 
-std::size_t roughPairs(const DistanceTable& distances) {
+bool isRough(double lower, double upper) {
   constexpr double kRounding = 1 + 1e-9;  // of the two bounds
+  return upper - lower > kRounding * DistanceGoal().accuracy;
+}
+
+std::size_t roughPairs(const DistanceTable& distances) {
   const auto is_rough = [](const LinkDistance& pair) {
-    return pair.distance.upper - pair.distance.lower > kRounding * DistanceGoal().accuracy;
+    return isRough(pair.distance.lower, pair.distance.upper);
   };
   const auto count = std::count_if(distances.pairs.begin(), distances.pairs.end(), is_rough);
   return static_cast<std::size_t>(count);
@@ -72,15 +76,22 @@ void writeTable(const DistanceTable& distances, std::ostream& out) {
   writeAligned(rows, out, 2);
 }
 
-void writeCsv(const DistanceTable& distances, std::ostream& out) {
+void writeCsvHead(std::ostream& out) {
   out << "first,second,distance,distance_max,on_first_x,on_first_y,on_first_z,on_second_x,"
          "on_second_y,on_second_z,normal_x,normal_y,normal_z,level\n";
-  for (const LinkDistance& pair : distances.pairs) {
-    out << csvField(pair.first) << ',' << csvField(pair.second);
-    for (const double number : numbersOf(pair.distance))
-      out << ',' << exactNumber(number);
-    out << ',' << toText(pair.distance.level) << '\n';
-  }
+}
+
+std::string csvLine(const LinkDistance& pair) {
+  std::string line = csvField(pair.first) + "," + csvField(pair.second);
+  for (const double number : numbersOf(pair.distance))
+    line += "," + exactNumber(number);
+  return line + "," + toText(pair.distance.level) + "\n";
+}
+
+void writeCsv(const DistanceTable& distances, std::ostream& out) {
+  writeCsvHead(out);
+  for (const LinkDistance& pair : distances.pairs)
+    out << csvLine(pair);
 }
 
 std::string toJson(const DistanceTable& distances) {

@@ -28,6 +28,13 @@ struct DistanceTable {
 /// How many pairs have distances that are less accurate than DistanceGoal asks for.
 std::size_t roughPairs(const DistanceTable& distances);
 
+/// Whether the bounds of a distance are farther apart than DistanceGoal asks for.
+bool isRough(double lower, double upper);
+
+/// The first line of CSV, and the line of a pair.
+void writeCsvHead(std::ostream& out);
+std::string csvLine(const LinkDistance& pair);
+
 /// For people.
 void writeTable(const DistanceTable& distances, std::ostream& out);
 

@@ -14,37 +14,12 @@
 namespace link_bounds {
 namespace {
 
-/// The name of a floating or planar joint is none of a joint with one value.
-void refuseWhole(const Robot& robot, const std::string& name) {
-  std::string parts;
-  for (const Joint& joint : robot.joints) {
-    if (!name.empty() && joint.part_of == name) parts += (parts.empty() ? " " : ", ") + joint.name;
-  }
-  if (parts.empty()) return;
-  throw UsageError("joint \"" + name + "\" has more than one value; give some of" + parts +
-                   ", as in " + name + ".x:=0.5 or, with --reach and --pairs, " + name +
-                   ".x:=-1..1");
-}
-
 void checkNames(const Robot& robot, const GivenRanges& given) {
-  std::map<std::string, const Joint*> movable;
-  std::string names;
-  for (const Joint& joint : robot.joints) {
-    if (!hasValue(joint.motion)) continue;
-    movable.emplace(joint.name, &joint);
-    if (!joint.mimic) names += " " + joint.name;
-  }
   for (const auto& [name, range] : given) {
-    const auto found = movable.find(name);
-    if (found == movable.end()) {
-      refuseWhole(robot, name);
-      throw UsageError("\"" + name + "\" is no movable joint of the robot; those that can be set:" +
-                       (names.empty() ? " none" : names));
-    }
-    if (found->second->mimic) {
-      warn("the value given for joint \"" + name + "\" is ignored, it mimics joint \"" +
-           found->second->mimic->joint + "\"");
-    }
+    const std::string reason = whyNoJoint(robot, name);
+    if (!reason.empty()) throw UsageError(reason);
+    const Joint& joint = movableJoint(robot, name);
+    if (joint.mimic) warn(whyIgnored(joint));
   }
 }
 
@@ -91,13 +66,13 @@ void fixBase(const Robot& robot, GivenRanges& given) {
 
 }  // namespace
 
-std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given) {
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given) {
   checkNames(robot, given);
   checkLimits(robot, given, "the boxes are those of this pose");
   std::map<std::string, double> values;
   for (const auto& [name, range] : given)
     values.emplace(name, range.lower);
-  return linkPoses(robot, jointValues(robot, values));
+  return jointValues(robot, values);
 }
 
 std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base) {

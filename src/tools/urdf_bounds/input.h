@@ -9,10 +9,10 @@
 
 namespace link_bounds {
 
-/// The pose of each link in the frame of the root link, for the given joint values [rad or m],
-/// which are ranges of lower == upper. Warns about values that have no effect, and once about those
+/// One value per joint: the given ones [rad or m], which are ranges of lower == upper, 0 for the
+/// others, and mimic joints follow. Warns about values that have no effect, and once about those
 /// beyond limits. Throws UsageError for an unknown name, and JointError.
-std::vector<Eigen::Isometry3d> posesFor(const Robot& robot, const GivenRanges& given);
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given);
 
 /// Where each joint can be. Warns about ranges that have no effect, once about those beyond limits,
 /// and once about joints whose limits in the URDF are equal. With a fixed base, floating and planar

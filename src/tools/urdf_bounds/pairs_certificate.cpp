@@ -10,6 +10,7 @@
 #include "robot/pairs/pair_certificate.h"
 #include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
+#include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
@@ -26,21 +27,6 @@ class Certificate {
       : options_(options), robot_(robot), bounded_(bounded), ranges_(ranges) {
     for (const Body& body : bounded.bodies)
       bodies_.push_back(pairBody(body));
-  }
-
-  void writeHead(std::ostream& out) const {
-    const char* const geometry = !options_.collision ? "visual"
-                                 : options_.visual   ? "both"
-                                                     : "collision";
-    out << "{\"certificate\": 1, \"robot\": " << jsonString(robot_.name) << ", \"geometry\": \""
-        << geometry << "\", \"clearance\": " << exactNumber(goal()) << ", \"given\": {";
-    const char* separator = "";
-    for (const auto& [joint, range] : options_.joints) {
-      out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "
-          << exactNumber(range.upper) << "]";
-      separator = ", ";
-    }
-    out << "}}\n";
   }
 
   /// False, and nothing is written, if there is no tree.
@@ -93,7 +79,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
                              const std::function<bool()>& is_over) {
   std::ofstream out(*options.certificate);
   const Certificate certificate(options, robot, bounded, ranges);
-  certificate.writeHead(out);
+  writeCertificateHead("pairs", options, robot, out);
   std::map<Verdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (const PairProof& proof : proofs) {

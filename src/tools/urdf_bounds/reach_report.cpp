@@ -11,6 +11,7 @@
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
+#include "tools/urdf_bounds/reach_certificate.h"
 #include "tools/urdf_bounds/reach_table.h"
 
 namespace link_bounds {
@@ -86,6 +87,11 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
   table.frame = robot.links[robot.root].name;
   table.accuracy = goal.accuracy;
   warnOfGaps(table, was_stopped);
+  std::size_t uncertified = 0;
+  if (options.certificate) {
+    uncertified =
+        writeReachCertificate(options, robot, bounded, ranges, reaches, goalOf(options).stop);
+  }
   if (options.as_markers) {
     writeMarkers(table, std::cout);
   } else {
@@ -96,6 +102,7 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
                                       [](const BoundedLink& link) { return !link.isWhole(); });
   if (table.links.empty()) outcome.open.emplace_back("no link has a box");
   outcome.addOpen("incomplete names", table.incomplete.size());
+  outcome.addOpen("links that are not in the certificate", uncertified);
   if (maxGap(table) > table.accuracy) outcome.open.emplace_back("--accuracy was not reached");
   return outcome;
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "link_bounds/robot/robot_loader.h"
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "packages/package_path.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
@@ -14,13 +15,14 @@
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/input.h"
 #include "tools/urdf_bounds/link_distances.h"
+#include "tools/urdf_bounds/objects.h"
 #include "tools/urdf_bounds/pairs_report.h"
+#include "tools/urdf_bounds/path_report.h"
 #include "tools/urdf_bounds/reach_report.h"
 #include "tools/urdf_bounds/report.h"
+#include "tools/urdf_bounds/rows_report.h"
 
 namespace link_bounds {
-
-const char* const kProgram = "urdf_bounds";
 
 namespace {
 
@@ -28,7 +30,8 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.visual;
   selection.collision = options.collision;
-  selection.triangles = options.distances || options.report == Report::kPairs;
+  selection.triangles =
+      options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
   BoundedRobot bounded = RobotLoader().load(robot, selection, source);
   for (const std::string& problem : bounded.problems)
@@ -88,16 +91,54 @@ Outcome outcomeOf(const Reasons& incomplete, const std::optional<DistanceTable>&
 /// Boxes and distances of one pose.
 Outcome runPose(const UrdfBoundsOptions& options, const Robot& robot) {
   // Before the meshes, which take longest, so that a wrong name is refused at once.
-  const auto poses = posesFor(withSimpleJoints(robot), options.joints);
+  const Robot simple = withSimpleJoints(robot);
+  const std::vector<double> values = valuesFor(simple, options.joints);
+  const std::vector<Eigen::Isometry3d> poses = linkPoses(simple, values);
   const BoundedRobot bounded = loadLinks(robot, options);
   std::vector<PlacedLink> links;
   for (std::size_t i = 0; i < bounded.links.size(); ++i)
     links.push_back({&bounded.links[i], poses[bounded.indices[i]]});
   std::optional<DistanceTable> distances;
-  if (options.distances) distances = linkDistances(robot, bounded, poses, *options.distances);
+  if (options.distances) {
+    PosedRobot posed(robot, bounded);
+    posed.move(values);
+    distances = linkDistances(posed, bounded, *options.distances);
+  }
   const Reasons incomplete = writeReport(options, robot.links[robot.root].name, links, distances);
   if (options.verbose) reportMemory(bounded);
   return outcomeOf(incomplete, distances);
+}
+
+/// What --objects names.
+PathObjects loadObjects(const UrdfBoundsOptions& options) {
+  PathObjects objects;
+  if (!options.objects) return objects;
+  const std::string& file = *options.objects;
+  objects.robot = parseObjects(readText(file, "a file of objects"), file);
+  Selection selection;
+  selection.triangles = true;
+  const MeshSource source{rosPackages(), folderOf(file), progressBar(), {}, isInterrupted};
+  objects.bounded = RobotLoader().load(objects.robot, selection, source);
+  for (const auto* problems : {&objects.bounded.problems, &objects.bounded.body_problems}) {
+    for (const std::string& problem : *problems)
+      warn(file + ": " + problem);
+  }
+  return objects;
+}
+
+/// Boxes and distances of the rows of a table, or proofs about the motion between them.
+Outcome runRows(const UrdfBoundsOptions& options, const Robot& robot) {
+  const Robot simple = withSimpleJoints(robot);
+  const JointValues given = valuesFor(simple, options.joints);
+  const JointTable table = readJointTable(options, simple);
+  catchInterrupts();
+  const BoundedRobot bounded = loadLinks(robot, options);
+  const Outcome outcome =
+      options.report == Report::kPath
+          ? writePath(options, robot, bounded, loadObjects(options), table, given)
+          : writeRows(options, robot, bounded, table, given);
+  if (options.verbose) reportMemory(bounded);
+  return outcome;
 }
 
 /// Proofs about all poses.
@@ -111,13 +152,18 @@ Outcome runProof(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcome;
 }
 
+Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
+  if (options.report == Report::kPose) return runPose(options, robot);
+  if (options.report == Report::kRows || options.report == Report::kPath)
+    return runRows(options, robot);
+  return runProof(options, withSimpleJoints(robot));
+}
+
 int run(const UrdfBoundsOptions& options) {
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
-  const Outcome outcome = options.report == Report::kPose
-                              ? runPose(options, robot)
-                              : runProof(options, withSimpleJoints(robot));
+  const Outcome outcome = runReport(options, robot);
   return finishOutput() ? exitCode(outcome, options.demand) : kUnusable;
 }
 

@@ -5,11 +5,16 @@
 
 #include <getopt.h>
 
+#include <cmath>
+
 #include "tools/command_line/options.h"
 
 namespace link_bounds {
 
 namespace {
+
+/// Threads beyond any machine.
+constexpr unsigned kMaxJobs = 1024;
 
 enum Code {
   kGeometry = 256,
@@ -17,6 +22,12 @@ enum Code {
   kFormat,
   kVolume,
   kDistances,
+  kPoses,
+  kColumns,
+  kPath,
+  kObjects,
+  kSeries,
+  kJobs,
   kReach,
   kPairs,
   kAccuracy,
@@ -40,6 +51,12 @@ constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeo
                                    {"format", required_argument, nullptr, kFormat},
                                    {"volume", required_argument, nullptr, kVolume},
                                    {"distances", required_argument, nullptr, kDistances},
+                                   {"poses", required_argument, nullptr, kPoses},
+                                   {"columns", required_argument, nullptr, kColumns},
+                                   {"path", no_argument, nullptr, kPath},
+                                   {"objects", required_argument, nullptr, kObjects},
+                                   {"series", required_argument, nullptr, kSeries},
+                                   {"jobs", required_argument, nullptr, kJobs},
                                    {"reach", no_argument, nullptr, kReach},
                                    {"pairs", no_argument, nullptr, kPairs},
                                    {"accuracy", required_argument, nullptr, kAccuracy},
@@ -107,6 +124,14 @@ double positive(const std::string& option_name, const std::string& text, const c
                    " > 0, such as 0.01");
 }
 
+unsigned jobsOption(const std::string& text) {
+  const std::optional<double> value = toNumber(text);
+  if (value && *value >= 1 && *value <= kMaxJobs && std::trunc(*value) == *value)
+    return static_cast<unsigned>(*value);
+  throw UsageError("--jobs is \"" + text + "\", but must be a whole number from 1 to " +
+                   std::to_string(kMaxJobs) + ", such as 2");
+}
+
 void addFormat(const std::string& name, UrdfBoundsOptions& options) {
   options.as_srdf = name == "srdf";
   options.as_markers = name == "markers";
@@ -122,7 +147,7 @@ void addFormat(const std::string& name, UrdfBoundsOptions& options) {
 
 void setReport(Report report, UrdfBoundsOptions& options) {
   if (options.report != Report::kPose && options.report != report)
-    throw UsageError("--reach and --pairs are two reports; give only one of them");
+    throw UsageError("--reach, --pairs and --path are different reports; give only one of them");
   options.report = report;
 }
 
@@ -148,6 +173,23 @@ void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
       return;
     case kDistances:
       options.distances = limitOption("--distances", optarg);
+      return;
+    case kPoses:
+      options.poses = optarg;
+      return;
+    case kColumns:
+      options.columns = optarg;
+      return;
+    case kPath:
+      return setReport(Report::kPath, options);
+    case kObjects:
+      options.objects = optarg;
+      return;
+    case kSeries:
+      options.series = optarg;
+      return;
+    case kJobs:
+      options.jobs = jobsOption(optarg);
       return;
     case kReach:
       return setReport(Report::kReach, options);
@@ -212,34 +254,74 @@ void refuseRanges(const UrdfBoundsOptions& options) {
   }
 }
 
-/// Options that only some reports have.
-void checkReport(const UrdfBoundsOptions& options) {
+/// Throws if an option is given that is of no use.
+void need(bool is_given, bool is_useful, const char* option, const char* report) {
+  if (is_given && !is_useful)
+    throw UsageError(std::string(option) + " is an option of " + report + "; add " + report);
+}
+
+/// Options that only proofs have.
+void checkProof(const UrdfBoundsOptions& options) {
   const bool has_pairs = options.report == Report::kPairs;
   const bool has_reach = options.report == Report::kReach;
-  const auto need = [](bool is_given, bool is_useful, const char* option, const char* report) {
-    if (is_given && !is_useful)
-      throw UsageError(std::string(option) + " is an option of " + report + "; add " + report);
-  };
+  const bool has_path = options.report == Report::kPath;
   need(options.accuracy.has_value(), has_reach || has_pairs, "--accuracy", "--reach or --pairs");
-  need(options.budget.has_value(), has_reach || has_pairs, "--budget", "--reach or --pairs");
-  need(options.clearance.has_value(), has_pairs, "--clearance", "--pairs");
+  need(options.budget.has_value(), has_reach || has_pairs || has_path, "--budget",
+       "--reach, --pairs or --path");
+  need(options.clearance.has_value(), has_pairs || has_path, "--clearance", "--pairs or --path");
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
-  need(options.srdf.has_value(), has_pairs, "--srdf", "--pairs");
-  need(options.certificate.has_value(), has_pairs, "--certificate", "--pairs");
+  need(options.srdf.has_value(), has_pairs || has_path, "--srdf", "--pairs or --path");
+  need(options.certificate.has_value(), has_reach || has_pairs, "--certificate",
+       "--reach or --pairs");
   need(options.adjacent, has_pairs, "--adjacent", "--pairs");
   need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");
   need(options.as_markers, has_reach, "--format markers", "--reach");
-  if (options.report == Report::kPose) return refuseRanges(options);
+}
+
+/// Options that only tables of joint values have.
+void checkTable(const UrdfBoundsOptions& options) {
+  const bool has_rows = options.report == Report::kRows;
+  const bool has_path = options.report == Report::kPath;
+  need(has_path, options.poses.has_value(), "--path", "--poses FILE");
+  need(options.objects.has_value(), has_path, "--objects", "--path");
+  if (options.series && has_path)
+    throw UsageError(
+        "--series writes rows, --path is about what is between them; give only one of "
+        "the two");
+  need(options.columns.has_value(), has_rows || has_path, "--columns", "--poses FILE");
+  need(options.jobs.has_value(), has_rows || has_path, "--jobs", "--poses FILE");
+  need(options.series.has_value(), has_rows, "--series", "--poses FILE");
+  if (options.poses && !has_rows && !has_path)
+    throw UsageError(
+        "--poses gives the joint values, --reach and --pairs are about all of them; "
+        "give only one of the two");
+  if (options.poses == "-" && options.file == "-")
+    throw UsageError("the URDF and --poses cannot both come from standard input; name a file");
+}
+
+/// Options that only some reports have.
+void checkReport(const UrdfBoundsOptions& options) {
+  checkProof(options);
+  checkTable(options);
+  const Report report = options.report;
+  if (report != Report::kReach && report != Report::kPairs) refuseRanges(options);
+  if (report == Report::kPose) return;
+  const bool has_distances = options.distances && report != Report::kRows;
   const char* const of_a_pose = options.representation               ? "--representation"
-                                : options.distances                  ? "--distances"
+                                : has_distances                      ? "--distances"
                                 : options.volume != VolumeKind::kBox ? "--volume"
                                                                      : nullptr;
+  const char* const other = report == Report::kReach   ? "--reach"
+                            : report == Report::kPairs ? "--pairs"
+                            : report == Report::kPath  ? "--path"
+                                                       : "--poses";
   if (of_a_pose) {
-    throw UsageError(std::string(of_a_pose) + " is about one pose, " +
-                     (has_reach ? "--reach" : "--pairs") +
-                     " about all of them; give only one of the two");
+    throw UsageError(
+        std::string(of_a_pose) + " is about one pose, " + other + " about " +
+        (report == Report::kReach || report == Report::kPairs ? "all of them" : "many") +
+        "; give only one of the two");
   }
 }
 
@@ -257,6 +339,7 @@ UrdfBoundsOptions parseOptions(int argc, char** argv) {
   for (; optind < argc; ++optind)
     addArgument(argv[optind], options);
   if (options.file.empty()) throw UsageError("no URDF file is given");
+  if (options.poses && options.report == Report::kPose) options.report = Report::kRows;
   checkReport(options);
   if (options.representation && options.volume != VolumeKind::kBox) {
     throw UsageError(

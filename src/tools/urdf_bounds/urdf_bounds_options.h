@@ -13,8 +13,9 @@
 
 namespace link_bounds {
 
-/// What is printed: boxes of one pose, or proofs about all poses.
-enum class Report { kPose, kReach, kPairs };
+/// What is printed: boxes of one pose or of the rows of a table, or proofs about all poses or about
+/// the motion from row to row.
+enum class Report { kPose, kRows, kPath, kReach, kPairs };
 
 /// Of --reach and --pairs.
 constexpr double kDefaultAccuracy = 0.01;  // m
@@ -22,19 +23,24 @@ constexpr double kDefaultBudget = 60;      // s
 
 struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
-  GivenRanges joints;  ///< rad or m; of kPose values, lower == upper
+  GivenRanges joints;  ///< rad or m; values, lower == upper, but of kReach and kPairs
   Report report = Report::kPose;
   bool visual = true;
   bool collision = false;
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
+  std::optional<std::string> poses;              ///< of kRows and kPath, a file; "-" likewise
+  std::optional<std::string> columns;            ///< of `poses`, names with commas between them
+  std::optional<std::string> series;             ///< of kRows, a file to write
+  std::optional<std::string> objects;            ///< of kPath, a file
+  std::optional<unsigned> jobs;                  ///< of kRows and kPath, > 0; none: the cores
   std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
   std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
-  std::optional<double> clearance;               ///< of kPairs [m], finite, >= 0; none: 0
+  std::optional<double> clearance;               ///< of kPairs and kPath [m], >= 0; none: 0
   std::optional<double> touching;          ///< of kPairs [m], finite, >= 0; none: that of PairGoal
-  std::optional<std::string> srdf;         ///< of kPairs, a file
-  std::optional<std::string> certificate;  ///< of kPairs, a file to write
+  std::optional<std::string> srdf;         ///< of kPairs and kPath, a file
+  std::optional<std::string> certificate;  ///< of kReach and kPairs, a file to write
   bool adjacent = false;                   ///< of kPairs
   bool has_fixed_base = false;             ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;

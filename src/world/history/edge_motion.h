@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "world/history/motion_bound.h"
+#include "world/history/deviation_bound.h"
 #include "world/tf/edge_history.h"
 
 namespace link_bounds {
@@ -37,7 +37,7 @@ class EdgeMotion {
   bool isSudden() const { return is_sudden_ != isLibraryOther(); }
 
   /// True if the library tf2 decides otherwise whether it does, as it may be compiled in another
-  /// way: see step 6 in motion_bound.h.
+  /// way: see step 6 in deviation_bound.h.
   bool isAmbiguous() const { return is_ambiguous_; }
 
   /// Whether at() and isSudden() follow the library. They do not at first.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Boxes at all samples of all edges of the path, and between them as often as the bound of
-// motion_bound.h needs it.
+// deviation_bound.h needs it.
 #include "world/history/swept_box.h"
 
 #include <algorithm>

@@ -86,16 +86,19 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
   bool travels = false;
   bool turns = false;
   double spread = 0;
+  double max_turn = 0;  // of a piece: its path is an arc, which its chord is shorter than
   const Eigen::Vector3d direction = pieces.back().path;
   for (const Piece& piece : pieces) {
     const double rounding = kStands * (1 + poses.back().pose.translation().norm() * kStands);
     const bool is_moving = piece.path.norm() > rounding;
     travels = travels || is_moving;
     turns = turns || piece.turn > kStands;
-    speed = std::max(speed, piece.path.norm() / piece.time);
+    max_turn = std::max(max_turn, piece.turn);
     turn_speed = std::max(turn_speed, piece.turn / piece.time);
     if (is_moving) spread = std::max(spread, angleBetween(direction, piece.path));
-    if (piece.turn >= M_PI / 2)
+    if (piece.turn < M_PI / 2)
+      speed = std::max(speed, piece.path.norm() / std::cos(piece.turn / 2) / piece.time);
+    else
       result.problem = "the base turns by 90 degrees or more within a piece of ~velocity_window";
   }
   if (!result.problem.empty() || (!travels && !turns)) return result;
@@ -113,7 +116,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
       has_direction ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d::UnitX()};
   joint.distance = travels ? stopLength(speed, *linear, reaction) : 0;
   joint.turn = turns ? stopLength(turn_speed, *angular, reaction) : 0;
-  joint.spread = has_direction ? std::min(spread + joint.turn, M_PI) : M_PI;
+  joint.spread = has_direction ? std::min(spread + max_turn + joint.turn, M_PI) : M_PI;
   result.joint = joint;
   return result;
 }

@@ -5,6 +5,8 @@
 
 #include <tf2/exceptions.h>
 
+#include <utility>
+
 namespace link_bounds::bench {
 namespace {
 
@@ -35,6 +37,25 @@ visualization_msgs::Marker markerOf(const Aabb& box, const std::string& frame,
   return marker;
 }
 
+/// The resting box, turned with the link and boxed again, and the transform's header.
+std::pair<Aabb, std_msgs::Header> looseBox(const tf2::BufferCore& buffer,
+                                           const std::string& fixed_frame, const UsualLink& link) {
+  const auto transform = buffer.lookupTransform(fixed_frame, link.frame, ros::Time(0));
+  const Eigen::Isometry3d fixed_from_link = toIsometry(transform.transform);
+  Aabb box;
+  for (const Eigen::Vector3d& corner : corners(link.resting))
+    box.extend(fixed_from_link * corner);
+  return {box, transform.header};
+}
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& v) {
+  geometry_msgs::Point point;
+  point.x = v.x();
+  point.y = v.y();
+  point.z = v.z();
+  return point;
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray usualMarkers(const tf2::BufferCore& buffer,
@@ -43,17 +64,33 @@ visualization_msgs::MarkerArray usualMarkers(const tf2::BufferCore& buffer,
   visualization_msgs::MarkerArray markers;
   for (const UsualLink& link : links) {
     try {
-      const auto transform = buffer.lookupTransform(fixed_frame, link.frame, ros::Time(0));
-      const Eigen::Isometry3d fixed_from_link = toIsometry(transform.transform);
-      Aabb box;
-      for (const Eigen::Vector3d& corner : corners(link.resting))
-        box.extend(fixed_from_link * corner);
-      markers.markers.push_back(markerOf(box, link.frame, transform.header));
+      const auto [box, header] = looseBox(buffer, fixed_frame, link);
+      markers.markers.push_back(markerOf(box, link.frame, header));
     } catch (const tf2::TransformException&) {
       continue;
     }
   }
   return markers;
+}
+
+AxisAlignedBoxArray usualBoxes(const tf2::BufferCore& buffer, const std::string& fixed_frame,
+                               const std::vector<UsualLink>& links) {
+  AxisAlignedBoxArray array;
+  for (const UsualLink& link : links) {
+    try {
+      const auto [loose, header] = looseBox(buffer, fixed_frame, link);
+      array.header = header;
+      AxisAlignedBox box;
+      box.name = link.frame;
+      box.stamp = header.stamp;
+      box.min = toPoint(loose.min());
+      box.max = toPoint(loose.max());
+      array.boxes.push_back(box);
+    } catch (const tf2::TransformException&) {
+      array.incomplete.push_back(link.frame);
+    }
+  }
+  return array;
 }
 
 }  // namespace link_bounds::bench

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that
-computes nothing, and a usual node of tf2; with 200 links also ours with spheres for meshes, and
-ours with one bounded link, which show the parts of the cost, and ours while somebody listens to
-~distances, too. end_to_end.py [--quick] [--json FILE]
+computes nothing, and a usual node of tf2 that sends the same message, or markers; with 200 links
+also ours with spheres for meshes, and ours with one bounded link, which show the parts of the cost,
+and ours while somebody listens to ~distances, too.
+end_to_end.py [--links N ...] [--quick] [--json FILE]
 
 Ours and the relay run one right after the other, for a short time each, and the verdict is the
 median of their ratios: so neither the load nor the speed of the machine at one time decides."""
@@ -21,23 +22,28 @@ from node_process import PROGRAMS, Master, cpu_seconds, print_target, random_mes
 DEPTH = 10
 SHARED_MESHES = 16
 REPETITIONS = 11
+QUICK_REPETITIONS = 3
 MESSAGES = 500  # of one run, but at least
 SHORTEST = 0.5  # seconds, and at most
 LONGEST = 1.5
 IDLE = 3
+RATES = [100, 1000]  # Hz
+# Program, what it sends, and its arguments.
 METHODS = {"relay": ("end_to_end_relay", "boxes"),
            "ours": ("link_bounds_publisher", "boxes"),
-           "usual_tf2": ("end_to_end_usual_tf2", "markers"),
+           "usual_tf2": ("end_to_end_usual_tf2", "boxes", "boxes"),
+           "usual_markers": ("end_to_end_usual_tf2", "markers", "markers"),
            "ours_spheres": ("link_bounds_publisher", "boxes"),
            "ours_one_link": ("link_bounds_publisher", "boxes"),
            "ours_distances": ("link_bounds_publisher", "boxes")}
-LINKS_OF_ALL = 200  # with others only the first three methods
+LINKS_OF_ALL = 200  # with others only the first four methods
 # Reads ~distances without time that the others need.
 LISTENER = ["nice", "-n", "19", "rostopic", "hz", "/ours_distances/node/distances"]
 # At 100 Hz: of the processor time of an update above the relay's [us], and of the medians' ratio.
 MAX_ABOVE_RELAY = {50: 15, 200: 40, 1000: 130}
 MAX_RATIO = {50: 1.15, 200: 1.2, 1000: 1.2}
 FIGURES = ["p50_us", "p90_us", "p99_us", "cpu_us_per_update"]
+CPU = FIGURES[-1]
 
 
 def link_name(i):
@@ -96,23 +102,23 @@ def print_idle(nodes, links):
         for method, node in nodes.items()), flush=True)
 
 
-def run(links, rates, repetitions, folder):
+def run(links, repetitions, folder):
     """{(method, hz): [figures of each repetition]}"""
-    methods = list(METHODS) if links == LINKS_OF_ALL else list(METHODS)[:3]
+    methods = list(METHODS) if links == LINKS_OF_ALL else list(METHODS)[:4]
     # Two pairs of ours and the relay, each of them first in one.
     order = [*methods, "ours", "relay"]
-    runs = {(method, hz): [] for hz in rates for method in methods}
+    runs = {(method, hz): [] for hz in RATES for method in methods}
     with Master() as master:
         set_parameters(master.parameters, links, folder)
-        nodes = {method: master.start_node(METHODS[method][0], "/" + method)
+        nodes = {method: master.start_node(METHODS[method][0], "/" + method, *METHODS[method][2:])
                  for method in methods}
         for method in methods:  # from here on ours has its robot
-            measure(method, nodes[method], links, rates[0])
+            measure(method, nodes[method], links, RATES[0])
         print_idle(nodes, links)
         if "ours_distances" in methods:
             start_listener(master)
         for repetition in range(repetitions):
-            for hz in rates:
+            for hz in RATES:
                 for method in order:
                     runs[method, hz].append(measure(method, nodes[method], links, hz))
             print("%d links: %d of %d" % (links, repetition + 1, repetitions), flush=True)
@@ -123,15 +129,17 @@ def row_of(method, links, hz, runs):
     row = {"method": method, "links": links, "hz": hz}
     row.update((figure, round(statistics.median(run[figure] for run in runs), 1))
                for figure in FIGURES)
+    row.update(cpu_min=min(run[CPU] for run in runs), cpu_max=max(run[CPU] for run in runs),
+               repetitions=len(runs), bytes=runs[-1]["bytes"])
     row.update((count, sum(run[count] for run in runs)) for count in ["sent", "received"])
     return row
 
 
 def print_table(rows):
-    head = ["method", "links", "hz", *FIGURES, "sent", "received"]
-    print("\n" + "".join("%18s" % title for title in head))
+    head = ["method", "links", "hz", *FIGURES, "cpu_min", "cpu_max", "bytes", "sent", "received"]
+    print("\n" + "".join("%17s" % title for title in head))
     for row in rows:
-        print("".join("%18s" % row[title] for title in head))
+        print("".join("%17s" % row[title] for title in head))
 
 
 def print_targets(runs, links, hz):
@@ -149,36 +157,39 @@ def print_targets(runs, links, hz):
         return statistics.median(run[figure] for run in runs[method, hz])
     if hz == 100:
         print_target("us above the relay" + where, MAX_ABOVE_RELAY[links],
-                     [own["cpu_us_per_update"] - other["cpu_us_per_update"]
+                     [own[CPU] - other[CPU]
                       for own, other in zip(runs["ours", hz], runs["relay", hz])])
     if hz == 100 or links == LINKS_OF_ALL:
         print_target("p50, ours / relay, medians" + where, MAX_RATIO[links],
                      [median("ours", "p50_us") / median("relay", "p50_us")])
     if (links, hz) == (200, 1000):
         print_target("p50, ours / relay" + where, 1.25, ratios("p50_us", "relay"))
-        print_target("p50, ours / usual_tf2" + where, 0.6, ratios("p50_us", "usual_tf2"))
+        for usual in ["usual_tf2", "usual_markers"]:
+            print_target("p50, ours / %s" % usual + where, 0.6, ratios("p50_us", usual))
     print_target("answered / sent" + where, 1, [run["received"] / run["sent"]
                                                 for run in runs["ours", hz]], at_most=False)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="200 links at 1 kHz only")
+    parser.add_argument("--links", type=int, nargs="+", default=[LINKS_OF_ALL],
+                        choices=sorted(MAX_RATIO), help="numbers of links (default: %(default)s)")
+    parser.add_argument("--quick", action="store_true", help="fewer repetitions")
     parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
-    link_counts, rates = ([200], [1000]) if options.quick else ([50, 200, 1000], [100, 1000])
+    repetitions = QUICK_REPETITIONS if options.quick else REPETITIONS
     rows, results = [], {}
     with tempfile.TemporaryDirectory() as folder:
         for i in range(SHARED_MESHES):
             random_mesh("%s/%d.stl" % (folder, i), i)
-        for links in link_counts:
-            results[links] = run(links, rates, REPETITIONS, folder)
+        for links in options.links:
+            results[links] = run(links, repetitions, folder)
             rows += [row_of(method, links, hz, runs)
                      for (method, hz), runs in results[links].items()]
     print_table(rows)
     print()
-    for links in link_counts:
-        for hz in rates:
+    for links in options.links:
+        for hz in RATES:
             print_targets(results[links], links, hz)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:

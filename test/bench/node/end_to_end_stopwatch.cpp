@@ -26,7 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kWarmUp = 0.3;  // s
 constexpr std::uint32_t kUnlimited = 0;
-constexpr std::chrono::seconds kPatience(20);  // for a connection, and for the last answers
+constexpr std::chrono::seconds kPatience(20);  // for a connection
+constexpr std::chrono::seconds kSilence(1);    // after the last answer; the others are lost
 constexpr std::size_t kPoses = 64;             // messages made beforehand, used in turn
 
 /// When each message went and when its answer came; numbers are those of the messages.
@@ -93,6 +94,16 @@ bool waitFor(const Condition& condition) {
   return true;
 }
 
+/// Until all messages are answered, or no further answer comes.
+void awaitAnswers(const Times& times, std::size_t count) {
+  std::size_t answers = 0;
+  for (auto end = Clock::now() + kSilence; answers < count && Clock::now() < end && ros::ok();) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (times.answers() > answers) end = Clock::now() + kSilence;
+    answers = times.answers();
+  }
+}
+
 /// Messages are numbered by their stamps.
 class Stopwatch {
  public:
@@ -129,7 +140,7 @@ class Stopwatch {
       due += std::chrono::nanoseconds(std::llround(1e9 / task_.hz));
       std::this_thread::sleep_until(due);
     }
-    waitFor([this] { return times_.answers() == count_; });
+    awaitAnswers(times_, count_);
     spinner.stop();
     print(cpuSeconds(task_.pid) - cpu);
   }
@@ -142,6 +153,7 @@ class Stopwatch {
         [this, stampOf](const boost::shared_ptr<const Message>& message) {
           const ros::Time stamp = stampOf(*message);
           if (stamp >= start_) times_.answer(numberOf(stamp));
+          bytes_ = ros::serialization::serializationLength(*message);
         },
         {}, ros::TransportHints().tcpNoDelay());
   }
@@ -172,7 +184,8 @@ class Stopwatch {
     std::cout << "{\"p50_us\": " << quantile(0.5) << ", \"p90_us\": " << quantile(0.9)
               << ", \"p99_us\": " << quantile(0.99)
               << ", \"cpu_us_per_update\": " << 1e6 * cpu_seconds / static_cast<double>(sent)
-              << ", \"sent\": " << sent << ", \"received\": " << latencies.size() << "}\n";
+              << ", \"bytes\": " << bytes_ << ", \"sent\": " << sent
+              << ", \"received\": " << latencies.size() << "}\n";
   }
 
   ros::NodeHandle node_;  ///< the first, since it starts the clock
@@ -182,6 +195,7 @@ class Stopwatch {
   Times times_;
   ros::Time start_;
   std::vector<tf2_msgs::TFMessage> messages_;
+  std::uint32_t bytes_ = 0;  ///< of an answer
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
 };

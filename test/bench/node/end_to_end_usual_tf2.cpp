@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The usual node of tf2: what a TransformListener does with each message, then markers of loose
-// boxes of all its frames.
+// The usual node of tf2: a TransformListener, and after each message a look-up of each frame and a
+// message of loose boxes: end_to_end_usual_tf2 boxes|markers
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/transform_listener.h>
 
 #include "bench/common/usual_tf2.h"
 
@@ -11,25 +12,32 @@ using namespace link_bounds;
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "usual_tf2");
+  if (argc != 2) return 1;
+  const bool is_markers = argv[1] == std::string("markers");
   ros::NodeHandle node, private_node("~");
-  const Aabb resting(Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.2));
+  const auto publisher = is_markers
+                             ? private_node.advertise<visualization_msgs::MarkerArray>("boxes", 200)
+                             : private_node.advertise<AxisAlignedBoxArray>("boxes", 200);
+  // Without a thread of its own the listener is called first, since it subscribes first; roscpp
+  // reads the bytes of a message once for both.
+  const auto hints = ros::TransportHints().tcpNoDelay();
   tf2::BufferCore buffer;
+  const tf2_ros::TransformListener listener(buffer, node, false, hints);
+  const Aabb resting(Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.2));
   std::string base;
   std::vector<bench::UsualLink> links;
-  const auto publisher = private_node.advertise<visualization_msgs::MarkerArray>("boxes", 200);
-  const auto answer = [&](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
-    const auto& transforms = event.getConstMessage()->transforms;
+  const auto answer = [&](const tf2_msgs::TFMessageConstPtr& message) {
+    const auto& transforms = message->transforms;
     if (links.empty()) {
       base = transforms.front().header.frame_id;
       for (const auto& transform : transforms)
         links.push_back({transform.child_frame_id, resting});
     }
-    for (const auto& transform : transforms)
-      buffer.setTransform(transform, event.getPublisherName());
-    publisher.publish(bench::usualMarkers(buffer, base, links));
+    if (is_markers)
+      publisher.publish(bench::usualMarkers(buffer, base, links));
+    else
+      publisher.publish(bench::usualBoxes(buffer, base, links));
   };
-  const auto subscriber =
-      node.subscribe<tf2_msgs::TFMessage, const ros::MessageEvent<const tf2_msgs::TFMessage>&>(
-          "/tf", 5000, answer, {}, ros::TransportHints().tcpNoDelay());
+  const auto subscriber = node.subscribe<tf2_msgs::TFMessage>("/tf", 5000, answer, {}, hints);
   ros::spin();
 }

@@ -85,7 +85,7 @@ std::size_t uncovered(const DivisibleShape& shape, const std::vector<Aabb>& boxe
 
 TEST(LinkParts, EveryTriangleIsInsideOnePartInAnyPose) {
   const auto shapes = mixedLink();
-  for (const std::size_t max_parts : {2, 7, 64}) {
+  for (const std::size_t max_parts : {2u, 7u, 64u}) {
     const auto parts = splitIntoParts(shapes, max_parts);
     for (const Eigen::Affine3d& pose : poses()) {
       const auto boxes = boxesOf(parts, pose);
@@ -99,7 +99,7 @@ TEST(LinkParts, EveryTriangleIsInsideOnePartInAnyPose) {
 
 TEST(LinkParts, TheUnionContainsTheBruteForceBox) {
   const auto shapes = mixedLink();
-  for (const std::size_t max_parts : {3, 64}) {
+  for (const std::size_t max_parts : {3u, 64u}) {
     const auto parts = splitIntoParts(shapes, max_parts);
     for (const Eigen::Affine3d& pose : poses()) {
       Aabb all;

@@ -75,7 +75,7 @@ TEST(PartLimits, SolidsAreIndivisibleAndEachInOnePart) {
   std::vector<DivisibleShape> shapes;
   for (int i = 0; i < 5; ++i)
     shapes.push_back(solid(Solid::kCylinder, {0.2, 0.2, 1.0 + i}, {1.0 * i * i, 0.5 * i, 0}));
-  for (const std::size_t max_parts : {2, 3, 5, 256}) {
+  for (const std::size_t max_parts : {2u, 3u, 5u, 256u}) {
     const auto parts = splitIntoParts(shapes, max_parts);
     EXPECT_EQ(parts.size(), std::min<std::size_t>(max_parts, 5));
     for (const DivisibleShape& shape : shapes)
@@ -93,7 +93,7 @@ TEST(PartLimits, TheMemoryOfTheParts) {
   const TriangleMesh meshes[] = {hook(200, 40), ball(60, 120), soup(5000, 2)};
   for (const TriangleMesh& mesh : meshes) {
     const DivisibleShape shape = divisible(mesh);
-    for (const std::size_t max_parts : {2, 3, 8, 64, 256}) {
+    for (const std::size_t max_parts : {2u, 3u, 8u, 64u, 256u}) {
       const auto parts = splitIntoParts({shape}, max_parts);
       EXPECT_LE(bytesOf(parts, shape), kBytesPerPart * parts.size()) << max_parts;
     }

@@ -70,7 +70,8 @@ TEST(LabelLayout, NoTwoLabelsOverlapAndNoneSinks) {
     const int count = 2 + run % 60;
     for (int i = 0; i < count; ++i) {
       const double size = std::abs(random.magnitude(-2, 0));
-      labels.push_back(labelOf(boxAt(random.vector(0.2), size), std::string(1 + i % 20, 'n')));
+      labels.push_back(labelOf(boxAt(random.vector(0.2), size),
+                               std::string(1 + static_cast<std::size_t>(i) % 20, 'n')));
     }
     const std::vector<Label> before = labels;
     separate(labels);

@@ -269,7 +269,7 @@ TEST(Worker, KeepsTheCallbacksOfOtherOwners) {
   Worker worker(named("test"));
   Gate gate(worker);
   int others = 0;
-  for (const std::uint64_t owner : {8, 7, 8})
+  for (const std::uint64_t owner : {8u, 7u, 8u})
     worker.addCallback(boost::make_shared<QueuedFunction>([&, owner] {
                          EXPECT_EQ(owner, 8u);
                          ++others;

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/pairs/swept_body.h"
 #include "testing/brute_force.h"
+#include "testing/distance_bodies.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -147,6 +149,53 @@ TEST(MotionBound, AlongADirectionIsOfSecondOrder) {
     EXPECT_LE(gap, 0.5);
     EXPECT_NEAR(gap, 0.5 - 0.5 * width * width / 2, 1e-9);
   }
+}
+
+bool holds(const Body& cylinders, const Eigen::Vector3d& point) {
+  return std::any_of(cylinders.shapes.begin(), cylinders.shapes.end(), [&](const BodyShape& it) {
+    const Eigen::Vector3d local = it.shape.link_from_shape.inverse() * point;
+    return 2 * local.head<2>().norm() <= it.shape.size.x() &&
+           2 * std::abs(local.z()) <= it.shape.size.z();
+  });
+}
+
+TEST(SweptBody, HoldsEachPointAtAnyAngle) {
+  Random random(3);
+  for (int i = 0; i < repetitions(100); ++i) {
+    std::vector<Eigen::Vector3f> corners;
+    for (int k = 0; k < 9; ++k)
+      corners.push_back((directionOf(random) * random.uniform(0, 1)).cast<float>());
+    MeshBody mesh;
+    mesh.add(meshOf(corners), Eigen::Affine3d(randomPose(random)));
+    const Points points = randomPoints(random);
+    Body body = points.body;
+    body.shapes.push_back(mesh.body.shapes[0]);
+    const Eigen::Isometry3d pose = randomPose(random);
+    const Eigen::Vector3d axis = directionOf(random);
+    const Body swept = sweptBody(body, pose, axis);
+    for (int k = 0; k < 300; ++k) {
+      const std::size_t triangle = 3 * static_cast<std::size_t>(random.uniform(0, 2.99));
+      const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u);
+      Eigen::Vector3d point =
+          body.shapes.back().shape.link_from_shape *
+          (corners[triangle].cast<double>() * (1 - u - v) +
+           corners[triangle + 1].cast<double>() * u + corners[triangle + 2].cast<double>() * v);
+      if (k % 3 == 0) point = points.points[static_cast<std::size_t>(k) % points.points.size()];
+      const Eigen::AngleAxisd turn(random.uniform(-4, 4), axis);
+      ASSERT_TRUE(holds(swept, turn * (pose * point))) << i;
+    }
+  }
+}
+
+/// Two triangles that meet in a point on the axis.
+TEST(SweptBody, IsNarrowWhereTheBodyIs) {
+  MeshBody mesh;
+  mesh.add(meshOf({{0, 0, 0}, {1, 0, 1}, {0.5, 0, 1}, {0, 0, 0}, {1, 0, -1}, {0.5, 0, -1}}));
+  const Body swept = sweptBody(mesh.body, Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(holds(swept, {0, 0.4, 0.5}));
+  EXPECT_FALSE(holds(swept, {0, 0.6, 0.5}));
+  EXPECT_TRUE(holds(swept, {0, 0.99, -1}));
+  EXPECT_FALSE(holds(swept, {0, 1.01, -1}));
 }
 
 TEST(JointPath, IsThePoseOfTheSecondLinkInTheFrameOfTheFirst) {

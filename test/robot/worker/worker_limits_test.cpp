@@ -161,7 +161,7 @@ bool forbid(unsigned call) {
 
 TEST(WorkerLimits, ALimitThatTheKernelRefusesIsAnError) {
   enum Outcome { kUnlimited, kError, kNoFilter };
-  for (const unsigned call : {SYS_prlimit64, SYS_prctl}) {
+  for (const unsigned call : {unsigned{SYS_prlimit64}, unsigned{SYS_prctl}}) {
     const pid_t parent = getpid();
     const pid_t child = fork();
     if (child == 0) {

@@ -5,11 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/command_line/terminal.h"
+#include <cerrno>
 
 namespace link_bounds {
-
-const char* const kProgram = "outcome_test";
 
 namespace {
 
@@ -55,8 +53,9 @@ TEST(Outcome, WhatIsOpenIsSaidWhereItDecides) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(exitCode(outcome, {}), 4);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "outcome_test: warning: not everything was answered: pairs: 2; topics: 1; "
-            "--allow-incomplete accepts that\n");
+            std::string(program_invocation_short_name) +
+                ": warning: not everything was answered: pairs: 2; topics: 1; "
+                "--allow-incomplete accepts that\n");
   testing::internal::CaptureStderr();
   outcome.has_finding = true;
   EXPECT_EQ(exitCode(outcome, {}), 3);

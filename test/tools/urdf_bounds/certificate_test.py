@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/check_certificate accepts what urdf_bounds --pairs --certificate writes, and nothing that
-is false.
+"""scripts/check_certificate accepts what urdf_bounds --certificate writes with --pairs and --reach,
+and nothing that is false.
 
 Run as: certificate_test.py PATH_OF_wrong_certificate PATH_OF_urdf_bounds
 """
@@ -32,6 +32,14 @@ COARSE = ('--pairs', '--accuracy', '1000', '--budget', '1000')
 # With collision geometry in STL files and solids. The others have too many boxes for a test.
 PUBLIC = {'ur_description/urdf/ur5e.urdf': '20', 'franka_description/urdf/panda.urdf': '3',
           'husky_description/urdf/husky.urdf': '20'}
+
+
+REACH = ('--reach', '--accuracy', '0.05', '--budget', '1000', '--format', 'json')
+
+
+def lines_of(path):
+    with open(path, encoding='utf-8') as file:
+        return [json.loads(line) for line in file]
 
 
 def load_checker():
@@ -183,7 +191,7 @@ class CertificateTest(UrdfBoundsTest):
         self.assertEqual(check(file, self.urdf)[0], INCOMPLETE)
         self.check_refused('cannot write', self.urdf, *COARSE, '--certificate',
                            os.path.join(self.folder, 'none/x'))
-        self.check_refused('--certificate is an option of --pairs', self.urdf, '--reach',
+        self.check_refused('--certificate is an option of --reach or --pairs', self.urdf,
                            '--certificate', file)
 
     def test_an_engine_whose_bodies_move_too_little(self):
@@ -204,6 +212,115 @@ def turned(leaf):
 
 def is_leaf(token):
     return not isinstance(token, int)
+
+
+class ReachTest(UrdfBoundsTest):
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', ARM)
+
+    def certificate(self, urdf, *arguments):
+        """The file, and the JSON that is printed."""
+        file = os.path.join(self.folder, 'reach.cert')
+        code, out, err = run(urdf, *REACH, '--certificate', file, *arguments)
+        self.assertEqual(code, 0, err)
+        return file, json.loads(out)
+
+    def test_all_kinds_of_joints_and_shapes(self):
+        file, result = self.certificate(self.urdf)
+        code, text = check(file, self.urdf, '--all')
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, r'arm: 5 links; (\d+) of \1 supports were checked')
+        self.assertRegex(check(file, self.urdf, '--sample', '1')[1], ' 5 links; 37 of [0-9]+ supp')
+        for entry in lines_of(file)[1:-1]:
+            proven = result['reach'][entry['link']]
+            for i in range(3):
+                for inner, outer in ((proven['min'][i], entry['min'][i]),
+                                     (-proven['max'][i], -entry['max'][i])):
+                    self.assertGreaterEqual(inner, outer)
+                    self.assertLessEqual(inner - outer, entry['slack'] + 1e-9)
+            self.assertLessEqual(entry['slack'], float(REACH[2]))
+
+    def test_ranges_that_the_user_gave(self):
+        given = ('elbow:=0..0.5', 'push:=0.1')
+        file, _ = self.certificate(self.urdf, *given)
+        self.assertEqual(check(file, self.urdf, *given, '--all')[0], 0)
+        self.assertEqual(check(file, self.urdf)[0], REFUSED)
+
+    def test_demo(self):
+        file, _ = self.certificate(DEMO)
+        code, text = check(file, DEMO)
+        self.assertEqual(code, INCOMPLETE, 'OBJ and Collada are not read')
+        self.assertRegex(text, r': [1-9]\d* links; ')
+
+    def test_public_robots(self):
+        data = os.environ.get('LINK_BOUNDS_DATA')
+        if not data:
+            print('skipped: certificates of public robots: LINK_BOUNDS_DATA is not set')
+            return
+        for name in PUBLIC:
+            with self.subTest(name), mock.patch.dict(os.environ, ROS_PACKAGE_PATH=data + '/robots'):
+                urdf = os.path.join(data, 'robots', name)
+                file, _ = self.certificate(urdf, '--geometry', 'collision')
+                code, text = check(file, urdf, '--sample', '5')
+                self.assertEqual(code, 0, text)
+                self.assertNotIn(': 0 links', text)
+
+    def test_an_engine_whose_joints_turn_too_little(self):
+        file = os.path.join(self.folder, 'wrong.cert')
+        subprocess.run([WRONG, self.urdf, file, 'reach'], check=True)
+        code, text = check(file, self.urdf, '--all')
+        self.assertEqual(code, REFUSED, text)
+        self.assertIn('not proven before joint', text)
+
+    def damage(self, lines, choice):
+        """Its name. Each one makes the file false or malformed."""
+        link = choice.choice([line for line in lines[1:-1] if line['tables']])
+        table = choice.choice(link['tables'])
+        entry, axis = choice.randrange(len(table)), choice.randrange(3)
+        damages = {
+            'support': lambda: table.__setitem__(entry, table[entry] - choice.choice((10, 10**7))),
+            'no support': lambda: table.pop(entry),
+            'further support': lambda: table.append(0),
+            'text': lambda: table.__setitem__(entry, 'x'),
+            'not a number': lambda: table.__setitem__(entry, float('nan')),
+            'infinite': lambda: table.__setitem__(entry, float('inf')),
+            'smaller box': lambda: link['max'].__setitem__(axis, link['max'][axis] - 1e-6),
+            'smaller box below': lambda: link['min'].__setitem__(axis, link['min'][axis] + 1e-3),
+            'no box': lambda: link.pop('min'),
+            'flat box': lambda: link['max'].pop(),
+            'step': lambda: link.update(step=0.9 * link['step']),
+            'negative step': lambda: link.update(step=-link['step']),
+            'cells': lambda: link.update(cells=2 * link['cells']),
+            'no cells': lambda: link.update(cells=0),
+            'no table': lambda: link['tables'].pop(),
+            'table twice': lambda: link['tables'].append(table),
+            'unknown link': lambda: link.update(link='none'),
+            'link twice': lambda: lines.insert(1, link),
+            'link missing': lambda: lines.remove(link),
+            'other geometry': lambda: lines[0].update(geometry='collision'),
+            'other certificate': lambda: lines[0].update(of='pairs'),
+            'narrow range': lambda: lines[0]['given'].update(elbow=[0, 0.1]),
+            'no end': lines.pop,
+            'other end': lambda: lines[-1].update(links=1)}
+        name = choice.choice(sorted(damages))
+        damages[name]()
+        return name
+
+    def test_200_damages(self):
+        file, _ = self.certificate(self.urdf)
+        good, bad = lines_of(file), os.path.join(self.folder, 'bad.cert')
+        choice, seen = random.Random(2), set()
+        for number in range(DAMAGES):
+            lines = json.loads(json.dumps(good))
+            name = self.damage(lines, choice)
+            seen.add(name)
+            with open(bad, 'w', encoding='utf-8') as out:
+                out.writelines(json.dumps(line) + '\n' for line in lines)
+            with self.subTest(number=number, damage=name):
+                code, text = check(bad, self.urdf, '--all')
+                self.assertEqual(code, REFUSED, text)
+        self.assertGreater(len(seen), 18)
 
 
 class DamageTest(UrdfBoundsTest):

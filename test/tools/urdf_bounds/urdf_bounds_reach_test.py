@@ -181,9 +181,9 @@ class RefusalTest(UrdfBoundsTest):
         for text, arguments in (
                 ('only one of them', ['--reach', '--pairs']),
                 ('--accuracy is an option of --reach or --pairs', ['--accuracy', '1']),
-                ('--budget is an option of --reach or --pairs', ['--budget', '1']),
-                ('--clearance is an option of --pairs', ['--reach', '--clearance', '1']),
-                ('--srdf is an option of --pairs', ['--reach', '--srdf', 'a.srdf']),
+                ('--budget is an option of --reach, --pairs or --path', ['--budget', '1']),
+                ('--clearance is an option of --pairs or --path', ['--reach', '--clearance', '1']),
+                ('--srdf is an option of --pairs or --path', ['--reach', '--srdf', 'a.srdf']),
                 ('--format srdf is an option of --pairs', ['--reach', '--format', 'srdf']),
                 ('--format markers is an option of --reach', ['--format', 'markers']),
                 ('--volume is about one pose', ['--reach', '--volume', 'sphere']),

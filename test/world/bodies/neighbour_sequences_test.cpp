@@ -74,12 +74,14 @@ class NeighbourSequencesTest : public NeighboursTest {
         is_same |= set->links.count(link) > 0;
       if (is_same) same.push_back(set);
     }
-    if (is_empty) return same.size() == 1 ? &*same.front() : nullptr;
+    if (is_empty && same.size() != 1) return nullptr;
     if (same.empty()) return &sets_.emplace_back(ModelSet{sender, frame, links, {}, now_, {}});
+    const auto first = same.front();
+    if (is_empty) return &*first;
     for (std::size_t i = 1; i < same.size(); ++i)
       sets_.erase(same[i]);
-    same.front()->links = links;
-    return &*same.front();
+    first->links = links;
+    return &*first;
   }
 
   void send() {

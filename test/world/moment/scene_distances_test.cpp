@@ -56,7 +56,10 @@ class Sequence {
   void newModel() {
     std::vector<BoundedLink> links;
     for (int i = 0; i < 4; ++i)
-      links.push_back({"link" + std::to_string(i), {Shape{points(), {}, {}, somePose()}}, 0, ""});
+      links.push_back({"link" + std::to_string(i),
+                       {Shape{points(), Solid::kNone, Eigen::Vector3d::Zero(), somePose()}},
+                       0,
+                       ""});
     links.front().shapes.push_back(
         {nullptr, Solid::kEllipsoid, {0.4, 0.3, 0.2}, Eigen::Affine3d::Identity()});
     auto model = std::make_shared<Model>(*modelOf("map", links));

@@ -12,6 +12,9 @@ constexpr std::uint32_t kMaxHeaderSize = 64 << 10;  // bytes; rosbag writes less
 constexpr int kMaxFields = 16;                      // rosbag writes up to 6
 constexpr std::uint32_t kNanoseconds = 1000000000;
 
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+              "bags are little-endian, but roscpp sends numbers as they are in memory");
+
 template <class Number>
 Number numberAt(const char* bytes) {  // as written by a little-endian machine
   Number number;

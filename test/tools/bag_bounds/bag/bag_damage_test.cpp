@@ -21,7 +21,7 @@ constexpr std::size_t kMaxRequestCompressed = kMaxChunkSize + (1 << 20);
 
 std::vector<RecordedMessage> someMessages() {
   std::vector<RecordedMessage> messages;
-  for (int i = 0; i < 9; ++i)
+  for (unsigned i = 0; i < 9; ++i)
     messages.push_back(
         {i % 3 ? "/a" : "/b", 1000000000LL * i, std::string(i * (11 + i), char('0' + i))});
   return messages;

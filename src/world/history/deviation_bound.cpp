@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The argument is in the header; its steps have the same numbers here.
-#include "world/history/motion_bound.h"
+#include "world/history/deviation_bound.h"
 
 #include <algorithm>
 #include <cmath>

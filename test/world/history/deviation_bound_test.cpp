@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The bound of a circle is that of the circle, and large coordinates cost nothing.
-#include "world/history/motion_bound.h"
+#include "world/history/deviation_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ Tf2Pose turnedBy(double angle, const tf2::Vector3& place) {
   return {{0, 0, std::sin(angle / 2), std::cos(angle / 2)}, place};
 }
 
-TEST(MotionBound, OfACircleIsItsAcceleration) {
+TEST(DeviationBound, OfACircleIsItsAcceleration) {
   constexpr double kRadius = 2;
   const tf2::Vector3 origin(0, 0, 0);
   for (const double angle : {0.01, 0.5, 3.0}) {
@@ -26,12 +26,12 @@ TEST(MotionBound, OfACircleIsItsAcceleration) {
   }
 }
 
-TEST(MotionBound, OfAStraightWayIsRounding) {
+TEST(DeviationBound, OfAStraightWayIsRounding) {
   const EdgeStep step = stepBetween(turnedBy(1, {0, 0, 0}), turnedBy(1, {10, 20, 30}));
   EXPECT_LT(bulge({{step, step}, {step}}, 1, 100).smooth, 1e-10);
 }
 
-TEST(MotionBound, ATinyTurnMayBeAJump) {
+TEST(DeviationBound, ATinyTurnMayBeAJump) {
   const tf2::Vector3 origin(0, 0, 0);
   const EdgeStep large = stepBetween(turnedBy(0, origin), turnedBy(1e-6, origin));
   EXPECT_EQ(bulge({{large}, {large}}, 2, 0).jump, 0);
@@ -45,7 +45,7 @@ TEST(MotionBound, ATinyTurnMayBeAJump) {
 }
 
 // Both the robot and an object are far from the origin of the map, but near each other.
-TEST(MotionBound, DoesNotGrowWithTheCoordinatesOfTheMap) {
+TEST(DeviationBound, DoesNotGrowWithTheCoordinatesOfTheMap) {
   const tf2::Vector3 place(5e6, 0, 0);
   const EdgeStep robot = stepBetween(turnedBy(0, place), turnedBy(0.1, place));
   const EdgeStep object = stepBetween(turnedBy(0, place), turnedBy(0, place));

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/cloud/mesh_inside.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "geometry/distance/triangle_tree.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kOpen = static_cast<std::uint32_t>(-1);
+
+/// The error of a triple product, relative to the product of the three lengths: less than 20
+/// operations, each wrong by 1.2e-16.
+constexpr double kProductError = 1e-14;
+
+/// No axis of a CAD model, and no two in one plane with one.
+const std::array<Eigen::Vector3d, 8> kDirections{{{0.5773, 0.3917, 0.7164},
+                                                  {-0.6121, 0.4409, 0.6565},
+                                                  {0.2297, -0.8821, 0.4113},
+                                                  {-0.3319, -0.2711, -0.9036},
+                                                  {0.9173, 0.1291, -0.3767},
+                                                  {-0.8147, -0.5591, 0.1543},
+                                                  {0.1013, 0.7723, -0.6271},
+                                                  {0.4729, -0.3389, -0.8133}}};
+
+/// Vertices of a tree that have the same coordinates get the same number.
+std::vector<std::uint32_t> weldedVertices(const TriangleTree& tree) {
+  std::vector<std::uint32_t> order(tree.vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t i) {
+    const Eigen::Vector3d& v = tree.vertices[i];
+    return std::make_tuple(v.x(), v.y(), v.z());
+  };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  std::vector<std::uint32_t> result(order.size());
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0 && key(order[i - 1]) < key(order[i])) ++number;
+    result[order[i]] = number;
+  }
+  return result;
+}
+
+/// An edge of a triangle, with the smaller vertex first.
+struct Edge {
+  std::uint32_t first, second, triangle;
+  bool operator<(const Edge& other) const {
+    return std::tie(first, second) < std::tie(other.first, other.second);
+  }
+};
+
+std::vector<Edge> sortedEdges(const TriangleTree& tree) {
+  const std::vector<std::uint32_t> welded = weldedVertices(tree);
+  std::vector<Edge> edges;
+  edges.reserve(3 * tree.triangles.size());
+  for (std::uint32_t i = 0; i < tree.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] =
+          std::minmax({welded[tree.triangles[i][k]], welded[tree.triangles[i][(k + 1) % 3]]});
+      if (a != b) edges.push_back({a, b, i});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Sets of triangles that are joined again and again.
+class Parts {
+ public:
+  explicit Parts(std::size_t triangles) : parents_(triangles) {
+    std::iota(parents_.begin(), parents_.end(), 0u);
+  }
+
+  std::uint32_t find(std::uint32_t triangle) {
+    while (parents_[triangle] != triangle)
+      triangle = parents_[triangle] = parents_[parents_[triangle]];
+    return triangle;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) { parents_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+/// True if the ray may hit the box of the node. The edges are orthogonal to 1e-7, and the box is
+/// larger than its triangles by more than that; see kEdgePad in tree_build.cpp.
+bool mayHit(const TreeNode& node, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d origin = from - node.center.cast<double>();
+  double begin = 0, end = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3f& half_edge : node.edges) {
+    const Eigen::Vector3d edge = half_edge.cast<double>();
+    const double place = edge.dot(origin), step = edge.dot(direction);
+    const double half = edge.squaredNorm() * (1 + 1e-9);
+    if (step == 0) {
+      if (std::abs(place) > half) return false;
+      continue;
+    }
+    const auto [near, far] = std::minmax({(-half - place) / step, (half - place) / step});
+    begin = std::max(begin, near);
+    end = std::min(end, far);
+  }
+  return begin <= end * (1 + 1e-9);
+}
+
+}  // namespace
+
+MeshInside::MeshInside(const TriangleTree& tree) : tree_(tree) {
+  const std::vector<Edge> edges = sortedEdges(tree);
+  Parts parts(tree.triangles.size());
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (!(edges[i - 1] < edges[i])) parts.join(edges[i - 1].triangle, edges[i].triangle);
+  }
+  std::vector<bool> is_open(tree.triangles.size(), false);
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto end = std::upper_bound(edge, edges.end(), *edge);
+    if ((end - edge) % 2 != 0) is_open[parts.find(edge->triangle)] = true;
+    edge = end;
+  }
+  parts_.resize(tree.triangles.size());
+  for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+    const std::uint32_t part = parts.find(i);
+    parts_[i] = is_open[part] ? kOpen : part;
+    if (part == i && !is_open[part]) ++closed_parts_;
+  }
+}
+
+bool MeshInside::contains(const Eigen::Vector3d& point) const {
+  if (!hasInside()) return false;
+  std::vector<std::uint32_t> crossed;
+  for (const Eigen::Vector3d& direction : kDirections) {
+    crossed.clear();
+    if (!cast(point, direction, crossed)) continue;
+    std::sort(crossed.begin(), crossed.end());
+    for (auto part = crossed.begin(); part != crossed.end();) {
+      const auto end = std::upper_bound(part, crossed.end(), *part);
+      if ((end - part) % 2 != 0) return true;
+      part = end;
+    }
+    return false;
+  }
+  return true;
+}
+
+bool MeshInside::cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                      std::vector<std::uint32_t>& crossed) const {
+  std::array<std::uint32_t, 128> open;
+  std::size_t count = 0;
+  open[count++] = 0;
+  while (count > 0) {
+    const TreeNode& node = tree_.nodes[open[--count]];
+    if (!mayHit(node, from, direction)) continue;
+    if (!node.isLeaf()) {
+      if (count + 2 > open.size()) return false;
+      open[count++] = node.child + 1;
+      open[count++] = node.child;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (parts_[i] == kOpen) continue;
+      const Crossing crossing = cross(i, from, direction);
+      if (crossing == Crossing::kUnsure) return false;
+      if (crossing == Crossing::kYes) crossed.push_back(parts_[i]);
+    }
+  }
+  return true;
+}
+
+/// The ray passes on one side of all three edges, and the plane lies ahead.
+MeshInside::Crossing MeshInside::cross(std::size_t triangle, const Eigen::Vector3d& from,
+                                       const Eigen::Vector3d& direction) const {
+  Triangle corners = tree_.corners(triangle);
+  const double rounding = kProductError * (from.cwiseAbs().maxCoeff() + tree_.magnitude);
+  for (Eigen::Vector3d& corner : corners)
+    corner -= from;
+  bool has_left = false, has_right = false, is_unsure = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector3d& a = corners[k];
+    const Eigen::Vector3d& b = corners[(k + 1) % 3];
+    const double side = direction.dot(a.cross(b));
+    const double error =
+        (rounding + kProductError * a.norm()) * (b.norm() + rounding) + rounding * a.norm();
+    has_left |= side > error;
+    has_right |= side < -error;
+    is_unsure |= std::abs(side) <= error;
+  }
+  if (has_left && has_right) return Crossing::kNo;
+  if (is_unsure) return Crossing::kUnsure;
+  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double height = normal.dot(corners[0]);
+  const double length = corners[0].norm() + corners[1].norm() + corners[2].norm();
+  if (std::abs(height) <= (kProductError * length + rounding) * length * length)
+    return Crossing::kUnsure;
+  return (height > 0) == has_left ? Crossing::kYes : Crossing::kNo;
+}
+
+}  // namespace link_bounds

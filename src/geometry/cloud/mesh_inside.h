@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a point is inside a mesh.
+//
+// Triangles that share an edge belong to one part; vertices of equal coordinates are one. A part is
+// closed if an even number of its triangles meets at each edge. Then any ray from a point that
+// passes through no edge crosses the part an even or an odd number of times, whatever its
+// direction: odd is inside. A part that is not closed has no inside.
+#pragma once
+
+#include <vector>
+
+#include "link_bounds/geometry/distance/body.h"
+
+namespace link_bounds {
+
+class MeshInside {
+ public:
+  /// The tree must live as long, and no solid may sweep its triangles.
+  explicit MeshInside(const TriangleTree& tree);
+
+  bool hasInside() const { return closed_parts_ > 0; }
+
+  /// True if the point is inside a closed part: so a cavity that a closed shell surrounds is
+  /// inside. A ray that passes too close to an edge to be sure is replaced by another one; if all
+  /// are, the point counts as inside.
+  bool contains(const Eigen::Vector3d& point) const;
+
+ private:
+  enum class Crossing { kNo, kYes, kUnsure };
+
+  /// Appends the part of each triangle that the ray crosses; false if one of them is unsure.
+  bool cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+            std::vector<std::uint32_t>& crossed) const;
+  Crossing cross(std::size_t triangle, const Eigen::Vector3d& from,
+                 const Eigen::Vector3d& direction) const;
+
+  const TriangleTree& tree_;
+  std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: its part is not closed
+  std::size_t closed_parts_ = 0;
+};
+
+}  // namespace link_bounds

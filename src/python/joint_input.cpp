@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "python/joint_input.h"
+
+#include <cmath>
+
+#include "python/text.h"
+#include "robot/urdf/simple_joints.h"
+
+namespace py = pybind11;
+
+namespace link_bounds {
+namespace {
+
+const char* const kWhatRows =
+    "q must be a dict {joint: value}, an array [joints] in the order of .joints, an array [rows, "
+    "joints], or a list of dicts";
+
+/// "q", or "q[3]" of several rows.
+std::string nameOf(std::size_t row, bool is_single) {
+  return is_single ? "q" : "q[" + std::to_string(row) + "]";
+}
+
+std::string reprOf(const py::handle& object) {
+  return py::cast<std::string>(py::repr(object));
+}
+
+std::string jointName(const py::handle& key) {
+  if (py::isinstance<py::str>(key)) return py::cast<std::string>(key);
+  throw py::value_error(reprOf(key) + " is not the name of a joint");
+}
+
+double numberOf(const py::handle& value, const std::string& joint) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number == -1 && PyErr_Occurred()) {
+    PyErr_Clear();
+    throw py::value_error("the value of joint \"" + joint + "\" is " + reprOf(value) +
+                          ", but must be a number");
+  }
+  return number;
+}
+
+/// Returns false for a joint that mimics another one. Throws if there is none of that name.
+bool isSettable(const SharedRobot& shared, const std::string& name) {
+  const std::string reason = whyNoJoint(shared.robot(), name);
+  if (!reason.empty()) throw py::value_error(reason);
+  const Joint& joint = movableJoint(shared.robot(), name);
+  if (joint.mimic) warnInPython(whyIgnored(joint));
+  return !joint.mimic;
+}
+
+/// Into as many values as there are joints to be set, which are 0 before.
+void readDict(const SharedRobot& shared, const py::dict& dict, double* values) {
+  for (const auto& [key, value] : dict) {
+    const std::string name = jointName(key);
+    const double number = numberOf(value, name);
+    std::size_t column = 0;
+    while (column < shared.joints().size() &&
+           shared.robot().joints[shared.joints()[column]].name != name)
+      ++column;
+    if (column < shared.joints().size())
+      values[column] = number;
+    else
+      isSettable(shared, name);
+  }
+}
+
+JointRows rowsOfDicts(const SharedRobot& shared, const std::vector<py::dict>& dicts,
+                      bool is_single) {
+  const std::size_t columns = shared.joints().size();
+  JointRows rows{RowArray(std::vector<Py_ssize_t>{static_cast<Py_ssize_t>(dicts.size()),
+                                                  static_cast<Py_ssize_t>(columns)}),
+                 dicts.size(), is_single};
+  std::fill_n(rows.values.mutable_data(), dicts.size() * columns, 0.0);
+  for (std::size_t i = 0; i < dicts.size(); ++i)
+    readDict(shared, dicts[i], rows.values.mutable_data() + i * columns);
+  return rows;
+}
+
+/// Nothing if it is no list or tuple of dicts.
+std::vector<py::dict> dictsOf(const py::handle& q) {
+  std::vector<py::dict> dicts;
+  if (!py::isinstance<py::list>(q) && !py::isinstance<py::tuple>(q)) return dicts;
+  for (const py::handle& item : q) {
+    if (!py::isinstance<py::dict>(item)) return {};
+    dicts.push_back(py::reinterpret_borrow<py::dict>(item));
+  }
+  return dicts;
+}
+
+std::string shapeOf(const py::array& array) {
+  return reprOf(array.attr("shape"));
+}
+
+JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q) {
+  const py::array any = py::array::ensure(q);
+  if (!any) {
+    PyErr_Clear();
+    throw py::value_error(std::string(kWhatRows) + ", but it is " + reprOf(q));
+  }
+  if (std::string("fiu").find(any.dtype().kind()) == std::string::npos)
+    throw py::value_error(std::string(kWhatRows) + ", but its values are of the type " +
+                          py::cast<std::string>(py::str(any.dtype())));
+  const std::size_t columns = shared.joints().size();
+  const bool has_columns = (any.ndim() == 1 || any.ndim() == 2) &&
+                           any.shape(any.ndim() - 1) == static_cast<Py_ssize_t>(columns);
+  if (!has_columns)
+    throw py::value_error(std::string(kWhatRows) + "; its shape is " + shapeOf(any) +
+                          ", but the robot has " + std::to_string(columns) + " joints");
+  const bool is_single = any.ndim() == 1;
+  return {RowArray(any), is_single ? 1 : static_cast<std::size_t>(any.shape(0)), is_single};
+}
+
+void checkFinite(const SharedRobot& shared, const JointRows& rows) {
+  const std::size_t columns = shared.joints().size();
+  const double* const values = rows.values.data();
+  for (std::size_t i = 0; i < rows.count * columns; ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw py::value_error("joint \"" + shared.robot().joints[shared.joints()[i % columns]].name +
+                          "\" in " + nameOf(i / columns, rows.is_single) + " is " +
+                          reprOf(py::float_(values[i])) + ", but must be a finite number");
+  }
+}
+
+/// A number, or two.
+Limits rangeOf(const py::handle& value, const std::string& joint) {
+  const bool is_pair = py::isinstance<py::sequence>(value) && py::len(value) == 2;
+  if (!is_pair) {
+    const double number = numberOf(value, joint);
+    return {number, number};
+  }
+  const py::sequence pair = py::reinterpret_borrow<py::sequence>(value);
+  return {numberOf(pair[0], joint), numberOf(pair[1], joint)};
+}
+
+}  // namespace
+
+JointRows jointRows(const SharedRobot& shared, const py::handle& q) {
+  const auto read = [&] {
+    if (py::isinstance<py::dict>(q))
+      return rowsOfDicts(shared, {py::reinterpret_borrow<py::dict>(q)}, true);
+    const std::vector<py::dict> dicts = dictsOf(q);
+    return dicts.empty() ? rowsOfArray(shared, q) : rowsOfDicts(shared, dicts, false);
+  };
+  JointRows rows = read();
+  checkFinite(shared, rows);
+  return rows;
+}
+
+GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
+  GivenRanges given;
+  if (ranges.is_none()) return given;
+  if (!py::isinstance<py::dict>(ranges))
+    throw py::value_error(
+        "ranges must be a dict {joint: (lower, upper)} or {joint: value}, but is " +
+        reprOf(ranges));
+  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(ranges)) {
+    const std::string name = jointName(key);
+    const Limits range = rangeOf(value, name);
+    if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper))
+      throw py::value_error("the range of joint \"" + name + "\" is " + reprOf(value) +
+                            ", but must go from the smaller number to the larger one");
+    if (isSettable(shared, name)) given.emplace(name, range);
+  }
+  return given;
+}
+
+void checkLength(const char* name, double metres) {
+  if (std::isfinite(metres) && metres >= 0) return;
+  throw py::value_error(std::string(name) + " is " + reprOf(py::float_(metres)) +
+                        ", but must be a number of metres >= 0");
+}
+
+void checkPositive(const char* name, double number, const char* unit) {
+  if (number > 0) return;
+  throw py::value_error(std::string(name) + " is " + reprOf(py::float_(number)) +
+                        ", but must be a number of " + unit + " > 0, such as 0.01");
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Joint values, ranges and numbers as users of Python write them. What is wrong is a ValueError
+// that names it.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <string>
+
+#include "python/shared_robot.h"
+
+namespace link_bounds {
+
+using RowArray = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// Rows of the values of SharedRobot::joints(), all finite. The array keeps them alive.
+struct JointRows {
+  RowArray values;
+  std::size_t count;  ///< rows
+  bool is_single;     ///< one pose was given, not rows of poses
+
+  const double* row(std::size_t number, std::size_t columns) const {
+    return values.data() + number * columns;
+  }
+};
+
+/// A dict from names to values, joints without one are at 0; an array [joints] in the order of
+/// SharedRobot::joints(); an array [rows, joints]; or a list of dicts. An array of doubles with its
+/// rows one after the other is not copied.
+JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q);
+
+/// A dict from names to a value or to a pair (lower, upper); or None.
+GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
+
+/// Refuses a number that is not finite, or below 0.
+void checkLength(const char* name, double metres);
+
+/// Refuses a number that is not above 0.
+void checkPositive(const char* name, double number, const char* unit);
+
+}  // namespace link_bounds

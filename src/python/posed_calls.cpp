@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads write what they compute for a row into the place of that row.
+#include "python/posed_calls.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "python/joint_input.h"
+#include "python/text.h"
+#include "robot/posed/row_threads.h"
+
+namespace py = pybind11;
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kBoxNumbers = 6;
+
+/// Rows that one thread takes, which follow each other, so that searches begin where the last row's
+/// ended.
+constexpr std::size_t kAtOnce = 32;
+
+/// One entry of the structured array, as the message Distance.
+struct PairRow {
+  std::int64_t row;
+  std::int64_t first;
+  std::int64_t second;
+  double distance;
+  double distance_max;
+  double on_first[3];
+  double on_second[3];
+  double normal[3];
+  std::uint8_t level;
+};
+
+/// The others end early.
+class EndedEarly : public std::exception {};
+
+/// What a call computes of a pose, in the row of that number.
+using PoseWork = std::function<void(PosedRobot& posed, std::size_t row)>;
+
+void pose(const SharedRobot& shared, const JointRows& rows, std::size_t row, PosedRobot& posed) {
+  const std::vector<std::size_t>& joints = shared.joints();
+  const double* const given = rows.row(row, joints.size());
+  std::vector<double> values(shared.robot().joints.size(), 0.0);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    values[joints[i]] = given[i];
+  posed.move(std::move(values));
+}
+
+/// For the user.
+std::string placeOf(const JointRows& rows, std::size_t row) {
+  return rows.is_single ? "" : "q[" + std::to_string(row) + "]: ";
+}
+
+void workOn(const SharedRobot& shared, const JointRows& rows, std::size_t row, PosedRobot& posed,
+            const PoseWork& work) {
+  try {
+    pose(shared, rows, row, posed);
+    work(posed, row);
+  } catch (const JointError& error) {
+    throw JointError(placeOf(rows, row) + error.what());
+  }
+}
+
+/// On several threads. What one throws ends all.
+void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const StopFlag& stop,
+              const PoseWork& work) {
+  std::vector<Borrowed> workers;
+  for (unsigned i = 0; i < jobs; ++i)
+    workers.emplace_back(shared);
+  StopFlag has_failed{false};
+  const auto take = [&](unsigned thread, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      if (stop || has_failed) throw EndedEarly();
+      try {
+        workOn(shared, rows, row, *workers[thread], work);
+      } catch (...) {
+        has_failed = true;
+        throw;
+      }
+    }
+  };
+  forRows(0, rows.count, jobs, kAtOnce, take);
+}
+
+/// A single pose on this thread, with the GIL: waiting for it again may take longer than the boxes.
+void forOne(SharedRobot& shared, const JointRows& rows, const PoseWork& work) {
+  const Borrowed posed(shared);
+  workOn(shared, rows, 0, *posed, work);
+}
+
+/// Rows on other threads, without the GIL.
+void forMany(SharedRobot& shared, const JointRows& rows, unsigned jobs, const PoseWork& work) {
+  const std::size_t useful = std::max<std::size_t>(1, rows.count / kAtOnce);
+  const auto threads =
+      static_cast<unsigned>(std::min<std::size_t>(jobs == 0 ? coreCount() : jobs, useful));
+  interruptible([&](const StopFlag& stop) { forPoses(shared, rows, threads, stop, work); });
+}
+
+/// A link that has no box is no ValueError only where the user allows links to be incomplete.
+void writeBoxes(const SharedRobot& shared, const PosedRobot& posed, double* out) {
+  for (std::size_t link = 0; link < shared.bounded().links.size(); ++link, out += kBoxNumbers) {
+    const std::optional<Aabb>& box = posed.box(link);
+    if (!box && !shared.allowsIncomplete())
+      throw JointError("link \"" + shared.bounded().links[link].name +
+                       "\": its size and pose give no finite box");
+    if (box) {
+      std::copy_n(box->min().data(), 3, out);
+      std::copy_n(box->max().data(), 3, out + 3);
+    } else {
+      std::fill_n(out, kBoxNumbers, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
+
+PairRow rowOf(const LinkPairDistance& pair, std::size_t row) {
+  PairRow result{};
+  result.row = static_cast<std::int64_t>(row);
+  result.first = static_cast<std::int64_t>(pair.first);
+  result.second = static_cast<std::int64_t>(pair.second);
+  result.distance = pair.distance.lower;
+  result.distance_max = pair.distance.upper;
+  std::copy_n(pair.distance.on_first.data(), 3, result.on_first);
+  std::copy_n(pair.distance.on_second.data(), 3, result.on_second);
+  std::copy_n(pair.distance.normal.data(), 3, result.normal);
+  result.level = static_cast<std::uint8_t>(pair.distance.level);
+  return result;
+}
+
+void refuseUnmeasured(const SharedRobot& shared, const PoseDistances& found) {
+  if (found.unmeasured.empty()) return;
+  throw JointError("link \"" + shared.bounded().links[found.unmeasured.front()].name +
+                   "\": its size and pose give no finite distance");
+}
+
+/// A link without a box would be in no pair.
+void refuseUnboxed(const SharedRobot& shared, const PosedRobot& posed) {
+  for (std::size_t link = 0; link < shared.bounded().links.size(); ++link) {
+    if (posed.box(link) || shared.allowsIncomplete()) continue;
+    throw JointError("link \"" + shared.bounded().links[link].name +
+                     "\": its size and pose give no finite distance");
+  }
+}
+
+}  // namespace
+
+py::array boxesOf(SharedRobot& shared, const py::object& q, unsigned jobs) {
+  const JointRows rows = jointRows(shared, q);
+  const std::size_t links = shared.bounded().links.size();
+  std::vector<Py_ssize_t> shape{static_cast<Py_ssize_t>(links), 2, 3};
+  if (!rows.is_single) shape.insert(shape.begin(), static_cast<Py_ssize_t>(rows.count));
+  py::array_t<double> result(shape);
+  double* const out = result.mutable_data();
+  const auto write = [&](const PosedRobot& posed, std::size_t row) {
+    writeBoxes(shared, posed, out + row * links * kBoxNumbers);
+  };
+  if (rows.is_single)
+    forOne(shared, rows, write);
+  else
+    forMany(shared, rows, jobs, write);
+  return std::move(result);
+}
+
+py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, unsigned jobs) {
+  checkLength("limit", limit);
+  const JointRows rows = jointRows(shared, q);
+  std::vector<std::vector<PairRow>> found(rows.count);
+  const auto measure = [&](PosedRobot& posed, std::size_t row) {
+    refuseUnboxed(shared, posed);
+    const PoseDistances distances = posed.distances(limit);
+    refuseUnmeasured(shared, distances);
+    for (const LinkPairDistance& pair : distances.pairs)
+      found[row].push_back(rowOf(pair, row));
+  };
+  if (rows.is_single) {
+    const py::gil_scoped_release others;
+    forOne(shared, rows, measure);
+  } else {
+    forMany(shared, rows, jobs, measure);
+  }
+  std::size_t total = 0;
+  for (const std::vector<PairRow>& of_row : found)
+    total += of_row.size();
+  py::array_t<PairRow> result(static_cast<Py_ssize_t>(total));
+  PairRow* out = result.mutable_data();
+  for (const std::vector<PairRow>& of_row : found)
+    out = std::copy(of_row.begin(), of_row.end(), out);
+  return std::move(result);
+}
+
+void registerPairRow() {
+  PYBIND11_NUMPY_DTYPE(PairRow, row, first, second, distance, distance_max, on_first, on_second,
+                       normal, level);
+}
+
+}  // namespace link_bounds

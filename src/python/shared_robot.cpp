@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads triangles, too, because a file may have changed by the first question about distances.
+#include "python/shared_robot.h"
+
+#include "packages/package_path.h"
+#include "python/text.h"
+#include "robot/urdf/simple_joints.h"
+
+namespace link_bounds {
+namespace {
+
+std::vector<std::size_t> settableJoints(const Robot& robot) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (hasValue(robot.joints[i].motion) && !robot.joints[i].mimic) result.push_back(i);
+  }
+  return result;
+}
+
+PackagePath packagePath(const std::map<std::string, std::string>& packages) {
+  return [&packages, others = rosPackages()](const std::string& name) {
+    const auto found = packages.find(name);
+    return found != packages.end() ? found->second : others(name);
+  };
+}
+
+BoundedRobot load(const Robot& robot, const RobotRequest& request, const StopFlag& stop) {
+  Selection selection;
+  selection.visual = request.visual;
+  selection.collision = request.collision;
+  selection.triangles = true;
+  const MeshSource source{
+      packagePath(request.packages), request.base_folder, {}, {}, [&stop] { return stop.load(); }};
+  return RobotLoader().load(robot, selection, source);
+}
+
+void refuseLosses(const std::vector<std::string>& problems) {
+  if (problems.empty()) return;
+  std::string text;
+  for (const std::string& problem : problems)
+    text += (text.empty() ? "" : "\n") + problem;
+  throw UnusableRobot(text);
+}
+
+}  // namespace
+
+SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
+    : robot_(parseRobot(request.text)),
+      simple_(withSimpleJoints(robot_)),
+      joints_(settableJoints(simple_)),
+      allow_incomplete_(request.allow_incomplete),
+      bounded_(load(robot_, request, stop)) {
+  if (!allow_incomplete_ || stop) refuseLosses(bounded_.problems);
+  giveBack(borrow());
+}
+
+std::vector<std::string> SharedRobot::warnings() const {
+  std::vector<std::string> result = robot_.warnings;
+  result.insert(result.end(), bounded_.problems.begin(), bounded_.problems.end());
+  result.insert(result.end(), bounded_.body_problems.begin(), bounded_.body_problems.end());
+  return result;
+}
+
+std::unique_ptr<PosedRobot> SharedRobot::borrow() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!idle_.empty()) {
+      std::unique_ptr<PosedRobot> posed = std::move(idle_.back());
+      idle_.pop_back();
+      return posed;
+    }
+  }
+  return std::make_unique<PosedRobot>(robot_, bounded_);
+}
+
+void SharedRobot::giveBack(std::unique_ptr<PosedRobot> posed) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  idle_.push_back(std::move(posed));
+}
+
+}  // namespace link_bounds

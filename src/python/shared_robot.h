@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot as the module keeps it: shared once, immutable, with what threads borrow to pose it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "python/interruptible.h"
+#include "robot/posed/posed_robot.h"
+
+namespace link_bounds {
+
+struct RobotRequest {
+  std::string text;         ///< URDF
+  std::string base_folder;  ///< of relative mesh names
+  bool visual = true;
+  bool collision = false;
+  std::map<std::string, std::string> packages;  ///< folders; others are found as rospack does
+  bool allow_incomplete = false;
+};
+
+/// Any number of threads may use it.
+class SharedRobot {
+ public:
+  /// Throws RobotError, JointError, and UnusableRobot with a line per element that is lost, unless
+  /// that is allowed, and where `stop` is set.
+  SharedRobot(const RobotRequest& request, const StopFlag& stop);
+
+  SharedRobot(const SharedRobot&) = delete;
+  SharedRobot& operator=(const SharedRobot&) = delete;
+
+  /// With simple joints.
+  const Robot& robot() const { return simple_; }
+  const BoundedRobot& bounded() const { return bounded_; }
+  bool allowsIncomplete() const { return allow_incomplete_; }
+
+  /// Indices of the joints that can be set: they move, and mimic no other one.
+  const std::vector<std::size_t>& joints() const { return joints_; }
+
+  /// What the description and the meshes lack without being lost.
+  std::vector<std::string> warnings() const;
+
+  /// A robot that nobody else uses, until it is given back.
+  std::unique_ptr<PosedRobot> borrow();
+  void giveBack(std::unique_ptr<PosedRobot> posed);
+
+ private:
+  Robot robot_;
+  Robot simple_;
+  std::vector<std::size_t> joints_;
+  bool allow_incomplete_;
+  BoundedRobot bounded_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<PosedRobot>> idle_;  ///< guarded by mutex_
+};
+
+/// A borrowed robot, which is given back at the end.
+class Borrowed {
+ public:
+  explicit Borrowed(SharedRobot& owner) : owner_(&owner), posed_(owner.borrow()) {}
+  Borrowed(Borrowed&&) = default;
+  Borrowed& operator=(Borrowed&&) = delete;
+  ~Borrowed() {
+    if (posed_) owner_->giveBack(std::move(posed_));
+  }
+
+  PosedRobot* operator->() const { return posed_.get(); }
+  PosedRobot& operator*() const { return *posed_; }
+
+ private:
+  SharedRobot* owner_;
+  std::unique_ptr<PosedRobot> posed_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Text between C++ and Python, warnings, and the exceptions of the module.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace link_bounds {
+
+/// The description or a mesh of a robot cannot be used: link_bounds.RobotError in Python.
+class UnusableRobot : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Bytes that are no UTF-8 become surrogates, as in the names of files.
+pybind11::str toPython(const std::string& text);
+
+/// Emits a RuntimeWarning at the line of the caller. Throws where Python makes it an exception.
+void warnInPython(const std::string& text);
+
+/// Sets the exception in Python that `error` means. Rethrows what it does not know.
+void translate(std::exception_ptr error, const pybind11::handle& robot_error);
+
+}  // namespace link_bounds

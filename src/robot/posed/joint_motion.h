@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The motion of all joints between two way points, as joint_trajectory_controller interpolates.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "robot/urdf/joint_ranges.h"
+
+namespace link_bounds {
+
+/// One value per joint of a robot with simple joints; those of mimic joints do not count.
+struct WayPoint {
+  std::vector<double> positions;      ///< rad or m
+  std::vector<double> velocities;     ///< per s; may be empty
+  std::vector<double> accelerations;  ///< per s²; may be empty
+  double time = 0;                    ///< s; counts where there are velocities
+};
+
+/// Polynomials in the share of the time between the two way points, from 0 to 1.
+class JointMotion {
+ public:
+  /// Linear; cubic where both have velocities; of fifth order where both have accelerations, too.
+  /// `to.time` is then larger than `from.time`.
+  JointMotion(const WayPoint& from, const WayPoint& to);
+
+  /// Of all joints [rad or m].
+  std::vector<double> at(double share) const;
+
+  /// No value of the joint between `share` - `half` and `share` + `half` differs more from that at
+  /// `share`.
+  double spread(std::size_t joint, double share, double half) const;
+
+  /// All values on the way, from a lower to an upper one.
+  std::vector<Limits> ranges() const;
+
+ private:
+  static constexpr int kOrders = 6;
+  using Polynomial = std::array<double, kOrders>;
+
+  std::vector<Polynomial> joints_;
+};
+
+}  // namespace link_bounds

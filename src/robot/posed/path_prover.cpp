@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Branch and bound over all pairs and the time together: the interval with the smallest bound is
+// halved first, until what is proven of all is near to what was found in one.
+#include "robot/posed/path_prover.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <map>
+#include <optional>
+#include <queue>
+#include <tuple>
+
+#include "link_bounds/geometry/distance/body_distances.h"
+#include "robot/pairs/motion_bound.h"
+#include "robot/pairs/pair_body.h"
+
+namespace link_bounds {
+namespace {
+
+/// Of one segment: a search that takes longer ends undecided.
+constexpr std::size_t kMaxSteps = 200'000;
+
+/// Of a distance: what it may take, see DistanceGoal.
+constexpr std::size_t kMaxTreeSteps = 100'000;
+
+/// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
+constexpr double kTouch = 1e-7;
+
+/// A bound that exceeds the clearance by this proves that it is not undercut [m].
+constexpr double kProof = 1e-9;
+
+/// Accuracy of distances: of poses, and beside the motion of an interval [m].
+constexpr double kPoseAccuracy = kTouch / 4;
+constexpr double kShareOfMotion = 0.1;
+
+/// Beyond any robot [m].
+constexpr double kFar = 1e9;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One pair of bodies on its chain of joints.
+struct PathPair {
+  PathPair(std::size_t its_first, std::size_t its_second, JointPath its_path, const PairBody& a,
+           const PairBody& b)
+      : first(its_first),
+        second(its_second),
+        path(std::move(its_path)),
+        bodies{&a, &b},
+        motion(path, a.hull.cloud, b.hull.cloud) {}
+  PathPair(const PathPair&) = delete;
+  PathPair& operator=(const PathPair&) = delete;
+
+  std::size_t first;  ///< body
+  std::size_t second;
+  JointPath path;
+  std::array<const PairBody*, 2> bodies;
+  MotionBound motion;
+  PlacedPath placed;
+  BodyDistances distances;
+  BodyDistances hulls;
+  std::size_t segment = 0;  ///< of which the memories are; 0: none
+};
+
+/// An interval of shares, of one pair.
+struct Node {
+  double lower;  ///< proven [m]
+  std::size_t pair;
+  double middle;
+  double half;
+
+  /// Of equal bounds the later pair first, so that the order is always the same.
+  bool operator<(const Node& other) const {
+    return std::tie(lower, pair, middle) > std::tie(other.lower, other.pair, other.middle);
+  }
+};
+
+std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits) {
+  const std::vector<Lead> leads = leadsOf(robot);
+  std::vector<JointRange> ranges;
+  for (const Lead& lead : leads) {
+    const Limits& leader = limits[lead.leader];
+    const auto [lower, upper] = std::minmax(
+        {lead.factor * leader.lower + lead.offset, lead.factor * leader.upper + lead.offset});
+    ranges.push_back({lower, upper, lead});
+  }
+  return ranges;
+}
+
+}  // namespace
+
+class PathProver::Search {
+ public:
+  Search(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,
+         const std::vector<Limits>& limits, const PathGoal& goal)
+      : goal_(goal) {
+    const std::vector<JointRange> ranges = rangesOf(robot, limits);
+    for (const PathBody& body : bodies)
+      bodies_.push_back(pairBody(body.body));
+    for (const auto& [first, second] : pairs) {
+      const PairBody& a = bodies_[first];
+      const PairBody& b = bodies_[second];
+      if (!bodies[first].is_whole || !bodies[second].is_whole) is_whole_ = false;
+      if (a.body->shapes.empty() || b.body->shapes.empty()) continue;
+      pairs_.emplace_back(first, second,
+                          jointPath(robot, ranges, bodies[first].link, bodies[second].link), a, b);
+    }
+  }
+
+  SegmentProof prove(const JointMotion& motion, const std::function<bool()>& is_over) {
+    motion_ = &motion;
+    proof_ = {};
+    proven_ = kInfinity;
+    ++segment_;
+    nodes_ = {};
+    values_.clear();
+    for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
+      nodes_.push({0, pair, 0.5, 0.5});
+    for (const double end : {0.0, 1.0}) {
+      for (std::size_t pair = 0; pair < pairs_.size() && !collides() && !is_over(); ++pair)
+        measureEnd(pair, end);
+    }
+    std::size_t steps = 0;
+    while (!collides() && !nodes_.empty() && nodes_.top().lower < enough()) {
+      if (++steps > kMaxSteps || is_over()) break;
+      const Node node = nodes_.top();
+      nodes_.pop();
+      branch(node);
+    }
+    finish();
+    return proof_;
+  }
+
+ private:
+  bool isTouch(double distance) const { return distance <= goal_.clearance + kTouch; }
+  bool collides() const { return isTouch(proof_.nearest); }
+
+  /// An interval with that bound needs no more halving.
+  double enough() const {
+    return std::max(proof_.nearest - goal_.accuracy, goal_.clearance + kProof);
+  }
+
+  void finish() {
+    if (!nodes_.empty()) proven_ = std::min(proven_, nodes_.top().lower);
+    if (is_whole_ && proof_.nearest < kInfinity)
+      proof_.clearance = std::max(0.0, std::min(proven_, proof_.nearest));
+    if (collides()) {
+      proof_.verdict = PathVerdict::kCollides;
+    } else if (is_whole_ && !pairs_.empty() && proof_.clearance > goal_.clearance) {
+      proof_.verdict = PathVerdict::kSafe;
+    }
+  }
+
+  /// All joints at that share. Intervals of many pairs have the same middle.
+  const std::vector<double>& valuesAt(double share) {
+    const auto [entry, is_new] = values_.try_emplace(share);
+    if (is_new) entry->second = motion_->at(share);
+    return entry->second;
+  }
+
+  /// Memories end with the segment, so that no segment depends on those before it.
+  PathPair& begun(std::size_t index) {
+    PathPair& pair = pairs_[index];
+    if (pair.segment == segment_) return pair;
+    for (BodyDistances* distances : {&pair.distances, &pair.hulls}) {
+      const bool is_hull = distances == &pair.hulls;
+      for (const std::size_t i : {0u, 1u})
+        distances->set(i, is_hull ? pair.bodies[i]->hull.body : pair.bodies[i]->body);
+      distances->move(0, Eigen::Affine3d::Identity());
+    }
+    pair.segment = segment_;
+    return pair;
+  }
+
+  void place(PathPair& pair, double share, double half) {
+    const std::vector<double>& values = valuesAt(share);
+    JointBox box;
+    for (const std::size_t joint : pair.path.variables)
+      box.center.push_back(values[joint]);
+    pair.path.place(box.center, pair.placed);
+    if (half == 0) return;
+    for (const std::size_t joint : pair.path.variables)
+      box.half_widths.push_back(motion_->spread(joint, share, half));
+    pair.motion.set(box, pair.placed);
+  }
+
+  /// Between spheres around the bodies where they are placed, without rounding.
+  static double sphereGap(const PathPair& pair) {
+    const BodyCloud& first = pair.bodies[0]->hull.cloud;
+    const BodyCloud& second = pair.bodies[1]->hull.cloud;
+    return (pair.placed.first_from_second * second.center() - first.center()).norm() -
+           first.radius() - second.radius();
+  }
+
+  std::optional<BodyDistance> distanceOf(PathPair& pair, const DistanceGoal& goal) const {
+    pair.distances.move(1, Eigen::Affine3d(pair.placed.first_from_second));
+    pair.distances.setGoal(goal);
+    std::optional<BodyDistance> distance = pair.distances.find(0, 1);
+    // A contact deserves to be found at once.
+    if (distance && distance->lower <= goal_.clearance && !isTouch(distance->upper)) {
+      pair.distances.setGoal({kPoseAccuracy, goal_.clearance + goal.accuracy, kMaxTreeSteps});
+      distance = pair.distances.find(0, 1);
+    }
+    return distance;
+  }
+
+  void offer(const PathPair& pair, const BodyDistance& distance, double share) {
+    const double upper = distance.upper + pair.motion.rounding();
+    if (!(upper < proof_.nearest)) return;
+    proof_.nearest = upper;
+    proof_.first = pair.first;
+    proof_.second = pair.second;
+    proof_.share = share;
+  }
+
+  void measureEnd(std::size_t index, double share) {
+    PathPair& pair = begun(index);
+    place(pair, share, 0);
+    if (sphereGap(pair) >= proof_.nearest) return;
+    const double limit = std::min(proof_.nearest, kFar);
+    const auto distance = distanceOf(pair, {goal_.accuracy / 10, limit, kMaxTreeSteps});
+    if (distance) offer(pair, *distance, share);
+  }
+
+  void branch(Node node) {
+    node.lower = std::max(node.lower, bound(node));
+    if (node.lower >= enough() || pairs_[node.pair].path.variables.empty()) {
+      proven_ = std::min(proven_, node.lower);
+      return;
+    }
+    const double half = node.half / 2;
+    nodes_.push({node.lower, node.pair, node.middle - half, half});
+    nodes_.push({node.lower, node.pair, node.middle + half, half});
+  }
+
+  /// No pose of the interval has a smaller distance. Cheap bounds first.
+  double bound(const Node& node) {
+    PathPair& pair = begun(node.pair);
+    place(pair, node.middle, node.half);
+    const double motion = pair.motion.motion() + pair.motion.rounding();
+    const BodyCloud& first = pair.bodies[0]->hull.cloud;
+    const BodyCloud& second = pair.bodies[1]->hull.cloud;
+    const Eigen::Affine3d first_from_second(pair.placed.first_from_second);
+    double lower = sphereGap(pair) - motion;
+    if (lower >= enough()) return lower;
+    const DistanceGoal goal{std::max(kPoseAccuracy, kShareOfMotion * motion),
+                            std::min(enough(), kFar) + motion, kMaxTreeSteps};
+    pair.hulls.move(1, first_from_second);
+    pair.hulls.setGoal(goal);
+    const std::optional<BodyDistance> hulls = pair.hulls.find(0, 1);
+    if (!hulls) return 0;
+    lower = std::max(lower, hulls->lower - motion);
+    if (lower < enough() && hulls->lower > 0)
+      lower = std::max(lower,
+                       pair.motion.gapAlong(hulls->normal, first, second) - pair.motion.rounding());
+    if (lower >= enough()) return lower;
+    const std::optional<BodyDistance> distance = distanceOf(pair, goal);
+    if (!distance) return lower;
+    offer(pair, *distance, node.middle);
+    return std::max(lower, distance->lower - motion);
+  }
+
+  const PathGoal goal_;
+  std::deque<PairBody> bodies_;
+  std::deque<PathPair> pairs_;
+  bool is_whole_ = true;
+  std::size_t segment_ = 0;
+  const JointMotion* motion_ = nullptr;
+  SegmentProof proof_;
+  double proven_ = kInfinity;  ///< of all intervals that need no more halving
+  std::priority_queue<Node> nodes_;
+  std::map<double, std::vector<double>> values_;  ///< of all joints, by the share
+};
+
+PathProver::PathProver(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,
+                       const std::vector<Limits>& ranges, const PathGoal& goal)
+    : search_(std::make_unique<Search>(robot, bodies, pairs, ranges, goal)) {}
+PathProver::PathProver(PathProver&&) noexcept = default;
+PathProver::~PathProver() = default;
+
+SegmentProof PathProver::prove(const JointMotion& motion, const std::function<bool()>& is_over) {
+  return search_->prove(motion, is_over);
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the program.
+#include <ros/ros.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "tools/cloud_filter/cloud_filter_node.h"
+#include "world/log/log_text.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  std::vector<std::string> arguments;
+  ros::removeROSArgs(argc, argv, arguments);
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (arguments[i] == "--help" || arguments[i] == "-h") {
+      std::cout << link_bounds::filterUsage();
+      return 0;
+    }
+    if (arguments[i] == "--version") {
+      std::cout << "cloud_filter " LINK_BOUNDS_VERSION "\n";
+      return 0;
+    }
+    std::cerr << "argument " << link_bounds::logText(arguments[i]) << " is not known; see --help\n";
+    return 1;
+  }
+  ros::init(argc, argv, "cloud_filter");
+  // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  link_bounds::CloudFilterNode node;
+  node.spin();
+  return node.exitCode();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    // ROS's log may have ended already.
+    std::cerr << "[FATAL] " << link_bounds::logText(error.what()) << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/cloud_filter/filter_health.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "world/log/log_text.h"
+
+namespace link_bounds {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::size_t kMaxReasons = 20;  // lines in one status
+
+std::string text(double value, int decimals) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(decimals) << value;
+  return out.str();
+}
+
+void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue pair;
+  pair.key = logText(key);
+  pair.value = logText(value);
+  status.values.push_back(pair);
+}
+
+void raise(DiagnosticStatus& status, std::int8_t level, const std::string& words) {
+  status.level = std::max<std::int8_t>(status.level, level);
+  status.message += (status.message.empty() ? "" : "; ") + words;
+}
+
+}  // namespace
+
+FilterHealth::FilterHealth(ros::NodeHandle& node)
+    : publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {}
+
+void FilterHealth::addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
+                               double filter_ms) {
+  ++filtered_;
+  points_ += points;
+  robot_points_ += robot_points;
+  filter_ms_.push_back(filter_ms);
+  max_waited_ms_ = std::max(max_waited_ms_, waited_ms);
+}
+
+void FilterHealth::addUnfiltered(const std::string& topic, const std::string& reason,
+                                 bool is_passed) {
+  ++(is_passed ? passed_ : dropped_);
+  if (new_reasons_.size() < kMaxReasons || new_reasons_.count(reason)) ++new_reasons_[reason];
+  const std::string line = log_.line(
+      "a message on " + topic +
+          (is_passed ? " was passed on with the points of the robot: " : " was dropped: ") + reason,
+      ros::SteadyTime::now());
+  if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
+}
+
+void FilterHealth::publish(const FilteredRobot* robot) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double seconds = std::max((now - last_status_).toSec(), 1e-3);
+  last_status_ = now;
+  diagnostic_msgs::DiagnosticArray message;
+  message.header.stamp = ros::Time::now();
+  DiagnosticStatus& status = message.status.emplace_back();
+  status.name = ros::this_node::getName() + ": cloud filter";
+  status.hardware_id = "none";
+  if (!robot) raise(status, DiagnosticStatus::ERROR, "no robot has been loaded yet");
+  if (robot && !robot->problems.empty())
+    raise(status, DiagnosticStatus::WARN, "geometry of the robot is missing or a convex hull");
+  if (!new_reasons_.empty())
+    raise(status, DiagnosticStatus::WARN, "clouds or scans were not filtered");
+  if (status.message.empty()) status.message = "filtering";
+  std::sort(filter_ms_.begin(), filter_ms_.end());
+  const double all_points = static_cast<double>(points_);
+  add(status, "points per second", text(all_points / seconds, 0));
+  add(status, "robot points [%]",
+      text(points_ ? 100 * static_cast<double>(robot_points_) / all_points : 0, 2));
+  if (!filter_ms_.empty()) {
+    add(status, "per cloud, median [ms]", text(filter_ms_[filter_ms_.size() / 2], 2));
+    add(status, "per cloud, max [ms]", text(filter_ms_.back(), 2));
+    add(status, "wait for tf, max [ms]", text(max_waited_ms_, 1));
+  }
+  add(status, "filtered", std::to_string(filtered_));
+  add(status, "dropped", std::to_string(dropped_));
+  add(status, "passed unfiltered", std::to_string(passed_));
+  for (const auto& [reason, count] : new_reasons_)
+    add(status, "not filtered: " + reason, std::to_string(count));
+  if (robot) {
+    for (const std::string& problem : robot->problems)
+      add(status, "problem", problem);
+  }
+  publisher_.publish(message);
+  points_ = robot_points_ = 0;
+  filter_ms_.clear();
+  max_waited_ms_ = 0;
+  new_reasons_.clear();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What /diagnostics says of the filter.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/cloud_filter/filtered_robot.h"
+#include "world/log/repeat_log.h"
+
+namespace link_bounds {
+
+class FilterHealth {
+ public:
+  explicit FilterHealth(ros::NodeHandle& node);
+
+  /// A cloud or scan was filtered: it waited for tf, then took so long.
+  void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
+                   double filter_ms);
+
+  /// One was dropped or, if `is_passed`, sent on with the robot's points. Logs that, at a limited
+  /// rate.
+  void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
+
+  /// One status named "<node name>: cloud filter". ERROR: there is no robot. WARN: geometry is
+  /// missing, or clouds were not filtered since the last status. Else OK. `robot` may be null.
+  void publish(const FilteredRobot* robot);
+
+ private:
+  ros::Publisher publisher_;
+  ros::SteadyTime last_status_ = ros::SteadyTime::now();
+  // Since the last status:
+  std::size_t points_ = 0, robot_points_ = 0;
+  std::vector<double> filter_ms_;
+  double max_waited_ms_ = 0;
+  std::map<std::string, std::size_t> new_reasons_;  ///< why clouds were not filtered
+  // Since the start:
+  std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0;
+  RepeatLog log_;
+};
+
+}  // namespace link_bounds

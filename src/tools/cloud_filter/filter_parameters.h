@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters of cloud_filter and its topics: one table each, for the reader and --help.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "node/interface/parameter_server.h"
+#include "node/interface/parameter_table.h"
+#include "node/interface/topics.h"
+
+namespace link_bounds {
+
+/// Meanings and units are in visitFilterParameters().
+struct FilterParameters {
+  std::string geometry = "visual";
+  std::vector<std::string> links;
+  std::vector<std::string> ignore_links;
+  double padding = 0.01;
+  std::map<std::string, double> link_padding;
+  double max_wait = 0.2;
+  std::string late = "drop";
+  bool keep_organized = true;
+  double min_distance = 0;
+  int threads = 1;
+};
+
+namespace rules {
+
+inline std::string late(const std::string& value) {
+  return value == "drop" || value == "pass" ? "" : "must be drop or pass";
+}
+
+inline std::string wait(double value) {
+  return value >= 0 && value <= 10 ? "" : "must be a number of seconds from 0 to 10";
+}
+
+inline std::string threads(int value) {
+  return value >= 1 && value <= 64 ? "" : "must be a whole number from 1 to 64";
+}
+
+}  // namespace rules
+
+/// Calls visit(name, value, rule, meaning) for each private parameter.
+template <class AnyParameters, class Visitor>
+void visitFilterParameters(AnyParameters& p, Visitor&& visit) {
+  visit("geometry", p.geometry, rules::geometry, "visual, collision or both");
+  visit("links", p.links, rules::any<std::vector<std::string>>,
+        "only these links; [] = every link with geometry");
+  visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
+        "none of these links");
+  visit("padding", p.padding, rules::length,
+        "metres, 0 to 1e6; points at most so far from a link are the robot's");
+  visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
+  visit("max_wait", p.max_wait, rules::wait, "wall seconds, 0 to 10, that a cloud waits for tf");
+  visit("late", p.late, rules::late,
+        "drop or pass: what becomes of a cloud for which tf did not come; pass sends it on with "
+        "the robot's points");
+  visit("keep_organized", p.keep_organized, rules::any<bool>,
+        "points of the robot become NaN; if not, they are left out, and the cloud has one row");
+  visit("min_distance", p.min_distance, rules::length,
+        "metres, 0 to 1e6; points nearer to the origin of the sensor's frame are removed, too");
+  visit("threads", p.threads, rules::threads, "1 to 64, for one cloud");
+}
+
+constexpr TopicName kCloudTopic{"~input", "sensor_msgs/PointCloud2", "subscribed"};
+constexpr TopicName kScanTopic{"~input_scan", "sensor_msgs/LaserScan", "subscribed"};
+constexpr TopicName kCloudOutput{"~output", "sensor_msgs/PointCloud2",
+                                 "each cloud of ~input without the points of the robot"};
+constexpr TopicName kScanOutput{
+    "~output_scan", "sensor_msgs/LaserScan",
+    "each scan of ~input_scan; ranges that the robot reflected are NaN"};
+constexpr TopicName kRobotPoints{"~robot_points", "sensor_msgs/PointCloud2",
+                                 "the points that ~output lacks; only while somebody listens"};
+
+constexpr std::array<TopicName, 8> kFilterTopics{{kCloudTopic, kScanTopic, kCloudOutput,
+                                                  kScanOutput, kRobotPoints, kDiagnosticsTopic,
+                                                  kTfTopic, kTfStaticTopic}};
+
+struct ReadFilterParameters {
+  FilterParameters parameters;
+  std::vector<std::string> warnings;  ///< one per unknown private name
+};
+
+/// Throws ParameterError, NoMaster.
+ReadFilterParameters readFilterParameters(const ParameterServer& server);
+
+/// For --help.
+std::string filterUsage();
+
+}  // namespace link_bounds

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/urdf_bounds/certificate_head.h"
+
+#include <ostream>
+
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+
+void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, const Robot& robot,
+                          std::ostream& out) {
+  const char* const geometry = !options.collision ? "visual"
+                               : options.visual   ? "both"
+                                                  : "collision";
+  out << "{\"certificate\": 1, \"of\": \"" << kind << "\", \"robot\": " << jsonString(robot.name)
+      << ", \"geometry\": \"" << geometry
+      << "\", \"clearance\": " << exactNumber(options.clearance.value_or(0)) << ", \"given\": {";
+  const char* separator = "";
+  for (const auto& [joint, range] : options.joints) {
+    out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "
+        << exactNumber(range.upper) << "]";
+    separator = ", ";
+  }
+  out << "}}\n";
+}
+
+}  // namespace link_bounds

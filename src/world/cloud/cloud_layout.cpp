@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing that the message says about itself is believed.
+#include "world/cloud/cloud_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace link_bounds {
+namespace {
+
+using sensor_msgs::PointCloud2;
+using sensor_msgs::PointField;
+
+constexpr double kMaxRelativeSeconds = 1e7;
+constexpr double kMaxSeconds = 1e14;
+
+/// The first of these that there is counts.
+constexpr std::array<const char*, 4> kTimeFields{"t", "time", "timestamp", "offset_time"};
+
+const PointField* find(const PointCloud2& cloud, const std::string& name) {
+  const auto found = std::find_if(cloud.fields.begin(), cloud.fields.end(),
+                                  [&](const PointField& field) { return field.name == name; });
+  return found == cloud.fields.end() ? nullptr : &*found;
+}
+
+std::optional<NumberType> typeOf(const PointField& field) {
+  switch (field.datatype) {
+    case PointField::FLOAT32:
+      return NumberType::kFloat32;
+    case PointField::FLOAT64:
+      return NumberType::kFloat64;
+    case PointField::INT32:
+      return NumberType::kInt32;
+    case PointField::UINT32:
+      return NumberType::kUint32;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string numbers(std::uint64_t a, const std::string& words, std::uint64_t b) {
+  return std::to_string(a) + words + std::to_string(b);
+}
+
+/// Of the message as a whole; "" if it fits its data.
+std::string problemOfSizes(const PointCloud2& cloud) {
+  const std::uint64_t width = cloud.width, height = cloud.height;
+  if (cloud.is_bigendian)
+    return "its numbers are big-endian; publish little-endian ones, as drivers on PCs do";
+  if (cloud.point_step == 0) return "point_step is 0; set it to the bytes of a point";
+  if (cloud.row_step < width * cloud.point_step)
+    return numbers(cloud.row_step, " bytes of row_step are less than width times point_step, ",
+                   width * cloud.point_step) +
+           "; correct row_step, point_step or width";
+  if (cloud.data.size() < height * cloud.row_step)
+    return numbers(cloud.data.size(), " bytes of data are less than height times row_step, ",
+                   height * cloud.row_step) +
+           "; correct row_step or height, or send all data";
+  return "";
+}
+
+/// Sets `number`, or returns why the field cannot be read.
+std::string readField(const PointCloud2& cloud, const PointField& field, NumberField& number) {
+  const std::string what = "field " + field.name;
+  const auto type = typeOf(field);
+  if (!type)
+    return what + " has datatype " + std::to_string(field.datatype) +
+           "; send FLOAT32 or FLOAT64, or for a time also INT32 or UINT32";
+  const std::uint64_t size = *type == NumberType::kFloat64 ? 8 : 4;
+  if (field.offset + size > cloud.point_step)
+    return what + " ends at byte " +
+           numbers(field.offset + size, " of a point, but point_step is ", cloud.point_step) +
+           "; correct its offset or point_step";
+  number = {field.offset, *type};
+  return "";
+}
+
+std::string readCoordinates(const PointCloud2& cloud, CloudPoints& points) {
+  std::array<NumberField, 3> fields;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string name(1, "xyz"[k]);
+    const PointField* field = find(cloud, name);
+    if (!field) return "it has no field " + name + "; send x, y and z";
+    const std::string problem = readField(cloud, *field, fields[k]);
+    if (!problem.empty()) return problem;
+    const NumberType type = fields[k].type;
+    if (type != fields[0].type || type == NumberType::kInt32 || type == NumberType::kUint32)
+      return "fields x, y and z are not all FLOAT32 or all FLOAT64; send one of these types";
+  }
+  points.x = fields[0].offset;
+  points.y = fields[1].offset;
+  points.z = fields[2].offset;
+  points.is_double = fields[0].type == NumberType::kFloat64;
+  return "";
+}
+
+std::string readTime(const PointCloud2& cloud, CloudPoints& points) {
+  for (const char* name : kTimeFields) {
+    const PointField* field = find(cloud, name);
+    if (!field) continue;
+    NumberField number{};
+    std::string problem = readField(cloud, *field, number);
+    if (problem.empty()) points.time = number;
+    return problem;
+  }
+  return "";
+}
+
+std::int64_t fromNumber(double value, std::int64_t stamp) {
+  const double size = std::abs(value);
+  if (size <= kMaxRelativeSeconds) return stamp + std::llround(value * 1e9);
+  if (size <= kMaxSeconds) {
+    // Seconds and their fraction apart: in nanoseconds, the product would lose digits.
+    const double seconds = std::floor(value);
+    if (size > 9e9) return stamp;
+    return static_cast<std::int64_t>(seconds) * 1000000000 + std::llround((value - seconds) * 1e9);
+  }
+  return size < 9e18 ? static_cast<std::int64_t>(value) : stamp;
+}
+
+}  // namespace
+
+std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
+  if (!time) return stamp;
+  const std::uint8_t* at = bytes + time->offset;
+  switch (time->type) {
+    case NumberType::kUint32:
+      return stamp + read<std::uint32_t>(at);
+    case NumberType::kInt32:
+      return stamp + read<std::int32_t>(at);
+    case NumberType::kFloat32:
+      return fromNumber(read<float>(at), stamp);
+    case NumberType::kFloat64:
+      return fromNumber(read<double>(at), stamp);
+  }
+  return stamp;
+}
+
+CloudLayout layoutOf(const PointCloud2& cloud) {
+  CloudLayout result;
+  CloudPoints& points = result.points;
+  points.stamp = static_cast<std::int64_t>(cloud.header.stamp.toNSec());
+  if (cloud.width == 0 || cloud.height == 0) {
+    points.height = 1;
+    return result;
+  }
+  result.problem = problemOfSizes(cloud);
+  if (result.problem.empty()) result.problem = readCoordinates(cloud, points);
+  if (result.problem.empty()) result.problem = readTime(cloud, points);
+  if (!result.problem.empty()) return result;
+  points.data = cloud.data.data();
+  points.width = cloud.width;
+  points.height = cloud.height;
+  points.point_step = cloud.point_step;
+  points.row_step = cloud.row_step;
+  return result;
+}
+
+std::optional<TimeSpan> timeSpan(const CloudPoints& points) {
+  if (points.size() == 0) return std::nullopt;
+  if (!points.time) return TimeSpan{points.stamp, points.stamp};
+  TimeSpan span{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint8_t* bytes = points.point(i);
+    if (!points.position(bytes).allFinite()) continue;
+    const std::int64_t time = points.timeOf(bytes);
+    span.begin = std::min(span.begin, time);
+    span.end = std::max(span.end, time);
+  }
+  if (span.begin > span.end) return std::nullopt;
+  return span;
+}
+
+}  // namespace link_bounds

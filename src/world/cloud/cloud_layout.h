@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the coordinates and times of points are in the bytes of a cloud.
+//
+// Drivers write the time of a point into one of four fields:
+//
+//   t, offset_time        uint32   nanoseconds after the header's stamp: Ouster, Livox
+//   time                  float32  seconds after the header's stamp, or before it: Velodyne
+//   timestamp             float64  seconds of ROS time: Hesai, RoboSense; nanoseconds: Livox
+//
+// So whole numbers are nanoseconds after the header's stamp. Of floating-point numbers, those up to
+// 1e7 are seconds after the header's stamp, those up to 1e14 seconds of ROS time, and larger ones
+// nanoseconds of ROS time.
+#pragma once
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+namespace link_bounds {
+
+enum class NumberType { kFloat32, kFloat64, kInt32, kUint32 };
+
+struct NumberField {
+  std::size_t offset;  ///< bytes from the begin of the point
+  NumberType type;
+};
+
+/// Points in memory that somebody else holds. Every offset lies within it.
+struct CloudPoints {
+  const std::uint8_t* data = nullptr;
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t point_step = 0;  ///< bytes
+  std::size_t row_step = 0;
+  std::size_t x = 0, y = 0, z = 0;  ///< offsets
+  bool is_double = false;           ///< else coordinates are float32
+  std::optional<NumberField> time;
+  std::int64_t stamp = 0;  ///< of the header [ns]
+
+  std::size_t size() const { return width * height; }
+
+  const std::uint8_t* point(std::size_t index) const {
+    return height == 1 ? data + index * point_step
+                       : data + index / width * row_step + index % width * point_step;
+  }
+
+  template <class Number>
+  static Number read(const std::uint8_t* bytes) {
+    Number number;
+    std::memcpy(&number, bytes, sizeof number);
+    return number;
+  }
+
+  Eigen::Vector3d position(const std::uint8_t* bytes) const {
+    if (is_double)
+      return {read<double>(bytes + x), read<double>(bytes + y), read<double>(bytes + z)};
+    return {read<float>(bytes + x), read<float>(bytes + y), read<float>(bytes + z)};
+  }
+
+  /// [ns]; the stamp if the point has no usable time.
+  std::int64_t timeOf(const std::uint8_t* bytes) const;
+};
+
+struct CloudLayout {
+  CloudPoints points;
+  std::string problem;  ///< why the cloud cannot be read, and the remedy; "" if it can
+};
+
+/// The message must outlive the result.
+CloudLayout layoutOf(const sensor_msgs::PointCloud2& cloud);
+
+/// From the first to the last time of all points whose coordinates are finite. Nothing if there is
+/// no such point.
+struct TimeSpan {
+  std::int64_t begin, end;  // ns
+};
+std::optional<TimeSpan> timeSpan(const CloudPoints& points);
+
+}  // namespace link_bounds

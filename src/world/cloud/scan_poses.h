@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the links are from the sensor's frame while it scans.
+//
+// tf2's poses are computed at some moments. Between two of them a point of the sensor's frame goes,
+// in the frame of a link, nearly the straight way. deviation_bound.h proves how far it leaves it,
+// and there are as many moments as keep that below a millimetre.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "link_bounds/geometry/box/aabb.h"
+#include "world/cloud/cloud_layout.h"
+#include "world/tf/transform_buffer.h"
+
+namespace link_bounds {
+
+/// The largest error of a point in the frame of a link, from the motion during a scan [m].
+constexpr double kMaxMotionError = 1e-3;
+
+/// A link and the box that its points can be in, in its own frame.
+struct ScannedLink {
+  TransformBuffer::Frame frame;
+  Aabb box;
+};
+
+/// One link from the sensor.
+struct LinkMotion {
+  std::vector<Eigen::Matrix<double, 3, 4>> link_from_sensor;  ///< by moment
+  Aabb box;  ///< in the sensor's frame: outside it, nothing is in the link's box at any time
+  double error = 0;  ///< of a point of that box between two moments [m]
+};
+
+struct ScanPoses {
+  std::vector<std::int64_t> moments;  ///< [ns], ascending
+  std::vector<LinkMotion> links;
+  Aabb box;               ///< around all links' boxes
+  std::string problem;    ///< why there are no poses, in words; "" if there are
+  bool may_come = false;  ///< with tf that has not been received yet
+};
+
+/// Links without a finite box are left out: their own box is empty.
+ScanPoses scanPoses(const TransformBuffer& tf, TransformBuffer::Frame sensor,
+                    const std::vector<ScannedLink>& links, TimeSpan span);
+
+}  // namespace link_bounds

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How fast urdf_bounds goes through tables of joint values, on one core, beyond what loading takes:
+rows per second, with all pairs within 5 cm, and with --path the time for an edge of 0.3 rad among
+20 objects. With LINK_BOUNDS_DATA a humanoid of 29 joints with collision meshes, made of the robots
+there, and the Panda; else the robot of the demo. paths.py [--quick] [--json FILE]"""
+import argparse
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import tempfile
+
+import humanoid
+from node_process import print_target
+
+PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
+DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
+LIMIT = "0.05"  # m
+STEPS = (0.02, 0.2)  # of each joint from row to row [rad]: a motion at 50 Hz, and a scattered one
+TARGET = 2000  # rows per second
+EDGE = 0.3  # length of an edge in the space of the joints [rad]
+OBJECTS = 20
+EDGE_TARGET = 5  # ms
+
+
+def robot():
+    """Its name, URDF, and the options for its geometry."""
+    data = os.environ.get("LINK_BOUNDS_DATA")
+    if data:
+        return "humanoid, 29 joints", humanoid.humanoid(os.path.join(data, "robots")), "collision"
+    print("LINK_BOUNDS_DATA is not set: the robot of the demo stands in for a humanoid")
+    return "demo", DEMO.read_text(), "visual"
+
+
+def seconds(arguments):
+    """Of the processor, for a run on one thread."""
+    program = subprocess.Popen([PROGRAM, *arguments, "--jobs", "1"], stdout=subprocess.PIPE)
+    out = program.stdout.read()
+    _, status, usage = os.wait4(program.pid, 0)
+    program.returncode = os.WEXITSTATUS(status)
+    assert program.returncode in (0, 3, 4), program.returncode
+    return usage.ru_utime + usage.ru_stime, json.loads(out)
+
+
+def measured(name, urdf, geometry, folder, count):
+    for step in STEPS:
+        for is_series in (False, True):
+            times = []
+            for rows in (1, count):
+                table = os.path.join(folder, "table.csv")
+                pathlib.Path(table).write_text(humanoid.rows(urdf.read_text(), rows, step))
+                series = ["--series", os.path.join(folder, "series.csv")] if is_series else []
+                took, result = seconds([str(urdf), "--geometry", geometry, "--poses", table,
+                                        "--distances", LIMIT, "--format", "json", *series])
+                times.append(took)
+            pairs = None
+            if is_series:
+                lines = pathlib.Path(folder, "series.csv").read_text().count("\n") - 1
+                pairs = round(lines / count, 1)
+            yield {"robot": name, "step": step, "series": is_series, "pairs_per_row": pairs,
+                   "with_contact": result["rows"]["with_contact"] / count,
+                   "rows_per_second": round((count - 1) / max(times[1] - times[0], 1e-9))}
+
+
+def way_points(urdf, count):
+    """A csv table: a random walk within the limits, around the middle of the ranges."""
+    joints, chance = list(humanoid.joints_of(urdf)), random.Random(2)
+    middles = [(lower + upper) / 2 for _, lower, upper in joints]
+    ranges = [(max(lower, middle - 0.6), min(upper, middle + 0.6))
+              for (_, lower, upper), middle in zip(joints, middles)]
+    lines, values = [",".join(name for name, _, _ in joints)], middles
+    for _ in range(count):
+        lines.append(",".join("%.6f" % value for value in values))
+        moved = [math.inf]
+        while not all(low <= value <= high for value, (low, high) in zip(moved, ranges)):
+            step = [chance.gauss(0, 1) for _ in values]
+            length = math.sqrt(sum(x * x for x in step))
+            moved = [value + EDGE * x / length for value, x in zip(values, step)]
+        values = moved
+    return "\n".join(lines) + "\n"
+
+
+def objects():
+    """Boxes of 6 to 20 cm around the robot, as YAML."""
+    chance, text = random.Random(3), ""
+    for i in range(OBJECTS):
+        angle, radius = chance.uniform(0, 2 * math.pi), chance.uniform(0.5, 0.9)
+        sizes = tuple(chance.uniform(0.06, 0.2) for _ in range(3))
+        text += ("o%d: {type: CUBE, pose: {position: {x: %g, y: %g, z: %g}}, "
+                 "scale: {x: %g, y: %g, z: %g}}\n"
+                 % ((i, radius * math.cos(angle), radius * math.sin(angle), chance.uniform(0, 1))
+                    + sizes))
+    return text
+
+
+def edge_row(folder, urdf, geometry, count):
+    table, scene = os.path.join(folder, "path.csv"), os.path.join(folder, "objects.yaml")
+    pathlib.Path(scene).write_text(objects())
+    took = []
+    for rows in (2, count + 1):
+        pathlib.Path(table).write_text(way_points(urdf.read_text(), rows))
+        time, result = seconds([str(urdf), "--geometry", geometry, "--poses", table, "--path",
+                                "--objects", scene, "--format", "json"])
+        took.append(time)
+    verdicts = [segment["verdict"] for segment in result["segments"]]
+    return {"robot": urdf.stem, "edges": count,
+            "milliseconds": 1e3 * (took[1] - took[0]) / (count - 1),
+            **{verdict: verdicts.count(verdict) for verdict in ("SAFE", "COLLIDES", "UNDECIDED")}}
+
+
+def report_edges(row):
+    print("\n--path, edges of %g rad among %d objects, one core\n" % (EDGE, OBJECTS))
+    print("| robot | edges | SAFE | COLLIDES | UNDECIDED | mean time [ms] |")
+    print("|---|---:|---:|---:|---:|---:|")
+    print("| %(robot)s | %(edges)d | %(SAFE)d | %(COLLIDES)d | %(UNDECIDED)d | %(milliseconds).2f |"
+          % row)
+    print()
+    print_target("milliseconds for an edge", EDGE_TARGET, [row["milliseconds"]])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="2,000 rows instead of 20,000")
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        name, text, geometry = robot()
+        # Beside the meshes that it names, for those of the demo.
+        urdf = pathlib.Path(folder, "robot.urdf")
+        urdf.write_text(text)
+        rows = list(measured(name, urdf, geometry, folder, 2000 if options.quick else 20000))
+        data = os.environ.get("LINK_BOUNDS_DATA")
+        arm = pathlib.Path(folder, "panda.urdf") if data else urdf
+        if data:
+            arm.write_text(humanoid.arm(os.path.join(data, "robots")))
+        edges = edge_row(folder, arm, geometry, 100 if options.quick else 1000)
+    print("\ntable of joint values, pairs within 5 cm, one core\n")
+    print("| robot | step [rad] | written | pairs a row | rows with contact | rows/s |")
+    print("|---|---:|---|---:|---:|---:|")
+    for row in rows:
+        print("| %s | %g | %s | %s | %.0f %% | %d |" % (
+            row["robot"], row["step"], "series" if row["series"] else "summary",
+            row["pairs_per_row"] or "", 100 * row["with_contact"], row["rows_per_second"]))
+    print()
+    slowest = min(row["rows_per_second"] for row in rows if row["step"] == STEPS[0])
+    print_target("rows per second of a slow motion", TARGET, [slowest], at_most=False)
+    report_edges(edges)
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(rows + [edges], file, indent=1)
+
+
+if __name__ == "__main__":
+    main()

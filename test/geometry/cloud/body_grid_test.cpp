@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Labels of points beside a comparison with every triangle in long double.
+#include "geometry/cloud/body_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "testing/distance_bodies.h"
+
+namespace link_bounds {
+namespace {
+
+using brute_force::Random;
+using distance_oracle::Long;
+using Triangles = std::vector<distance_oracle::Triangle>;
+
+constexpr double kSlack = 1e-3;
+
+/// A tube around the z axis, closed in both directions.
+TriangleMesh torus(double large, double small, std::uint32_t around, std::uint32_t across) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t j = 0; j < across; ++j) {
+      const double a = 2 * M_PI * i / around, b = 2 * M_PI * j / across;
+      const double out = large + small * std::cos(b);
+      mesh.vertices.push_back(
+          Eigen::Vector3d(out * std::cos(a), out * std::sin(a), small * std::sin(b)).cast<float>());
+      const std::uint32_t next_i = (i + 1) % around, next_j = (j + 1) % across;
+      const std::array<std::uint32_t, 4> q{i * across + j, next_i * across + j,
+                                           next_i * across + next_j, i * across + next_j};
+      mesh.triangles.push_back({q[0], q[1], q[2]});
+      mesh.triangles.push_back({q[0], q[2], q[3]});
+    }
+  }
+  return mesh;
+}
+
+Long distanceOf(const Triangles& triangles, const Eigen::Vector3d& point) {
+  Long best = std::numeric_limits<Long>::infinity();
+  for (const auto& triangle : triangles)
+    best = std::min(best, distance_oracle::distance<Long>(point.cast<Long>(), triangle));
+  return best;
+}
+
+/// By the solid angle of all triangles, which shares no rule with parity.
+bool isInside(const Triangles& triangles, const Eigen::Vector3d& point) {
+  Long angle = 0;
+  for (const auto& triangle : triangles) {
+    const distance_oracle::Vector p = point.cast<Long>(), a = triangle[0] - p, b = triangle[1] - p,
+                                  c = triangle[2] - p;
+    const Long la = a.norm(), lb = b.norm(), lc = c.norm();
+    angle += 2 * std::atan2(a.dot(b.cross(c)),
+                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return std::abs(angle) > 2 * M_PI;
+}
+
+/// Points near the surface, and anywhere in the box and around it.
+Eigen::Vector3d anyPoint(Random& random, const MeshBody& body, const Aabb& box, double padding) {
+  if (random.uniform(0, 1) < 0.3) {
+    const Eigen::Vector3d part(random.uniform(-0.1, 1.1), random.uniform(-0.1, 1.1),
+                               random.uniform(-0.1, 1.1));
+    return box.min() + part.cwiseProduct(box.sizes());
+  }
+  const TriangleMesh& mesh = body.meshes.front();
+  const auto pick = static_cast<std::size_t>(
+      random.uniform(0, static_cast<double>(mesh.triangles.size()) - 1e-9));
+  double weight = 1;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double part = k == 2 ? weight : random.uniform(0, weight);
+    weight -= part;
+    point += part * mesh.vertices[mesh.triangles[pick][k]].cast<double>();
+  }
+  point = body.body.shapes.front().shape.link_from_shape * point;
+  return point + random.uniform(0, 1.2 * (padding + kSlack)) * random.vector(1).normalized();
+}
+
+struct Counts {
+  int body = 0, clear = 0, inside = 0;
+};
+
+/// Every label is that of the oracle. Points as near to the border as rounding are left out.
+Counts compare(const MeshBody& body, double padding, bool is_closed, int points,
+               std::uint64_t seed) {
+  const BodyGrid grid(BodySurface(body.body), {padding, kSlack});
+  EXPECT_LE(grid.bytes(), 256 * 1024u);
+  const Triangles triangles = body.placed(Eigen::Affine3d::Identity());
+  Random random(seed);
+  Counts counts;
+  for (int i = 0; i < points; ++i) {
+    const Eigen::Vector3d point = anyPoint(random, body, grid.surface().box(), padding);
+    const double slack = i % 2 == 0 ? 0 : random.uniform(0, kSlack);
+    const Long distance = distanceOf(triangles, point);
+    if (std::abs(distance - (padding + slack)) < 1e-12) continue;
+    const bool is_near = distance < padding + slack;
+    const bool is_inside = is_closed && !is_near && isInside(triangles, point);
+    const bool expected = is_near || is_inside;
+    EXPECT_EQ(grid.isBody(point, slack), expected)
+        << point.transpose() << " at " << static_cast<double>(distance) << ", slack " << slack;
+    counts.inside += is_inside;
+    ++(expected ? counts.body : counts.clear);
+  }
+  return counts;
+}
+
+MeshBody bodyOf(const TriangleMesh& mesh,
+                const Eigen::Affine3d& pose = Eigen::Affine3d::Identity()) {
+  MeshBody body;
+  body.add(mesh, pose);
+  return body;
+}
+
+TEST(BodyGrid, LabelsPointsOfMeshesAsBruteForceDoes) {
+  Random random(1);
+  for (const double padding : {0.0, 0.001, 0.01, 0.05}) {
+    const Counts ring =
+        compare(bodyOf(torus(0.2, 0.06, 24, 12), random.rigid(0.3)), padding, true, 1500, 2);
+    EXPECT_GT(ring.body, 200);
+    EXPECT_GT(ring.clear, 200);
+    if (padding < 0.02) {
+      EXPECT_GT(ring.inside, 5) << padding;
+    }
+    compare(bodyOf(boxMesh({0.3, 0.2, 0.1}), random.rigid(1)), padding, true, 1500, 3);
+    Eigen::Affine3d uneven = random.rigid(0.3);
+    uneven.linear() *= Eigen::Vector3d(1, -0.5, 2).asDiagonal();
+    compare(bodyOf(torus(0.2, 0.06, 20, 10), uneven), padding, true, 1500, 4);
+  }
+}
+
+TEST(BodyGrid, AnOpenMeshHasNoInside) {
+  TriangleMesh open = boxMesh({0.3, 0.2, 0.2});
+  open.triangles.pop_back();
+  for (const double padding : {0.0, 0.01})
+    compare(bodyOf(open), padding, false, 4000, 5);
+  const BodyGrid grid(BodySurface(bodyOf(open).body), {0.01, 0});
+  EXPECT_FALSE(grid.isBody({0, 0, 0}));
+  EXPECT_TRUE(
+      BodyGrid(BodySurface(bodyOf(boxMesh({0.3, 0.2, 0.2})).body), {0.01, 0}).isBody({0, 0, 0}));
+}
+
+TEST(BodyGrid, ClosedPartsOfOneMeshCountOneByOne) {
+  // Two boxes that overlap: by the parity of both together, the middle would be outside. An open
+  // part beside them changes nothing.
+  TriangleMesh mesh = boxMesh({0.2, 0.2, 0.2});
+  const TriangleMesh other = boxMesh({0.4, 0.1, 0.1});
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.triangles)
+    mesh.triangles.push_back({a + first, b + first, c + first});
+  const auto last = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), {{0.5f, 0, 0}, {0.5f, 0.1f, 0}, {0.5f, 0, 0.1f}});
+  mesh.triangles.push_back({last, last + 1, last + 2});
+  const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.005, 0});
+  EXPECT_TRUE(grid.isBody({0, 0, 0}));
+  EXPECT_TRUE(grid.isBody({0.15, 0, 0}));
+  EXPECT_TRUE(grid.isBody({0.03, 0.08, 0}));
+  EXPECT_FALSE(grid.isBody({0.15, 0.08, 0}));
+}
+
+TEST(BodyGrid, KeepsWhatLiesInTheHoleOfATorus) {
+  const BodyGrid grid(BodySurface(bodyOf(torus(0.1, 0.03, 48, 24)).body), {0.01, kSlack});
+  for (double radius = 0; radius < 0.0595; radius += 0.001)
+    EXPECT_FALSE(grid.isBody({radius, 0, 0})) << radius;
+  EXPECT_TRUE(grid.isBody({0.07, 0, 0}));
+  EXPECT_TRUE(grid.isBody({0.1, 0, 0}));
+}
+
+TEST(BodyGrid, SolidsAreFilled) {
+  const Eigen::Affine3d pose(Eigen::Translation3d(0.5, 0, 0));
+  const Body body{{{{nullptr, Solid::kEllipsoid, {0.2, 0.2, 0.2}, pose}},
+                   {{nullptr, Solid::kBox, {0.1, 0.1, 0.4}}},
+                   {{nullptr, Solid::kCylinder, {0.1, 0.1, 0.2}, pose.inverse()}}}};
+  const BodyGrid grid(BodySurface(body), {0.01, kSlack});
+  Random random(6);
+  const auto distance = [](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d ball = p - Eigen::Vector3d(0.5, 0, 0);
+    const Eigen::Vector3d box = (p.cwiseAbs() - Eigen::Vector3d(0.05, 0.05, 0.2)).cwiseMax(0);
+    const double side = std::max(std::hypot(p.x() + 0.5, p.y()) - 0.05, 0.0);
+    const double end = std::max(std::abs(p.z()) - 0.1, 0.0);
+    return std::min({std::max(ball.norm() - 0.1, 0.0), box.norm(), std::hypot(side, end)});
+  };
+  int near = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d point(random.uniform(-0.7, 0.7), random.uniform(-0.2, 0.2),
+                                random.uniform(-0.3, 0.3));
+    const double found = distance(point);
+    if (std::abs(found - 0.01) < 1e-6) continue;
+    EXPECT_EQ(grid.isBody(point), found < 0.01) << point.transpose();
+    near += found < 0.01;
+  }
+  EXPECT_GT(near, 500);
+}
+
+TEST(BodyGrid, PointsThatAreNotFiniteAreNoBody) {
+  const BodyGrid grid(BodySurface(bodyOf(boxMesh({1, 1, 1})).body), {0.01, 0});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, 1e300}) {
+    EXPECT_FALSE(grid.isBody({bad, 0, 0}));
+    EXPECT_FALSE(grid.isBody({0, bad, 0}));
+    EXPECT_FALSE(grid.isBody({0, 0, bad}));
+  }
+  EXPECT_FALSE(BodyGrid(BodySurface(Body()), {0.01, 0}).isBody({0, 0, 0}));
+}
+
+TEST(BodyGrid, MemoryIsBounded) {
+  for (const std::size_t max_bytes : {16u, 1000u, 65536u}) {
+    const BodyGrid grid(BodySurface(bodyOf(torus(0.3, 0.1, 12, 8)).body), {0.001, 0, max_bytes});
+    EXPECT_LE(grid.bytes(), max_bytes);
+    EXPECT_TRUE(grid.isBody({0.3, 0, 0}));
+    EXPECT_FALSE(grid.isBody({0, 0, 0}));
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""link_bounds.Robot gives the bits of urdf_bounds: on the demo robot, on small ones, and on random
+rows of the robots in $LINK_BOUNDS_DATA/robots: beside_urdf_bounds_test.py URDF_BOUNDS"""
+import concurrent.futures
+import csv
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import unittest
+import warnings
+from unittest import mock
+
+import numpy as np
+
+import link_bounds
+import urdf_bounds_testing
+from urdf_bounds_testing import ARM, UrdfBoundsTest, main
+
+DEMO = str(pathlib.Path(__file__).parents[2] / 'launch/demo/demo.urdf')
+DATA = os.environ.get('LINK_BOUNDS_DATA')
+ROWS = 100
+LIMIT = 0.1  # m
+LEVELS = {'BOX': link_bounds.BOX, 'HULL': link_bounds.HULL, 'MESH': link_bounds.MESH}
+
+
+def random_rows(robot, count, seed=1):
+    chance = random.Random(seed)
+    return np.array([[chance.uniform(-math.pi, math.pi) for _ in robot.joints]
+                     for _ in range(count)])
+
+
+class RobotTest(UrdfBoundsTest):
+    def run_program(self, urdf, *arguments):
+        done = subprocess.run([urdf_bounds_testing.URDF_BOUNDS, urdf, *arguments], check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertIn(done.returncode, (0, 3, 4), done.stderr)
+        return done.stdout
+
+    def series(self, urdf, joints, rows, *arguments):
+        """The lines of --series."""
+        lines = [','.join(joints)] + [','.join('%.17g' % value for value in row) for row in rows]
+        table, out = self.write('table.csv', '\n'.join(lines) + '\n'), self.folder + '/series.csv'
+        self.run_program(urdf, '--poses', table, '--series', out, *arguments)
+        with open(out, encoding='utf-8', newline='') as file:
+            return list(csv.reader(file))[1:]
+
+    def check_boxes(self, robot, urdf, rows, geometry):
+        expected = [line for line in self.series(urdf, robot.joints, rows, '--geometry', geometry)
+                    if not line[1].startswith('group:')]
+        found = robot.boxes(rows, jobs=2)
+        self.assertEqual(found.shape, (len(rows), len(robot.links), 2, 3))
+        lines = [[str(row + 1), link] for row in range(len(rows)) for link in robot.links]
+        self.assertEqual([line[:2] for line in expected], lines)
+        numbers = np.array([[float(x) for x in line[2:]] for line in expected])
+        self.assertEqual(numbers.tobytes(), (found + 0.0).tobytes())
+        for row in range(0, len(rows), 17):
+            self.assertEqual(robot.boxes(rows[row]).tobytes(), found[row].tobytes())
+
+    def check_distances(self, robot, urdf, rows, geometry):
+        expected = self.series(urdf, robot.joints, rows, '--geometry', geometry, '--distances',
+                               str(LIMIT))
+        found = robot.distances(rows, LIMIT, jobs=2)
+        self.assertEqual(len(found), len(expected))
+        for pair, line in zip(found, expected):
+            names = [robot.links[pair['first']], robot.links[pair['second']]]
+            self.assertEqual([str(pair['row'] + 1)] + names, line[:3])
+            numbers = np.concatenate([[pair['distance'], pair['distance_max']], pair['on_first'],
+                                      pair['on_second'], pair['normal']]) + 0.0
+            self.assertEqual(numbers.tolist(), [float(x) for x in line[3:-1]])
+            self.assertEqual(pair['level'], LEVELS[line[-1]])
+        for row in range(0, len(rows), 17):
+            alone = robot.distances(rows[row], LIMIT)
+            self.assertEqual(alone['distance'].tolist(),
+                             found[found['row'] == row]['distance'].tolist())
+        return len(found)
+
+    def test_boxes_and_distances_of_the_demo(self):
+        for geometry in ('visual', 'collision', 'both'):
+            robot = link_bounds.Robot(DEMO, geometry)
+            rows = random_rows(robot, ROWS)
+            self.check_boxes(robot, DEMO, rows, geometry)
+            self.assertGreater(self.check_distances(robot, DEMO, rows, geometry), ROWS)
+
+    @unittest.skipUnless(DATA, 'LINK_BOUNDS_DATA is not set: only the demo robot is compared')
+    def test_boxes_and_distances_of_public_robots(self):
+        data = pathlib.Path(DATA, 'robots')
+        paths = os.pathsep.join([str(data), os.environ['ROS_PACKAGE_PATH']])
+        environment = mock.patch.dict(os.environ, ROS_PACKAGE_PATH=paths)
+        environment.start()
+        self.addCleanup(environment.stop)
+        robots = json.loads((data / 'robots.json').read_text('utf-8'))['robots']
+        self.assertTrue(robots)
+        for entry in robots:
+            with self.subTest(entry['id']), warnings.catch_warnings():
+                warnings.simplefilter('ignore')
+                urdf = str(data / entry['urdf'])
+                robot = link_bounds.Robot(urdf, allow_incomplete=True)
+                if not robot.joints or not robot.links:
+                    continue
+                rows = random_rows(robot, ROWS)
+                self.check_boxes(robot, urdf, rows, 'visual')
+                self.check_distances(robot, urdf, rows[:20], 'visual')
+
+    def test_reach(self):
+        expected = json.loads(self.run_program(DEMO, '--reach', '--format', 'json',
+                                               'elbow_bend:=0.1..0.2'))['reach']
+        found = link_bounds.Robot(DEMO).reach({'elbow_bend': (0.1, 0.2)})
+        self.assertEqual(list(found), list(expected))
+        for link, reach in found.items():
+            self.assertEqual(reach.box.tolist(), [expected[link]['min'], expected[link]['max']])
+            self.assertEqual(reach.gap.ravel().tolist(), expected[link]['gap'])
+            self.assertEqual(reach.attained, expected[link]['attained'])
+
+    def test_pairs(self):
+        urdf = self.write('arm.urdf', ARM)
+        expected = json.loads(self.run_program(urdf, '--pairs', '--adjacent', '--geometry', 'both',
+                                               '--format', 'json'))['pairs']
+        found = link_bounds.Robot(urdf, 'both').pairs(adjacent=True)
+        self.assertEqual([(p.first, p.second, p.verdict, p.clearance, p.pose) for p in found],
+                         [(p['first'], p['second'], p['verdict'], p['clearance'], p['pose'])
+                          for p in expected])
+        self.assertTrue(any(pair.verdict == 'SOMETIMES' for pair in found))
+
+    def test_forms_of_a_pose(self):
+        robot = link_bounds.Robot(ARM)
+        self.assertEqual(robot.links, ['base', 'bar', 'follower'])
+        self.assertEqual(robot.joints, ['turn', 'push'])
+        self.assertEqual(robot.frame, 'base')
+        expected = robot.boxes([0.5, 0])
+        self.assertEqual(expected.shape, (3, 2, 3))
+        for q in ({'turn': 0.5}, (0.5, 0.0), np.array([0.5, 0], 'f4'), np.array([[0.5, 0]])[0],
+                  {'turn': np.float64(0.5), 'push': 0}):
+            self.assertEqual(robot.boxes(q).tobytes(), expected.tobytes())
+        for rows in ([{'turn': 0.5}, {}], [[0.5, 0], [0, 0]], np.array([[0.5, 0], [0, 0]]),
+                     np.asfortranarray([[0.5, 0], [0, 0]])):
+            found = robot.boxes(rows)
+            self.assertEqual(found.shape, (2, 3, 2, 3))
+            self.assertEqual(found[0].tobytes(), expected.tobytes())
+        self.assertEqual(robot.boxes(np.empty((0, 2))).shape, (0, 3, 2, 3))
+        self.assertEqual(robot.distances(np.empty((0, 2)), 1).shape, (0,))
+        with self.assertWarnsRegex(RuntimeWarning, '"follow" is ignored, it mimics joint "turn"'):
+            robot.boxes({'follow': 1})
+
+    def test_a_floating_base(self):
+        urdf = ARM.replace('type="prismatic"', 'type="floating"')
+        robot = link_bounds.Robot(urdf, 'collision')
+        self.assertIn('push.x', robot.joints)
+        with self.assertWarnsRegex(RuntimeWarning, 'link "slide": it depends on "push"'):
+            self.assertEqual(list(robot.reach()), ['base'])
+        self.assertEqual(list(robot.reach({'push.x': 1, 'push.y': 0, 'push.z': (0, 1)})),
+                         ['base', 'slide'])
+        self.assertEqual(list(robot.reach(fixed_base=True)), ['base', 'slide'])
+
+    def test_packages(self):
+        mesh = self.write('models/box/t.stl', urdf_bounds_testing.tetrahedron())
+        urdf = urdf_bounds_testing.tree(urdf_bounds_testing.mesh('a', 'package://models/box/t.stl'))
+        folder = os.path.dirname(os.path.dirname(mesh))
+        robot = link_bounds.Robot(urdf, packages={'models': folder})
+        np.testing.assert_allclose(robot.boxes([])[0], [[0, 0, 0], [1, 2, 3]], atol=1e-12)
+
+    def test_two_threads_at_once(self):
+        robot = link_bounds.Robot(DEMO)
+        rows = random_rows(robot, 200)
+        boxes, distances = robot.boxes(rows), robot.distances(rows, LIMIT)
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            many = [pool.submit(robot.boxes, rows), pool.submit(robot.distances, rows, LIMIT)] * 3
+            one = [pool.submit(robot.boxes, row) for row in rows]
+            for number, found in enumerate(many):
+                expected = distances if number % 2 else boxes
+                self.assertEqual(found.result().tobytes(), expected.tobytes())
+            for found, expected in zip(one, boxes):
+                self.assertEqual(found.result().tobytes(), expected.tobytes())
+
+    def test_the_stub_names_what_is_there(self):
+        import ast
+        import inspect
+        stub = pathlib.Path(__file__).parents[2] / 'src/python/link_bounds/__init__.pyi'
+        classes = {node.name: node for node in ast.parse(stub.read_text('utf-8')).body
+                   if isinstance(node, ast.ClassDef)}
+        for name in ('Robot', 'Reach', 'Pair'):
+            there = {each for each in dir(getattr(link_bounds, name)) if not each.startswith('_')}
+            members = {node.name: node for node in classes[name].body}
+            self.assertEqual(there, set(members) - {'__init__'}, name)
+            for member, node in members.items():
+                text = inspect.getdoc(getattr(getattr(link_bounds, name), member))
+                self.assertTrue(text and not text.startswith('Initialize self'), member)
+                for argument in node.args.args[1:]:
+                    self.assertIn('%s: ' % argument.arg, text, member)
+        self.assertIn('RuntimeWarning', link_bounds.Robot.__doc__)
+
+
+if __name__ == '__main__':
+    main()

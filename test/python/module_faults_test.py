@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""link_bounds.Robot refuses what is wrong in words, ends at Ctrl-C, and keeps no memory."""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+
+import link_bounds
+from patience import PATIENCE
+from urdf_bounds_testing import ARM, UrdfBoundsTest, mesh, solid, tetrahedron, tree
+
+DEMO = str(pathlib.Path(__file__).parents[2] / 'launch/demo/demo.urdf')
+INTERRUPTED = '''
+import sys, numpy, link_bounds
+robot = link_bounds.Robot(sys.argv[1])
+print('ready', flush=True)
+try:
+    %s
+except KeyboardInterrupt:
+    print('interrupted', robot.boxes({}).shape)
+'''
+
+
+def resident():
+    """Bytes of this process."""
+    pages = int(pathlib.Path('/proc/self/statm').read_text().split()[1])
+    return pages * os.sysconf('SC_PAGE_SIZE')
+
+
+class RobotFaultsTest(UrdfBoundsTest):
+    def check(self, words, call, *arguments, error=ValueError, **named):
+        with self.assertRaisesRegex(error, words):
+            call(*arguments, **named)
+
+    def test_poses(self):
+        robot = link_bounds.Robot(ARM)
+        for call in (robot.boxes, lambda q: robot.distances(q, 1)):
+            self.check(r'shape is \(3,\), but the robot has 2 joints', call, [1, 2, 3])
+            self.check(r'shape is \(2, 1\)', call, [[1], [2]])
+            self.check(r'shape is \(\)', call, 1.0)
+            self.check(r'shape is \(1, 1, 2\)', call, np.zeros((1, 1, 2)))
+            self.check('q must be a dict', call, None)
+            self.check('q must be a dict', call, ['a', 'b'])
+            self.check('q must be a dict', call, np.array([1j, 0]))
+            self.check('joint "push" in q is nan', call, [0, float('nan')])
+            self.check('joint "turn" in q is inf', call, {'turn': float('inf')})
+            self.check(r'joint "turn" in q\[2\] is nan', call, [[0, 0], [0, 0], [np.nan, 0]])
+            self.check('"elbow" is no movable joint of the robot; .* turn push', call, {'elbow': 1})
+            self.check('"bar" is no movable joint', call, [{}, {'bar': 1}])
+            self.check('value of joint "turn" is \'a\'', call, {'turn': 'a'})
+            self.check('1 is not the name of a joint', call, {1: 1})
+
+    def test_values_without_a_box(self):
+        robot = link_bounds.Robot(ARM, 'collision')
+        for call in (robot.boxes, lambda q: robot.distances(q, 1)):
+            self.check(r'q\[1\]: link "slide": its size and pose give no finite', call,
+                       [[0, 0], [0, sys.float_info.max]])
+
+    def test_numbers(self):
+        robot = link_bounds.Robot(ARM)
+        for limit in (-1, float('nan'), float('inf')):
+            self.check('limit is .*>= 0', robot.distances, {}, limit)
+        self.check('accuracy is 0.0', robot.reach, accuracy=0)
+        self.check('budget is nan', robot.pairs, budget=float('nan'))
+        self.check('clearance is -1', robot.pairs, clearance=-1)
+        self.check('range of joint "turn" is', robot.reach, {'turn': (2, 1)})
+        self.check('range of joint "turn" is', robot.pairs, {'turn': (0, float('nan'))})
+        self.check('ranges must be a dict', robot.reach, [1])
+        self.check('"x" is no movable joint', robot.reach, {'x': (0, 1)})
+        self.check('', robot.boxes, [[0, 0]], jobs=-1, error=TypeError)
+
+    def test_descriptions(self):
+        self.check('cannot read /no/such.urdf: No such file', link_bounds.Robot, '/no/such.urdf',
+                   error=link_bounds.RobotError)
+        self.check('', link_bounds.Robot, '<robot', error=link_bounds.RobotError)
+        self.check('geometry is "visaul".*collision', link_bounds.Robot, ARM, 'visaul')
+
+    def test_lost_geometry(self):
+        urdf = tree(solid('a'), mesh('b', 'file:///no/such.stl'))
+        self.check('link "b", visual 1 .*no/such.stl', link_bounds.Robot, urdf,
+                   error=link_bounds.RobotError)
+        with self.assertWarnsRegex(RuntimeWarning, 'no/such.stl'):
+            robot = link_bounds.Robot(urdf, allow_incomplete=True)
+        self.assertEqual(list(robot.incomplete), ['b'])
+        self.assertTrue(np.isnan(robot.boxes([])[1]).all())
+        np.testing.assert_allclose(robot.boxes([])[0], [[-0.5] * 3, [0.5] * 3], atol=1e-12)
+
+    def test_a_reader_of_meshes_that_dies(self):
+        """The library looks for mesh_worker beside the running program first."""
+        worker = self.write('bin/mesh_worker', '#!/bin/sh\nkill -SEGV $$')
+        os.chmod(worker, 0o755)
+        python = shutil.copy(os.path.realpath('/proc/self/exe'), os.path.dirname(worker))
+        urdf = tree(mesh('a', 'file://' + self.write('t.stl', tetrahedron())))
+        code = ('import link_bounds, sys\ntry:\n    link_bounds.Robot(sys.argv[1])\n'
+                'except link_bounds.RobotError as error:\n    print("refused:", error)')
+        done = subprocess.run([python, '-c', code, urdf], check=True, stdout=subprocess.PIPE,
+                              env=dict(os.environ, PYTHONHOME=sys.prefix), encoding='utf-8')
+        self.assertRegex(done.stdout, 'refused: link "a".* died of it .*; repair or replace')
+
+    def test_ctrl_c(self):
+        for call in ('robot.distances(numpy.zeros((10**6, len(robot.joints))), 0.5)',
+                     'robot.pairs(accuracy=1e-9, budget=1000)',
+                     'robot.reach(accuracy=1e-12, budget=1000)'):
+            process = subprocess.Popen([sys.executable, '-c', INTERRUPTED % call, DEMO],
+                                       stdout=subprocess.PIPE, encoding='utf-8')
+            try:
+                self.assertEqual(process.stdout.readline(), 'ready\n')
+                # The first signals may come before the call.
+                late = threading.Timer(1, process.send_signal, [signal.SIGINT])
+                late.start()
+                out, _ = process.communicate(timeout=60 * PATIENCE)
+            finally:
+                late.cancel()
+                process.kill()
+            self.assertRegex(out, r'interrupted \(\d+, 2, 3\)', call)
+
+    def test_many_calls_keep_no_memory(self):
+        robot = link_bounds.Robot(ARM)
+        rows = np.zeros((64, 2))
+
+        def calls(count):
+            for _ in range(count):
+                robot.boxes([0.5, 0])
+                robot.boxes({'turn': 0.5})
+                try:
+                    robot.boxes([0.5])
+                except ValueError:
+                    pass
+            for _ in range(count // 100):
+                robot.boxes(rows, jobs=2)
+                robot.distances(rows, 10, jobs=2)
+        calls(5000)
+        before = resident()
+        calls(50000)
+        self.assertLess(resident() - before, 2 << 20)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
+import math
+import struct
+import subprocess
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
+from diagnostic_msgs.msg import DiagnosticArray
+from sensor_msgs.msg import LaserScan, PointCloud2, PointField
+
+SPEED = 1.0  # m/s along x
+HAND = robot([box_link("base", (0.2, 0.2, 0.1)), box_link("left", (0.02, 0.02, 0.1), (0, 0.05, 0)),
+              box_link("right", (0.02, 0.02, 0.1), (0, -0.05, 0))],
+             [("base", "left"), ("base", "right")])
+LEFT, BETWEEN, BASE, FAR = (0, 0.05, 0), (0, 0, 0), (-1, 0, 0), (0, 0, 2)
+PLACES = [LEFT, BETWEEN, (0, -0.05, 0.055), BASE, FAR, (0, 0.0725, 0)]
+IS_ROBOT = [True, False, True, True, False, False]
+
+
+def moved(place, seconds):
+    """Where a point of the hand is in the sensor's frame."""
+    return (place[0] + SPEED * seconds, place[1], place[2])
+
+
+def cloud(stamp, points, frame="sensor"):
+    """`points` are ((x, y, z), nanoseconds after the stamp)."""
+    message = PointCloud2()
+    message.header.stamp, message.header.frame_id = stamp, frame
+    message.height, message.width, message.point_step = 1, len(points), 20
+    message.row_step = message.width * message.point_step
+    message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
+    message.fields.append(PointField("t", 16, PointField.UINT32, 1))
+    message.data = b"".join(struct.pack("<fffII", *place, 7, time) for place, time in points)
+    return message
+
+
+def places_of(message):
+    return [struct.unpack_from("<fff", message.data, i * message.point_step)
+            for i in range(message.width * message.height)]
+
+
+class CloudFilter(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.output = Recorder("/cloud_filter/output", PointCloud2)
+        cls.compact = Recorder("/compact_filter/output", PointCloud2)
+        cls.removed = Recorder("/cloud_filter/robot_points", PointCloud2)
+        cls.scans = Recorder("/cloud_filter/output_scan", LaserScan)
+        cls.status = Recorder("/diagnostics", DiagnosticArray)
+        cls.clouds = rospy.Publisher("/cloud", PointCloud2, queue_size=100)
+        cls.scan = rospy.Publisher("/scan", LaserScan, queue_size=100)
+        cls.tf, cls.tf_static = TfSender(), TfSender(is_static=True)
+        cls.wait_status("/cloud_filter", lambda status: status.level == 2)  # no robot yet
+        rospy.set_param("/robot_description", HAND)
+        for name in ("/cloud_filter", "/compact_filter"):
+            cls.wait_status(name, lambda status: status.level == 0)
+        cls.tf.wait_for_listener()
+        cls.tf_static.wait_for_listener()
+        wait_for(lambda: cls.clouds.get_num_connections() >= 2, "the filters listen")
+        wait_for(lambda: cls.scan.get_num_connections() >= 1, "the filter listens to scans")
+        cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE))
+
+    @classmethod
+    def wait_status(cls, name, condition):
+        def found(message):
+            return any(status.name == name + ": cloud filter" and condition(status)
+                       for status in message.status)
+        cls.status.clear()
+        cls.status.wait(found, "a status of " + name)
+
+    def setUp(self):
+        for recorder in (self.output, self.compact, self.removed, self.scans):
+            recorder.clear()
+        self.stamp = rospy.Time.now()
+
+    def send_tf(self, begin, end):
+        """The way of the hand; it is where the sensor is at the stamp."""
+        for i in range(round(begin * 50), round(end * 50) + 1):
+            stamp = self.stamp + rospy.Duration(i / 50)
+            self.tf.send(*[transform("sensor", finger, stamp, (SPEED * i / 50, 0, 0))
+                           for finger in ("left", "right")])
+
+    def check(self, expected, send):
+        """The labels of both filters: NaN where the robot is, or nothing."""
+        send()
+        output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
+        compact = self.compact.wait(lambda m: m.header.stamp == self.stamp, "the compact cloud")
+        places = places_of(output)
+        self.assertEqual([math.isnan(place[0]) for place in places], expected)
+        self.assertEqual(places_of(compact), [p for p in places if not math.isnan(p[0])])
+        removed = self.removed.wait(lambda m: m.header.stamp == self.stamp, "the robot's points")
+        self.assertEqual(removed.width, sum(expected))
+
+    def test_what_lies_between_the_fingers_is_kept(self):
+        self.send_tf(-0.1, 0.3)
+        self.check(IS_ROBOT, lambda: self.clouds.publish(
+            cloud(self.stamp, [(place, 0) for place in PLACES])))
+
+    def test_each_point_has_its_own_time(self):
+        self.send_tf(-0.1, 0.3)
+        late = [(moved(place, 0.09) if place != BASE else BASE, 90000000) for place in PLACES]
+        # By the stamp alone, the next one would be the robot's; the hand has left that place.
+        left_behind = [(LEFT, 90000000), (moved(LEFT, 0.09), 0)]
+        self.check(IS_ROBOT + [False, False],
+                   lambda: self.clouds.publish(cloud(self.stamp, late + left_behind)))
+
+    def test_a_cloud_waits_for_tf(self):
+        self.send_tf(-0.1, -0.02)
+        self.clouds.publish(cloud(self.stamp, [(LEFT, 0)]))
+        # Which one waits for less than the other passes it on unfiltered.
+        passed = self.compact.wait(lambda m: m.header.stamp == self.stamp, "the passed cloud")
+        self.assertEqual(passed.width, 1)
+        self.send_tf(0, 0.1)
+        output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the cloud that waited")
+        self.assertTrue(math.isnan(places_of(output)[0][0]))
+
+    def wait_refused(self, words):
+        self.wait_status("/cloud_filter", lambda status: any(
+            value.key.startswith("not filtered") and words in value.key
+            for value in status.values))
+
+    def test_a_cloud_without_tf_is_dropped_and_counted(self):
+        self.clouds.publish(cloud(self.stamp, [(LEFT, 0)], "nowhere"))
+        self.wait_refused('tf does not know its frame "nowhere"')
+        self.assertEqual(self.output.messages, [])
+
+    def test_lies_are_refused_with_words(self):
+        for field, value, words in (("point_step", 10, "field z"), ("row_step", 3, "row_step"),
+                                    ("is_bigendian", True, "big-endian"), ("height", 9, "data")):
+            message = cloud(self.stamp, [(LEFT, 0)] * 3)
+            setattr(message, field, value)
+            self.clouds.publish(message)
+            self.wait_refused(words)
+        self.clouds.publish(cloud(rospy.Time(), [(LEFT, 0)]))
+        self.wait_refused("no stamp")
+        self.assertEqual(self.output.messages, [])
+        self.send_tf(-0.1, 0.1)
+        self.stamp = self.stamp + rospy.Duration(0.01)
+        self.clouds.publish(cloud(self.stamp, []))
+        self.output.wait(lambda m: m.header.stamp == self.stamp and m.width == 0, "the empty cloud")
+
+    def test_ranges_of_a_scan_become_nan(self):
+        self.send_tf(-0.1, 0.1)
+        scan = LaserScan(angle_min=-math.pi, angle_increment=math.pi / 2, range_min=0.01,
+                         range_max=10, ranges=[1, 0.05, 3, 0.05, 0.3])
+        scan.header.stamp, scan.header.frame_id = self.stamp, "sensor"
+        self.scan.publish(scan)
+        ranges = self.scans.wait(lambda m: m.header.stamp == self.stamp, "the scan").ranges
+        self.assertEqual([math.isnan(r) for r in ranges], [True, True, False, True, False])
+
+    def test_a_wrong_parameter_is_one_error(self):
+        for name, value in (("padding", -1), ("late", "never"), ("threads", 0)):
+            rospy.set_param("/wrong/" + name, value)
+            run = subprocess.run([executable("link_bounds", "cloud_filter"), "__name:=wrong"],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                 timeout=60, check=False)
+            rospy.delete_param("/wrong/" + name)
+            self.assertEqual(run.returncode, 1, run.stdout)
+            self.assertIn("~%s" % name, run.stdout)
+            self.assertIn("must be", run.stdout)
+
+
+if __name__ == "__main__":
+    rospy.init_node("cloud_filter_test")
+    rostest.rosrun("link_bounds", "cloud_filter_test", CloudFilter)

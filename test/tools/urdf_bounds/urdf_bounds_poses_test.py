@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many poses from a table: urdf_bounds_poses_test.py URDF_BOUNDS"""
+import json
+import math
+import os
+import pathlib
+import random
+import unittest
+from xml.etree import ElementTree
+
+from urdf_bounds_testing import ARM, UrdfBoundsTest, main, run
+
+DEMO = pathlib.Path(__file__).parents[3] / 'launch/demo/demo.urdf'
+# A box that hangs in the air in front of a slide; the two touch where the slide is at 1.
+SLIDE = '''<robot name="slide">
+<link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+<link name="between"/>
+<link name="block"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+<joint name="push" type="prismatic"><parent link="base"/><child link="between"/>
+  <origin xyz="3 0 0"/><axis xyz="-1 0 0"/>
+  <limit lower="-1" upper="2.5" effort="1" velocity="1"/></joint>
+<joint name="lift" type="prismatic"><parent link="between"/><child link="block"/>
+  <axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+</robot>'''
+
+
+def demo_rows(count, seed=1, share=1.0):
+    """The names of the demo's joints, and random rows of their values in that share of their
+    ranges."""
+    chance = random.Random(seed)
+    joints = []
+    for joint in ElementTree.parse(str(DEMO)).getroot().findall('joint'):
+        limit = joint.find('limit')
+        if joint.get('type') in ('revolute', 'prismatic') and joint.find('mimic') is None:
+            joints.append((joint.get('name'), float(limit.get('lower')), float(limit.get('upper'))))
+        elif joint.get('type') == 'continuous' and joint.find('mimic') is None:
+            joints.append((joint.get('name'), -math.pi, math.pi))
+    rows = [['%.17g' % (share * chance.uniform(lower, upper)) for _, lower, upper in joints]
+            for _ in range(count)]
+    return [name for name, _, _ in joints], rows
+
+
+def csv(names, rows):
+    return '\n'.join(','.join(row) for row in [names] + rows) + '\n'
+
+
+class PosesTest(UrdfBoundsTest):
+    def summary(self, table, *arguments, code=0, urdf=SLIDE):
+        """The JSON of a table, and standard error."""
+        path = self.write('table.csv', table)
+        found, out, err = run('-', '--poses', path, '--format', 'json', *arguments, urdf=urdf)
+        self.assertEqual(found, code, err)
+        return json.loads(out), err
+
+    def series(self, table, *arguments, urdf):
+        """The lines after the first one, without their rows, by row."""
+        path, series = self.write('table.csv', table), os.path.join(self.folder, 'series.csv')
+        run(urdf, '--poses', path, '--series', series, *arguments)
+        lines = pathlib.Path(series).read_text().splitlines()
+        by_row = {}
+        for line in lines[1:]:
+            row, rest = line.split(',', 1)
+            by_row.setdefault(int(row), []).append(rest)
+        return lines[0], by_row
+
+    def test_each_row_has_the_bits_of_a_run_of_its_own(self):
+        names, rows = demo_rows(12)
+        for arguments in (['--distances', '0.2'], ['--distances', '0.2', '--geometry', 'both'], []):
+            head, by_row = self.series(csv(names, rows), *arguments, urdf=str(DEMO))
+            for number, row in enumerate(rows, 1):
+                values = ['%s:=%s' % pair for pair in zip(names, row)]
+                _, out, _ = run(str(DEMO), '--format', 'csv', *arguments, *values)
+                alone = out.splitlines()
+                self.assertEqual(head, 'row,' + alone[0])
+                self.assertEqual(by_row.get(number, []), alone[1:], (arguments, number))
+
+    def test_a_slow_motion_has_the_bits_of_single_rows_too(self):
+        """Searches begin where those of the row before ended, which must not show."""
+        names, ends = demo_rows(2, seed=5)
+        rows = [['%.17g' % (float(a) + share / 300 * (float(b) - float(a)))
+                 for a, b in zip(*ends)] for share in range(300)]
+        _, by_row = self.series(csv(names, rows), '--distances', '0.2', '--jobs', '1',
+                                urdf=str(DEMO))
+        for number in (100, 200, 299):
+            values = ['%s:=%s' % pair for pair in zip(names, rows[number - 1])]
+            _, out, _ = run(str(DEMO), '--format', 'csv', '--distances', '0.2', *values)
+            self.assertEqual(by_row.get(number, []), out.splitlines()[1:], number)
+
+    def test_the_summary_is_that_of_the_series(self):
+        names, rows = demo_rows(200, share=1.3)  # within its limits the arm hardly collides
+        table = csv(names, rows)
+        path = self.write('table.csv', table)
+        _, by_row = self.series(table, '--distances', '0.1', urdf=str(DEMO))
+        nearest, contacts = {}, set()
+        for number, lines in sorted(by_row.items()):
+            for line in lines:
+                first, second, distance = line.split(',')[:3]
+                found = (float(distance), number)
+                nearest[first, second] = min(nearest.get((first, second), found), found)
+                if float(distance) == 0:
+                    contacts.add(number)
+        code, out, _ = run(str(DEMO), '--poses', path, '--distances', '0.1', '--format', 'json')
+        summary = json.loads(out)
+        self.assertTrue(contacts and len(nearest) > 3)
+        self.assertEqual(code, 3)
+        self.assertEqual({(pair['first'], pair['second']): (pair['distance'], pair['row'])
+                          for pair in summary['pairs']}, nearest)
+        self.assertEqual(summary['rows'], {
+            'count': 200, 'with_contact': len(contacts), 'first': min(contacts),
+            'worst': min(nearest.values())[1]})
+
+    def test_results_do_not_depend_on_the_number_of_jobs(self):
+        names, rows = demo_rows(300)
+        path = self.write('table.csv', csv(names, rows))
+        seen = set()
+        for jobs in ('1', '2', '7'):
+            series = os.path.join(self.folder, jobs)
+            for more in ([], ['--series', series]):
+                _, out, err = run(str(DEMO), '--poses', path, '--distances', '0.1', '--jobs', jobs,
+                                  '--format', 'json', *more)
+                seen.add((out, err))
+            seen.add(pathlib.Path(series).read_text())
+        self.assertEqual(len(seen), 2)
+
+    def test_contacts_are_counted(self):
+        table = 'time,push,lift\n0,0,0\n0.5,1.5,0\n1,2,0\n1.5,2.25,0.5\n2,1.75,0\n'
+        summary, err = self.summary(table, '--distances', '0.3', code=3)
+        self.assertEqual(summary['rows'], {'count': 5, 'with_contact': 2, 'first': 3, 'worst': 3})
+        pair, = summary['pairs']
+        self.assertEqual((pair['first'], pair['second'], pair['distance'], pair['row'],
+                          pair['contacts']), ('base', 'block', 0, 3, 2))
+        self.assertEqual(err, '')
+        summary, _ = self.summary('push,lift\n0,0\n1.75,0\n', '--distances', '0.3')
+        self.assertEqual(summary['rows'],
+                         {'count': 2, 'with_contact': 0, 'first': None, 'worst': 2})
+        code, out, _ = run('-', '--poses', self.write('t.csv', table), '--distances', '0.3',
+                           urdf=SLIDE)
+        self.assertEqual(code, 3)
+        self.assertIn('rows: 5    with contact: 2    first: row 3 (1 s)    worst: row 3 (1 s)',
+                      out.splitlines()[0])
+
+    def test_boxes_are_around_all_rows(self):
+        summary, _ = self.summary('push,lift\n0,-0.5\n1,0.5\n')
+        self.check_box(summary['boxes']['block'], (1.5, -0.5, -1), (3.5, 0.5, 1))
+        self.check_box(summary['groups']['robot'], (-0.5, -0.5, -1), (3.5, 0.5, 1))
+        self.assertEqual(summary['rows']['with_contact'], None)
+        self.assertNotIn('pairs', summary)
+
+    def test_columns_can_be_named_and_values_given_beside_them(self):
+        summary, err = self.summary('# a comment\n1\n\n', '--columns', 'push', 'lift:=0.25')
+        self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.25), (2.5, 0.5, 0.75))
+        self.assertEqual(err, '')
+
+    def test_mimic_joints_follow(self):
+        summary, err = self.summary('turn,push\n1.5707963267948966,0\n', urdf=ARM)
+        alone = json.loads(run('-', '--format', 'json', 'turn:=1.5707963267948966')[1])
+        self.assertEqual(summary['boxes'], alone['boxes'])
+        self.assertEqual(err, '')
+        _, err = self.summary('turn,push,follow\n0,0,9\n', '--strict', urdf=ARM)
+        self.assertIn('follow another one are ignored: "follow"', err)
+
+    def test_a_free_base_has_columns(self):
+        urdf = SLIDE.replace('type="prismatic"><parent link="base"/>',
+                             'type="floating"><parent link="base"/>')
+        summary, err = self.summary(
+            'push.x,push.y,push.z,push.roll,push.pitch,push.yaw,lift\n0,0,2,0,0,0,0\n', urdf=urdf)
+        self.check_box(summary['boxes']['block'], (2.5, -0.5, 1.5), (3.5, 0.5, 2.5))
+        self.assertEqual(err, '')
+
+    def check_fault(self, reason, table, code, *arguments):
+        """A fault is named; --strict refuses it."""
+        _, err = self.summary(table, *arguments, code=code)
+        self.assertRegex(err, reason)
+        self.check_refused(reason, '-', '--poses', self.write('t.csv', table), '--strict',
+                           *arguments, urdf=SLIDE)
+
+    def test_faults_are_named_and_strict_refuses_them(self):
+        self.check_fault('joints without a column stay at 0: "lift"', 'push\n0\n', 0)
+        self.check_fault('column "pull" is no movable joint .* push lift',
+                         'push,lift,pull\n0,0,0\n', 0)
+        self.check_fault('row 2 is left out: column "lift" is "nan".*line 3',
+                         'push,lift\n0,0\n0,nan\n', 4)
+        self.check_fault('row 1 is left out: has 1 cells instead of 2', 'push,lift\n0\n1,0\n', 4)
+        self.check_fault('"push" is outside the limits -1 to 2.5 in 2 rows, first in row 2: 3',
+                         'push,lift\n0,0\n3,0\n4,0\n', 0)
+
+    def test_unusable_tables_are_refused(self):
+        for reason, table in (
+                ('column "push" is there twice', 'push,lift,push\n0,0,0\n'),
+                ('is empty', ''),
+                ('no row that can be used', 'push,lift\n'),
+                ('no row that can be used: row 1 column "push" is "x"', 'push,lift\nx,0\n'),
+                ('no column of a joint', 'a,b\n1,2\n')):
+            self.check_refused(reason, '-', '--poses', self.write('t.csv', table), urdf=SLIDE)
+        table = self.write('t.csv', 'push,lift\n0,0\n')
+        for reason, arguments in (
+                ('both come from standard input', ['--poses', '-']),
+                ('leave one out', ['--poses', table, 'push:=1']),
+                ('--jobs is "0"', ['--poses', table, '--jobs', '0']),
+                ('--columns is an option of --poses FILE', ['--columns', 'push']),
+                ('--series is an option of --poses FILE', ['--series', 'x.csv']),
+                ('give only one of the two', ['--poses', table, '--reach']),
+                ('cannot write .*is its folder there',
+                 ['--poses', table, '--series', self.folder + '/none/x.csv'])):
+            self.check_refused(reason, '-', *arguments, urdf=SLIDE)
+
+    def test_a_missing_mesh_is_incomplete(self):
+        urdf = SLIDE.replace('<box size="1 1 1"/>', '<mesh filename="none.stl"/>', 1)
+        summary, _ = self.summary('push,lift\n0,0\n', code=4, urdf=urdf)
+        self.assertIn('base', summary['incomplete'])
+        self.summary('push,lift\n0,0\n', '--allow-incomplete', urdf=urdf)
+
+
+if __name__ == '__main__':
+    main()
