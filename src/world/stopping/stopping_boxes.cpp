@@ -178,7 +178,7 @@ StopMaker::Way StopMaker::climb(Frame frame, const FramePose& start) {
   for (std::size_t steps = 0;; ++steps) {
     const std::optional<std::size_t> link = rules_.linkOf(tf_.name(frame));
     way.is_carried = way.is_carried || link;
-    if (way.is_carried) way.problem = below;
+    if (way.is_carried && way.problem.empty()) way.problem = below;
     const bool is_root = link && !rules_.jointAbove(*link);
     if (!way.problem.empty() || frame == scene_.target) break;
     if (is_root) {
