@@ -278,5 +278,29 @@ TEST(StoppingBoxes, ABaseThatDrivesNeedsItsDeceleration) {
   }
 }
 
+/// On a circle of radius 1 m at 60 rad/s: the chord of 10 ms is shorter than the arc, and points
+/// away from where the base goes next.
+TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
+  Parameters parameters = goodParameters();
+  parameters.base_deceleration = {{"linear", 1e6}, {"angular", 1e6}};
+  parameters.reaction_time = 0.002;
+  parameters.velocity_window = 0.01;
+  Robotics robot(parameters);
+  const Values values = robot.values({});
+  const auto on_circle = [](double turn) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    pose.translation() = Eigen::Vector3d(std::sin(turn), -std::cos(turn), 0);
+    return pose;
+  };
+  for (int i = 20; i >= 0; --i)
+    robot.send(kStamp - i / kRate, values, on_circle(-60 * i / kRate));
+  const StoppingBoxes found = robot.stopping();
+  EXPECT_EQ(found.problem, "");
+  ASSERT_EQ(found.moment->bodies.size(), robot.robot().links.size());
+  for (int i = 0; i <= 10; ++i)
+    EXPECT_TRUE(contains(*found.moment, robot.boxesAt(values, on_circle(60 * 0.0002 * i)))) << i;
+}
+
 }  // namespace
 }  // namespace link_bounds
