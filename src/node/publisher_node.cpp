@@ -68,12 +68,18 @@ PublisherNode::PublisherNode()
       box_service_(private_node_, scene_copier_),
       swept_output_(
           periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
+          scene_copier_),
+      stopping_output_(
+          periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
           scene_copier_) {
   repeat(kTick, &PublisherNode::onTick);
   repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames);
   repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics);
   subscribeToObjects();
-  output_.onBoxes([this] { swept_output_.request(); });
+  output_.onBoxes([this] {
+    swept_output_.request();
+    stopping_output_.request();
+  });
   ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
   handlers.adopt = [this](const auto& model) { measure([&] { adopt(model); }); };
@@ -201,6 +207,7 @@ void PublisherNode::adopt(ModelLoader::ModelPtr model) {
   feed_.adopt(model_, ros::Time::now());
   scene_copier_.adopt(model_);
   swept_output_.adopt(model_->parameters);
+  stopping_output_.adopt(model_->parameters);
   output_.adopt();
 }
 
@@ -268,6 +275,7 @@ void PublisherNode::publishDiagnostics() {
   health.delay_ms = std::chrono::duration<double, std::milli>(max_delay_).count();
   max_delay_ = std::chrono::nanoseconds(0);
   health.footprint = output_.footprintState();
+  health.stopping = stopping_output_.problem();
   health.intake = feed_.tf().intake();
   health.late_publishers = feed_.takeLatePublishers();
   health.distances = output_.distances().takeHealth();

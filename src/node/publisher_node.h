@@ -16,6 +16,7 @@
 #include "node/outputs/box_service.h"
 #include "node/outputs/scene_copier.h"
 #include "node/outputs/scene_output.h"
+#include "node/outputs/stopping_output.h"
 #include "node/outputs/swept_output.h"
 #include "node/threads/periodic.h"
 #include "node/threads/timed_queue.h"
@@ -94,6 +95,7 @@ class PublisherNode {
   SceneCopier scene_copier_;
   BoxService box_service_;
   SweptOutput swept_output_;
+  StoppingOutput stopping_output_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::Subscriber neighbours_subscriber_;

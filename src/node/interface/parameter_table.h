@@ -78,6 +78,27 @@ inline std::string linkPadding(const std::map<std::string, double>& value) {
   return "";
 }
 
+inline std::string accelerations(const std::map<std::string, double>& value) {
+  for (const auto& [joint, acceleration] : value) {
+    if (!positive(acceleration).empty())
+      return "must be finite numbers > 0; see joint \"" + joint + "\"";
+  }
+  return "";
+}
+
+inline std::string baseDeceleration(const std::map<std::string, double>& value) {
+  for (const auto& [name, deceleration] : value) {
+    const bool is_known = name == "linear" || name == "angular";
+    if (!is_known || !positive(deceleration).empty())
+      return "must have linear and angular, finite numbers > 0; see \"" + name + "\"";
+  }
+  return "";
+}
+
+inline std::string duringReaction(const std::string& value) {
+  return value == "measured" || value == "limit" ? "" : "must be measured or limit";
+}
+
 inline std::string groups(const std::map<std::string, std::vector<std::string>>& value) {
   return value.count(kRobotGroup) ? "must not define \"robot\", which is always all links" : "";
 }
@@ -154,6 +175,22 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "metres, 0 to 1e6; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("swept_span", p.swept_span, rules::notNegative,
         "seconds, >= 0, of motion that the boxes of ~swept cover; 0 = none are sent");
+  visit(
+      "deceleration", p.deceleration, rules::accelerations,
+      "rad/s^2 or m/s^2, > 0, with which each joint brakes at least; without it, the links beyond "
+      "the joint are incomplete on ~stopping");
+  visit(
+      "base_deceleration", p.base_deceleration, rules::baseDeceleration,
+      "linear (m/s^2) and angular (rad/s^2), > 0: the same of the root in the fixed frame, and of "
+      "floating and planar joints");
+  visit("acceleration", p.acceleration, rules::accelerations,
+        "rad/s^2 or m/s^2, > 0, with which a joint speeds up at most; without it, in no time");
+  visit("reaction_time", p.reaction_time, rules::notNegative,
+        "seconds, >= 0, from the stamp of a transform until all joints brake");
+  visit("during_reaction", p.during_reaction, rules::duringReaction,
+        "until they brake, joints keep their measured speed, or may reach the limit of the URDF");
+  visit("velocity_window", p.velocity_window, rules::positive,
+        "seconds, > 0, of transforms from which speeds come; no two may be farther apart");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

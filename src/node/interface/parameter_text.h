@@ -34,7 +34,7 @@ inline std::string typeName(const std::vector<std::string>&) {
   return "string[]";
 }
 inline std::string typeName(const std::map<std::string, double>&) {
-  return "map link: double";
+  return "map name: double";
 }
 inline std::string typeName(const std::map<std::string, std::vector<std::string>>&) {
   return "map name: string[]";

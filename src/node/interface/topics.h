@@ -65,6 +65,18 @@ constexpr TopicName kSweptTopic{
 constexpr TopicName kSweptMarkersTopic{"~swept_markers", "visualization_msgs/MarkerArray",
                                        "the boxes of ~swept, at most marker_rate, only while "
                                        "somebody listens and swept_span > 0"};
+constexpr TopicName kStoppingTopic{
+    "~stopping", "link_bounds/AxisAlignedBoxArray",
+    "boxes around all that links can reach until the robot stands; with each ~boxes, or the newest "
+    "one where computing takes longer; only while somebody listens; sent at once when somebody "
+    "subscribes"};
+constexpr TopicName kStoppingMarkersTopic{
+    "~stopping_markers", "visualization_msgs/MarkerArray",
+    "the boxes of ~stopping, at most marker_rate, only while somebody listens"};
+constexpr TopicName kStoppingOverlapsTopic{
+    "~stopping_overlaps", "link_bounds/BoxOverlapArray",
+    "pairs of boxes of ~stopping, by the rules of ~overlaps, also when empty; as ~stopping, only "
+    "while somebody listens"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
@@ -77,10 +89,16 @@ constexpr TopicName kNeighboursTopic{
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 17> kTopics{
-    {kBoxesTopic, kGroupsTopic, kMarkersTopic, kPartsTopic, kFootprintTopic, kOverlapsTopic,
-     kDistancesTopic, kNearestTopic, kDistanceMarkersTopic, kSweptTopic, kSweptMarkersTopic,
-     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kObjectsTopic, kObjectTopic, kNeighboursTopic}};
+constexpr std::array<TopicName, 20> kTopics{{kBoxesTopic,           kGroupsTopic,
+                                             kMarkersTopic,         kPartsTopic,
+                                             kFootprintTopic,       kOverlapsTopic,
+                                             kDistancesTopic,       kNearestTopic,
+                                             kDistanceMarkersTopic, kSweptTopic,
+                                             kSweptMarkersTopic,    kStoppingTopic,
+                                             kStoppingMarkersTopic, kStoppingOverlapsTopic,
+                                             kDiagnosticsTopic,     kTfTopic,
+                                             kTfStaticTopic,        kObjectsTopic,
+                                             kObjectTopic,          kNeighboursTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

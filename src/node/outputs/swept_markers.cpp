@@ -12,22 +12,31 @@ namespace {
 using visualization_msgs::Marker;
 
 /// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
-constexpr char kNamespace[] = "link_bounds/swept";
+struct Look {
+  const char* ns;
+  float red;
+  float green;
+  float blue;
+};
+
+constexpr Look kSwept{"link_bounds/swept", 1, 0.5F, 0};
+constexpr Look kStopping{"link_bounds/stopping", 1, 0, 0.6F};
 
 constexpr double kEdgeWidth = 0.002;  ///< [m]
 /// The robot and its boxes stay visible inside.
 constexpr float kFaceAlpha = 0.15F;
 constexpr float kEdgeAlpha = 0.6F;
 
-Marker marker(const std_msgs::Header& header, int id, int type, float alpha) {
+Marker marker(const std_msgs::Header& header, const Look& look, int id, int type, float alpha) {
   Marker result;
   result.header = header;
-  result.ns = kNamespace;
+  result.ns = look.ns;
   result.id = id;
   result.type = type;
   result.pose.orientation.w = 1;
-  result.color.r = 1;
-  result.color.g = 0.5F;
+  result.color.r = look.red;
+  result.color.g = look.green;
+  result.color.b = look.blue;
   result.color.a = alpha;
   result.frame_locked = true;
   return result;
@@ -49,12 +58,10 @@ void addEdges(const std::array<Eigen::Vector3d, 8>& corner, Marker& lines) {
   }
 }
 
-}  // namespace
-
-visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes) {
-  Marker faces = marker(boxes.header, 0, Marker::TRIANGLE_LIST, kFaceAlpha);
+visualization_msgs::MarkerArray motionMarkers(const AxisAlignedBoxArray& boxes, const Look& look) {
+  Marker faces = marker(boxes.header, look, 0, Marker::TRIANGLE_LIST, kFaceAlpha);
   faces.scale.x = faces.scale.y = faces.scale.z = 1;
-  Marker lines = marker(boxes.header, 1, Marker::LINE_LIST, kEdgeAlpha);
+  Marker lines = marker(boxes.header, look, 1, Marker::LINE_LIST, kEdgeAlpha);
   lines.scale.x = kEdgeWidth;
   for (const AxisAlignedBox& message : boxes.boxes) {
     const Aabb box = toAabb(message);
@@ -67,6 +74,16 @@ visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes) {
   visualization_msgs::MarkerArray array;
   array.markers = {std::move(faces), std::move(lines)};
   return array;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes) {
+  return motionMarkers(boxes, kSwept);
+}
+
+visualization_msgs::MarkerArray stoppingMarkers(const AxisAlignedBoxArray& boxes) {
+  return motionMarkers(boxes, kStopping);
 }
 
 }  // namespace link_bounds

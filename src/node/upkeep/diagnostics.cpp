@@ -240,6 +240,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
   add(status, "footprint", health.footprint);
+  if (!health.stopping.empty()) add(status, "stopping", "incomplete: " + health.stopping);
   addDistances(health.distances, seconds, status);
   addTimes(times, status);
   publisher_.publish(array);

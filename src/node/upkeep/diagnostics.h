@@ -32,6 +32,7 @@ struct Health {
   double delay_ms = 0;             ///< from the arrival of a message until it was handled; the
                                    ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
+  std::string stopping;            ///< why boxes of ~stopping are missing; "": none is
   TfIntake intake;
   LatePublishers::Texts late_publishers;
   DistanceHealth distances;

@@ -113,6 +113,7 @@ Joint toJoint(const urdf::Joint& source, const LinkIndex& index) {
   const bool has_range =
       source.type == urdf::Joint::REVOLUTE || source.type == urdf::Joint::PRISMATIC;
   if (has_range && source.limits) joint.limits = Limits{source.limits->lower, source.limits->upper};
+  if (hasValue(joint.motion) && source.limits) joint.max_speed = source.limits->velocity;
   if (source.mimic) {
     joint.mimic = Mimic{source.mimic->joint_name, source.mimic->multiplier, source.mimic->offset};
   }

@@ -144,6 +144,22 @@ std::vector<Attachment> attachmentsOf(const Parameters& parameters, const Robot&
   return result;
 }
 
+/// One warning per name of a joint that the robot does not have.
+std::vector<std::string> unknownJoints(const Parameters& parameters, const Robot& robot) {
+  std::vector<std::string> warnings;
+  const auto check = [&](const std::map<std::string, double>& values, const char* parameter) {
+    for (const auto& [name, value] : values) {
+      const auto is_it = [&name = name](const Joint& joint) { return joint.name == name; };
+      if (std::any_of(robot.joints.begin(), robot.joints.end(), is_it)) continue;
+      warnings.push_back("parameter ~" + std::string(parameter) + " names joint \"" + name +
+                         "\", which the robot description does not have; correct the name");
+    }
+  };
+  check(parameters.deceleration, "deceleration");
+  check(parameters.acceleration, "acceleration");
+  return warnings;
+}
+
 /// One warning per unknown name. Names with a slash may be those of objects.
 std::vector<std::string> unknownNames(const Parameters& parameters,
                                       const std::vector<NamePair>& ignored_pairs,
@@ -229,6 +245,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   }
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   model.bodies = bodiesOf(robot, bounded.indices);
+  model.robot = std::make_shared<const Robot>(robot);
+  model.robot_links = bounded.indices;
   model.ignored_pairs = NamePairs(ignored_pairs);
   model.attached = attachmentsOf(parameters, robot);
   for (const auto& [path, points] : bounded.meshes)
@@ -236,6 +254,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   model.mesh_uris = std::move(bounded.mesh_uris);
   model.problems = std::move(bounded.problems);
   model.warnings = unknownNames(parameters, ignored_pairs, names);
+  const std::vector<std::string> unknown_joints = unknownJoints(parameters, robot);
+  model.warnings.insert(model.warnings.end(), unknown_joints.begin(), unknown_joints.end());
   model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),
                         bounded.part_problems.end());
   if (model.links.empty()) {

@@ -37,6 +37,12 @@ struct Parameters {
   double distance_accuracy = 1e-4;
   double distance_warning = 0.0;
   double swept_span = 0.0;
+  std::map<std::string, double> deceleration;
+  std::map<std::string, double> base_deceleration;
+  std::map<std::string, double> acceleration;
+  double reaction_time = 0.1;
+  std::string during_reaction = "measured";
+  double velocity_window = 0.05;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;

@@ -84,7 +84,8 @@ struct Joint {
   Eigen::Isometry3d parent_from_joint;
   Eigen::Vector3d axis;  ///< unit length, in the frame of the joint; zero as in the URDF
   std::optional<Mimic> mimic;
-  std::optional<Limits> limits;  ///< of revolute and prismatic joints, if the URDF has them
+  std::optional<Limits> limits;          ///< of revolute and prismatic joints, if the URDF has them
+  std::optional<double> max_speed = {};  ///< [rad/s or m/s], if the URDF has a limit
   /// The floating or planar joint of which this is one value; "" if it is a joint of the URDF.
   std::string part_of = {};
 };

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// publish() runs on a thread of its own, everything else on the update thread.
+#include "node/outputs/stopping_output.h"
+
+#include <utility>
+
+#include "node/interface/topics.h"
+#include "node/outputs/box_message.h"
+#include "node/outputs/queues.h"
+#include "node/outputs/swept_markers.h"
+#include "world/history/past_boxes.h"
+#include "world/stopping/stopping_boxes.h"
+
+namespace link_bounds {
+namespace {
+
+Worker::Options options() {
+  Worker::Options result;
+  result.name = "stopping boxes";
+  result.is_nice = true;
+  return result;
+}
+
+}  // namespace
+
+StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node,
+                               const Guard& guard, const SceneCopier& scenes)
+    : scenes_(scenes),
+      boxes_(private_node, privateName(kStoppingTopic), kBoxesQueue,
+             [this, guard](const auto&) { guard([this] { post(); }); }),
+      overlaps_(private_node, privateName(kStoppingOverlapsTopic), kBoxesQueue,
+                [this, guard](const auto&) { guard([this] { post(); }); }),
+      markers_(private_node, privateName(kStoppingMarkersTopic), kMarkersQueue,
+               [this, guard](const auto&) { guard([this] { requestMarkers(); }); }),
+      markers_output_(periodic, guard, [this] { requestMarkers(); }),
+      worker_(options()) {}
+
+void StoppingOutput::request() {
+  if (areBoxesWanted()) post();
+  if (markers_.hasSubscribers()) markers_output_.request();
+  if (!areBoxesWanted() && !markers_.hasSubscribers()) setProblem("");
+}
+
+std::string StoppingOutput::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problem_;
+}
+
+void StoppingOutput::setProblem(std::string problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  problem_ = std::move(problem);
+}
+
+void StoppingOutput::requestMarkers() {
+  are_markers_due_ = true;
+  post();
+}
+
+/// The newest boxes are never left out: while the thread computes, another publish() may wait.
+void StoppingOutput::post() {
+  worker_.post("boxes", [this] { publish(); });
+}
+
+/// Without a robot there is nothing that stops.
+void StoppingOutput::publish() {
+  const std::shared_ptr<const Model> model = scenes_.model();
+  if (!model || !model->robot) return;
+  const std::unique_ptr<PastScene> scene =
+      scenes_.copy(worker_, stoppingRequest(model->parameters));
+  if (!scene || !whyRefused(*scene).empty() || worker_.isStopping()) return;
+  if (!scene->model->robot) return;
+  if (rules_model_ != scene->model) {
+    rules_ = std::make_shared<StopRules>(scene->model);
+    rules_model_ = scene->model;
+  }
+  const StoppingBoxes found = stoppingBoxes(*scene, *rules_);
+  setProblem(found.problem);
+  fillBoxes(*found.moment, message_);
+  boxes_.publish(message_);
+  if (are_markers_due_.exchange(false)) markers_.publish(stoppingMarkers(message_));
+  if (!overlaps_.hasSubscribers()) return;
+  const auto is_over = [this] { return worker_.isStopping(); };
+  if (overlap_filler_.fill(found.moment, pairs_, overlaps_message_, is_over))
+    overlaps_.publish(overlaps_message_);
+}
+
+}  // namespace link_bounds

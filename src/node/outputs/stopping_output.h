@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes the boxes around all that the robot can reach until it stands, and which of them
+// overlap; a thread of its own computes both.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "link_bounds/AxisAlignedBoxArray.h"
+#include "link_bounds/BoxOverlapArray.h"
+#include "node/outputs/output.h"
+#include "node/outputs/overlap_message.h"
+#include "node/outputs/paced_output.h"
+#include "node/outputs/scene_copier.h"
+#include "world/model/parameters.h"
+#include "world/stopping/stop_rules.h"
+
+namespace link_bounds {
+
+/// Computes only while somebody listens. Where computing takes longer than the time between two
+/// ~boxes, it skips those in between.
+class StoppingOutput {
+ public:
+  /// `periodic` and `scenes` must outlive this. `guard` runs the callbacks of roscpp.
+  StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node, const Guard& guard,
+                 const SceneCopier& scenes);
+  StoppingOutput(const StoppingOutput&) = delete;
+  StoppingOutput& operator=(const StoppingOutput&) = delete;
+
+  /// Takes the parameters of a new model.
+  void adopt(const Parameters& parameters) { markers_output_.setRate(parameters.marker_rate); }
+
+  /// To be called with each ~boxes.
+  void request();
+
+  /// Why the first of its incomplete bodies is that, and how many more are; of the last boxes, ""
+  /// if all are complete or nobody listens. For any thread.
+  std::string problem() const;
+
+ private:
+  bool areBoxesWanted() const { return boxes_.hasSubscribers() || overlaps_.hasSubscribers(); }
+  void requestMarkers();
+  void post();
+  void publish();
+  void setProblem(std::string problem);
+
+  const SceneCopier& scenes_;
+  std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
+  mutable std::mutex mutex_;
+  std::string problem_;               ///< guarded by mutex_
+  std::shared_ptr<StopRules> rules_;  ///< this and what follows: of the thread
+  std::shared_ptr<const Model> rules_model_;
+  AxisAlignedBoxArray message_;
+  BoxOverlapArray overlaps_message_;
+  MomentPairs pairs_;
+  OverlapFiller overlap_filler_;
+  Output<AxisAlignedBoxArray> boxes_;
+  Output<BoxOverlapArray> overlaps_;
+  Output<visualization_msgs::MarkerArray> markers_;
+  PacedOutput markers_output_;
+  Worker worker_;  ///< last: its thread ends before the rest goes
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Speeds of pieces of the window, as of joints.
+#include "world/stopping/base_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+/// Less is rounding of the poses [m and rad].
+constexpr double kStands = 1e-9;
+
+constexpr double kStampRounding = 1e-9;  // s
+constexpr double kSecond = 1e9;          // ns
+
+/// The motion between two poses.
+struct Piece {
+  Eigen::Vector3d path;  ///< [m]
+  double turn;           ///< [rad]
+  double time;           ///< [s]
+};
+
+std::vector<Piece> piecesBetween(const std::vector<TimedPose>& poses, std::int64_t window) {
+  const std::vector<std::size_t> cuts = piecesOf(poses, window);
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const TimedPose& from = poses[cuts[i - 1]];
+    const TimedPose& to = poses[cuts[i]];
+    const Eigen::Quaterniond turn(
+        Eigen::Matrix3d(from.pose.linear().transpose() * to.pose.linear()));
+    const double time = static_cast<double>(to.stamp - from.stamp) / kSecond;
+    pieces.push_back({to.pose.translation() - from.pose.translation(),
+                      2 * std::atan2(turn.vec().norm(), std::abs(turn.w())),
+                      std::max(time - kStampRounding, time / 2)});
+  }
+  return pieces;
+}
+
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::optional<double> find(const Parameters& parameters, const char* name) {
+  const auto found = parameters.base_deceleration.find(name);
+  if (found == parameters.base_deceleration.end()) return std::nullopt;
+  return found->second;
+}
+
+double stopLength(double speed, double deceleration, double reaction) {
+  return (speed * reaction + speed * speed / (2 * deceleration)) * (1 + kStands);
+}
+
+/// Of the frame and all above it.
+std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf, TransformBuffer::Frame frame) {
+  std::vector<TransformBuffer::Frame> way{frame};
+  while (tf.hasParent(way.back()) && way.size() <= tf.size())
+    way.push_back(tf.parent(way.back()));
+  return way;
+}
+
+/// The frames whose edges lead from one frame to the other, by the newest parents.
+std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
+                                                 TransformBuffer::Frame target,
+                                                 TransformBuffer::Frame source) {
+  std::vector<TransformBuffer::Frame> first = wayUp(tf, target);
+  std::vector<TransformBuffer::Frame> second = wayUp(tf, source);
+  while (!first.empty() && !second.empty() && first.back() == second.back()) {
+    first.pop_back();
+    second.pop_back();
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+}  // namespace
+
+BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
+                      const Parameters& parameters) {
+  BaseMotion result;
+  if (poses.size() < 2) return result;
+  const std::vector<Piece> pieces = piecesBetween(poses, window);
+  double speed = 0;
+  double turn_speed = 0;
+  bool travels = false;
+  bool turns = false;
+  double spread = 0;
+  double max_turn = 0;  // of a piece: its path is an arc, which its chord is shorter than
+  const Eigen::Vector3d direction = pieces.back().path;
+  for (const Piece& piece : pieces) {
+    const double rounding = kStands * (1 + poses.back().pose.translation().norm() * kStands);
+    const bool is_moving = piece.path.norm() > rounding;
+    travels = travels || is_moving;
+    turns = turns || piece.turn > kStands;
+    max_turn = std::max(max_turn, piece.turn);
+    turn_speed = std::max(turn_speed, piece.turn / piece.time);
+    if (is_moving) spread = std::max(spread, angleBetween(direction, piece.path));
+    if (piece.turn < M_PI / 2)
+      speed = std::max(speed, piece.path.norm() / std::cos(piece.turn / 2) / piece.time);
+    else
+      result.problem = "the base turns by 90 degrees or more within a piece of ~velocity_window";
+  }
+  if (!result.problem.empty() || (!travels && !turns)) return result;
+  const std::optional<double> linear = find(parameters, "linear");
+  const std::optional<double> angular = find(parameters, "angular");
+  if ((travels && !linear) || (turns && !angular)) {
+    result.problem = std::string("the base moves, and ~base_deceleration has no ") +
+                     (travels && !linear ? "linear" : "angular") + "; set it";
+    return result;
+  }
+  const double reaction = parameters.reaction_time;
+  const bool has_direction = direction.norm() > 0;
+  MovingJoint joint{
+      MovingJoint::Kind::kFree, poses.back().pose.translation(),
+      has_direction ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d::UnitX()};
+  joint.distance = travels ? stopLength(speed, *linear, reaction) : 0;
+  joint.turn = turns ? stopLength(turn_speed, *angular, reaction) : 0;
+  joint.spread = has_direction ? std::min(spread + max_turn + joint.turn, M_PI) : M_PI;
+  result.joint = joint;
+  return result;
+}
+
+EdgeSamples pathSamples(const TransformBuffer& tf, TransformBuffer::Frame target,
+                        TransformBuffer::Frame source, std::int64_t stamp, std::int64_t window) {
+  EdgeSamples result;
+  std::vector<std::int64_t> stamps;
+  for (const TransformBuffer::Frame child : edgesBetween(tf, target, source)) {
+    const EdgeSamples samples = edgeSamples(tf, child, stamp, window);
+    result.problem = samples.problem;
+    if (!result.problem.empty()) return result;
+    for (const TimedPose& pose : samples.poses) {
+      if (!samples.is_static) stamps.push_back(pose.stamp);
+    }
+  }
+  result.is_static = stamps.empty();
+  if (result.is_static) return result;
+  stamps.push_back(stamp - window);
+  stamps.push_back(stamp);
+  std::sort(stamps.begin(), stamps.end());
+  stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
+  for (const std::int64_t time : stamps) {
+    if (time < stamp - window || time > stamp) continue;
+    const auto pose = tf.pose(target, source, time);
+    Eigen::Isometry3d found;
+    if (!pose || !toIsometry(*pose, found)) {
+      result.problem = "the pose of frame \"" + tf.name(source) +
+                       "\" is not known during all of ~velocity_window";
+      return result;
+    }
+    result.poses.push_back({time, found});
+  }
+  return result;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is too far apart tells no speed.
+#include "world/stopping/edge_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+/// tf2 scales by longer quaternions, which no joint does.
+constexpr double kMaxLengthError = 1e-6;
+
+/// Of the numbers of a pose.
+constexpr double kStillRounding = 1e-9;
+
+constexpr std::int64_t kMinPieces = 5;  // in a window
+
+}  // namespace
+
+bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
+  MatrixPose matrix(pose);
+  result.matrix() = matrix.affine.matrix();
+  return std::abs(matrix.length2 - 1) <= kMaxLengthError && result.matrix().allFinite();
+}
+
+EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child, std::int64_t stamp,
+                        std::int64_t window) {
+  EdgeSamples result;
+  result.is_static = tf.isStatic(child);
+  const std::string frame = "frame \"" + tf.name(child) + "\"";
+  const EdgeHistory* const history = tf.history(child);
+  const auto samples =
+      history ? history->between(stamp - window, stamp) : std::vector<const EdgeSample*>();
+  if (samples.empty() || (!result.is_static && samples.size() < 2)) {
+    result.problem = "the transforms of " + frame +
+                     " do not reach back for ~velocity_window yet, so its speed is not known";
+    return result;
+  }
+  for (const EdgeSample* sample : samples) {
+    Eigen::Isometry3d pose;
+    if (!toIsometry(sample->parent_from_child, pose)) {
+      result.problem = "a quaternion of " + frame + " is not of length 1; correct its publisher";
+    } else if (sample->parent != samples.back()->parent) {
+      result.problem = frame + " got another parent within ~velocity_window";
+    } else if (!result.poses.empty() && sample->stamp - result.poses.back().stamp > window) {
+      result.problem = "transforms of " + frame +
+                       " are farther apart than ~velocity_window, so its speed is not known; "
+                       "raise ~velocity_window, or send them more often";
+    }
+    if (!result.problem.empty()) return result;
+    result.poses.push_back({sample->stamp, pose});
+  }
+  return result;
+}
+
+bool isStill(const std::vector<TimedPose>& poses) {
+  return std::all_of(poses.begin(), poses.end(), [&](const TimedPose& pose) {
+    return pose.pose.isApprox(poses.front().pose, kStillRounding);
+  });
+}
+
+std::vector<std::size_t> piecesOf(const std::vector<TimedPose>& poses, std::int64_t window) {
+  std::vector<std::size_t> cuts{0};
+  const auto is_long = [&](std::size_t from, std::size_t to) {
+    return (poses[to].stamp - poses[from].stamp) * kMinPieces >= window;
+  };
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (is_long(cuts.back(), i)) cuts.push_back(i);
+  }
+  if (cuts.back() + 1 == poses.size()) return cuts;
+  if (cuts.size() > 1) cuts.pop_back();
+  cuts.push_back(poses.size() - 1);
+  return cuts;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The transforms of an edge from which speeds come.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/tf/transform_buffer.h"
+
+namespace link_bounds {
+
+/// A pose at a time [ns].
+struct TimedPose {
+  std::int64_t stamp;
+  Eigen::Isometry3d pose;
+};
+
+/// The poses of a child in its parent that tf interpolates between during a window, or why speeds
+/// cannot be computed from them.
+struct EdgeSamples {
+  std::vector<TimedPose> poses;  ///< two at least; one of a static edge
+  bool is_static = false;
+  std::string problem;  ///< with the remedy
+};
+
+/// From `window` before `stamp` until `stamp` [ns], with the samples around both.
+EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child, std::int64_t stamp,
+                        std::int64_t window);
+
+/// Whether all poses are the same but for rounding.
+bool isStill(const std::vector<TimedPose>& poses);
+
+/// Where the window is cut: indices of the poses, the first and the last among them. Pieces take at
+/// least a fifth of the window, so that inexact stamps matter little.
+std::vector<std::size_t> piecesOf(const std::vector<TimedPose>& poses, std::int64_t window);
+
+/// The pose that tf2's arithmetic makes of it; nothing if the quaternion is not of length 1.
+bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result);
+
+}  // namespace link_bounds

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From the URDF and the parameters.
+#include "world/stopping/stop_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/joint_ranges.h"
+
+namespace link_bounds {
+namespace {
+
+using Values = std::map<std::string, double>;
+
+std::vector<Lead> leadsWhereKnown(const Robot& robot) {
+  try {
+    return leadsOf(robot);
+  } catch (const JointError&) {
+    std::vector<Lead> leads;  // joints that mimic in a circle follow nothing
+    for (std::size_t i = 0; i < robot.joints.size(); ++i)
+      leads.push_back({i});
+    return leads;
+  }
+}
+
+class RuleMaker {
+ public:
+  explicit RuleMaker(const Model& model)
+      : robot_(*model.robot), parameters_(model.parameters), leads_(leadsWhereKnown(robot_)) {}
+
+  JointRule make(std::size_t index) const {
+    const Joint& joint = robot_.joints[index];
+    JointRule rule{&joint, std::nullopt, "", limits(index)};
+    if (!hasValue(joint.motion) || joint.axis.isZero(0)) return rule;
+    const std::optional<double> deceleration = given(parameters_.deceleration, index);
+    if (!deceleration) {
+      rule.missing = "joint \"" + joint.name + "\" has no ~deceleration; set it";
+      return rule;
+    }
+    const Braking braking{*deceleration, given(parameters_.acceleration, index), maxSpeed(index)};
+    if (parameters_.during_reaction == "limit" && !braking.max_speed) {
+      rule.missing = "joint \"" + joint.name +
+                     "\" has no limit of its velocity; add it to the URDF, or set "
+                     "~during_reaction to measured";
+      return rule;
+    }
+    rule.braking = braking;
+    return rule;
+  }
+
+ private:
+  const Joint& leader(std::size_t index) const { return robot_.joints[leads_[index].leader]; }
+
+  /// For the joint, or for the one that it follows.
+  std::optional<double> given(const Values& values, std::size_t index) const {
+    const auto own = values.find(robot_.joints[index].name);
+    if (own != values.end()) return own->second;
+    const auto of_leader = values.find(leader(index).name);
+    const double factor = std::abs(leads_[index].factor);
+    if (of_leader == values.end() || !(factor > 0)) return std::nullopt;
+    return of_leader->second * factor;
+  }
+
+  std::optional<double> maxSpeed(std::size_t index) const {
+    const std::optional<double> of_leader = leader(index).max_speed;
+    if (!of_leader || !std::isfinite(*of_leader) || *of_leader < 0) return std::nullopt;
+    return *of_leader * std::abs(leads_[index].factor);
+  }
+
+  std::optional<Limits> limits(std::size_t index) const {
+    const std::optional<Limits> of_leader = leader(index).limits;
+    if (!of_leader) return std::nullopt;
+    const Lead& lead = leads_[index];
+    const auto [lower, upper] = std::minmax({lead.factor * of_leader->lower + lead.offset,
+                                             lead.factor * of_leader->upper + lead.offset});
+    if (!std::isfinite(lower) || !std::isfinite(upper)) return std::nullopt;
+    return Limits{lower, upper};
+  }
+
+  const Robot& robot_;
+  const Parameters& parameters_;
+  std::vector<Lead> leads_;
+};
+
+}  // namespace
+
+StopRules::StopRules(std::shared_ptr<const Model> model)
+    : model_(std::move(model)), bodies_(rigidBodies(*model_->robot)) {
+  const Robot& robot = *model_->robot;
+  const RuleMaker maker(*model_);
+  above_.resize(robot.links.size());
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    rules_.push_back(maker.make(i));
+    above_[robot.joints[i].child] = i;
+  }
+  for (const Link& link : robot.links)
+    frames_.push_back(tfName(model_->parameters.tf_prefix, link.name));
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    links_.emplace(frames_[i], i);
+}
+
+std::optional<std::size_t> StopRules::linkOf(std::string_view frame) const {
+  const auto found = links_.find(frame);
+  if (found == links_.end()) return std::nullopt;
+  return found->second;
+}
+
+Reaction StopRules::reaction() const {
+  const Parameters& parameters = model_->parameters;
+  return {parameters.reaction_time, parameters.during_reaction == "limit"};
+}
+
+}  // namespace link_bounds

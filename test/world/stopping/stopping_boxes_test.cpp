@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From transforms to stopping boxes: which stops they cover, and what is told instead of guessed.
+#include "world/stopping/stopping_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "testing/live_boxes_testing.h"
+#include "testing/sanitized.h"
+#include "world/history/scene_copy.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kRate = 100;    // Hz, of tf
+constexpr double kStamp = 10.0;  // s, of the newest transforms
+constexpr double kDeceleration = 4;
+
+/// An arm of all joint types that have a value, on a base that may drive.
+constexpr char kArm[] = R"(<robot name="arm">
+  <link name="base"><visual><geometry><box size="0.4 0.3 0.2"/></geometry></visual></link>
+  <link name="upper">
+    <visual><origin xyz="0.3 0 0"/><geometry><sphere radius="0.08"/></geometry></visual>
+  </link>
+  <link name="fore">
+    <visual><origin xyz="0.2 0.05 0"/><geometry><box size="0.4 0.1 0.05"/></geometry></visual>
+  </link>
+  <link name="hand"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+  <link name="left"><visual><geometry><sphere radius="0.02"/></geometry></visual></link>
+  <link name="right"><visual><geometry><sphere radius="0.02"/></geometry></visual></link>
+  <joint name="pan" type="revolute"><parent link="base"/><child link="upper"/>
+    <origin xyz="0.1 0 0.2" rpy="0.1 0.2 0.3"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="1" velocity="2"/></joint>
+  <joint name="roll" type="continuous"><parent link="upper"/><child link="fore"/>
+    <origin xyz="0.5 0 0" rpy="0 0 0.4"/><axis xyz="0 -1 0"/></joint>
+  <joint name="flange" type="fixed"><parent link="fore"/><child link="hand"/>
+    <origin xyz="0.4 0 0"/></joint>
+  <joint name="finger" type="prismatic"><parent link="hand"/><child link="left"/>
+    <origin xyz="0.05 0.02 0"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.05" effort="1" velocity="0.1"/></joint>
+  <joint name="other" type="prismatic"><parent link="hand"/><child link="right"/>
+    <origin xyz="0.05 -0.02 0"/><axis xyz="0 -1 0"/><mimic joint="finger"/>
+    <limit lower="0" upper="0.05" effort="1" velocity="0.1"/></joint>
+</robot>)";
+
+using Values = std::vector<double>;  // by joint of the robot
+
+Parameters goodParameters() {
+  Parameters parameters;
+  parameters.fixed_frame = "map";
+  for (const char* joint : {"pan", "roll", "finger"})
+    parameters.deceleration[joint] = kDeceleration;
+  parameters.base_deceleration = {{"linear", 1.0}, {"angular", 1.0}};
+  return parameters;
+}
+
+/// Sends tf and computes stopping boxes.
+class Robotics {
+ public:
+  explicit Robotics(const Parameters& parameters) : scene_(tf_) {
+    RobotLoader loader([](const MeshFile&) { return TriangleMesh(); });
+    model_ = std::make_shared<const Model>(makeModel(kArm, parameters, loader, MeshSource()));
+    scene_.adopt(model_, ros::Time(kStamp));
+  }
+
+  const Robot& robot() const { return *model_->robot; }
+
+  std::size_t joint(const std::string& name) const {
+    for (std::size_t i = 0; i < robot().joints.size(); ++i) {
+      if (robot().joints[i].name == name) return i;
+    }
+    throw std::out_of_range(name);
+  }
+
+  /// Mimic joints follow.
+  Values values(std::map<std::string, double> given) const { return jointValues(robot(), given); }
+
+  void send(double stamp, const Values& values,
+            const Eigen::Isometry3d& map_from_base = Eigen::Isometry3d::Identity()) {
+    add("map", "base", stamp, map_from_base);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Joint& joint = robot().joints[i];
+      add(robot().links[joint.parent].name, robot().links[joint.child].name, stamp,
+          joint.parent_from_joint * jointMotion(joint, values[i]));
+    }
+    scene_.update(ros::Time(kStamp));
+  }
+
+  void add(const std::string& parent, const std::string& child, double stamp,
+           const Eigen::Isometry3d& pose) {
+    const auto transform =
+        edge(parent, child, stamp, Eigen::Quaterniond(pose.linear()), pose.translation());
+    tf_.add({transform}, false, ros::Time(kStamp));
+  }
+
+  /// All joints at constant speeds until kStamp; at the end they have `values`.
+  void move(const Values& values, const Values& speeds) {
+    for (int i = 20; i >= 0; --i) {
+      Values then = values;
+      for (std::size_t j = 0; j < then.size(); ++j)
+        then[j] -= speeds[j] * i / kRate;
+      send(kStamp - i / kRate, then);
+    }
+  }
+
+  StoppingBoxes stopping() {
+    const BoxRequest request = stoppingRequest(model_->parameters);
+    SceneCopy copy(request, model_);
+    while (!copy.proceed(scene_, ros::Time(kStamp), std::chrono::seconds(1))) {
+    }
+    const auto past = copy.take();
+    return stoppingBoxes(*past, StopRules(model_));
+  }
+
+  std::vector<std::string> incomplete() { return stopping().moment->incomplete; }
+
+  /// The boxes of all links there.
+  std::map<std::string, Aabb> boxesAt(const Values& values,
+                                      const Eigen::Isometry3d& map_from_base) const {
+    std::map<std::string, Aabb> result;
+    const auto poses = linkPoses(robot(), values);
+    for (std::size_t i = 0; i < model_->links.size(); ++i) {
+      const Eigen::Affine3d pose(map_from_base * poses[model_->robot_links[i]]);
+      result.emplace(model_->links[i].name, *linkBox(model_->links[i], pose));
+    }
+    return result;
+  }
+
+  Scene& scene() { return scene_; }
+
+ private:
+  TransformBuffer tf_;
+  Scene scene_;
+  std::shared_ptr<const Model> model_;
+};
+
+bool contains(const Moment& moment, const std::map<std::string, Aabb>& boxes) {
+  constexpr double kRounding = 1e-12;  // of tf's quaternions
+  for (const Moment::Body& body : moment.bodies) {
+    const Aabb& box = boxes.at(moment.name(body));
+    if (!padded(body.box, kRounding).contains(box)) return false;
+  }
+  return true;
+}
+
+using Names = std::vector<std::string>;
+
+/// The worst stop that the parameters allow: all joints brake as late and as softly as they may.
+bool coversWorstStop(double longer, std::uint64_t seed) {
+  brute_force::Random random(seed);
+  Robotics robot(goodParameters());
+  const double pan_speed = random.uniform(-1.5, 1.5);
+  const double roll_speed = random.uniform(-2.5, 2.5);
+  const Values start = robot.values(
+      {{"pan", random.uniform(-0.2, 0.2)}, {"roll", random.uniform(-10, 10)}, {"finger", 0.02}});
+  const Values speeds = robot.values({{"pan", pan_speed}, {"roll", roll_speed}});
+  robot.move(start, speeds);
+  const StoppingBoxes found = robot.stopping();
+  EXPECT_EQ(found.problem, "");
+  EXPECT_EQ(found.moment->bodies.size(), robot.robot().links.size());
+  bool covers = true;
+  for (int i = 0; i <= 100; ++i) {
+    Values values = start;
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      const double way =
+          std::abs(speeds[j]) * 0.1 + speeds[j] * speeds[j] / (2 * kDeceleration) * longer;
+      values[j] += (speeds[j] < 0 ? -way : way) * i / 100;
+    }
+    covers =
+        covers && contains(*found.moment, robot.boxesAt(values, Eigen::Isometry3d::Identity()));
+  }
+  return covers;
+}
+
+TEST(StoppingBoxes, CoverTheWorstStopAndNoLongerOne) {
+  int covered = 0;
+  constexpr int kStops = 30;
+  for (std::uint64_t seed = 1; seed <= kStops; ++seed) {
+    EXPECT_TRUE(coversWorstStop(1, seed)) << seed;
+    covered += coversWorstStop(1.1, seed);
+  }
+  EXPECT_LT(covered, kStops / 2);
+}
+
+TEST(StoppingBoxes, ARobotAtRestHasItsBoxes) {
+  Robotics robot(goodParameters());
+  const Values values = robot.values({{"pan", 0.3}, {"roll", 2}, {"finger", 0.01}});
+  robot.move(values, Values(values.size(), 0.0));
+  const StoppingBoxes found = robot.stopping();
+  EXPECT_EQ(found.problem, "");
+  const auto boxes = robot.boxesAt(values, Eigen::Isometry3d::Identity());
+  ASSERT_EQ(found.moment->bodies.size(), boxes.size());
+  for (const Moment::Body& body : found.moment->bodies)
+    EXPECT_TRUE(body.box.isApprox(boxes.at(found.moment->name(body)), 1e-8));
+}
+
+TEST(StoppingBoxes, AContinuousJointMayWrap) {
+  Robotics robot(goodParameters());
+  const Values values = robot.values({{"roll", M_PI + 0.01}});
+  robot.move(values, robot.values({{"roll", 1.0}}));
+  EXPECT_EQ(robot.incomplete(), Names());
+}
+
+/// Half a turn from one transform to the next: in which direction is not known.
+TEST(StoppingBoxes, HalfATurnIsTold) {
+  Robotics robot(goodParameters());
+  robot.move(robot.values({}), robot.values({{"roll", M_PI * kRate}}));
+  EXPECT_EQ(robot.incomplete(), (Names{"fore", "hand", "left", "right"}));
+  EXPECT_NE(robot.stopping().problem.find("joint \"roll\" turns by 90 degrees or more"),
+            std::string::npos);
+}
+
+TEST(StoppingBoxes, WhatDoesNotFitAJointIsTold) {
+  for (const double error : {0.0009, 0.0011}) {
+    Robotics other(goodParameters());
+    const Joint& pan = other.robot().joints[other.joint("pan")];
+    Eigen::Isometry3d pose = pan.parent_from_joint;
+    pose.translation() += error * (pan.parent_from_joint.linear() * Eigen::Vector3d::UnitX());
+    for (int i = 20; i >= 0; --i) {
+      other.add("map", "base", kStamp - i / kRate, Eigen::Isometry3d::Identity());
+      other.add("base", "upper", kStamp - i / kRate, pose);
+    }
+    other.scene().update(ros::Time(kStamp));
+    const StoppingBoxes found = other.stopping();
+    EXPECT_EQ(found.moment->bodies.size(), error < 0.001 ? 2u : 1u);
+    EXPECT_EQ(found.problem.find("upper: a transform does not fit joint \"pan\"") == 0,
+              error > 0.001)
+        << found.problem;
+  }
+}
+
+TEST(StoppingBoxes, AJointWithoutDecelerationIsTold) {
+  Parameters parameters = goodParameters();
+  parameters.deceleration.erase("roll");
+  Robotics robot(parameters);
+  robot.move(robot.values({}), robot.values({}));
+  EXPECT_EQ(robot.incomplete(), (Names{"fore", "hand", "left", "right"}));
+  EXPECT_EQ(robot.stopping().problem,
+            "fore: joint \"roll\" has no ~deceleration; set it; incomplete are 3 more");
+}
+
+TEST(StoppingBoxes, TransformsTooFarApartAreTold) {
+  Parameters parameters = goodParameters();
+  parameters.velocity_window = 0.005;
+  Robotics robot(parameters);
+  robot.move(robot.values({}), robot.values({}));
+  EXPECT_EQ(robot.incomplete().size(), robot.robot().links.size());
+  EXPECT_NE(robot.stopping().problem.find("raise ~velocity_window"), std::string::npos);
+}
+
+Eigen::Isometry3d drivenBase(double way, double turn) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(3 + way, -2, 0);
+  pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return pose;
+}
+
+TEST(StoppingBoxes, ABaseThatDrivesNeedsItsDeceleration) {
+  for (const bool is_given : {false, true}) {
+    Parameters parameters = goodParameters();
+    if (!is_given) parameters.base_deceleration.clear();
+    Robotics robot(parameters);
+    const Values values = robot.values({});
+    for (int i = 20; i >= 0; --i)
+      robot.send(kStamp - i / kRate, values, drivenBase(-0.5 * i / kRate, -0.4 * i / kRate));
+    const StoppingBoxes found = robot.stopping();
+    EXPECT_EQ(found.moment->incomplete.size(), is_given ? 0 : robot.robot().links.size());
+    EXPECT_EQ(found.problem.empty(), is_given) << found.problem;
+    Eigen::Isometry3d pose = drivenBase(0, 0);
+    for (int i = 0; is_given && i <= 60; ++i) {  // a twist that is constant, then fades
+      EXPECT_TRUE(contains(*found.moment, robot.boxesAt(values, pose))) << i;
+      const double part = std::min(1.0, 1 - (i * 0.01 - 0.1) / 0.5);
+      const double turn = 0.4 * 0.01 * std::max(0.0, std::min(part, 1 - (i * 0.01 - 0.1) / 0.4));
+      pose.translation() += pose.linear() * Eigen::Vector3d(0.5 * 0.01 * std::max(part, 0.0), 0, 0);
+      pose.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    }
+  }
+}
+
+/// On a circle of radius 1 m at 60 rad/s: the chord of 10 ms is shorter than the arc, and points
+/// away from where the base goes next.
+TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
+  Parameters parameters = goodParameters();
+  parameters.base_deceleration = {{"linear", 1e6}, {"angular", 1e6}};
+  parameters.reaction_time = 0.002;
+  parameters.velocity_window = 0.01;
+  Robotics robot(parameters);
+  const Values values = robot.values({});
+  const auto on_circle = [](double turn) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    pose.translation() = Eigen::Vector3d(std::sin(turn), -std::cos(turn), 0);
+    return pose;
+  };
+  for (int i = 20; i >= 0; --i)
+    robot.send(kStamp - i / kRate, values, on_circle(-60 * i / kRate));
+  const StoppingBoxes found = robot.stopping();
+  EXPECT_EQ(found.problem, "");
+  ASSERT_EQ(found.moment->bodies.size(), robot.robot().links.size());
+  for (int i = 0; i <= 10; ++i)
+    EXPECT_TRUE(contains(*found.moment, robot.boxesAt(values, on_circle(60 * 0.0002 * i)))) << i;
+}
+
+}  // namespace
+}  // namespace link_bounds
