@@ -17,7 +17,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'robot/reach', 'robot/stopping',
          'packages', 'ros', 'text',
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
-         'world/cloud',
+         'world/path', 'world/cloud',
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
          'node/outputs', 'node/upkeep', 'node',
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',

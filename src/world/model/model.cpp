@@ -229,6 +229,8 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   }
   model.groups = makeGroups(model.links.size(), parameters, knownLinks(robot, model, selection));
   model.bodies = bodiesOf(robot, bounded.indices);
+  model.robot = std::make_shared<const Robot>(robot);
+  model.robot_links = bounded.indices;
   model.ignored_pairs = NamePairs(ignored_pairs);
   model.attached = attachmentsOf(parameters, robot);
   for (const auto& [path, points] : bounded.meshes)

@@ -37,8 +37,10 @@ struct Model {
   std::vector<std::vector<BoundedLink>> parts;  ///< by link; see BoundedRobot
   std::vector<SceneGroup> groups;  ///< "robot", then those of the user by name; members index links
   RigidBodies bodies;              ///< by index of link
-  NamePairs ignored_pairs;         ///< whose overlaps are not reported
-  std::vector<Attachment> attached;               ///< the first that fits an object counts
+  std::shared_ptr<const Robot> robot;    ///< all links and joints; null without a description
+  std::vector<std::size_t> robot_links;  ///< of each of `links` its index in the robot
+  NamePairs ignored_pairs;               ///< whose overlaps are not reported
+  std::vector<Attachment> attached;      ///< the first that fits an object counts
   std::map<std::string, std::size_t> mesh_bytes;  ///< memory per mesh file in use
   std::map<std::string, std::shared_ptr<const PointSet>> mesh_uris;  ///< points of meshes in use
   std::vector<std::string> problems;  ///< one per element that is not bounded
