@@ -14,17 +14,17 @@ packages_of() {
         pybind11-dev python3-dev python3-setuptools \
         libdiagnostic-msgs-dev libgeometry-msgs-dev libros-rosgraph-msgs-dev libsensor-msgs-dev \
         libstd-msgs-dev \
-        libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
+        libstd-srvs-dev libtf2-msgs-dev libtrajectory-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
-        ros-tf2-msgs ros-visualization-msgs ;;
+        ros-tf2-msgs ros-trajectory-msgs ros-visualization-msgs ;;
     run)  # what the launch files start, assert_box in a .test file, and the command line tools to
           # look at it; rosmsg reads the messages in ros-*-msgs and the manifests in lib*-msgs-dev
       echo python3 python3-numpy python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
         rosout ros-diagnostic-msgs ros-geometry-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs \
-        ros-visualization-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libstd-msgs-dev \
-        libstd-srvs-dev libtf2-msgs-dev libvisualization-msgs-dev \
+        ros-trajectory-msgs ros-visualization-msgs libdiagnostic-msgs-dev libgeometry-msgs-dev libstd-msgs-dev \
+        libstd-srvs-dev libtf2-msgs-dev libtrajectory-msgs-dev libvisualization-msgs-dev \
         python3-diagnostic-msgs python3-geometry-msgs python3-std-msgs python3-std-srvs \
-        python3-tf2-msgs python3-visualization-msgs \
+        python3-tf2-msgs python3-trajectory-msgs python3-visualization-msgs \
         ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     demo)  # what only the demos need, and the tests
@@ -36,7 +36,7 @@ packages_of() {
     display)
       echo rviz libgl1-mesa-dri ;;
     link)  # what the headers of the library and of the messages include
-      echo libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev ros-message-runtime ;;
+      echo libeigen3-dev libgeometry-msgs-dev libstd-msgs-dev libtrajectory-msgs-dev ros-message-runtime ;;
     deb)
       echo build-essential debhelper dh-python dpkg-dev ;;
     bench)

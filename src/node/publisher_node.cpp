@@ -66,6 +66,10 @@ PublisherNode::PublisherNode()
       scene_copier_(
           scene_, [this](const std::function<void()>& body) { measure(body); }, queue_),
       box_service_(private_node_, scene_copier_),
+      path_service_(private_node_, scene_copier_, box_service_.answering(),
+                    [this](const auto& uris, const auto& is_over) {
+                      return loader_->loadTrees(uris, is_over);
+                    }),
       swept_output_(
           periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
           scene_copier_),
@@ -91,8 +95,9 @@ PublisherNode::PublisherNode()
   master_watch_ = std::make_unique<MasterWatch>();
 }
 
-/// Distances request trees from the loader.
+/// Distances and paths request trees from the loader.
 PublisherNode::~PublisherNode() {
+  path_service_.stop();
   output_.distances().stop();
 }
 

@@ -14,6 +14,7 @@
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/outputs/box_service.h"
+#include "node/outputs/path_service.h"
 #include "node/outputs/scene_copier.h"
 #include "node/outputs/scene_output.h"
 #include "node/outputs/stopping_output.h"
@@ -94,6 +95,7 @@ class PublisherNode {
   IncompleteMessages incomplete_messages_;
   SceneCopier scene_copier_;
   BoxService box_service_;
+  PathService path_service_;
   SweptOutput swept_output_;
   StoppingOutput stopping_output_;
   ros::Subscriber objects_subscriber_;

@@ -23,7 +23,8 @@ OF_MESSAGES = ('ros-{}', 'lib{}-dev')
 DISPLAY_ONLY = {'rviz'}
 
 # Packages of the public headers of C++, by the first folder of what they include.
-HEADERS = {'Eigen': 'eigen', 'geometry_msgs': 'geometry_msgs', 'std_msgs': 'std_msgs'}
+HEADERS = {'Eigen': 'eigen', 'geometry_msgs': 'geometry_msgs', 'std_msgs': 'std_msgs',
+           'trajectory_msgs': 'trajectory_msgs'}
 
 
 def keys(folder, tags):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client of ~get_boxes that is gone before the answer comes."""
+"""A client of ~get_boxes, or of another service, that is gone before the answer comes."""
 import io
 import socket
 import struct
@@ -20,10 +20,10 @@ def sent(request):
 class DyingClient:
     """Sends a request and is gone before the answer comes."""
 
-    def __init__(self, service, request):
+    def __init__(self, service, request, kind=GetBoxes):
         uri = rosgraph.Master("/dying").lookupService(service)
         host, port = rosgraph.network.parse_http_host_and_port(uri.replace("rosrpc", "http"))
-        header = {"callerid": "/dying", "service": service, "md5sum": GetBoxes._md5sum}
+        header = {"callerid": "/dying", "service": service, "md5sum": kind._md5sum}
         with socket.create_connection((host, port), DEADLINE) as connection:
             connection.sendall(rosgraph.network.encode_ros_handshake_header(header))
             connection.sendall(sent(request))

@@ -109,6 +109,11 @@ constexpr TopicName kGetBoxesService{
     "boxes at a time within tf's 10 s of history, or around everything between two times, in any "
     "frame; of all links and objects, or of some"};
 
-constexpr std::array<TopicName, 2> kServices{{kReloadService, kGetBoxesService}};
+constexpr TopicName kCheckPathService{"~check_path", "link_bounds/CheckPath",
+                                      "whether the robot collides along a trajectory, with itself "
+                                      "or with objects, proven also between "
+                                      "the way points; other joints rest where tf has them"};
+
+constexpr std::array<TopicName, 3> kServices{{kReloadService, kGetBoxesService, kCheckPathService}};
 
 }  // namespace link_bounds

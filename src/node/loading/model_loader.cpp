@@ -225,4 +225,10 @@ void ModelLoader::requestTree(const TreeRequest& request) {
   readers_.post(key.str(), {[this, uri = request.uri] { return fileBytes(uri); }, load});
 }
 
+std::vector<LoadedTree> ModelLoader::loadTrees(const std::vector<std::string>& uris,
+                                               const MeshReaders::IsCancelled& is_cancelled) {
+  const auto source = this->source(is_cancelled);
+  return source ? robot_loader_.loadTrees(uris, *source) : std::vector<LoadedTree>();
+}
+
 }  // namespace link_bounds

@@ -63,6 +63,10 @@ class ModelLoader {
   void requestTree(const TreeRequest& request);
   void request(const std::string& key, MeshReaders::Job job) { readers_.post(key, std::move(job)); }
 
+  /// As RobotLoader::loadTrees(), on the thread that calls; nothing before the first model.
+  std::vector<LoadedTree> loadTrees(const std::vector<std::string>& uris,
+                                    const MeshReaders::IsCancelled& is_cancelled);
+
   /// Where meshes of objects are found, and what one may take, by the parameters in use. Nothing
   /// before the first model.
   std::optional<MeshSource> source(const MeshReaders::IsCancelled& is_cancelled);

@@ -23,6 +23,9 @@ class BoxService {
   BoxService(const BoxService&) = delete;
   BoxService& operator=(const BoxService&) = delete;
 
+  /// Its thread is not nice, and always ready soon.
+  Worker& answering() { return moments_; }
+
  private:
   class Handler;
   struct Job;

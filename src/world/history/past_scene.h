@@ -21,6 +21,7 @@ struct BoxRequest {
   std::int64_t span = 0;           ///< [ns]; 0: boxes at the stamp
   std::string frame;               ///< "": the fixed frame of the model
   std::vector<std::string> names;  ///< none: all links and objects
+  bool has_robot_frames = false;   ///< PastScene::robot_frames is wanted, too
 };
 
 /// A link or an object, without its pose.
@@ -47,8 +48,10 @@ struct PastScene {
   std::shared_ptr<const Model> model;
   ros::Time now;  ///< when it was copied
   TfExcerpt excerpt;
-  TransformBuffer::Frame target = 0;         ///< the frame of the request
-  std::vector<PastBody> bodies;              ///< in the order of ~boxes
+  TransformBuffer::Frame target = 0;  ///< the frame of the request
+  std::vector<PastBody> bodies;       ///< in the order of ~boxes
+  /// Of the excerpt, one per link of Model::robot; nothing where tf has none.
+  std::vector<std::optional<TransformBuffer::Frame>> robot_frames;
   std::vector<std::string> unknown_names;    ///< of no link and no object
   std::optional<std::string> unknown_frame;  ///< the frame of the request, if tf does not know it
 };

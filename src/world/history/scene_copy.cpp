@@ -60,7 +60,7 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
   const Clock::time_point end = Clock::now() + budget;
   if (!past_) begin(scene, now);
   if (past_->unknown_frame) return true;
-  for (int i = 1; copyNextBody(scene); ++i) {
+  for (int i = 1; copyNext(scene); ++i) {
     if (i % kBodiesPerLook == 0 && Clock::now() >= end) return false;
   }
   return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
@@ -85,7 +85,25 @@ void SceneCopy::begin(const Scene& scene, ros::Time now) {
   }
 }
 
-/// False if there is none.
+/// False if there is none: neither a body nor a frame.
+bool SceneCopy::copyNext(const Scene& scene) {
+  if (copyNextBody(scene)) return true;
+  if (!request_.has_robot_frames || !model_->robot) return false;
+  const std::vector<Link>& links = model_->robot->links;
+  if (next_frame_ == links.size()) return false;
+  copyFrame(scene, links[next_frame_++]);
+  return true;
+}
+
+void SceneCopy::copyFrame(const Scene& scene, const Link& link) {
+  const TransformBuffer& tf = scene.frames.tf();
+  const std::string name = tfName(model_->parameters.tf_prefix, link.name);
+  const auto frame = tf.find(name);
+  const bool is_known = frame && (tf.isMet(*frame) || name == model_->fixed_frame);
+  past_->robot_frames.push_back(is_known ? std::make_optional(past_->excerpt.add(tf, *frame))
+                                         : std::nullopt);
+}
+
 bool SceneCopy::copyNextBody(const Scene& scene) {
   if (next_link_ < links_.size()) {
     copyLink(scene, links_[next_link_++]);

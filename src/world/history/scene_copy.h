@@ -29,7 +29,9 @@ class SceneCopy {
  private:
   void findNames();
   void begin(const Scene& scene, ros::Time now);
+  bool copyNext(const Scene& scene);
   bool copyNextBody(const Scene& scene);
+  void copyFrame(const Scene& scene, const Link& link);
   void copyLink(const Scene& scene, std::size_t link);
   void copyObject(const Scene& scene, const LiveObject& object);
 
@@ -42,6 +44,7 @@ class SceneCopy {
   std::size_t next_link_ = 0;             ///< in links_
   std::size_t next_key_ = 0;              ///< in keys_
   std::optional<ObjectKey> last_object_;  ///< if all are asked for
+  std::size_t next_frame_ = 0;            ///< of the links of the robot
 };
 
 }  // namespace link_bounds

@@ -11,7 +11,7 @@ import rospy
 import rostest
 from bounds_testing import DEADLINE, Recorder, names_of, wait_for
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
-from link_bounds.srv import GetBoxes, GetBoxesRequest
+from link_bounds.srv import CheckPath, CheckPathRequest, GetBoxes, GetBoxesRequest
 from node_testing import ARMS, ArmsTf, NodeProcess
 from std_msgs.msg import Header
 from visualization_msgs.msg import Marker, MarkerArray
@@ -109,19 +109,29 @@ class LyingMessages(unittest.TestCase):
         self.check_topic("~neighbours", lie, neighbour("arm"), rospy.get_name() + "/arm")
 
     def test_requests(self):
-        name = self.node.name + "/get_boxes"
+        good = CheckPathRequest()
+        good.trajectory.joint_names = ["none"]
+        for service, kind, request, place in (
+                ("get_boxes", GetBoxes, GetBoxesRequest(), 20),       # after stamp, span and frame
+                ("check_path", CheckPath, good, 16),                  # after the header
+                ("check_path", CheckPath, CheckPathRequest(), 20)):   # the points
+            with self.subTest(service):
+                self.check_requests(service, kind, lying(request, place))
+
+    def check_requests(self, service, kind, lie):
+        name = self.node.name + "/" + service
         rospy.wait_for_service(name, DEADLINE)
-        ask = rospy.ServiceProxy(name, GetBoxes)
+        ask = rospy.ServiceProxy(name, kind)
 
         def ask_lying():
-            answer = ask.call(lying(GetBoxesRequest(), 20))  # after stamp, span and frame
+            answer = ask.call(lie)
             self.assertFalse(answer.success)
             self.assertRegex(answer.message, "the request is refused: it is shorter than it says")
 
         def ask_well():
-            self.assertTrue(ask(GetBoxesRequest()).success)
+            self.assertNotRegex(ask().message, "refused")
 
-        self.check("~get_boxes", ask_lying, ask_well)
+        self.check("~" + service, ask_lying, ask_well)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The answer to a request of ~check_path, segment by segment.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "link_bounds/CheckPath.h"
+#include "world/path/path_scene.h"
+#include "world/path/planned_trajectory.h"
+
+namespace link_bounds {
+
+class PathCheck {
+ public:
+  /// What pathScene() and PlannedTrajectory throw.
+  PathCheck(PastScene& scene, CheckPath::Request& request, const PathBodyMaker& maker,
+            const PathLimits& limits);
+  PathCheck(const PathCheck&) = delete;
+  PathCheck& operator=(const PathCheck&) = delete;
+
+  /// Works for about that time, on one segment at least; true when all are done. Once `is_over`,
+  /// which is asked often, returns true, the rest is undecided.
+  bool proceed(std::chrono::nanoseconds budget, const std::function<bool()>& is_over);
+
+  /// After proceed() returned true.
+  CheckPath::Response take();
+
+ private:
+  void proveNext(const std::function<bool()>& is_over);
+
+  PathScene scene_;
+  PlannedTrajectory trajectory_;
+  std::vector<Limits> ranges_;  ///< which no motion leaves
+  PathProver prover_;
+  CheckPath::Response response_;
+  std::size_t undecided_ = 0;
+};
+
+}  // namespace link_bounds

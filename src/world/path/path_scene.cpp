@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// First the joints that rest, then bodies on links, then pairs.
+#include "world/path/path_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "link_bounds/robot/urdf/overlap_filter.h"
+#include "robot/urdf/simple_joints.h"
+#include "world/tf/frame_tracker.h"
+
+namespace link_bounds {
+namespace {
+
+using Frame = TransformBuffer::Frame;
+
+/// tf2 scales by quaternions of another length, which no joint does.
+constexpr double kMaxLengthError = 1e-6;
+
+/// The joints of the URDF that a trajectory moves, those that follow one of its joints among them.
+std::vector<bool> movedJoints(const Robot& robot, const std::set<std::string>& names) {
+  const Robot simple = withSimpleJoints(robot);
+  const std::vector<Lead> leads = leadsOf(simple);
+  std::map<std::string, std::vector<bool>> parts;  // by joint of the URDF: whether each part moves
+  for (std::size_t i = 0; i < simple.joints.size(); ++i) {
+    const Joint& joint = simple.joints[i];
+    const bool moves = names.count(simple.joints[leads[i].leader].name) > 0;
+    parts[joint.part_of.empty() ? joint.name : joint.part_of].push_back(moves);
+  }
+  std::vector<bool> result;
+  for (const Joint& joint : robot.joints) {
+    const std::vector<bool>& moves = parts[joint.name];
+    const auto count = std::count(moves.begin(), moves.end(), true);
+    if (count > 0 && count < static_cast<std::ptrdiff_t>(moves.size()))
+      throw std::runtime_error("the trajectory has some values of joint \"" + joint.name +
+                               "\", but not all " + std::to_string(moves.size()) +
+                               "; add the others");
+    result.push_back(count > 0);
+  }
+  return result;
+}
+
+class SceneMaker {
+ public:
+  SceneMaker(PastScene& scene, const PathBodyMaker& maker)
+      : scene_(scene),
+        model_(*scene.model),
+        original_(*model_.robot),
+        tf_(scene.excerpt.buffer()),
+        tracker_(tf_),
+        maker_(maker) {
+    tracker_.setTarget(scene.target, model_.parameters.timeout, scene.now);
+    for (std::size_t i = 0; i < scene.robot_frames.size(); ++i) {
+      if (scene.robot_frames[i]) links_.emplace(*scene.robot_frames[i], i);
+    }
+  }
+
+  PathScene make(const std::set<std::string>& joints, const PathLimits& limits) {
+    Robot robot = original_;
+    const std::vector<bool> moves = movedJoints(original_, joints);
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      if (!moves[i] && robot.joints[i].motion != Motion::kNone) rest(robot.joints[i]);
+    }
+    rigid_ = rigidBodies(robot);
+    result_.robot = withSimpleJoints(robot);
+    for (const PastBody& body : scene_.bodies)
+      add(body);
+    addPairs(limits);
+    return std::move(result_);
+  }
+
+ private:
+  /// Of the pose in the fixed frame; "" if there is one.
+  std::string problemOf(Frame frame) {
+    handles_.push_back(tracker_.follow(frame));
+    const FramePose& pose = handles_.back().pose();
+    return describe(pose.problem, tf_.name(frame), tf_.name(scene_.target));
+  }
+
+  /// Replaces a joint by what tf says of it now.
+  void rest(Joint& joint) {
+    const auto& parent = scene_.robot_frames[joint.parent];
+    const auto& child = scene_.robot_frames[joint.child];
+    const std::string link = "link \"" + original_.links[joint.child].name + "\"";
+    std::string problem = parent && child ? problemOf(*child) : "tf has no frame of " + link;
+    if (problem.empty()) {
+      const std::optional<Tf2Pose> pose = tf_.pose(*parent, *child, 0);
+      if (!pose || !toIsometry(*pose, joint.parent_from_joint))
+        problem = "tf has no usable pose of " + link + " in that of its parent";
+    }
+    if (!problem.empty())
+      throw std::runtime_error("joint \"" + joint.name +
+                               "\" is not in the trajectory, and where it is now is not known: " +
+                               problem + "; add the joint, or publish its transform");
+    joint.motion = Motion::kNone;
+    joint.mimic.reset();
+  }
+
+  static bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
+    const MatrixPose matrix(pose);
+    result.matrix() = matrix.affine.matrix();
+    return std::abs(matrix.length2 - 1) <= kMaxLengthError && result.matrix().allFinite();
+  }
+
+  void add(const PastBody& body) {
+    const std::string& name = body.bounded->name;
+    std::string problem = body.incomplete || !body.bounded->isWhole() ? body.reason : "";
+    if (body.link) {
+      push({model_.robot_links[*body.link], maker_.link(*body.bounded), body.bounded->isWhole()},
+           {&name, body.link}, problem);
+      return;
+    }
+    PathBody placed{original_.root, {}, false};
+    if (body.frame) {
+      placed = placedObject(body, problem);
+      placed.is_whole = problem.empty();
+    } else if (problem.empty()) {
+      problem = "it has no place";
+    }
+    push(std::move(placed), {&name, std::nullopt}, problem);
+  }
+
+  void push(PathBody body, PairMember member, const std::string& problem) {
+    result_.bodies.push_back(std::move(body));
+    result_.names.push_back(*member.name);
+    members_.push_back(member);
+    problems_.push_back(problem);
+  }
+
+  /// On the link that carries it. Fills `problem` if its place is not known.
+  PathBody placedObject(const PastBody& body, std::string& problem) {
+    const PairMember member{&body.bounded->name, std::nullopt};
+    const std::size_t link = carrierOf(body, member);
+    PathBody result{link, {}, false};
+    const auto link_frame = scene_.robot_frames[link];
+    std::string place_problem = link_frame ? "" : "tf has no frame of the link that carries it";
+    for (const auto& frame : {body.frame, link_frame}) {
+      if (frame && place_problem.empty()) place_problem = problemOf(*frame);
+    }
+    if (!place_problem.empty()) {
+      problem = place_problem;
+      return result;
+    }
+    Eigen::Affine3d link_from_object = placeOf(*link_frame, *body.frame);
+    if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
+    if (!link_from_object.matrix().allFinite()) {
+      problem = describe(TransformProblem::kPoseNotFinite, tf_.name(*body.frame),
+                         tf_.name(scene_.target));
+      return result;
+    }
+    result.body = maker_.object(*body.object);
+    for (BodyShape& shape : result.body.shapes)
+      shape.shape.link_from_shape = link_from_object * shape.shape.link_from_shape;
+    return result;
+  }
+
+  /// Each at its latest time, as in ~boxes. Both have poses.
+  Eigen::Affine3d placeOf(Frame link, Frame frame) {
+    if (link == frame) return Eigen::Affine3d::Identity();
+    const auto pose = [this](Frame of) {
+      const FrameTracker::Handle handle = tracker_.follow(of);
+      return handle.pose().fixed_from_frame.affine;
+    };
+    return pose(link).inverse() * pose(frame);
+  }
+
+  /// The link of the robot to which the object is attached, or below whose frame its own one is. An
+  /// object that was placed once rests in the fixed frame.
+  std::size_t carrierOf(const PastBody& body, const PairMember& member) const {
+    if (const auto attached = bodyOf(model_, member)) {
+      const RigidBodies all = rigidBodies(original_);
+      const auto found = std::find(all.of_links.begin(), all.of_links.end(), *attached);
+      if (found != all.of_links.end())
+        return static_cast<std::size_t>(found - all.of_links.begin());
+    }
+    Frame frame = *body.frame;
+    for (std::size_t i = 0; i < tf_.size(); ++i) {
+      const auto link = links_.find(frame);
+      if (link != links_.end()) return link->second;
+      if (!tf_.hasParent(frame)) break;
+      frame = tf_.parent(frame);
+    }
+    return original_.root;
+  }
+
+  bool moves(std::size_t body) const {
+    return rigid_.of_links[result_.bodies[body].link] != rigid_.of_links[original_.root];
+  }
+
+  /// Two bodies that both rest are no pair, so there are few of many objects.
+  void addPairs(const PathLimits& limits) {
+    const std::size_t count = result_.bodies.size();
+    std::vector<bool> is_incomplete(count, false);
+    for (std::size_t mover = 0; mover < count; ++mover) {
+      if (!moves(mover)) continue;
+      if (limits.is_over()) throw std::runtime_error("there was no time to compare all bodies");
+      for (std::size_t other = 0; other < count; ++other) {
+        const bool was_seen = other < mover && moves(other);
+        if (was_seen || !isMovingPair(mover, other)) continue;
+        result_.pairs.emplace_back(std::minmax(mover, other));
+        for (const std::size_t body : {mover, other})
+          is_incomplete[body] = is_incomplete[body] || !result_.bodies[body].is_whole;
+        if (result_.pairs.size() > limits.max_pairs)
+          throw std::runtime_error("the trajectory moves more than " +
+                                   std::to_string(limits.max_pairs) +
+                                   " pairs of bodies; leave some out with ~ignore_pairs");
+      }
+    }
+    std::sort(result_.pairs.begin(), result_.pairs.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_incomplete[i]) continue;
+      if (result_.incomplete.empty()) result_.problem = result_.names[i] + ": " + problems_[i];
+      result_.incomplete.push_back(result_.names[i]);
+    }
+  }
+
+  bool isMovingPair(std::size_t i, std::size_t j) const {
+    const std::size_t first = rigid_.of_links[result_.bodies[i].link];
+    const std::size_t second = rigid_.of_links[result_.bodies[j].link];
+    return first != second && isPair(model_, members_[i], members_[j]);
+  }
+
+  PastScene& scene_;
+  const Model& model_;
+  const Robot& original_;
+  TransformBuffer& tf_;
+  FrameTracker tracker_;
+  std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
+  const PathBodyMaker& maker_;
+  std::map<Frame, std::size_t> links_;  ///< of the robot
+  RigidBodies rigid_;                   ///< of the robot whose other joints are fixed
+  std::vector<PairMember> members_;     ///< of the bodies
+  std::vector<std::string> problems_;   ///< of the bodies
+  PathScene result_;
+};
+
+}  // namespace
+
+BoxRequest pathRequest() {
+  BoxRequest request;
+  request.has_robot_frames = true;
+  return request;
+}
+
+PathScene pathScene(PastScene& scene, const std::set<std::string>& joints,
+                    const PathBodyMaker& maker, const PathLimits& limits) {
+  return SceneMaker(scene, maker).make(joints, limits);
+}
+
+}  // namespace link_bounds
