@@ -15,7 +15,7 @@ import unittest
 PACKAGE = pathlib.Path(sys.argv.pop())
 MAX_WORDS = 2500  # of the page by which a user decides
 FILES = ('README.md', 'package.xml', 'doc', 'scripts/figures', 'scripts/figure_values.py')
-SENTENCE = 'A loop over its triangles takes %s times as long'
+SENTENCE = 'A loop over all triangles takes %s times as long'
 
 
 class FiguresTest(unittest.TestCase):
