@@ -2,20 +2,25 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/figures --texts passes for README.md and doc/*.md. It fails where a figure was changed in
-a page, or in a page and in doc/figures.json: figures_test.py FOLDER_OF_THE_PACKAGE
+a page, or in a page and in doc/figures.json; --check fails where a ratio has changed:
+figures_test.py FOLDER_OF_THE_PACKAGE
 """
+import importlib.machinery
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+from unittest import mock
 
 PACKAGE = pathlib.Path(sys.argv.pop())
 MAX_WORDS = 2500  # of the page by which a user decides
 FILES = ('README.md', 'package.xml', 'doc', 'scripts/figures', 'scripts/figure_values.py')
-SENTENCE = 'A loop over its triangles takes %s times as long'
+SENTENCE = 'A loop over all triangles takes %s times as long'
 
 
 class FiguresTest(unittest.TestCase):
@@ -74,6 +79,27 @@ class FiguresTest(unittest.TestCase):
         code, text = self.run_script('--texts')
         self.assertEqual(code, 1)
         self.assertIn('doc/figures.txt does not explain 3 in', text)
+
+    def check(self, factor):
+        """What --check says if the loop now takes factor times as long as measured."""
+        loader = importlib.machinery.SourceFileLoader('figures', str(PACKAGE / 'scripts/figures'))
+        with mock.patch.object(sys, 'path', [str(PACKAGE / 'scripts'), *sys.path]), \
+                mock.patch.object(sys, 'dont_write_bytecode', True):
+            figures = types.ModuleType('figures')
+            figures.__file__ = loader.path
+            loader.exec_module(figures)
+        parts = figures.read_parts()
+        parts['core']['figures']['core/paper_loop/ns'] *= factor
+        with mock.patch.object(figures, 'run', lambda part, is_quick: parts[part]), \
+                mock.patch.dict(os.environ, LINK_BOUNDS_DATA='anywhere'):
+            return figures.check()
+
+    def test_a_ratio_that_has_changed(self):
+        self.assertEqual(self.check(1.9) + self.check(1 / 1.9), [])
+        for factor in (2.1, 1 / 2.1):
+            wrong = self.check(factor)
+            self.assertEqual(len(wrong), 1)
+            self.assertIn('core/welded_scan/ns / core/paper_loop/ns: ', wrong[0])
 
     def test_missed_targets_are_explained(self):
         page = (PACKAGE / 'doc/measurements.md').read_text('utf-8')
