@@ -9,6 +9,7 @@
 
 #include "node/interface/topics.h"
 #include "packages/package_path.h"
+#include "robot/posed/row_threads.h"
 #include "tools/bag_bounds/report_words.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
@@ -88,7 +89,9 @@ BagRun::BagRun(const BagBoundsOptions& options)
     : options_(checkedOut(options)),
       mesh_source_{rosPackages(), folderOf(options.urdf), progressBar(), {}, isInterrupted},
       zones_(readZones(options.zones)),
-      reader_(options.bags, topicsOf(options), [this] { return glance(); }),
+      reader_(
+          options.bags, topicsOf(options), [this] { return glance(); },
+          options.jobs.value_or(coreCount())),
       model_(std::make_shared<const Model>(loadModel())),
       scene_(
           [this](const std::string& uri) {
@@ -178,7 +181,7 @@ void BagRun::findOtherTopics() {
   const auto lacks = [](const BoxRecord& box) { return !box.has_box && !box.reason.empty(); };
   if (!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), lacks)) return;
   std::set<std::string> topics;
-  BagReader reader(options_.bags, {}, isInterrupted);
+  BagReader reader(options_.bags, {}, isInterrupted, options_.jobs.value_or(coreCount()));
   for (BagMessage message{}; reader.next(message);) {
     const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
     if (is_tf) topics.insert(withoutStatic(*message.topic));
