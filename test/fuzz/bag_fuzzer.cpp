@@ -33,7 +33,8 @@ void read(const std::uint8_t* data, std::size_t size) {
   bytes->data.assign(data, data + size);
   const std::set<std::string> all_topics;
   std::vector<std::string> losses;
-  BagFile file("a.bag", std::move(bytes), all_topics, losses);
+  ChunkThreads threads(1);
+  BagFile file("a.bag", std::move(bytes), all_topics, losses, threads);
   for (BagMessage message; file.next(message);)
     check(message);
   require(losses.size() <= 21, "the losses are a few lines");

@@ -42,6 +42,8 @@ as one, by their record times.
                       json: also says what is incomplete and why
   --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
   --series FILE       writes csv: each box when it changed, and each distance within LIMIT
+  --jobs N            threads in all, which unpack compressed bags; default: one per core. The
+                      results are the same
   --strict            exit with 2 if any geometry could not be used
   --allow-incomplete  what is incomplete does not change the exit code
   -h, --help          this text
@@ -80,6 +82,7 @@ enum Code {
   kFormat,
   kOut,
   kSeries,
+  kJobs,
   kStrict,
   kAllowIncomplete,
   kHelp,
@@ -104,6 +107,7 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
                                    {"series", required_argument, nullptr, kSeries},
+                                   {"jobs", required_argument, nullptr, kJobs},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
@@ -198,6 +202,9 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       return;
     case kSeries:
       options.series = nonEmpty("--series", optarg);
+      return;
+    case kJobs:
+      options.jobs = jobsOption(optarg);
       return;
     case kStrict:
       options.demand.strict = true;

@@ -31,8 +31,9 @@ struct BagBoundsOptions {
   double padding = 0;
   double timeout = 2;
   std::vector<std::string> ignore_pairs;
-  std::string static_from;     ///< a bag whose static transforms are taken first; "": none
-  double min_coverage = 0.99;  ///< of each link, see Coverage
+  std::string static_from;       ///< a bag whose static transforms are taken first; "": none
+  double min_coverage = 0.99;    ///< of each link, see Coverage
+  std::optional<unsigned> jobs;  ///< threads, > 0; none: one per core
   Demand demand;
   bool help = false;     ///< the other members are then undefined
   bool version = false;  ///< likewise

@@ -52,6 +52,11 @@ class JsonWriter {
     return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
   }
 
+  /// The other end of the interval in which it happened.
+  static std::string after(const std::optional<std::int64_t>& stamp) {
+    return stamp ? ", \"after\": " + exactSeconds(*stamp) : "";
+  }
+
   /// Three arrays: values, times and stamps.
   std::string extremes(const std::string& key, const std::array<Extreme, 3>& found) const {
     std::string values, times, stamps;
@@ -74,7 +79,8 @@ class JsonWriter {
 
   std::string toJson(const Stay& stay) const {
     return "{\"name\": " + jsonString(stay.name) + ", \"entered\": {" + when(stay.entered) +
-           "}, \"end\": {" + when(stay.left) + "}, \"how\": " + quoted(toText(stay.end)) + "}";
+           after(stay.outside_at) + "}, \"end\": {" + when(stay.left) + after(stay.inside_at) +
+           "}, \"how\": " + quoted(toText(stay.end)) + "}";
   }
 
   std::string toJson(const ZoneRecord& record) const {
@@ -86,6 +92,8 @@ class JsonWriter {
     }
     return "{\"name\": " + jsonString(record.zone.name) +
            ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearest +
+           ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
+           ", \"undecided\": " + std::to_string(record.undecided) +
            ", \"entries\": " + std::to_string(record.entries) + ", \"stays\": " +
            jsonList(record.stays, [this](const Stay& stay) { return toJson(stay); }) + "}";
   }
@@ -97,6 +105,7 @@ class JsonWriter {
            ", \"second\": " + jsonString(distance.second) +
            ", \"distance\": " + exactNumber(distance.distance) +
            ", \"distance_max\": " + exactNumber(distance.distance_max) +
+           ", \"clearance\": " + exactNumber(pair.clearance) +
            ", \"on_first\": " + vector(distance.on_first) +
            ", \"on_second\": " + vector(distance.on_second) +
            ", \"normal\": " + vector(distance.normal) +

@@ -9,6 +9,7 @@
 
 #include "node/interface/topics.h"
 #include "packages/package_path.h"
+#include "robot/posed/row_threads.h"
 #include "tools/bag_bounds/report_words.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
@@ -87,8 +88,10 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
 BagRun::BagRun(const BagBoundsOptions& options)
     : options_(checkedOut(options)),
       mesh_source_{rosPackages(), folderOf(options.urdf), progressBar(), {}, isInterrupted},
-      zones_(readZones(options.zones)),
-      reader_(options.bags, topicsOf(options), [this] { return glance(); }),
+      zones_(readZones(options.zones), isInterrupted),
+      reader_(
+          options.bags, topicsOf(options), [this] { return glance(); },
+          options.jobs.value_or(coreCount())),
       model_(std::make_shared<const Model>(loadModel())),
       scene_(
           [this](const std::string& uri) {
@@ -178,7 +181,7 @@ void BagRun::findOtherTopics() {
   const auto lacks = [](const BoxRecord& box) { return !box.has_box && !box.reason.empty(); };
   if (!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), lacks)) return;
   std::set<std::string> topics;
-  BagReader reader(options_.bags, {}, isInterrupted);
+  BagReader reader(options_.bags, {}, isInterrupted, options_.jobs.value_or(coreCount()));
   for (BagMessage message{}; reader.next(message);) {
     const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
     if (is_tf) topics.insert(withoutStatic(*message.topic));
@@ -241,7 +244,7 @@ void BagRun::record(std::int64_t now) {
   has_recorded_ = true;
   last_ = now;
   if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
-  if (pairs_) pairs_->add(scene_.scene(), now);
+  if (pairs_) pairs_->add(scene_.scene(), scene_.tf(), now);
   if (out_) out_->write(scene_.scene(), now);
   if (series_) {
     series_->add(scene_.scene(), pairs_ ? pairs_->latest() : std::vector<Distance>(), now, begin_);
@@ -313,6 +316,12 @@ Outcome BagRun::outcome(const BagReport& report) const {
     for (const std::string& problem : pairs_->problems())
       warn("distances to the convex hull only: " + problem);
   }
+  for (const ZoneRecord& zone : report.zones) {
+    if (zone.undecided > 0)
+      warn("zone \"" + zone.zone.name + "\": " + std::to_string(zone.undecided) +
+           " motions between two messages are not decided, the first of " + zone.first_undecided +
+           "; record tf at a higher rate");
+  }
   // Who interrupts knows that there may be more.
   const std::string useless = was_interrupted_ ? "" : whyUseless(report);
   if (!useless.empty()) say("error: " + useless);
@@ -322,10 +331,19 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("losses while reading", report.losses.size());
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());
+  outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
+  if (pairs_ || !options_.zones.empty())
+    outcome.addOpen("late transforms, which change motions that were looked at",
+                    scene_.tf().intake().late);
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
   if (!pairs_) return outcome;
   if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
   outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
+  if (pairs_->undecided() > 0)
+    warn(std::to_string(pairs_->undecided()) +
+         " motions of two bodies between two messages are not decided, the first of " +
+         pairs_->firstUndecided() + "; record tf at a higher rate");
+  outcome.addOpen("motions of pairs that are not decided", pairs_->undecided());
   outcome.addOpen("distances of further pairs", pairs_->pairsLeftOut());
   outcome.addOpen("meshes without triangles", pairs_->problems().size());
   return outcome;

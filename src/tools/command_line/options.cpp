@@ -10,6 +10,11 @@
 #include <sstream>
 
 namespace link_bounds {
+namespace {
+
+constexpr unsigned kMaxJobs = 1024;  // threads beyond any machine
+
+}  // namespace
 
 std::optional<double> toNumber(const std::string& text) {
   std::istringstream in(text);
@@ -27,6 +32,14 @@ double limitOption(const std::string& option_name, const std::string& text,
   if (limit && *limit >= 0) return *limit;
   throw UsageError(option_name + " is \"" + text + "\", but must be a number of " + unit +
                    " >= 0, such as 0.1");
+}
+
+unsigned jobsOption(const std::string& text) {
+  const std::optional<double> value = toNumber(text);
+  if (value && *value >= 1 && *value <= kMaxJobs && std::trunc(*value) == *value)
+    return static_cast<unsigned>(*value);
+  throw UsageError("--jobs is \"" + text + "\", but must be a whole number from 1 to " +
+                   std::to_string(kMaxJobs) + ", such as 2");
 }
 
 /// getopt_long leaves the letter or code in optopt where it knows one.

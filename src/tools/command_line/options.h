@@ -23,6 +23,9 @@ std::optional<double> toNumber(const std::string& text);
 double limitOption(const std::string& option_name, const std::string& text,
                    const std::string& unit = "metres");
 
+/// A number of threads, of --jobs. Throws UsageError.
+unsigned jobsOption(const std::string& text);
+
 /// Why getopt_long returned '?'. Codes of long options begin at `first_code`.
 std::string badOption(const char* const* argv, int first_code);
 

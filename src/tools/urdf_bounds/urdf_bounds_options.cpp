@@ -13,9 +13,6 @@ namespace link_bounds {
 
 namespace {
 
-/// Threads beyond any machine.
-constexpr unsigned kMaxJobs = 1024;
-
 enum Code {
   kGeometry = 256,
   kRepresentation,
@@ -122,14 +119,6 @@ double positive(const std::string& option_name, const std::string& text, const c
   if (value && *value > 0) return *value;
   throw UsageError(option_name + " is \"" + text + "\", but must be a number of " + what +
                    " > 0, such as 0.01");
-}
-
-unsigned jobsOption(const std::string& text) {
-  const std::optional<double> value = toNumber(text);
-  if (value && *value >= 1 && *value <= kMaxJobs && std::trunc(*value) == *value)
-    return static_cast<unsigned>(*value);
-  throw UsageError("--jobs is \"" + text + "\", but must be a whole number from 1 to " +
-                   std::to_string(kMaxJobs) + ", such as 2");
 }
 
 void addFormat(const std::string& name, UrdfBoundsOptions& options) {

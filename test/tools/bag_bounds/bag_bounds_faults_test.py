@@ -65,6 +65,7 @@ class ArgumentsTest(BagBoundsTest):
                 ('--ignore-pairs is "left", but must be pairs', *good, '--ignore-pairs', 'left'),
                 ('--tf-topic is empty', *good, '--tf-topic', ''),
                 ('--min-coverage is "2", but must be', *good, '--min-coverage', '2'),
+                ('--jobs is "0", but must be a whole number from 1', *good, '--jobs', '0'),
                 ('--static-from .*none.bag|none.bag', *good, '--static-from', self.path('none.bag')),
                 ('cannot read .*none.urdf: No such file', bag, '--urdf', self.path('none.urdf')),
                 ('cannot read .*none.yaml: No such file', *good, '--zones', self.path('none.yaml')),

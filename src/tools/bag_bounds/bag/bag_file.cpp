@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/bag_bounds/bag/chunk.h"
 #include "tools/bag_bounds/bag/record_bytes.h"
 
 namespace link_bounds {
@@ -53,11 +52,12 @@ std::string textOf(ChunkState state) {
 
 BagFile::BagFile(const std::string& name, std::unique_ptr<Bytes> bytes,
                  const std::set<std::string>& topics, std::vector<std::string>& losses,
-                 std::function<bool()> is_interrupted)
+                 ChunkThreads& threads, std::function<bool()> is_interrupted)
     : name_(name),
       bytes_(std::move(bytes)),
       losses_(losses),
       is_interrupted_(std::move(is_interrupted)),
+      ahead_(threads),
       connections_(topics) {
   readVersion();
   readBagHeader();
@@ -187,8 +187,7 @@ void BagFile::openChunk(const Record& record) {
     position_ = record.data;
     return;
   }
-  const ChunkData chunk = decompress(record.compression, *bytes_, record.data, chunk_.data,
-                                     [this](auto position) { return isInterrupted(position); });
+  const ChunkData chunk = unpack(std::string(record.compression), record.data, record.end());
   if (was_interrupted_) return;
   const std::uint64_t end = record.data + chunk.consumed;
   chunk_position_ = 0;
@@ -204,6 +203,17 @@ void BagFile::openChunk(const Record& record) {
   skipDamage(textOf(chunk.state), chunk.state == ChunkState::kCut, again ? position_ + 1 : end);
   is_chunk_cut_ = chunk.state == ChunkState::kCut && position_ == bytes_->size();
   if (!is_chunk_cut_) chunk_.data.clear();
+}
+
+// `next`: where the record ends, if its length is right.
+ChunkData BagFile::unpack(const std::string& compression, std::uint64_t begin, std::uint64_t next) {
+  ahead_.plan(*bytes_, next);
+  ChunkData chunk{ChunkState::kGood, 0};
+  const auto waits = [this, begin] { return isInterrupted(begin); };
+  if (ahead_.take(compression, begin, chunk_.data, chunk.consumed, waits) || was_interrupted_)
+    return chunk;
+  return decompress(compression, *bytes_, begin, chunk_.data,
+                    [this](auto position) { return isInterrupted(position); });
 }
 
 void BagFile::leaveDamagedChunk() {

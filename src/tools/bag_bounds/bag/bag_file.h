@@ -17,6 +17,7 @@
 
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/bag/bytes.h"
+#include "tools/bag_bounds/bag/chunks_ahead.h"
 #include "tools/bag_bounds/bag/connections.h"
 #include "tools/bag_bounds/bag/record.h"
 
@@ -28,7 +29,7 @@ class BagFile {
   /// be read. What it refers to must outlive it.
   BagFile(
       const std::string& name, std::unique_ptr<Bytes> bytes, const std::set<std::string>& topics,
-      std::vector<std::string>& losses,
+      std::vector<std::string>& losses, ChunkThreads& threads,
       std::function<bool()> is_interrupted = [] { return false; });
 
   /// The next message; false after the last one, or if interrupted.
@@ -47,6 +48,7 @@ class BagFile {
   bool handleMessage(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
   const Connection* findConnection(std::uint32_t number);
   void openChunk(const Record& record);
+  ChunkData unpack(const std::string& compression, std::uint64_t begin, std::uint64_t next);
   void leaveDamagedChunk();
   void skipDamage(const std::string& what, bool is_cut, std::uint64_t next);
   void loseRest(std::uint64_t begin);
@@ -64,6 +66,7 @@ class BagFile {
   int loss_count_ = 0;
   std::uint64_t position_ = 0;  ///< in the file
   bool is_at_end_ = false;
+  ChunksAhead ahead_;
   MemoryBytes chunk_;  ///< the current one, decompressed; empty if there is none
   std::uint64_t chunk_position_ = 0;
   bool is_chunk_cut_ = false;

@@ -17,8 +17,8 @@ struct BagReader::Source {
 };
 
 BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::string>& topics,
-                     const std::function<bool()>& is_interrupted)
-    : topics_(topics) {
+                     const std::function<bool()>& is_interrupted, unsigned threads)
+    : topics_(topics), threads_(std::make_unique<ChunkThreads>(threads)) {
   const auto interrupts = [this, is_interrupted] {
     was_interrupted_ |= is_interrupted();
     return was_interrupted_;
@@ -31,7 +31,7 @@ BagReader::BagReader(const std::vector<std::string>& files, const std::set<std::
         throw std::runtime_error(name + ": is given twice; give each bag once");
     opened.push_back(bytes.get());
     sources_.push_back(
-        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_, interrupts),
+        {std::make_unique<BagFile>(name, std::move(bytes), topics_, losses_, *threads_, interrupts),
          {},
          false});
   }

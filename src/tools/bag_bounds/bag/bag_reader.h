@@ -23,6 +23,7 @@ struct BagMessage {
 };
 
 class BagFile;
+class ChunkThreads;
 
 /// Reads each file once, from its begin to its end, without its index, so that its memory does not
 /// depend on the length of the files, and a file that was cut, damaged or never closed is read as
@@ -36,10 +37,11 @@ class BagReader {
  public:
   /// Only messages of these topics; of all topics if there are none. Throws std::runtime_error if a
   /// file cannot be read at all, or is given twice. `is_interrupted` is called now and then while
-  /// next() looks for a message, also within a compressed chunk; true ends the reading.
+  /// next() looks for a message, also within a compressed chunk; true ends the reading. So many
+  /// threads unpack compressed chunks; the messages are the same with any number.
   BagReader(
       const std::vector<std::string>& files, const std::set<std::string>& topics,
-      const std::function<bool()>& is_interrupted = [] { return false; });
+      const std::function<bool()>& is_interrupted = [] { return false; }, unsigned threads = 1);
   ~BagReader();
   BagReader(const BagReader&) = delete;
   BagReader& operator=(const BagReader&) = delete;
@@ -63,6 +65,7 @@ class BagReader {
 
   const std::set<std::string> topics_;
   std::vector<std::string> losses_;
+  std::unique_ptr<ChunkThreads> threads_;
   std::vector<Source> sources_;
   Source* last_ = nullptr;  ///< gave the last message
   bool has_begun_ = false;

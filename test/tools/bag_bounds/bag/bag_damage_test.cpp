@@ -35,14 +35,15 @@ struct Reading {
 };
 
 // Nothing if it is refused.
-Reading read(const std::string& bytes, std::size_t max_request) {
+Reading read(const std::string& bytes, std::size_t max_request, unsigned threads = 1) {
   const std::set<std::string> all_topics;
   Reading result;
   auto memory = std::make_unique<MemoryBytes>();
   memory->data.assign(bytes.begin(), bytes.end());
   replaced_new::limit = max_request;
+  ChunkThreads chunk_threads(threads);
   try {
-    BagFile file("a.bag", std::move(memory), all_topics, result.losses);
+    BagFile file("a.bag", std::move(memory), all_topics, result.losses, chunk_threads);
     for (BagMessage next; file.next(next);)
       result.messages.push_back({*next.topic, next.time,
                                  std::string(reinterpret_cast<const char*>(next.data), next.size),
@@ -157,7 +158,8 @@ TEST(BagDamage, ChunksInsideOfChunksAreNotReadForEver) {
   counted->data.assign(bytes.begin(), bytes.end());
   const std::set<std::string> all_topics;
   std::vector<std::string> losses;
-  BagFile file("a.bag", std::move(counted), all_topics, losses);
+  ChunkThreads threads(1);
+  BagFile file("a.bag", std::move(counted), all_topics, losses, threads);
   BagMessage message;
   EXPECT_FALSE(file.next(message));
   EXPECT_LT(count, 1U << 30);
@@ -231,6 +233,21 @@ TEST(BagDamage, OfADamagedCompressedBagOnlyTrueMessagesAreRead) {
       ASSERT_LE(reading.losses.size(), 21U) << compression << seed;
       for (const RecordedMessage& message : reading.messages)
         ASSERT_TRUE(isAmong(kMessages, message.time, message.data)) << compression << seed;
+    }
+  }
+}
+
+TEST(BagDamage, AnyNumberOfThreadsReadsTheSame) {
+  for (const std::string compression : {"bz2", "lz4"}) {
+    const BagBytes bag = bagOf(kMessages, compression);
+    EXPECT_EQ(read(bag.bytes, replaced_new::kNoLimit, 2).messages, kMessages) << compression;
+    for (int seed = 0; seed < repetitions(300); ++seed) {
+      const std::string bytes = Damage(static_cast<unsigned>(seed)).to(bag.bytes);
+      const Reading alone = read(bytes, replaced_new::kNoLimit);
+      const Reading threaded =
+          read(bytes, replaced_new::kNoLimit, 2 + static_cast<unsigned>(seed) % 3);
+      ASSERT_EQ(threaded.messages, alone.messages) << compression << seed;
+      ASSERT_EQ(threaded.losses, alone.losses) << compression << seed;
     }
   }
 }
