@@ -49,6 +49,8 @@ packages_of() {
       echo clang libclang-rt-dev ;;
     arm64)  # what makes, compiles and emulates a system for ARM
       echo debootstrap qemu-user-static binfmt-support g++-aarch64-linux-gnu ;;
+    machines)  # what distributes bags
+      echo munge openssh-client openssh-server parallel slurm-wlm ;;
     plot)
       echo python3-matplotlib ;;
     pictures)

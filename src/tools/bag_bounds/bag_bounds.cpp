@@ -4,8 +4,12 @@
 #include <ros/console.h>
 
 #include <iostream>
+#include <optional>
+#include <utility>
 
 #include "tools/bag_bounds/bag_run.h"
+#include "tools/bag_bounds/each_bag.h"
+#include "tools/bag_bounds/merged_report.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 
@@ -18,23 +22,45 @@ void printLog(void*, ros::console::Level level, const char* text, const char*, c
   if (level >= ros::console::levels::Warn) warn(text);
 }
 
+/// A bar that is drawn only when its percentage changes, and erased at the end.
+BagRun::OnProgress drawnProgress() {
+  if (!hasTerminal()) return [](double) {};
+  return [shown = std::optional<std::size_t>()](double share) mutable {
+    if (share >= 1) {
+      if (std::exchange(shown, std::nullopt)) eraseBar();
+      return;
+    }
+    const auto percent = static_cast<std::size_t>(100 * share);
+    if (std::exchange(shown, percent) != percent) drawBar(percent, 100, "% of the bags");
+  };
+}
+
+int runOne(const BagBoundsOptions& options, BagQuestion& question) {
+  BagRun run(options, question, drawnProgress());
+  run.read();
+  const BagReport report = run.report();
+  write(report, options.format, std::cout);
+  return exitCode(run.outcome(report), options.demand);
+}
+
 int run(const BagBoundsOptions& options) {
   ros::console::initialize();
   ros::console::backend::function_print = printLog;
   catchInterrupts();
-  BagRun run(options);
-  run.read();
-  const BagReport report = run.report();
-  write(report, options.format, std::cout);
-  const int code = exitCode(run.outcome(report), options.demand);
-  return finishOutput() ? code : kUnusable;
+  if (options.merge) return writeMerged(options, std::cout);
+  BagQuestion question(options);
+  return options.each ? runEach(options, question) : runOne(options, question);
 }
 
 int runWith(int argc, char** argv) {
   const BagBoundsOptions options = parseOptions(argc, argv);
-  if (!options.help && !options.version) return run(options);
-  std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
-  return finishOutput() ? 0 : kUnusable;
+  int code = 0;
+  if (options.help || options.version) {
+    std::cout << (options.help ? kUsage : "bag_bounds " LINK_BOUNDS_VERSION "\n");
+  } else {
+    code = run(options);
+  }
+  return finishOutput() ? code : kUnusable;
 }
 
 }  // namespace

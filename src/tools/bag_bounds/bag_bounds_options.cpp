@@ -12,6 +12,8 @@ namespace link_bounds {
 
 const char* const kUsage =
     R"(usage: bag_bounds FILE.bag ... --urdf FILE.urdf [options]
+       bag_bounds --each FILE.bag ... --urdf FILE.urdf [options] >> LINES.jsonl
+       bag_bounds --merge LINES.jsonl ... [--format F]
 
 Reads the recorded transforms of a robot and prints how far each of its links reached and when, who
 entered which zone, and how near pairs of links came. The boxes are those that the node would have
@@ -42,8 +44,12 @@ as one, by their record times.
                       json: also says what is incomplete and why
   --out FILE          writes a bag of ~boxes (/link_bounds_publisher/boxes) at the record times
   --series FILE       writes csv: each box when it changed, and each distance within LIMIT
-  --jobs N            threads in all, which unpack compressed bags; default: one per core. The
-                      results are the same
+  --jobs N            threads in all, which unpack compressed bags; with --each, bags at once.
+                      Default: one per core. The results are the same
+  --each              one JSON line per bag, as soon as it is done; bags are not read as one
+  --resume LINES      of --each: leaves out bags that have a line in this file, if bag, robot and
+                      options are unchanged; may be given several times
+  --merge             makes one report of files of lines: worst bags, pairs and zones
   --strict            exit with 2 if any geometry could not be used
   --allow-incomplete  what is incomplete does not change the exit code
   -h, --help          this text
@@ -59,6 +65,8 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
      bags was not read: damage, or interrupted
   2  see --strict
   0  everything was answered, and nothing was found
+With --each and --merge it is the first of these that applies to any bag; a file of lines that ends
+within a line leads to 4.
 )";
 
 namespace {
@@ -82,7 +90,10 @@ enum Code {
   kFormat,
   kOut,
   kSeries,
+  kEach,
   kJobs,
+  kResume,
+  kMerge,
   kStrict,
   kAllowIncomplete,
   kHelp,
@@ -107,7 +118,10 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
                                    {"series", required_argument, nullptr, kSeries},
+                                   {"each", no_argument, nullptr, kEach},
                                    {"jobs", required_argument, nullptr, kJobs},
+                                   {"resume", required_argument, nullptr, kResume},
+                                   {"merge", no_argument, nullptr, kMerge},
                                    {"strict", no_argument, nullptr, kStrict},
                                    {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
                                    {"help", no_argument, nullptr, kHelp},
@@ -203,8 +217,17 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
     case kSeries:
       options.series = nonEmpty("--series", optarg);
       return;
+    case kEach:
+      options.each = true;
+      return;
     case kJobs:
       options.jobs = jobsOption(optarg);
+      return;
+    case kResume:
+      options.resume.push_back(nonEmpty("--resume", optarg));
+      return;
+    case kMerge:
+      options.merge = true;
       return;
     case kStrict:
       options.demand.strict = true;
@@ -226,7 +249,29 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
   }
 }
 
+/// What --each cannot do, because it is about one bag or one report.
+void checkEach(const BagBoundsOptions& options) {
+  for (const std::string name : {"out", "series", "format"})
+    if (options.given.count(name))
+      throw UsageError("--each has no --" + name + "; its lines are JSON, and --merge makes a " +
+                       "report of them");
+  std::set<std::string> names;
+  for (const std::string& bag : options.bags)
+    if (!names.insert(bag).second) throw UsageError(bag + ": is given twice; give each bag once");
+}
+
+void checkMerge(const BagBoundsOptions& options) {
+  if (options.bags.empty()) throw UsageError("--merge needs a file of lines of --each");
+  const std::set<std::string> fit{"merge", "format", "allow-incomplete"};
+  for (const auto& [name, values] : options.given)
+    if (!fit.count(name))
+      throw UsageError("--" + name + " does not fit --merge, which reads no bag; leave it out");
+}
+
 void check(const BagBoundsOptions& options) {
+  if (options.merge) return checkMerge(options);
+  if (options.each) checkEach(options);
+  if (!options.each && !options.resume.empty()) throw UsageError("--resume needs --each");
   if (options.bags.empty()) throw UsageError("no bag is given");
   if (options.urdf.empty()) throw UsageError("no robot is given; add --urdf FILE");
   if (options.end && *options.end < options.start)
@@ -239,10 +284,12 @@ BagBoundsOptions parseOptions(int argc, char** argv) {
   BagBoundsOptions options;
   opterr = 0;
   int code = 0;
+  int index = -1;
   // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
-  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
+  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, &index)) != -1) {
     addOption(code, argv, options);
     if (options.help || options.version) return options;
+    if (code >= kUrdf) options.given[kLongOptions[index].name].emplace_back(optarg ? optarg : "");
   }
   for (; optind < argc; ++optind)
     options.bags.push_back(nonEmpty("the name of a bag", argv[optind]));

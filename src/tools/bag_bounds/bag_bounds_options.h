@@ -3,6 +3,7 @@
 // The command line of bag_bounds.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,10 +34,14 @@ struct BagBoundsOptions {
   std::vector<std::string> ignore_pairs;
   std::string static_from;       ///< a bag whose static transforms are taken first; "": none
   double min_coverage = 0.99;    ///< of each link, see Coverage
-  std::optional<unsigned> jobs;  ///< threads, > 0; none: one per core
+  std::optional<unsigned> jobs;  ///< threads, or bags at once; > 0; none: one per core
   Demand demand;
-  bool help = false;     ///< the other members are then undefined
-  bool version = false;  ///< likewise
+  bool each = false;                                      ///< a line per bag, instead of one report
+  std::vector<std::string> resume;                        ///< files of lines
+  bool merge = false;                                     ///< `bags` are files of lines
+  std::map<std::string, std::vector<std::string>> given;  ///< values by option, without dashes
+  bool help = false;                                      ///< the other members are then undefined
+  bool version = false;                                   ///< likewise
 };
 
 /// Throws UsageError. Call it once: getopt keeps state.

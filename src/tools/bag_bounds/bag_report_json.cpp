@@ -3,7 +3,9 @@
 // One element of a list per line.
 #include "tools/bag_bounds/bag_report_json.h"
 
+#include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "tools/bag_bounds/report_words.h"
 #include "tools/text/safe_text.h"
@@ -21,10 +23,9 @@ class JsonWriter {
   explicit JsonWriter(const BagReport& report) : report_(report) {}
 
   void write(std::ostream& out) const {
-    out << "{\"frame\": " << jsonString(report_.frame)
-        << ",\n \"begin\": " << exactSeconds(report_.begin)
-        << ",\n \"from\": " << time(report_.from) << ",\n \"to\": " << time(report_.to)
-        << ",\n \"messages\": " << report_.messages << ",\n \"extremes\": "
+    out << '{';
+    writeHead(out);
+    out << ",\n \"extremes\": "
         << jsonList(report_.boxes, [this](const auto& box) { return toJson(box); })
         << ",\n \"zones\": "
         << jsonList(report_.zones, [this](const auto& zone) { return toJson(zone); });
@@ -32,11 +33,62 @@ class JsonWriter {
       out << ",\n \"distances\": "
           << jsonList(*report_.distances, [this](const auto& pair) { return toJson(pair); });
     }
-    out << ",\n \"incomplete\": " << jsonObject(incompleteOf(report_), jsonString)
-        << ",\n \"losses\": " << jsonList(report_.losses, jsonString) << "}\n";
+    writeLosses(out);
+    out << "}\n";
+  }
+
+  void writeSummary(std::ostream& out) const {
+    writeHead(out);
+    out << ",\n \"coverage\": " << leastCovered();
+    if (report_.distances) {
+      out << ",\n \"pairs\": " << report_.distances->size() << ",\n \"worst\": " << nearestPair();
+    }
+    out << ",\n \"zones\": "
+        << jsonList(report_.zones, [this](const auto& zone) { return entriesOf(zone); });
+    writeLosses(out);
   }
 
  private:
+  void writeHead(std::ostream& out) const {
+    out << "\"frame\": " << jsonString(report_.frame)
+        << ",\n \"begin\": " << exactSeconds(report_.begin)
+        << ",\n \"from\": " << time(report_.from) << ",\n \"to\": " << time(report_.to)
+        << ",\n \"messages\": " << report_.messages;
+  }
+
+  void writeLosses(std::ostream& out) const {
+    out << ",\n \"incomplete\": " << jsonObject(incompleteOf(report_), jsonString)
+        << ",\n \"losses\": " << jsonList(report_.losses, jsonString);
+  }
+
+  /// Of several, the first in the order of ~boxes.
+  std::string leastCovered() const {
+    const BoxRecord* least = nullptr;
+    for (const BoxRecord& box : report_.boxes)
+      if (box.coverage && (!least || *box.coverage < *least->coverage)) least = &box;
+    if (!least) return "null";
+    return "{\"name\": " + jsonString(least->name) +
+           ", \"share\": " + exactNumber(*least->coverage) + "}";
+  }
+
+  /// Of several, the first in alphabetical order.
+  std::string nearestPair() const {
+    const auto nearest = std::min_element(
+        report_.distances->begin(), report_.distances->end(),
+        [](const auto& a, const auto& b) { return a.distance.distance < b.distance.distance; });
+    return nearest == report_.distances->end() ? "null" : toJson(*nearest);
+  }
+
+  std::string entriesOf(const ZoneRecord& record) const {
+    std::string first = "null";
+    if (!record.stays.empty()) {
+      const Stay& stay = record.stays.front();
+      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) + "}";
+    }
+    return "{\"name\": " + jsonString(record.zone.name) + ", \"nearest\": " + nearestTo(record) +
+           ", \"entries\": " + std::to_string(record.entries) + ", \"first\": " + first + "}";
+  }
+
   std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
 
   /// A JSON array with one element per line.
@@ -83,15 +135,16 @@ class JsonWriter {
            "}, \"how\": " + quoted(toText(stay.end)) + "}";
   }
 
+  std::string nearestTo(const ZoneRecord& record) const {
+    if (!record.nearest) return "null";
+    return "{\"name\": " + jsonString(record.nearest->name) +
+           ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
+           when(record.nearest->when) + "}";
+  }
+
   std::string toJson(const ZoneRecord& record) const {
-    std::string nearest = "null";
-    if (record.nearest) {
-      nearest = "{\"name\": " + jsonString(record.nearest->name) +
-                ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
-                when(record.nearest->when) + "}";
-    }
     return "{\"name\": " + jsonString(record.zone.name) +
-           ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearest +
+           ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearestTo(record) +
            ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
            ", \"undecided\": " + std::to_string(record.undecided) +
            ", \"entries\": " + std::to_string(record.entries) + ", \"stays\": " +
@@ -119,6 +172,15 @@ class JsonWriter {
 
 void writeJson(const BagReport& report, std::ostream& out) {
   JsonWriter(report).write(out);
+}
+
+/// Line breaks are only between elements: strings have them escaped.
+std::string summaryJson(const BagReport& report) {
+  std::ostringstream out;
+  JsonWriter(report).writeSummary(out);
+  std::string text = out.str();
+  text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+  return text;
 }
 
 }  // namespace link_bounds

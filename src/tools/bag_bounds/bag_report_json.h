@@ -4,11 +4,16 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
 #include "tools/bag_bounds/bag_report.h"
 
 namespace link_bounds {
 
 void writeJson(const BagReport& report, std::ostream& out);
+
+/// The members of an object, on one line: the least covered link, the nearest pair, entries of
+/// zones, what is incomplete.
+std::string summaryJson(const BagReport& report);
 
 }  // namespace link_bounds

@@ -4,26 +4,20 @@
 #include "tools/bag_bounds/bag_run.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "node/interface/topics.h"
-#include "packages/package_path.h"
 #include "robot/posed/row_threads.h"
 #include "tools/bag_bounds/report_words.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
-#include "tools/command_line/text_file.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
-
-std::vector<Zone> readZones(const std::string& file) {
-  return file.empty() ? std::vector<Zone>() : parseZones(readText(file, "zones"), file);
-}
 
 constexpr char kStaticEnd[] = "_static";
 
@@ -44,82 +38,31 @@ std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   return topics;
 }
 
-Parameters parametersOf(const BagBoundsOptions& options) {
-  Parameters parameters;
-  parameters.fixed_frame = options.fixed_frame;
-  parameters.geometry = options.geometry;
-  parameters.tf_prefix = options.tf_prefix;
-  parameters.padding = options.padding;
-  parameters.timeout = options.timeout;
-  parameters.ignore_pairs = options.ignore_pairs;
-  parameters.distance_limit = options.distances.value_or(0);
-  return parameters;
-}
-
 /// Nanoseconds, of any number of seconds.
 std::int64_t after(std::int64_t begin, double seconds) {
   constexpr double kFar = 4e9;  // s
   return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
 }
 
-/// Refuses to overwrite what is read. One file may have several names: links, and paths that begin
-/// elsewhere. Standard input has none after it has been read.
-const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
-  std::vector<std::string> inputs = options.bags;
-  inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
-  inputs.push_back(options.zones);
-  inputs.push_back(options.static_from);
-  const auto check = [&inputs](const std::string& option_name, const std::string& output) {
-    for (const std::string& input : inputs) {
-      std::error_code ignored;
-      if (std::filesystem::equivalent(input, output, ignored))
-        throw UsageError(option_name + " is " + input + ", which is read; name another file");
-    }
-  };
-  check("--out", options.out);
-  check("--series", options.series);
-  if (!options.series.empty() && options.series == options.out)
-    throw UsageError("--series is the file of --out; name another file");
-  return options;
-}
-
 }  // namespace
 
-BagRun::BagRun(const BagBoundsOptions& options)
-    : options_(checkedOut(options)),
-      mesh_source_{rosPackages(), folderOf(options.urdf), progressBar(), {}, isInterrupted},
-      zones_(readZones(options.zones), isInterrupted),
+BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress)
+    : options_(options),
+      question_(question),
+      on_progress_(std::move(on_progress)),
+      zones_(question.zones(), isInterrupted),
       reader_(
           options.bags, topicsOf(options), [this] { return glance(); },
           options.jobs.value_or(coreCount())),
-      model_(std::make_shared<const Model>(loadModel())),
-      scene_(
-          [this](const std::string& uri) {
-            return loader_.loadMeshes({uri}, mesh_source_).front();
-          },
-          [this](std::int64_t now) { onNews(now); },
-          [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
+      model_(question.model()),
+      scene_([this](const std::string& uri) { return question_.loadMesh(uri); },
+             [this](std::int64_t now) { onNews(now); },
+             [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
       unused_topics_(options.objects) {
-  mesh_source_.progress = nullptr;
-  if (options.distances) {
-    pairs_.emplace(
-        [this](const std::string& uri) { return loader_.loadTrees({uri}, mesh_source_).front(); });
-  }
+  if (options.distances)
+    pairs_.emplace([this](const std::string& uri) { return question_.loadTree(uri); });
   if (!options.out.empty()) out_.emplace(options.out);
   if (!options.series.empty()) series_.emplace(options.series);
-}
-
-Model BagRun::loadModel() {
-  Model model =
-      makeModel(readText(options_.urdf, "a URDF"), parametersOf(options_), loader_, mesh_source_);
-  if (model.links.empty())
-    throw UsageError("no link of the robot has geometry of the kind " + options_.geometry +
-                     "; choose another --geometry");
-  for (const std::string& problem : model.problems)
-    warn(problem);
-  for (const std::string& warning : model.warnings)
-    warn(warning);
-  return model;
 }
 
 /// The first message may be of any topic, as for rosbag play. If reading it was interrupted, the
@@ -159,7 +102,7 @@ void BagRun::takeStatic() {
 void BagRun::read() {
   begin();
   readMessages();
-  if (shown_percent_) eraseBar();
+  on_progress_(1);
   coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
   zones_.finish(last_);
@@ -211,16 +154,8 @@ void BagRun::readMessages() {
 
 /// Called by the reader now and then.
 bool BagRun::glance() {
-  showProgress();
+  on_progress_(reader_.progress());
   return isInterrupted();
-}
-
-void BagRun::showProgress() {
-  if (!hasTerminal()) return;
-  const auto percent = static_cast<std::size_t>(100 * reader_.progress());
-  if (shown_percent_ == percent) return;
-  shown_percent_ = percent;
-  drawBar(percent, 100, "% of the bags");
 }
 
 void BagRun::onNews(std::int64_t now) {
@@ -230,7 +165,7 @@ void BagRun::onNews(std::int64_t now) {
 
 /// What is there when the report begins is recorded, too.
 void BagRun::onStep(std::int64_t now, bool is_tick) {
-  if (++steps_ % kStepsPerGlance == 0) showProgress();
+  if (++steps_ % kStepsPerGlance == 0) on_progress_(reader_.progress());
   zones_.onStep(now, is_tick, isReported(now));
   if (!isReported(now)) return;
   last_ = now;
@@ -290,8 +225,9 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   }
 }
 
-/// "" if the report is about something.
+/// Who interrupts knows that there may be more.
 std::string BagRun::whyUseless(const BagReport& report) const {
+  if (was_interrupted_) return "";
   if (scene_.transforms() == 0)
     return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
            (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);
@@ -322,8 +258,7 @@ Outcome BagRun::outcome(const BagReport& report) const {
            " motions between two messages are not decided, the first of " + zone.first_undecided +
            "; record tf at a higher rate");
   }
-  // Who interrupts knows that there may be more.
-  const std::string useless = was_interrupted_ ? "" : whyUseless(report);
+  const std::string useless = whyUseless(report);
   if (!useless.empty()) say("error: " + useless);
   outcome.is_unusable = !useless.empty();
   outcome.has_finding = zones_.wasEntered() || (pairs_ && pairs_->wasUndercut());

@@ -4,12 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "link_bounds/robot/robot_loader.h"
 #include "tools/bag_bounds/bag_bounds_options.h"
+#include "tools/bag_bounds/bag_question.h"
 #include "tools/bag_bounds/bag_report.h"
 #include "tools/bag_bounds/boxes_bag.h"
 #include "tools/bag_bounds/coverage.h"
@@ -20,8 +21,12 @@ namespace link_bounds {
 
 class BagRun {
  public:
-  /// Reads the zones and the robot, and opens all files. Throws std::exception.
-  explicit BagRun(const BagBoundsOptions& options);
+  /// Called now and then with the share of the bags that was read, 0 to 1, and with 1
+  /// at the end.
+  using OnProgress = std::function<void(double share)>;
+
+  /// Opens all files. Throws std::exception. What it refers to must outlive it.
+  BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress);
   BagRun(const BagRun&) = delete;
   BagRun& operator=(const BagRun&) = delete;
 
@@ -31,11 +36,13 @@ class BagRun {
   /// After read().
   BagReport report() const;
 
+  /// Why the report is about nothing; "" if it is about something, or was interrupted.
+  std::string whyUseless(const BagReport& report) const;
+
   /// What the report says; warns of losses, and says why it is about nothing.
   Outcome outcome(const BagReport& report) const;
 
  private:
-  Model loadModel();
   void begin();
   void takeStatic();
   void findOtherTopics();
@@ -45,16 +52,13 @@ class BagRun {
   void onStep(std::int64_t now, bool is_tick);
   void record(std::int64_t now);
   bool glance();
-  void showProgress();
   void addCoverage(std::vector<BoxRecord>& boxes) const;
-  std::string whyUseless(const BagReport& report) const;
-
   const BagBoundsOptions& options_;
-  MeshSource mesh_source_;
-  RobotLoader loader_;
+  BagQuestion& question_;
+  OnProgress on_progress_;
   ZoneWatch zones_;
   BagReader reader_;
-  std::shared_ptr<const Model> model_;
+  const std::shared_ptr<const Model> model_;
   RecordedScene scene_;
   BoxRecords boxes_;
   Coverage coverage_;
@@ -72,7 +76,6 @@ class BagRun {
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from
-  std::optional<std::size_t> shown_percent_;
 };
 
 }  // namespace link_bounds

@@ -12,7 +12,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr unsigned kMaxJobs = 1024;  // threads beyond any machine
+/// Threads beyond any machine.
+constexpr unsigned kMaxJobs = 1024;
 
 }  // namespace
 

@@ -23,7 +23,7 @@ std::optional<double> toNumber(const std::string& text);
 double limitOption(const std::string& option_name, const std::string& text,
                    const std::string& unit = "metres");
 
-/// A number of threads, of --jobs. Throws UsageError.
+/// A number of threads or processes, 1 to 1024. Throws UsageError.
 unsigned jobsOption(const std::string& text);
 
 /// Why getopt_long returned '?'. Codes of long options begin at `first_code`.

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kLostGeometry = 2;
 constexpr int kFinding = 3;
-constexpr int kOpen = 4;
 
 void warnOfOpen(const std::vector<std::string>& open) {
   std::string text;
@@ -33,6 +32,27 @@ int exitCode(const Outcome& outcome, const Demand& demand) {
     return kOpen;
   }
   return outcome.lost_geometry && demand.strict ? kLostGeometry : 0;
+}
+
+int worseCode(int first, int second) {
+  for (const int code : {kUnusable, kFinding, kOpen, kLostGeometry})
+    if (first == code || second == code) return code;
+  return 0;
+}
+
+const char* verdictOf(int exit_code) {
+  switch (exit_code) {
+    case 0:
+      return "CLEAR";
+    case kLostGeometry:
+      return "LOST_GEOMETRY";
+    case kFinding:
+      return "FOUND";
+    case kOpen:
+      return "INCOMPLETE";
+    default:
+      return "UNUSABLE";
+  }
 }
 
 }  // namespace link_bounds

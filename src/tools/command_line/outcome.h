@@ -12,6 +12,9 @@ namespace link_bounds {
 /// The exit code of unusable input or arguments.
 constexpr int kUnusable = 1;
 
+/// Something was not answered, see Outcome::open.
+constexpr int kOpen = 4;
+
 struct Outcome {
   bool is_unusable = false;       ///< the input allows no answer
   bool has_finding = false;       ///< an entry, a distance undercut, an exemption that is wrong
@@ -31,5 +34,11 @@ struct Demand {
 /// 1 unusable, 3 a finding, 4 something is open, 2 lost geometry, 0 all was answered and holds: the
 /// first that applies. Warns of what is open if that decides.
 int exitCode(const Outcome& outcome, const Demand& demand);
+
+/// Of the exit codes of two runs, the one that comes first in that order.
+int worseCode(int first, int second);
+
+/// Such as "CLEAR" for 0.
+const char* verdictOf(int exit_code);
 
 }  // namespace link_bounds

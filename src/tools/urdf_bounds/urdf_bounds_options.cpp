@@ -5,8 +5,6 @@
 
 #include <getopt.h>
 
-#include <cmath>
-
 #include "tools/command_line/options.h"
 
 namespace link_bounds {

@@ -307,18 +307,18 @@ class FormatsTest(BagBoundsTest):
 class PageTest(BagBoundsTest):
     """The example and the tables of doc/tools.md."""
 
-    def demo_bag(self):
+    def demo_bag(self, name='demo.bag', indices=range(600)):
         """The joints of the demo robot swing."""
         demo = UrdfTf(DEMO.read_text('utf-8'))
-        messages = [('/tf_static', TFMessage(demo.static()), time_of(BEGIN))]
-        for index in range(600):
+        messages = [('/tf_static', TFMessage(demo.static()), time_of(BEGIN + indices[0] / 100))]
+        for index in indices:
             time = index / 100
             values = dict({name: 0 for name in demo.movable}, shoulder_pan=math.sin(time),
                           elbow_bend=1.9 + .5 * math.sin(2 * time),
                           shoulder_lift=.3 * math.sin(.7 * time))
             stamp = time_of(BEGIN + time)
             messages.append(('/tf', TFMessage(demo.moving(stamp, values)), stamp))
-        return self.bag(messages, 'demo.bag')
+        return self.bag(messages, name)
 
     def test_the_example_prints_what_the_page_shows(self):
         self.write('zones.yaml', code_block(PAGE, '## bag_bounds', 'yaml'))
@@ -333,6 +333,21 @@ class PageTest(BagBoundsTest):
         begin, end = shown.split('...\n')
         self.assertTrue(out.startswith(begin), out)
         self.assertTrue(out.endswith(end), out)
+
+    def test_the_example_of_many_bags_prints_what_the_page_shows(self):
+        self.demo_bag('run_1.bag')
+        self.demo_bag('run_2.bag', range(500, 520))
+        cut = self.demo_bag('run_3.bag', range(500, 530))
+        os.truncate(cut, os.path.getsize(cut) // 2)
+        page = (PACKAGE / PAGE).read_text('utf-8').split('### Many bags')[1]
+        for line in page.split('```sh\n')[1].split('```')[0].splitlines():
+            line = line.replace('rosrun link_bounds bag_bounds', bag_bounds_testing.BAG_BOUNDS)
+            done = subprocess.run(['sh', '-c', line.replace('robot.urdf', str(DEMO))],
+                                  cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, encoding='utf-8')
+            self.assertEqual(done.returncode, UNDERCUT, done.stderr)
+        shown = page.split('```\n')[2].split('```')[0]
+        self.assertEqual(re.sub(r'byte \d+', '', done.stdout), re.sub(r'byte \d+', '', shown))
 
     def test_help_names_all_options_of_the_page(self):
         code, out, _ = run('--help')

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether two files or two questions are the same, as 16 characters.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace link_bounds {
+
+/// 64-bit FNV-1a: finds changes, but does not withstand who makes files to deceive it.
+class Fingerprint {
+ public:
+  /// Fields are told apart by their lengths.
+  void add(const std::string& field);
+
+  /// At most `limit` bytes from the begin of a file. False if it cannot be read.
+  bool addFile(const std::string& name, std::uint64_t limit = UINT64_MAX);
+
+  /// In hexadecimal.
+  std::string text() const;
+
+ private:
+  void addBytes(const char* bytes, std::size_t count);
+
+  std::uint64_t state_ = 0xcbf29ce484222325;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,332 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""bag_bounds --each, --resume and --merge: the same lines with any number of jobs, in any order,
+after a kill, and one report of them.
+
+Run as: each_bag_test.py PATH_OF_bag_bounds
+"""
+import collections
+import csv
+import io
+import json
+import os
+import pty
+import random
+import signal
+import subprocess
+import time
+
+import bag_bounds_testing
+from bag_bounds_testing import (ENTERED, INCOMPLETE, BagBoundsTest, arms, main, moving_arms, raw, run,
+                                static_arms, time_of, zone_text)
+from bounds_testing import wait_for
+from node_testing import arm_transform
+from patience import PATIENCE
+from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
+
+BAGS = 50
+PROMPT = 1.0 * PATIENCE  # s
+DEADLINE = 60 * PATIENCE  # s
+LIMIT = 0.25  # m; the arms come to 0.19 of each other, see calm()
+LONG = 60  # MB of what nobody reads
+
+
+def calm(count):
+    """Around the middle of their way the arms are far from each other, and from the zones."""
+    return [static_arms()] + [moving_arms(i, angle_index=45 + i) for i in range(count)]
+
+
+def of_another_robot():
+    transform = arm_transform('mast', time_of(1000), 0)
+    transform.header.frame_id, transform.child_frame_id = 'hull', 'rudder'
+    return [('/tf', TFMessage([transform]), time_of(1000 + i)) for i in range(3)]
+
+
+class EachBagTest(BagBoundsTest):
+    def setUp(self):
+        super().setUp()
+        self.zones = self.write('zones.yaml', zone_text('far', [8] * 3, [9] * 3) +
+                                zone_text('front', [0.73, 0.43, -1], [1, 0.5, 1]))
+
+    def some_bags(self):
+        """Of arms in different parts of their way; every 7th is cut, every 11th of another robot."""
+        bags = []
+        for number in range(BAGS):
+            messages = [static_arms()] + [moving_arms(i, angle_index=i + 4 * number)
+                                          for i in range(20)]
+            if number % 11 == 5:
+                messages = of_another_robot()
+            bags.append(self.bag(messages, 'run_%02d.bag' % number))
+            if number % 7 == 3:
+                os.truncate(bags[-1], os.path.getsize(bags[-1]) * (number % 2 + 1) // 3)
+        os.truncate(bags[-1], 40)
+        return bags
+
+    def long_bag(self, name='long.bag'):
+        """Takes a while: a byte a message would be skipped, a compressed chunk is not."""
+        junk = raw(String('0' * 1000000))
+        with bag_bounds_testing.rosbag.Bag(self.path(name), 'w', compression='bz2') as bag:
+            for topic, message, stamp in calm(5):
+                bag.write(topic, message, stamp)
+            for number in range(LONG):
+                bag.write('/junk', junk, time_of(1001 + number), raw=True)
+        return self.path(name)
+
+    def arguments(self, bags, *arguments):
+        return [*bags, '--each', '--urdf', self.urdf, '--zones', self.zones, '--distances',
+                str(LIMIT), *arguments]
+
+    def lines(self, bags, *arguments, code):
+        found = run(*self.arguments(bags, *arguments))
+        self.assertEqual(found[0], code, found)
+        return found[1].splitlines()
+
+    def merged(self, *arguments, code):
+        found = run('--merge', *arguments)
+        self.assertEqual(found[0], code, found)
+        return found[1], found[2]
+
+    def check_refused_each(self, reason, *arguments):
+        self.check_refused(reason, *self.arguments(arguments))
+
+
+class LinesTest(EachBagTest):
+    def test_the_same_lines_whatever_the_jobs_and_the_order(self):
+        bags = self.some_bags()
+        expected = sorted(self.lines(bags, '--jobs', '1', code=1))
+        shuffled = random.Random(1).sample(bags, len(bags))
+        self.assertEqual(sorted(self.lines(shuffled, '--jobs', '2', code=1)), expected)
+        self.assertEqual(sorted(self.lines(bags[::-1], '--jobs', '4', code=1)), expected)
+        lines = [json.loads(line) for line in expected]
+        self.assertEqual([line['bag'] for line in lines], bags)
+        verdicts = collections.Counter(line['verdict'] for line in lines)
+        self.assertEqual(set(verdicts), {'CLEAR', 'FOUND', 'INCOMPLETE', 'UNUSABLE'}, verdicts)
+        self.check_kill(bags, expected)
+
+    def check_kill(self, bags, expected):
+        """kill -9 after some lines, a line that is cut, and --resume."""
+        path = self.path('lines.jsonl')
+        with open(path, 'wb') as out:
+            process = subprocess.Popen([bag_bounds_testing.BAG_BOUNDS,
+                                        *self.arguments(bags, '--jobs', '2')], stdout=out)
+        try:
+            wait_for(lambda: os.path.getsize(path) > 2000, 'some lines', DEADLINE)
+        finally:
+            process.kill()
+            process.wait()
+        with open(path, encoding='utf-8') as file:
+            text = file.read()
+        whole = text[:text.rindex('\n') + 1].splitlines()
+        self.assertLess(len(whole), BAGS)
+        self.assertLessEqual(set(whole), set(expected))
+        cut = '\n'.join(whole)[:-len(whole[-1]) // 2]
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(cut)
+        with open(path, 'ab') as out:
+            done = subprocess.run([bag_bounds_testing.BAG_BOUNDS,
+                                   *self.arguments(bags, '--resume', path)], stdout=out,
+                                  stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn('line %d was cut; its bag is read again' % len(whole), done.stderr)
+        self.assertIn('%d of %d bags have a line already' % (len(whole) - 1, BAGS), done.stderr)
+        report, err = self.merged(path, '--format', 'json', code=1)
+        self.assertEqual(err, '')
+        found = json.loads(report)
+        self.assertEqual(found['bags'], [json.loads(line) for line in expected])
+
+    def test_a_line_says_what_the_report_says(self):
+        bag = self.bag(arms(100))
+        line = json.loads(self.lines([bag], code=ENTERED)[0])
+        report = self.report(bag, '--zones', self.zones, '--distances', str(LIMIT), code=ENTERED)
+        self.assertEqual((line['bag'], line['size'], line['exit'], line['verdict']),
+                         (bag, os.path.getsize(bag), ENTERED, 'FOUND'))
+        for key in ('frame', 'begin', 'from', 'to', 'messages', 'incomplete', 'losses'):
+            self.assertEqual(line[key], report[key], key)
+        self.assertEqual(line['pairs'], len(report['distances']))
+        self.assertEqual(line['worst'], min(report['distances'], key=lambda d: d['distance']))
+        self.assertEqual(line['coverage']['share'],
+                         min(box['coverage'] for box in report['extremes']))
+        for found, expected in zip(line['zones'], report['zones']):
+            first = expected['stays'][0] if expected['stays'] else None
+            self.assertEqual(found, {
+                'name': expected['name'], 'nearest': expected['nearest'],
+                'entries': expected['entries'],
+                'first': first and dict(first['entered'], name=first['name'])})
+        self.assertEqual([zone['entries'] > 0 for zone in line['zones']], [False, True])
+
+    def test_bags_that_cannot_be_read(self):
+        bags = [self.path('none.bag'), self.write('text.bag', 'text'), self.folder,
+                self.bag(calm(3))]
+        lines = {json.loads(line)['bag']: json.loads(line) for line in self.lines(bags, code=1)}
+        self.assertEqual(set(lines), set(bags))
+        for bag, reason in zip(bags, ('No such file', 'is not a bag', 'ordinary file|irectory')):
+            self.assertRegex(lines[bag]['reason'], reason)
+            self.assertEqual(lines[bag]['verdict'], 'UNUSABLE')
+        self.assertEqual(lines[bags[3]]['verdict'], 'CLEAR')
+
+    def test_refused(self):
+        bag = self.bag(calm(3))
+        self.check_refused_each('is given twice', bag, bag)
+        self.check_refused_each('--each has no --out', bag, '--out', 'a.bag')
+        self.check_refused_each('--each has no --format', bag, '--format', 'csv')
+        self.check_refused_each('cannot read .*none.jsonl', bag, '--resume', self.path('none.jsonl'))
+        self.check_refused_each('arms.urdf, line 1 is no line of bag_bounds --each', bag, '--resume',
+                                self.urdf)
+        self.check_refused('--resume needs --each', bag, '--urdf', self.urdf, '--resume', bag)
+        self.check_refused('--urdf does not fit --merge', bag, '--merge', '--urdf', self.urdf)
+        self.check_refused('there is no line to merge', '--merge', self.write('empty.jsonl', ''))
+
+    def test_standard_output_that_replaces_the_lines(self):
+        bag, path = self.bag(calm(3)), self.write('lines.jsonl', '')
+        with open(path, 'r+', encoding='utf-8') as out:
+            done = subprocess.run([bag_bounds_testing.BAG_BOUNDS,
+                                   *self.arguments([bag], '--resume', path)], stdout=out,
+                                  stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('append to it with >>', done.stderr)
+
+
+class ResumeTest(EachBagTest):
+    def test_only_what_is_unchanged_is_left_out(self):
+        bags = [self.bag(calm(3 + i), 'bag_%d.bag' % i) for i in range(3)]
+        lines = self.lines(bags, code=0)
+        path = self.write('lines.jsonl', ''.join(line + '\n' for line in lines))
+        again = ('--resume', path)
+        self.assertEqual(self.lines(bags, *again, code=0), [])
+        self.bag(calm(9), 'bag_1.bag')
+        found = self.lines(bags, *again, code=0)
+        self.assertEqual([json.loads(line)['bag'] for line in found], [bags[1]])
+        self.assertEqual(len(self.lines(bags, *again, '--padding', '0.001', code=0)), 3)
+        with open(self.urdf, 'a', encoding='utf-8') as file:
+            file.write('<!-- -->')
+        self.assertEqual(len(self.lines(bags, *again, code=0)), 3)
+
+    def test_the_exit_code_counts_lines_that_are_there(self):
+        bags = [self.bag(arms(100), 'a.bag'), self.bag(calm(3), 'b.bag')]
+        path = self.write('lines.jsonl', self.lines(bags[:1], code=ENTERED)[0] + '\n')
+        self.assertEqual(len(self.lines(bags, '--resume', path, code=ENTERED)), 1)
+
+    def test_a_process_that_dies_is_tried_again(self):
+        """Another program kills the process that reads a bag."""
+        bags = [self.long_bag(), self.bag(calm(3), 'short.bag')]
+        process = subprocess.Popen([bag_bounds_testing.BAG_BOUNDS,
+                                    *self.arguments(bags, '--jobs', '1')],
+                                   stdout=subprocess.PIPE, encoding='utf-8')
+        children = '/proc/%d/task/%d/children' % (process.pid, process.pid)
+
+        def child():
+            with open(children, encoding='utf-8') as file:
+                return [int(pid) for pid in file.read().split()
+                        if open('/proc/%s/comm' % pid).read() == 'bag_bounds\n']
+        try:
+            wait_for(child, 'a process for the bag', DEADLINE)
+            os.kill(child()[0], signal.SIGKILL)
+            out = process.communicate(timeout=DEADLINE)[0]
+        finally:
+            process.kill()
+        self.assertEqual(process.returncode, 1)
+        lines = {json.loads(line)['bag']: json.loads(line) for line in out.splitlines()}
+        self.assertEqual([lines[bag]['verdict'] for bag in bags], ['DIED', 'CLEAR'])
+        self.assertIn('ended by signal 9', lines[bags[0]]['reason'])
+        path = self.write('lines.jsonl', out)
+        again = self.lines(bags, '--resume', path, code=0)
+        self.assertEqual([json.loads(line)['verdict'] for line in again], ['CLEAR'])
+        other = self.write('other.jsonl', again[0] + '\n')
+        for order in ((path, other), (other, path)):
+            self.assertIn('2 CLEAR', self.merged(*order, code=0)[0])
+
+    def test_ctrl_c(self):
+        bags = [self.bag(calm(3), 'short.bag'), self.long_bag()]
+        path, (master, slave) = self.path('lines.jsonl'), pty.openpty()
+        for signal_number in (signal.SIGINT, signal.SIGTERM):
+            with open(path, 'wb') as out:
+                process = subprocess.Popen([bag_bounds_testing.BAG_BOUNDS,
+                                            *self.arguments(bags, '--jobs', '2')], stdout=out,
+                                           stderr=slave)
+            wait_for(lambda: os.path.getsize(path) > 0, 'the line of the short bag', DEADLINE)
+            begin = time.monotonic()
+            process.send_signal(signal_number)
+            process.wait(DEADLINE)
+            self.assertLess(time.monotonic() - begin, PROMPT)
+            self.assertEqual(process.returncode, INCOMPLETE)
+            with open(path, encoding='utf-8') as file:
+                self.assertEqual([json.loads(line)['bag'] for line in file], bags[:1])
+        os.close(slave)
+        shown = b''
+        while True:
+            try:
+                shown += os.read(master, 1 << 16)
+            except OSError:
+                break
+        os.close(master)
+        self.assertRegex(shown.decode(), r'\d+/100 % of the bags, 1 done')
+        self.assertIn('interrupted: 1 of 2 bags are done, and have their lines', shown.decode())
+
+    def test_a_full_disk(self):
+        if not os.path.exists('/dev/full'):
+            self.skipTest('skipped: there is no /dev/full')
+        with open('/dev/full', 'wb') as out:
+            done = subprocess.run([bag_bounds_testing.BAG_BOUNDS, *self.arguments([self.bag(calm(3))])],
+                                  stdout=out, stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('cannot write to standard output', done.stderr)
+
+
+class MergeTest(EachBagTest):
+    def files(self):
+        """Lines of three bags in two files: nothing found, a zone entered, no message."""
+        bags = [self.bag(calm(3), 'a.bag'), self.bag(arms(100), 'b.bag'), self.bag([], 'c.bag')]
+        lines = sorted(self.lines(bags, code=1))
+        return bags, lines, [self.write('1.jsonl', lines[0] + '\n' + lines[1] + '\n'),
+                             self.write('2.jsonl', lines[2] + '\n')]
+
+    def test_formats(self):
+        bags, lines, files = self.files()
+        table, err = self.merged(*files, code=1)
+        self.assertEqual((self.merged(*files[::-1], code=1)[0], err), (table, ''))
+        self.assertIn('3 bags: 1 CLEAR, 1 FOUND, 1 UNUSABLE', table)
+        self.assertRegex(table, r'(?m)^front +1 +1$')
+        self.assertRegex(table, r'UNUSABLE: .*c.bag: there is no message')
+        worst = json.loads(lines[1])['worst']
+        self.assertIn('nearest pair of all: %s - %s, %.6f m, in %s' % (
+            worst['first'], worst['second'], worst['distance'], bags[1]), table)
+        report = json.loads(self.merged(*files, '--format', 'json', code=1)[0])
+        self.assertEqual(report['bags'], [json.loads(line) for line in lines])
+        self.assertEqual(report['verdicts'], {'CLEAR': 1, 'FOUND': 1, 'UNUSABLE': 1})
+        self.assertEqual(report['count'], 3)
+        self.assertEqual(report['worst'], {'bag': bags[1], **{
+            key: worst[key] for key in ('first', 'second', 'distance', 'time')}})
+        self.assertEqual(report['zones'], [{'name': 'far', 'entries': 0, 'bags': 0},
+                                           {'name': 'front', 'entries': 1, 'bags': 1}])
+        rows = list(csv.DictReader(io.StringIO(self.merged(*files, '--format', 'csv', code=1)[0])))
+        self.assertEqual([row['bag'] for row in rows], bags)
+        self.assertEqual(float(rows[1]['distance']), worst['distance'])
+        self.assertEqual((rows[1]['first'], rows[1]['entries']), (worst['first'], '1'))
+        self.assertIn('no message', rows[2]['reason'])
+
+    def test_lines_that_do_not_fit(self):
+        bags, lines, files = self.files()
+        other = self.lines(bags[:1], '--padding', '0.001', code=0)[0]
+        self.check_refused('are of different robots, options or versions', '--merge', *files,
+                           self.write('3.jsonl', other + '\n'))
+        self.bag(calm(4), 'a.bag')
+        changed = self.lines(bags[:1], code=0)[0]
+        self.check_refused('a.bag in .* differ; leave the older file out', '--merge', *files,
+                           self.write('4.jsonl', changed + '\n'))
+        newest = self.write('5.jsonl', lines[0] + '\n' + changed + '\n')
+        self.assertIn('1 bag: 1 CLEAR', self.merged(newest, code=0)[0])
+
+    def test_lines_that_were_cut(self):
+        _, lines, _ = self.files()
+        for text in (lines[0] + '\n' + lines[1][:300], lines[0] + '\n{"ba',
+                     lines[1][:300] + lines[0] + '\n', '{"bag": "' + lines[0] + '\n'):
+            _, err = self.merged(self.write('cut.jsonl', text), code=INCOMPLETE)
+            self.assertRegex(err, r'line [12] was cut, and its bag has no whole line')
+        healed = self.write('healed.jsonl', lines[0][:300] + lines[0] + '\n')
+        self.assertEqual(self.merged(healed, code=0)[1], '')
+
+
+if __name__ == '__main__':
+    main()
