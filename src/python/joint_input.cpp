@@ -13,12 +13,12 @@ namespace link_bounds {
 namespace {
 
 const char* const kWhatRows =
-    "q must be a dict {joint: value}, an array [joints] in the order of .joints, an array [rows, "
+    " must be a dict {joint: value}, an array [joints] in the order of .joints, an array [rows, "
     "joints], or a list of dicts";
 
 /// "q", or "q[3]" of several rows.
-std::string nameOf(std::size_t row, bool is_single) {
-  return is_single ? "q" : "q[" + std::to_string(row) + "]";
+std::string nameOf(const std::string& rows, std::size_t row, bool is_single) {
+  return is_single ? rows : rows + "[" + std::to_string(row) + "]";
 }
 
 std::string reprOf(const py::handle& object) {
@@ -92,32 +92,32 @@ std::string shapeOf(const py::array& array) {
   return reprOf(array.attr("shape"));
 }
 
-JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q) {
+JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q, const std::string& name) {
   const py::array any = py::array::ensure(q);
   if (!any) {
     PyErr_Clear();
-    throw py::value_error(std::string(kWhatRows) + ", but it is " + reprOf(q));
+    throw py::value_error(name + kWhatRows + ", but it is " + reprOf(q));
   }
   if (std::string("fiu").find(any.dtype().kind()) == std::string::npos)
-    throw py::value_error(std::string(kWhatRows) + ", but its values are of the type " +
+    throw py::value_error(name + kWhatRows + ", but its values are of the type " +
                           py::cast<std::string>(py::str(any.dtype())));
   const std::size_t columns = shared.joints().size();
   const bool has_columns = (any.ndim() == 1 || any.ndim() == 2) &&
                            any.shape(any.ndim() - 1) == static_cast<Py_ssize_t>(columns);
   if (!has_columns)
-    throw py::value_error(std::string(kWhatRows) + "; its shape is " + shapeOf(any) +
+    throw py::value_error(name + kWhatRows + "; its shape is " + shapeOf(any) +
                           ", but the robot has " + std::to_string(columns) + " joints");
   const bool is_single = any.ndim() == 1;
   return {RowArray(any), is_single ? 1 : static_cast<std::size_t>(any.shape(0)), is_single};
 }
 
-void checkFinite(const SharedRobot& shared, const JointRows& rows) {
+void checkFinite(const SharedRobot& shared, const JointRows& rows, const std::string& name) {
   const std::size_t columns = shared.joints().size();
   const double* const values = rows.values.data();
   for (std::size_t i = 0; i < rows.count * columns; ++i) {
     if (std::isfinite(values[i])) continue;
     throw py::value_error("joint \"" + shared.robot().joints[shared.joints()[i % columns]].name +
-                          "\" in " + nameOf(i / columns, rows.is_single) + " is " +
+                          "\" in " + nameOf(name, i / columns, rows.is_single) + " is " +
                           reprOf(py::float_(values[i])) + ", but must be a finite number");
   }
 }
@@ -135,15 +135,15 @@ Limits rangeOf(const py::handle& value, const std::string& joint) {
 
 }  // namespace
 
-JointRows jointRows(const SharedRobot& shared, const py::handle& q) {
+JointRows jointRows(const SharedRobot& shared, const py::handle& q, const std::string& name) {
   const auto read = [&] {
     if (py::isinstance<py::dict>(q))
       return rowsOfDicts(shared, {py::reinterpret_borrow<py::dict>(q)}, true);
     const std::vector<py::dict> dicts = dictsOf(q);
-    return dicts.empty() ? rowsOfArray(shared, q) : rowsOfDicts(shared, dicts, false);
+    return dicts.empty() ? rowsOfArray(shared, q, name) : rowsOfDicts(shared, dicts, false);
   };
   JointRows rows = read();
-  checkFinite(shared, rows);
+  checkFinite(shared, rows, name);
   return rows;
 }
 

@@ -27,8 +27,9 @@ struct JointRows {
 
 /// A dict from names to values, joints without one are at 0; an array [joints] in the order of
 /// SharedRobot::joints(); an array [rows, joints]; or a list of dicts. An array of doubles with its
-/// rows one after the other is not copied.
-JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q);
+/// rows one after the other is not copied. Errors call it `name`.
+JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q,
+                    const std::string& name = "q");
 
 /// A dict from names to a value or to a pair (lower, upper); or None.
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);

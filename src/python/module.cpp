@@ -3,6 +3,7 @@
 // What Python sees, and what help() says of it. link_bounds/__init__.pyi has the same signatures.
 #include <pybind11/stl.h>
 
+#include "python/path_calls.h"
 #include "python/posed_calls.h"
 #include "python/proof_calls.h"
 #include "python/text.h"
@@ -99,6 +100,26 @@ constexpr char kPairsDoc[] = R"(Which links can collide while the joints move, w
   returns     a list of Pair, in the order of .links
 
 Raises ValueError for arguments that cannot be used. Ctrl-C ends it.
+)";
+
+constexpr char kPathDoc[] =
+    R"(Whether the robot collides on its way along poses, proven between them, too.
+
+  q              [rows, joints], or a list of dicts: two way points or more, see Robot
+  clearance      bodies that are as near collide [m], >= 0; 0: those that touch
+  velocities     like q [rad/s, m/s], with times: the motion is cubic, as joint_trajectory_controller
+                 interpolates; without them it is linear in the joints
+  accelerations  like q [rad/s^2, m/s^2], with velocities: the motion is of fifth order
+  times          [rows], growing [s]
+  objects        the path of a YAML file of objects around the robot, as for urdf_bounds --objects
+  srdf           the path of a SRDF; pairs that it disables are left out
+  budget         the search ends after this [s], > 0; what is open by then is UNDECIDED
+  jobs           threads; 0: one per core
+  returns        a list of Segment, one per way point but the last
+
+Links that fixed joints connect, or one movable joint, are no pair. The verdicts are those of
+urdf_bounds --path. Raises ValueError, which names the joint and the row, for arguments that cannot
+be used, and RobotError for a file that cannot be used. Ctrl-C ends it.
 )";
 
 RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
@@ -203,6 +224,54 @@ void addRobot(py::module& module) {
       py::arg("budget") = 60.0, py::arg("adjacent") = false,
       py::arg("touching") = PairGoal().touching, py::arg("fixed_base") = false,
       py::arg("jobs") = 0U, kPairsDoc);
+  robot.def(
+      "check_path",
+      [](const SharedRobot& shared, const py::object& q, double clearance,
+         const py::object& velocities, const py::object& accelerations, const py::object& times,
+         const py::object& objects, const py::object& srdf, double budget, unsigned jobs) {
+        return checkPath(
+            shared, {q, velocities, accelerations, times, objects, srdf, clearance, budget, jobs});
+      },
+      py::arg("q"), py::arg("clearance") = 0.0, py::arg("velocities") = py::none(),
+      py::arg("accelerations") = py::none(), py::arg("times") = py::none(),
+      py::arg("objects") = py::none(), py::arg("srdf") = py::none(), py::arg("budget") = 60.0,
+      py::arg("jobs") = 0U, kPathDoc);
+}
+
+void addSegment(py::module& module) {
+  py::class_<Segment> segment(module, "Segment",
+                              "What is proven of the motion between two way points.");
+  segment.attr("__module__") = "link_bounds";
+  segment.def_property_readonly(
+      "start", [](const Segment& self) { return self.start; },
+      "Row at which it begins; it ends at the next one.");
+  segment.def_property_readonly(
+      "verdict", [](const Segment& self) { return toText(self.proof.verdict); },
+      "SAFE, COLLIDES or UNDECIDED, as urdf_bounds --path says it.");
+  segment.def_property_readonly(
+      "clearance", [](const Segment& self) { return self.proof.clearance; },
+      "Proven: at no time two bodies are nearer [m].");
+  segment.def_property_readonly(
+      "nearest", [](const Segment& self) { return self.proof.nearest; },
+      "In pose, first and second are at most so far apart [m]; inf if no pose was measured.");
+  segment.def_property_readonly(
+      "first", [](const Segment& self) { return toPython(self.first); },
+      "Name of a link or an object.");
+  segment.def_property_readonly(
+      "second", [](const Segment& self) { return toPython(self.second); },
+      "Name of a link or an object.");
+  segment.def_property_readonly(
+      "at", [](const Segment& self) { return self.proof.share; },
+      "When that is: the share of the time from row to row, 0 to 1.");
+  segment.def_property_readonly(
+      "pose", [](const Segment& self) { return poseOf(self.pose); },
+      "{joint: value}: a pose that collides, or the nearest one that was found.");
+  segment.def("__repr__", [](const Segment& self) {
+    const std::string pair =
+        self.first.empty() ? "" : ", nearest " + self.first + " and " + self.second;
+    return "<Segment " + std::to_string(self.start) + ": " + toText(self.proof.verdict) + pair +
+           ">";
+  });
 }
 
 void addReach(py::module& module) {
@@ -274,6 +343,7 @@ PYBIND11_MODULE(_robot, module) {
   addErrors(module);
   addReach(module);
   addPair(module);
+  addSegment(module);
   addRobot(module);
   module.attr("BOX") = static_cast<int>(DistanceLevel::kBox);
   module.attr("HULL") = static_cast<int>(DistanceLevel::kHull);

@@ -25,14 +25,18 @@ PackagePath packagePath(const std::map<std::string, std::string>& packages) {
   };
 }
 
-BoundedRobot load(const Robot& robot, const RobotRequest& request, const StopFlag& stop) {
+BoundedRobot load(const Robot& robot, Selection selection, const PackagePath& packages,
+                  const std::string& base_folder, const StopFlag& stop) {
+  selection.triangles = true;
+  const MeshSource source{packages, base_folder, {}, {}, [&stop] { return stop.load(); }};
+  return RobotLoader().load(robot, selection, source);
+}
+
+Selection selectionOf(const RobotRequest& request) {
   Selection selection;
   selection.visual = request.visual;
   selection.collision = request.collision;
-  selection.triangles = true;
-  const MeshSource source{
-      packagePath(request.packages), request.base_folder, {}, {}, [&stop] { return stop.load(); }};
-  return RobotLoader().load(robot, selection, source);
+  return selection;
 }
 
 void refuseLosses(const std::vector<std::string>& problems) {
@@ -50,9 +54,18 @@ SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
       simple_(withSimpleJoints(robot_)),
       joints_(settableJoints(simple_)),
       allow_incomplete_(request.allow_incomplete),
-      bounded_(load(robot_, request, stop)) {
+      packages_(request.packages),
+      bounded_(
+          load(robot_, selectionOf(request), packagePath(packages_), request.base_folder, stop)) {
   if (!allow_incomplete_ || stop) refuseLosses(bounded_.problems);
   giveBack(borrow());
+}
+
+BoundedRobot SharedRobot::loadObjects(const Robot& objects, const std::string& base_folder,
+                                      const StopFlag& stop) const {
+  BoundedRobot bounded = load(objects, {}, packagePath(packages_), base_folder, stop);
+  if (!allow_incomplete_ || stop) refuseLosses(bounded.problems);
+  return bounded;
 }
 
 std::vector<std::string> SharedRobot::warnings() const {

@@ -33,6 +33,8 @@ class SharedRobot {
   SharedRobot(const SharedRobot&) = delete;
   SharedRobot& operator=(const SharedRobot&) = delete;
 
+  const Robot& described() const { return robot_; }
+
   /// With simple joints.
   const Robot& robot() const { return simple_; }
   const BoundedRobot& bounded() const { return bounded_; }
@@ -44,6 +46,10 @@ class SharedRobot {
   /// What the description and the meshes lack without being lost.
   std::vector<std::string> warnings() const;
 
+  /// What rests around the robot, with bodies; meshes and their losses as those of the robot.
+  BoundedRobot loadObjects(const Robot& objects, const std::string& base_folder,
+                           const StopFlag& stop) const;
+
   /// A robot that nobody else uses, until it is given back.
   std::unique_ptr<PosedRobot> borrow();
   void giveBack(std::unique_ptr<PosedRobot> posed);
@@ -53,6 +59,7 @@ class SharedRobot {
   Robot simple_;
   std::vector<std::size_t> joints_;
   bool allow_incomplete_;
+  std::map<std::string, std::string> packages_;
   BoundedRobot bounded_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PosedRobot>> idle_;  ///< guarded by mutex_

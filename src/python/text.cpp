@@ -4,6 +4,7 @@
 
 #include "link_bounds/robot/mesh/mesh_fault.h"
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/pairs/srdf.h"
 #include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
 
@@ -32,6 +33,8 @@ void translate(std::exception_ptr error, const pybind11::handle& robot_error) {
   } catch (const UnusableRobot& what) {
     set(robot_error.ptr(), what);
   } catch (const RobotError& what) {
+    set(robot_error.ptr(), what);
+  } catch (const SrdfError& what) {
     set(robot_error.ptr(), what);
   } catch (const UsageError& what) {
     set(robot_error.ptr(), what);

@@ -126,6 +126,44 @@ class RobotTest(UrdfBoundsTest):
                           for p in expected])
         self.assertTrue(any(pair.verdict == 'SOMETIMES' for pair in found))
 
+    def check_path(self, urdf, rows, *arguments, columns=None, **options):
+        """The segments of both, which are the same."""
+        robot = link_bounds.Robot(urdf)
+        names, lines = columns or robot.joints, rows
+        if 'times' in options:
+            lines = [[time, *pose, *speed] for time, pose, speed in
+                     zip(options['times'], rows, options['velocities'])]
+        table = self.write('path.csv', ','.join(names) + '\n' + ''.join(
+            ','.join('%.17g' % value for value in line) + '\n' for line in lines))
+        expected = json.loads(self.run_program(urdf, '--poses', table, '--path', '--format', 'json',
+                                               *arguments))['segments']
+        found = robot.check_path(rows, **options)
+        self.assertEqual(
+            [{'from': s.start + 1, 'to': s.start + 2, 'verdict': s.verdict,
+              'clearance': s.clearance, 'nearest': s.nearest, 'first': s.first,
+              'second': s.second, 'at': s.at, 'pose': s.pose} for s in found], expected)
+        return [segment.verdict for segment in found]
+
+    def test_paths(self):
+        rows = random_rows(link_bounds.Robot(DEMO), 40)
+        verdicts = self.check_path(DEMO, rows, '--clearance', '0.01', clearance=0.01)
+        self.assertEqual(set(verdicts), {'SAFE', 'COLLIDES'})
+
+    def test_paths_with_velocities_objects_and_a_srdf(self):
+        urdf = self.write('arm.urdf', ARM)
+        rows = np.array([[0, 0.1], [1, 0.2], [0.5, 0.3]])
+        speeds, times = np.array([[0, 0], [0.5, 0.1], [0, 0]]), [0, 1, 2.5]
+        columns = ['time', 'turn', 'push', 'turn.velocity', 'push.velocity']
+        objects = self.write('o.yaml', 'far: {type: SPHERE, pose: {position: {x: 5}}, '
+                                       'scale: {x: 1, y: 1, z: 1}}\n')
+        srdf = self.write('arm.srdf', '<robot name="arm"><disable_collisions link1="base" '
+                                      'link2="follower" reason="User"/></robot>')
+        self.check_path(urdf, rows, columns=columns, velocities=speeds, times=times)
+        verdicts = self.check_path(urdf, rows, '--objects', objects, '--srdf', srdf,
+                                   columns=columns, velocities=speeds, times=times,
+                                   objects=objects, srdf=srdf)
+        self.assertEqual(len(verdicts), 2)
+
     def test_forms_of_a_pose(self):
         robot = link_bounds.Robot(ARM)
         self.assertEqual(robot.links, ['base', 'bar', 'follower'])
@@ -182,7 +220,7 @@ class RobotTest(UrdfBoundsTest):
         stub = pathlib.Path(__file__).parents[2] / 'src/python/link_bounds/__init__.pyi'
         classes = {node.name: node for node in ast.parse(stub.read_text('utf-8')).body
                    if isinstance(node, ast.ClassDef)}
-        for name in ('Robot', 'Reach', 'Pair'):
+        for name in ('Robot', 'Reach', 'Pair', 'Segment'):
             there = {each for each in dir(getattr(link_bounds, name)) if not each.startswith('_')}
             members = {node.name: node for node in classes[name].body}
             self.assertEqual(there, set(members) - {'__init__'}, name)

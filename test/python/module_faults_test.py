@@ -77,6 +77,36 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check('"x" is no movable joint', robot.reach, {'x': (0, 1)})
         self.check('', robot.boxes, [[0, 0]], jobs=-1, error=TypeError)
 
+    def test_paths(self):
+        robot = link_bounds.Robot(ARM)
+        call, rows = robot.check_path, [[0, 0], [1, 0]]
+        for poses in ([0, 0], {}, [[0, 0]], [{}]):
+            self.check('q has one row; a path needs two or more', call, poses)
+        self.check(r'joint "push" in q\[1\] is nan', call, [[0, 0], [0, np.nan]])
+        self.check('"elbow" is no movable joint', call, [{}, {'elbow': 1}])
+        self.check('velocities has 3 rows, but q has 2', call, rows, velocities=np.zeros((3, 2)),
+                   times=[0, 1])
+        self.check(r'joint "turn" in velocities\[0\] is inf', call, rows, times=[0, 1],
+                   velocities=[[np.inf, 0], [0, 0]])
+        self.check('velocities need times', call, rows, velocities=rows)
+        self.check('accelerations need velocities', call, rows, accelerations=rows, times=[0, 1])
+        self.check(r'times\[1\] .* times must grow', call, rows, times=[0, 0])
+        self.check(r'times must be an array \[rows\] of 2', call, rows, times=[0, 1, 2])
+        self.check('times must be an array', call, rows, times='ab')
+        self.check('clearance is -1', call, rows, clearance=-1)
+        self.check('budget is 0', call, rows, budget=0)
+        self.check('cannot read /no/such.yaml', call, rows, objects='/no/such.yaml',
+                   error=link_bounds.RobotError)
+        self.check('.*no/such.stl', call, rows, error=link_bounds.RobotError,
+                   objects=self.write('o.yaml', 'o: {type: MESH_RESOURCE, '
+                                                'mesh_resource: "file:///no/such.stl"}'))
+        self.check('"bar" has the name of a link', call, rows, objects=self.write(
+            'p.yaml', 'bar: {type: CUBE, scale: {x: 1, y: 1, z: 1}}'))
+        self.check('', call, rows, srdf=self.write('a.srdf', '<robot'),
+                   error=link_bounds.RobotError)
+        segment, = call(rows, budget=1e-9)
+        self.assertEqual((segment.verdict, segment.first, segment.pose), ('UNDECIDED', '', {}))
+
     def test_descriptions(self):
         self.check('cannot read /no/such.urdf: No such file', link_bounds.Robot, '/no/such.urdf',
                    error=link_bounds.RobotError)
@@ -108,7 +138,9 @@ class RobotFaultsTest(UrdfBoundsTest):
     def test_ctrl_c(self):
         for call in ('robot.distances(numpy.zeros((10**6, len(robot.joints))), 0.5)',
                      'robot.pairs(accuracy=1e-9, budget=1000)',
-                     'robot.reach(accuracy=1e-12, budget=1000)'):
+                     'robot.reach(accuracy=1e-12, budget=1000)',
+                     'robot.check_path(numpy.zeros((10**5, len(robot.joints))) +'
+                     ' numpy.arange(10**5)[:, None] / 1e3, budget=1000)'):
             process = subprocess.Popen([sys.executable, '-c', INTERRUPTED % call, DEMO],
                                        stdout=subprocess.PIPE, encoding='utf-8')
             try:

@@ -29,9 +29,10 @@ class PageTest(unittest.TestCase):
     def test_the_page(self):
         text = (PACKAGE / 'doc/python.md').read_text('utf-8')
         blocks = re.findall(r'^```python\n(.*?)^```$', text, re.DOTALL | re.MULTILINE)
-        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len(blocks), 5)
         out = printed_by(''.join(blocks))
         self.assertIn("'elbow_bend'", out)
+        self.assertRegex(out, r'\n1 (SAFE|COLLIDES) 0\.\d+ \w+ \w+\n')
         self.assertIn('"elbow" is no movable joint of the robot; those that can be set:', out)
 
     def test_the_lines_of_the_readme(self):

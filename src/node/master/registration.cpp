@@ -18,8 +18,9 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 /// roscpp does not list the services of a node; these are all that this node has.
-constexpr std::array<const char*, 4> kOwnServices{
-    {kReloadService.name, kGetBoxesService.name, "~get_loggers", "~set_logger_level"}};
+constexpr std::array<const char*, 5> kOwnServices{{kReloadService.name, kGetBoxesService.name,
+                                                   kCheckPathService.name, "~get_loggers",
+                                                   "~set_logger_level"}};
 
 std::string ownUri() {
   return ros::XMLRPCManager::instance()->getServerURI();

@@ -5,13 +5,14 @@
 Robot       a robot of a URDF: its boxes and distances in any pose; help(link_bounds.Robot)
 Reach       a box that a link never leaves, from Robot.reach()
 Pair        what is proven of two links, from Robot.pairs()
+Segment     what is proven of the motion between two way points, from Robot.check_path()
 RobotError  a URDF or a mesh that cannot be used
 BOX, HULL, MESH  what decided a distance
 
 link_bounds.msg and link_bounds.srv are the messages of the node.
 """
 
-__all__ = ['BOX', 'HULL', 'MESH', 'Pair', 'Reach', 'Robot', 'RobotError']
+__all__ = ['BOX', 'HULL', 'MESH', 'Pair', 'Reach', 'Robot', 'RobotError', 'Segment']
 
 
 def __getattr__(name):

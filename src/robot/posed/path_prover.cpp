@@ -90,6 +90,18 @@ std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& 
 
 }  // namespace
 
+const char* toText(PathVerdict verdict) {
+  switch (verdict) {
+    case PathVerdict::kSafe:
+      return "SAFE";
+    case PathVerdict::kCollides:
+      return "COLLIDES";
+    case PathVerdict::kUndecided:
+      break;
+  }
+  return "UNDECIDED";
+}
+
 class PathProver::Search {
  public:
   Search(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,

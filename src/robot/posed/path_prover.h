@@ -35,6 +35,9 @@ enum class PathVerdict {
   kUndecided
 };
 
+/// SAFE, COLLIDES or UNDECIDED.
+const char* toText(PathVerdict verdict);
+
 struct SegmentProof {
   PathVerdict verdict = PathVerdict::kUndecided;
   double clearance = 0;  ///< proven: in no pose on the way two bodies are nearer [m]

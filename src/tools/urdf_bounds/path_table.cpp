@@ -13,18 +13,6 @@ namespace {
 
 constexpr std::size_t kNames = 1;  ///< columns that are aligned left
 
-const char* toText(PathVerdict verdict) {
-  switch (verdict) {
-    case PathVerdict::kSafe:
-      return "SAFE";
-    case PathVerdict::kCollides:
-      return "COLLIDES";
-    case PathVerdict::kUndecided:
-      break;
-  }
-  return "UNDECIDED";
-}
-
 /// In which no pose was measured.
 bool isUnknown(const SegmentProof& proof) {
   return !std::isfinite(proof.nearest);

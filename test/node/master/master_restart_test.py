@@ -124,6 +124,7 @@ class MasterRestart(unittest.TestCase):
             self.assertIn("base", run("rostopic", "echo", "-n", "1", NODE + topic))
         rospy.set_param("/robot_description", ARMS)
         self.assertIn("success: True", run("rosservice", "call", NODE + "/reload"))
+        self.assertIn("CheckPath", run("rosservice", "info", NODE + "/check_path"))
         stranger = subprocess.Popen([sys.executable, __file__, STRANGER])
         self.addCleanup(stranger.wait)
         self.addCleanup(stranger.kill)
