@@ -49,6 +49,8 @@ EXCEPTIONS = {
 # These lines go on until they are interrupted; then they must have printed something.
 ENDLESS = (r'roslaunch |rostopic echo (?!-n )|rostopic pub -l |rosbag record |'
            r'rosrun link_bounds (zone_events.py|cloud_filter )')
+# Nodes of the same name on pages: each has a master of its own, or one would end the other.
+NODES = ('roslaunch', 'rosrun link_bounds cloud_filter')
 DEADLINE = 60 * PATIENCE  # s
 AT_ONCE = 4  # blocks; they wait most of the time
 URDF_MODES = ('--distances', '--poses', '--path', '--reach', '--pairs')
@@ -238,7 +240,7 @@ class Shell:
 
     def run(self, line):
         """Until it ends well, or, where it does not end, until it goes on well."""
-        if line.startswith('roslaunch'):
+        if line.startswith(NODES):
             self.use_master(self.start_master())
         self.start(line)
         process = self.processes[line]
@@ -281,7 +283,7 @@ class Shell:
 
 
 class EveryLineTest(unittest.TestCase):
-    """Lines of one block share a folder and a master; each roslaunch has a master of its own."""
+    """Lines of one block share a folder and a master, but those of NODES."""
 
     def test_every_line(self):
         demo = Shell()
