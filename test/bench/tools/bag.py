@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and
-deserialise its messages; and the memory of each, of a short and of a long bag.
+deserialise its messages; the memory of each, of a short and of a long bag; and 50 bags with --each.
 bag.py [--quick] [--json FILE] [--minutes M]"""
 import argparse
 import json
@@ -10,12 +10,15 @@ import os
 import statistics
 import subprocess
 import tempfile
+import time
 
 from node_process import PROGRAMS, print_target, random_mesh
 
 LINKS = 50
 FEW_LINKS = 10  # of the long bag, which then takes 700 MB on the disk
 TIMES_LONGER = 12
+BAGS = 50
+MANY = 1000  # bags, of which the time is computed
 # zones.yaml: one that the links are in now and then, and one that follows a link
 ZONES = """
 ahead: {min: [0.5, -1, 0], max: [3, 1, 3]}
@@ -97,8 +100,49 @@ def measure_memory(short, long, readers):
     return rows
 
 
+def timed(command):
+    """Seconds of a run of bag_bounds, and what it printed."""
+    begin = time.monotonic()
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    if done.returncode not in (0, 3):
+        raise RuntimeError("%s ended with %d" % (command[0], done.returncode))
+    return time.monotonic() - begin, done.stdout
+
+
+def measure_each(folder, seconds, repetitions):
+    """Rows for 50 bags: with one job and with two, which take turns, and a start per bag."""
+    bags = [Bag(folder, "each_%02d" % number, LINKS, seconds / 60) for number in range(BAGS)]
+    command = bags[0].command("bag_bounds")
+    command = [command[0], "--each", *command[2:]]
+    paths = [bag.path for bag in bags]
+    runs, lines = {1: [], 2: []}, set()
+    for _ in range(repetitions):
+        for jobs, times in runs.items():
+            took, out = timed([*command, *paths, "--jobs", str(jobs)])
+            times.append(took)
+            lines.add(b"".join(sorted(out.splitlines(True))))
+    if len(lines) > 1:
+        raise RuntimeError("lines depend on the number of jobs")
+    starts = sum(timed([*command, path, "--jobs", "1"])[0] for path in paths)
+    row = {"kind": "each", "bags": BAGS, "bag_s": seconds, "links": LINKS,
+           "jobs_1_s": runs[1], "jobs_2_s": runs[2], "starts_s": starts,
+           "line_bytes": len(lines.pop()) / BAGS,
+           "ratios": [one / two for one, two in zip(runs[1], runs[2])]}
+    one, two = statistics.median(runs[1]), statistics.median(runs[2])
+    print("%d bags of %d s of %d links: %.2f s with one job, %.2f s with two, "
+          "%.2f s with a start per bag; %d bytes a line" % (
+              BAGS, seconds, LINKS, one, two, starts, row["line_bytes"]))
+    print("computed for %d bags: %.0f s, %.0f s and %.0f s; %.1f MB of lines" % (
+        MANY, *(time * MANY / BAGS for time in (one, two, starts)), row["line_bytes"] * MANY / 1e6),
+        flush=True)
+    return [row]
+
+
 def print_targets(rows):
     for row in rows:
+        if row["kind"] == "each":
+            print_target("%d bags, one job / two jobs" % BAGS, 1.8, row["ratios"], False)
+            continue
         if READERS[row["reader"]] != "bag_bounds":
             continue
         if row["kind"] == "memory":
@@ -130,6 +174,7 @@ def main():
         os.remove(os.path.join(folder, "bag.bag"))
         rows += measure_memory(Bag(folder, "short", FEW_LINKS, minutes),
                                Bag(folder, "long", FEW_LINKS, TIMES_LONGER * minutes), readers)
+        rows += measure_each(folder, 5 if options.quick else 20, 3)
     print_targets(rows)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
