@@ -20,6 +20,14 @@ using Quad = __float128;
 using Quad = long double;  // quadruple on the other machines that Debian knows, as arm64
 #endif
 
+inline Quad quadRoot(Quad square) {
+  if (square <= 0) return 0;
+  Quad root = std::sqrt(static_cast<double>(square));
+  for (int i = 0; i < 2; ++i)
+    root = (root + square / root) / 2;
+  return root;
+}
+
 struct QuadBox {
   std::array<Quad, 3> min;
   std::array<Quad, 3> max;

@@ -40,14 +40,6 @@ inline QuadVector turned(const QuadQuaternion& q, const QuadVector& v) {
   return {r.x, r.y, r.z};
 }
 
-inline Quad quadRoot(Quad square) {
-  if (square <= 0) return 0;
-  Quad root = std::sqrt(static_cast<double>(square));
-  for (int i = 0; i < 2; ++i)
-    root = (root + square / root) / 2;
-  return root;
-}
-
 /// By its series, for |x| <= pi/2.
 inline Quad quadSine(Quad x) {
   Quad term = x, sum = x;

@@ -3,7 +3,8 @@
 // Segments of a path that touch only for an instant, between any two samples.
 #pragma once
 
-#include <sstream>
+#include <cmath>
+#include <string>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "robot/posed/path_prover.h"
@@ -30,8 +31,17 @@ inline LoadedRobot thinPlates() {
 
 struct PlateCounts {
   int found = 0;    ///< segments that were said to collide
-  int sampled = 0;  ///< segments in which 100 samples see a contact
+  int sampled = 0;  ///< segments in which samples at MoveIt's default step see a contact
 };
+
+/// As MoveIt divides a segment: by steps of at most longest_valid_segment_fraction, 0.005, of the
+/// sum of all joint ranges, which is 8 here.
+inline int sampleSteps(const WayPoint& from, const WayPoint& to) {
+  double length = 0;
+  for (std::size_t i = 0; i < from.positions.size(); ++i)
+    length += std::abs(to.positions[i] - from.positions[i]);
+  return static_cast<int>(std::ceil(length / (0.005 * 8)));
+}
 
 /// The moving plate goes through the other one, which takes 20 um of the way.
 inline PlateCounts crossedPlates(int segments) {
@@ -48,8 +58,9 @@ inline PlateCounts crossedPlates(int segments) {
     const JointMotion motion(from, to);
     const SegmentProof proof = prover.prove(motion, [] { return false; });
     if (proof.verdict == PathVerdict::kCollides) ++counts.found;
-    for (int k = 0; k <= 100; ++k) {
-      if (std::abs(motion.at(k / 100.0)[1]) > 1e-5) continue;
+    const int steps = sampleSteps(from, to);
+    for (int k = 0; k <= steps; ++k) {
+      if (std::abs(motion.at(double(k) / steps)[1]) > 1e-5) continue;
       ++counts.sampled;
       break;
     }
