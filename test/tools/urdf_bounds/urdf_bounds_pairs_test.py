@@ -247,26 +247,29 @@ class PairsTest(UrdfBoundsTest):
             joint('slow', 'prismatic', 'wall', 'short', '0 -1 0', (0, 0.01))])
         found = pairs('--adjacent', urdf=text)
         self.assertEqual(found[('wall', 'short')]['verdict'], 'TOUCHING')
-        self.assertEqual(verdicts('--adjacent', '--touching', '0', urdf=text)[('wall', 'short')],
-                         'CONTACT_SAMPLED')
+        still = ('--adjacent', '--touching', '0', 'fast:=0', 'fine:=0')
+        self.assertEqual(verdicts(*still, urdf=text)[('wall', 'short')], 'CONTACT_SAMPLED')
         sampled = found[('wall', 'puck')]
         self.assertEqual(sampled['verdict'], 'CONTACT_SAMPLED')
         self.assertGreaterEqual(sampled['poses'], 300)
         urdf = self.write('contact.urdf', text)
         tried = 'wall and puck collided in all %d poses that were tried' % sampled['poses']
-        self.assertIn(tried, run(urdf, *COARSE)[1])
-        row, = [line for line in run(urdf, *COARSE, '--format', 'csv')[1].splitlines() if 'SAMPLED' in line]
-        self.assertEqual(row.split(',')[-1], str(sampled['poses']))
         out = run(urdf, *COARSE, '--adjacent', '--format', 'srdf')[1]
         self.assertIn('<!-- not proven: %s -->' % tried, out)
         self.assertEqual(re.findall('link1="wall" link2="(.*?)" reason="(.*?)"', out), [('short', 'Always')])
         out = run(urdf, *COARSE, '--adjacent', '--format', 'srdf', '--accept-sampled')[1]
         self.assertEqual(re.findall('link1="wall" link2="(.*?)" reason="(.*?)"', out),
                          [('puck', 'Always'), ('short', 'Always')])
-        for reason, code in (('Always', 0), ('Never', 3)):
+        printed = []
+        for reason, style, code in (('Always', 'table', 0), ('Never', 'csv', 3)):
             srdf = self.write('c.srdf', '<robot><disable_collisions link1="wall" link2="puck" reason="%s"/>'
                               '<disable_collisions link1="wall" link2="short" reason="Always"/></robot>' % reason)
-            self.assertEqual(run(urdf, *COARSE, '--adjacent', '--srdf', srdf)[0], code, reason)
+            found, out, _ = run(urdf, *COARSE, '--adjacent', '--srdf', srdf, '--format', style)
+            self.assertEqual(found, code, reason)
+            printed.append(out)
+        self.assertIn(tried, printed[0])
+        row, = [line for line in printed[1].splitlines() if 'SAMPLED' in line]
+        self.assertEqual(row.split(',')[-1], str(sampled['poses']))
 
     def test_a_srdf_is_merged(self):
         old = self.write('old.srdf', """<?xml version="1.0"?>

@@ -25,7 +25,8 @@ void run(const std::string& urdf, const std::string& certificate, const std::str
   UrdfBoundsOptions options;
   options.certificate = certificate;
   if (what == "reach") {
-    const auto reaches = reachOf(robot, bounded, ranges, {kDefaultAccuracy});
+    options.accuracy = 0.05;  // m
+    const auto reaches = reachOf(robot, bounded, ranges, {*options.accuracy});
     writeReachCertificate(options, robot, bounded, ranges, reaches, is_over);
     return;
   }
