@@ -20,6 +20,24 @@ using Quad = __float128;
 using Quad = long double;  // quadruple on the other machines that Debian knows, as arm64
 #endif
 
+inline Quad quadRoot(Quad square) {
+  if (square <= 0) return 0;
+  Quad root = std::sqrt(static_cast<double>(square));
+  for (int i = 0; i < 2; ++i)
+    root = (root + square / root) / 2;
+  return root;
+}
+
+/// By its series, for |x| <= pi/2.
+inline Quad quadSine(Quad x) {
+  Quad term = x, sum = x;
+  for (int n = 2; n < 40; n += 2) {
+    term *= -x * x / (n * (n + 1));
+    sum += term;
+  }
+  return sum;
+}
+
 struct QuadBox {
   std::array<Quad, 3> min;
   std::array<Quad, 3> max;
