@@ -4,7 +4,8 @@
 """Swings every joint of robot_description for ever, smoothly and inside its limits.
 
 Publishes joint_states (sensor_msgs/JointState); the position is a function of ROS time since the
-start. Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of each joint's range,
+start. Subscribes to ~speed (std_msgs/Float64): the motion goes on so many times as fast, 0 to 1.
+Parameters: ~rate (Hz, default 50), ~amplitude (0..1, default 0.8) of each joint's range,
 ~ahead (s, default 0): where in the motion to start.
 """
 
@@ -16,6 +17,7 @@ from xml.etree import ElementTree
 
 import rospy
 from sensor_msgs.msg import JointState
+from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
@@ -61,14 +63,32 @@ def make_swing(index, joint, amplitude):
                  period * max(1.0, fastest / permitted if permitted else 1.0), 0.9 * index)
 
 
+class Motion:
+    """How far the motion is: the time since the start, but for times at a lower speed."""
+
+    def __init__(self, ahead):
+        self._speed = 1.0
+        self._last = rospy.Time.now()
+        self._seconds = ahead
+        rospy.Subscriber('~speed', Float64, self._take, queue_size=1)
+
+    def _take(self, message):
+        self._speed = min(1.0, max(0.0, message.data))
+
+    def seconds(self, now):
+        self._seconds += self._speed * (now - self._last).to_sec()
+        self._last = now
+        return self._seconds
+
+
 def publish_until_shutdown(swings, rate, ahead):
     publisher = rospy.Publisher('joint_states', JointState, queue_size=10)
     ticks = rospy.Rate(rate, reset=True)
-    start = rospy.Time.now()
+    motion = Motion(ahead)
     message = JointState(name=[swing.joint for swing in swings])
     while not rospy.is_shutdown():
         message.header.stamp = rospy.Time.now()
-        seconds = ahead + (message.header.stamp - start).to_sec()
+        seconds = motion.seconds(message.header.stamp)
         message.position = [swing.position(seconds) for swing in swings]
         publisher.publish(message)
         ticks.sleep()

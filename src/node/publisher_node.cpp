@@ -75,7 +75,10 @@ PublisherNode::PublisherNode()
           scene_copier_),
       stopping_output_(
           periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
-          scene_copier_) {
+          scene_copier_),
+      earliest_output_(
+          private_node_, [this](const std::function<void()>& body) { guard(body); }, scene_copier_,
+          treeRequests()) {
   repeat(kTick, &PublisherNode::onTick);
   repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames);
   repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics);
@@ -83,6 +86,7 @@ PublisherNode::PublisherNode()
   output_.onBoxes([this] {
     swept_output_.request();
     stopping_output_.request();
+    earliest_output_.request();
   });
   ModelLoader::Handlers handlers;
   // What adopt() throws becomes ~reload's answer.
@@ -99,6 +103,7 @@ PublisherNode::PublisherNode()
 PublisherNode::~PublisherNode() {
   path_service_.stop();
   output_.distances().stop();
+  earliest_output_.stop();
 }
 
 /// Called on the thread of distances, which works only after a model has come from the loader.
@@ -130,7 +135,7 @@ void PublisherNode::makeListTree(const std::shared_ptr<const ObjectContent>& lis
   } catch (const MeshError& error) {
     made.error = list->bounded.name + ": " + error.what() + "; " + nodeRemedy(error.fault());
   }
-  if (!is_unwanted()) output_.distances().give(std::move(made));
+  if (!is_unwanted()) give(made);
 }
 
 /// On a reader.
@@ -143,7 +148,13 @@ void PublisherNode::onTree(const ModelLoader::TreeRequest& request, const Loaded
   }
   if (!made.error.empty())
     ROS_WARN("distances to the convex hull only: %s", logText(made.error).c_str());
-  output_.distances().give(std::move(made));
+  give(made);
+}
+
+/// To all that may have requested it.
+void PublisherNode::give(const MadeTree& tree) {
+  output_.distances().give(tree);
+  earliest_output_.give(tree);
 }
 
 void PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*function)()) {
@@ -281,6 +292,7 @@ void PublisherNode::publishDiagnostics() {
   max_delay_ = std::chrono::nanoseconds(0);
   health.footprint = output_.footprintState();
   health.stopping = stopping_output_.problem();
+  health.earliest = earliest_output_.problem();
   health.intake = feed_.tf().intake();
   health.late_publishers = feed_.takeLatePublishers();
   health.distances = output_.distances().takeHealth();

@@ -14,6 +14,7 @@
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/outputs/box_service.h"
+#include "node/outputs/earliest_output.h"
 #include "node/outputs/path_service.h"
 #include "node/outputs/scene_copier.h"
 #include "node/outputs/scene_output.h"
@@ -65,6 +66,7 @@ class PublisherNode {
   void makeListTree(const std::shared_ptr<const ObjectContent>& list,
                     const MeshReaders::IsCancelled& is_cancelled);
   void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
+  void give(const MadeTree& tree);
   void subscribeToObjects();
   void adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfReceiver::Event& event, bool is_static);
@@ -98,6 +100,7 @@ class PublisherNode {
   PathService path_service_;
   SweptOutput swept_output_;
   StoppingOutput stopping_output_;
+  EarliestOutput earliest_output_;
   ros::Subscriber objects_subscriber_;
   ros::Subscriber object_subscriber_;
   ros::Subscriber neighbours_subscriber_;

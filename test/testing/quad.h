@@ -28,6 +28,16 @@ inline Quad quadRoot(Quad square) {
   return root;
 }
 
+/// By its series, for |x| <= pi/2.
+inline Quad quadSine(Quad x) {
+  Quad term = x, sum = x;
+  for (int n = 2; n < 40; n += 2) {
+    term *= -x * x / (n * (n + 1));
+    sum += term;
+  }
+  return sum;
+}
+
 struct QuadBox {
   std::array<Quad, 3> min;
   std::array<Quad, 3> max;

@@ -40,16 +40,6 @@ inline QuadVector turned(const QuadQuaternion& q, const QuadVector& v) {
   return {r.x, r.y, r.z};
 }
 
-/// By its series, for |x| <= pi/2.
-inline Quad quadSine(Quad x) {
-  Quad term = x, sum = x;
-  for (int n = 2; n < 40; n += 2) {
-    term *= -x * x / (n * (n + 1));
-    sum += term;
-  }
-  return sum;
-}
-
 /// The angle whose sine and cosine these are, between 0 and pi/2.
 inline Quad quadAngle(Quad sine, Quad cosine) {
   Quad angle = std::atan2(static_cast<double>(sine), static_cast<double>(cosine));

@@ -191,6 +191,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "until they brake, joints keep their measured speed, or may reach the limit of the URDF");
   visit("velocity_window", p.velocity_window, rules::positive,
         "seconds, > 0, of transforms from which speeds come; no two may be farther apart");
+  visit("joint_states", p.joint_states, rules::any<bool>,
+        "speeds of joints come from /joint_states, where it has them");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

@@ -77,6 +77,11 @@ constexpr TopicName kStoppingOverlapsTopic{
     "~stopping_overlaps", "link_bounds/BoxOverlapArray",
     "pairs of boxes of ~stopping, by the rules of ~overlaps, also when empty; as ~stopping, only "
     "while somebody listens"};
+constexpr TopicName kEarliestTopic{
+    "~earliest", "link_bounds/EarliestContactArray",
+    "how soon links and objects can touch, whatever the controllers do; with each ~boxes, or the "
+    "newest one where computing takes longer; only while somebody listens; sent at once when "
+    "somebody subscribes"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",
@@ -86,19 +91,35 @@ constexpr TopicName kObjectTopic{"~object", "visualization_msgs/Marker",
 constexpr TopicName kNeighboursTopic{
     "~neighbours", "link_bounds/AxisAlignedBoxArray",
     "subscribed, tcpNoDelay; ~boxes of other nodes, each box becomes an object NODE/NAME"};
+constexpr TopicName kJointStatesTopic{
+    "joint_states", "sensor_msgs/JointState",
+    "subscribed if the parameter joint_states is set, while somebody listens to ~stopping or "
+    "~earliest"};
 constexpr TopicName kTfTopic{"/tf", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 constexpr TopicName kTfStaticTopic{"/tf_static", "tf2_msgs/TFMessage", "subscribed, tcpNoDelay"};
 
-constexpr std::array<TopicName, 20> kTopics{{kBoxesTopic,           kGroupsTopic,
-                                             kMarkersTopic,         kPartsTopic,
-                                             kFootprintTopic,       kOverlapsTopic,
-                                             kDistancesTopic,       kNearestTopic,
-                                             kDistanceMarkersTopic, kSweptTopic,
-                                             kSweptMarkersTopic,    kStoppingTopic,
-                                             kStoppingMarkersTopic, kStoppingOverlapsTopic,
-                                             kDiagnosticsTopic,     kTfTopic,
-                                             kTfStaticTopic,        kObjectsTopic,
-                                             kObjectTopic,          kNeighboursTopic}};
+constexpr std::array<TopicName, 22> kTopics{{kBoxesTopic,
+                                             kGroupsTopic,
+                                             kMarkersTopic,
+                                             kPartsTopic,
+                                             kFootprintTopic,
+                                             kOverlapsTopic,
+                                             kDistancesTopic,
+                                             kNearestTopic,
+                                             kDistanceMarkersTopic,
+                                             kSweptTopic,
+                                             kSweptMarkersTopic,
+                                             kStoppingTopic,
+                                             kStoppingMarkersTopic,
+                                             kStoppingOverlapsTopic,
+                                             kEarliestTopic,
+                                             kDiagnosticsTopic,
+                                             kTfTopic,
+                                             kTfStaticTopic,
+                                             kJointStatesTopic,
+                                             kObjectsTopic,
+                                             kObjectTopic,
+                                             kNeighboursTopic}};
 
 constexpr TopicName kReloadService{
     "~reload", "std_srvs/Trigger",

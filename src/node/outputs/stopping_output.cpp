@@ -9,7 +9,6 @@
 #include "node/outputs/box_message.h"
 #include "node/outputs/queues.h"
 #include "node/outputs/swept_markers.h"
-#include "world/history/past_boxes.h"
 #include "world/stopping/stopping_boxes.h"
 
 namespace link_bounds {
@@ -39,7 +38,8 @@ StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node
 void StoppingOutput::request() {
   if (areBoxesWanted()) post();
   if (markers_.hasSubscribers()) markers_output_.request();
-  if (!areBoxesWanted() && !markers_.hasSubscribers()) setProblem("");
+  if (!areBoxesWanted() && !markers_.hasSubscribers() && !is_resting_.exchange(true))
+    worker_.post("boxes", [this] { rest(); });
 }
 
 std::string StoppingOutput::problem() const {
@@ -59,22 +59,20 @@ void StoppingOutput::requestMarkers() {
 
 /// The newest boxes are never left out: while the thread computes, another publish() may wait.
 void StoppingOutput::post() {
+  is_resting_ = false;
   worker_.post("boxes", [this] { publish(); });
+}
+
+void StoppingOutput::rest() {
+  scenes_.rest();
+  setProblem("");
 }
 
 /// Without a robot there is nothing that stops.
 void StoppingOutput::publish() {
-  const std::shared_ptr<const Model> model = scenes_.model();
-  if (!model || !model->robot) return;
-  const std::unique_ptr<PastScene> scene =
-      scenes_.copy(worker_, stoppingRequest(model->parameters));
-  if (!scene || !whyRefused(*scene).empty() || worker_.isStopping()) return;
-  if (!scene->model->robot) return;
-  if (rules_model_ != scene->model) {
-    rules_ = std::make_shared<StopRules>(scene->model);
-    rules_model_ = scene->model;
-  }
-  const StoppingBoxes found = stoppingBoxes(*scene, *rules_);
+  const auto copy = scenes_.copy(worker_);
+  if (!copy) return;
+  const WayBoxes found = stoppingBoxes(*copy->scene, *copy->rules, copy->states);
   setProblem(found.problem);
   fillBoxes(*found.moment, message_);
   boxes_.publish(message_);

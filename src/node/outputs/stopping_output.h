@@ -17,9 +17,8 @@
 #include "node/outputs/output.h"
 #include "node/outputs/overlap_message.h"
 #include "node/outputs/paced_output.h"
-#include "node/outputs/scene_copier.h"
+#include "node/outputs/way_scenes.h"
 #include "world/model/parameters.h"
-#include "world/stopping/stop_rules.h"
 
 namespace link_bounds {
 
@@ -48,14 +47,14 @@ class StoppingOutput {
   void requestMarkers();
   void post();
   void publish();
+  void rest();
   void setProblem(std::string problem);
 
-  const SceneCopier& scenes_;
   std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
+  std::atomic<bool> is_resting_{true};
   mutable std::mutex mutex_;
-  std::string problem_;               ///< guarded by mutex_
-  std::shared_ptr<StopRules> rules_;  ///< this and what follows: of the thread
-  std::shared_ptr<const Model> rules_model_;
+  std::string problem_;  ///< guarded by mutex_
+  WayScenes scenes_;     ///< this and what follows: of the thread
   AxisAlignedBoxArray message_;
   BoxOverlapArray overlaps_message_;
   MomentPairs pairs_;

@@ -241,6 +241,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "publications", std::to_string(health.publications));
   add(status, "footprint", health.footprint);
   if (!health.stopping.empty()) add(status, "stopping", "incomplete: " + health.stopping);
+  if (!health.earliest.empty()) add(status, "earliest", "incomplete: " + health.earliest);
   addDistances(health.distances, seconds, status);
   addTimes(times, status);
   publisher_.publish(array);

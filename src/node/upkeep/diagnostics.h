@@ -33,6 +33,7 @@ struct Health {
                                    ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   std::string stopping;            ///< why boxes of ~stopping are missing; "": none is
+  std::string earliest;            ///< likewise, bodies of ~earliest
   TfIntake intake;
   LatePublishers::Texts late_publishers;
   DistanceHealth distances;

@@ -11,28 +11,47 @@ namespace {
 /// More than the rounding of the formulas, of their result.
 constexpr double kRounding = 1e-14;
 
-/// Where it speeds up, a speed below 0 counts as 0: how fast it brakes from there has no limit.
+/// How far upward it is when it may brake, and how fast.
+struct Drive {
+  double path;
+  double speed;
+};
+
+Drive keepingSpeed(double speed, double time) {
+  return {speed * time, speed};
+}
+
+/// A speed below 0 counts as 0: how fast it brakes from there has no limit.
+Drive speedingUp(double speed, const Braking& braking, double time) {
+  const double start = std::max(speed, 0.0);
+  const double top = std::max(start, braking.max_speed.value_or(start));
+  const double rise = top - start;
+  const bool is_at_once = !braking.acceleration;
+  const double ramp = is_at_once ? 0 : std::min(time, rise / *braking.acceleration);
+  const double gain = is_at_once ? rise : std::min(rise, *braking.acceleration * ramp);
+  const double end = start + gain;
+  return {(start + end) / 2 * ramp + end * (time - ramp), end};
+}
+
 double farthest(double speed, const Braking& braking, const Reaction& reaction) {
-  double end = speed;
-  double travelled = speed * reaction.time;
-  if (reaction.may_speed_up) {
-    const double start = std::max(speed, 0.0);
-    const double top = std::max(start, braking.max_speed.value_or(start));
-    const double rise = top - start;
-    const bool is_at_once = !braking.acceleration;
-    const double ramp = is_at_once ? 0 : std::min(reaction.time, rise / *braking.acceleration);
-    const double gain = is_at_once ? rise : std::min(rise, *braking.acceleration * ramp);
-    end = start + gain;
-    travelled = (start + end) / 2 * ramp + end * (reaction.time - ramp);
-  }
+  const auto [path, end] = reaction.may_speed_up ? speedingUp(speed, braking, reaction.time)
+                                                 : keepingSpeed(speed, reaction.time);
   const double braked = end > 0 ? end * end / (2 * braking.deceleration) : 0;
-  return std::max(0.0, travelled + braked) * (1 + kRounding);
+  return std::max(0.0, path + braked) * (1 + kRounding);
+}
+
+double farthestTravel(double speed, const Braking& braking, double time) {
+  return speedingUp(speed, braking, time).path * (1 + kRounding);
 }
 
 }  // namespace
 
 Limits stopOffsets(const SpeedRange& speed, const Braking& braking, const Reaction& reaction) {
   return {-farthest(-speed.lower, braking, reaction), farthest(speed.upper, braking, reaction)};
+}
+
+Limits travelOffsets(const SpeedRange& speed, const Braking& braking, double time) {
+  return {-farthestTravel(-speed.lower, braking, time), farthestTravel(speed.upper, braking, time)};
 }
 
 }  // namespace link_bounds

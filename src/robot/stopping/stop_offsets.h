@@ -39,4 +39,8 @@ struct Reaction {
 /// How far the joint may be from where it is until it stands [rad or m]: lower <= 0 <= upper.
 Limits stopOffsets(const SpeedRange& speed, const Braking& braking, const Reaction& reaction);
 
+/// How far it may be from where it is at any moment until `time` has passed [s], if nobody brakes:
+/// as before the braking of stopOffsets(), while it may speed up. It needs Braking::max_speed.
+Limits travelOffsets(const SpeedRange& speed, const Braking& braking, double time);
+
 }  // namespace link_bounds

@@ -43,6 +43,7 @@ struct Parameters {
   double reaction_time = 0.1;
   std::string during_reaction = "measured";
   double velocity_window = 0.05;
+  bool joint_states = false;
   int parts_per_link = 1;
   double mesh_timeout = 30.0;
   int max_mesh_bytes = 536870912;

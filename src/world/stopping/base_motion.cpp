@@ -23,7 +23,10 @@ struct Piece {
 };
 
 std::vector<Piece> piecesBetween(const std::vector<TimedPose>& poses, std::int64_t window) {
-  const std::vector<std::size_t> cuts = piecesOf(poses, window);
+  std::vector<std::int64_t> stamps;
+  for (const TimedPose& pose : poses)
+    stamps.push_back(pose.stamp);
+  const std::vector<std::size_t> cuts = piecesOf(stamps, window);
   std::vector<Piece> pieces;
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const TimedPose& from = poses[cuts[i - 1]];
@@ -52,7 +55,8 @@ double stopLength(double speed, double deceleration, double reaction) {
   return (speed * reaction + speed * speed / (2 * deceleration)) * (1 + kStands);
 }
 
-/// Of the frame and all above it.
+}  // namespace
+
 std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf, TransformBuffer::Frame frame) {
   std::vector<TransformBuffer::Frame> way{frame};
   while (tf.hasParent(way.back()) && way.size() <= tf.size())
@@ -60,7 +64,6 @@ std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf, TransformBu
   return way;
 }
 
-/// The frames whose edges lead from one frame to the other, by the newest parents.
 std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
                                                  TransformBuffer::Frame target,
                                                  TransformBuffer::Frame source) {
@@ -73,8 +76,6 @@ std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
-
-}  // namespace
 
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
                       const Parameters& parameters) {

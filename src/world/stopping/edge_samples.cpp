@@ -61,17 +61,17 @@ bool isStill(const std::vector<TimedPose>& poses) {
   });
 }
 
-std::vector<std::size_t> piecesOf(const std::vector<TimedPose>& poses, std::int64_t window) {
+std::vector<std::size_t> piecesOf(const std::vector<std::int64_t>& stamps, std::int64_t window) {
   std::vector<std::size_t> cuts{0};
   const auto is_long = [&](std::size_t from, std::size_t to) {
-    return (poses[to].stamp - poses[from].stamp) * kMinPieces >= window;
+    return (stamps[to] - stamps[from]) * kMinPieces >= window;
   };
-  for (std::size_t i = 1; i < poses.size(); ++i) {
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
     if (is_long(cuts.back(), i)) cuts.push_back(i);
   }
-  if (cuts.back() + 1 == poses.size()) return cuts;
+  if (cuts.back() + 1 == stamps.size()) return cuts;
   if (cuts.size() > 1) cuts.pop_back();
-  cuts.push_back(poses.size() - 1);
+  cuts.push_back(stamps.size() - 1);
   return cuts;
 }
 

@@ -33,9 +33,9 @@ EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child,
 /// Whether all poses are the same but for rounding.
 bool isStill(const std::vector<TimedPose>& poses);
 
-/// Where the window is cut: indices of the poses, the first and the last among them. Pieces take at
-/// least a fifth of the window, so that inexact stamps matter little.
-std::vector<std::size_t> piecesOf(const std::vector<TimedPose>& poses, std::int64_t window);
+/// Where the window is cut: indices of the stamps, the first and the last among them. Pieces take
+/// at least a fifth of the window, so that inexact stamps matter little.
+std::vector<std::size_t> piecesOf(const std::vector<std::int64_t>& stamps, std::int64_t window);
 
 /// The pose that tf2's arithmetic makes of it; nothing if the quaternion is not of length 1.
 bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result);

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "robot/stopping/joint_fit.h"
+#include <cstdlib>
 
 namespace link_bounds {
 namespace {
@@ -19,13 +18,8 @@ constexpr double kStampRounding = 1e-9;   // s, of the difference of two stamps
 constexpr double kLimitRounding = 1e-9;   // rad or m
 constexpr double kSecond = 1e9;           // ns
 
-std::string misfit(const Joint& joint, const JointFit& fit) {
-  if (fit.length_error <= kMaxMisfit && fit.angle_error <= kMaxMisfit) return "";
-  return "a transform does not fit joint \"" + joint.name + "\": it is off by " +
-         std::to_string(fit.length_error * 1e3) + " mm and " +
-         std::to_string(fit.angle_error * 1e3) +
-         " mrad; correct its publisher or the robot description";
-}
+/// How far a pose may be from a report of the same time, beyond what the joint moves meanwhile.
+constexpr double kMaxReportError = 1e-3;  // rad or m
 
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
@@ -42,17 +36,60 @@ double fastest(double mean, double gain) {
   return std::max(mean + gain / 2, gain);
 }
 
+/// Values at times, those of a turning joint without jumps.
+struct TimedValues {
+  std::vector<std::int64_t> stamps;
+  std::vector<double> values;
+};
+
+void addSpeeds(const TimedValues& samples, std::int64_t window, JointState& state) {
+  const std::vector<std::size_t> cuts = piecesOf(samples.stamps, window);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const std::int64_t time = samples.stamps[cuts[i]] - samples.stamps[cuts[i - 1]];
+    widen(state.speed, i == 1, samples.values[cuts[i]] - samples.values[cuts[i - 1]], time);
+    state.piece = std::max(state.piece, static_cast<double>(time) / kSecond);
+  }
+}
+
+/// Of reports with a velocity. Until the stamp it may have changed since the last one.
+void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
+                       JointState& state) {
+  state.speed = {*reports.front().velocity, *reports.front().velocity};
+  std::int64_t gap = std::abs(stamp - reports.front().stamp);
+  for (const JointReport& report : reports) {
+    state.speed.lower = std::min(state.speed.lower, *report.velocity);
+    state.speed.upper = std::max(state.speed.upper, *report.velocity);
+    gap = std::min(gap, std::abs(stamp - report.stamp));
+  }
+  state.piece = 2 * static_cast<double>(gap) / kSecond;
+}
+
+/// How far a joint can be from where a report has it.
+double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
+  const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
+  return kMaxReportError + fastest * static_cast<double>(std::abs(stamp - report.stamp)) / kSecond;
+}
+
 }  // namespace
+
+std::string whyMisfit(const Joint& joint, const JointFit& fit) {
+  if (fit.length_error <= kMaxMisfit && fit.angle_error <= kMaxMisfit) return "";
+  return "a transform does not fit joint \"" + joint.name + "\": it is off by " +
+         std::to_string(fit.length_error * 1e3) + " mm and " +
+         std::to_string(fit.angle_error * 1e3) +
+         " mrad; correct its publisher or the robot description";
+}
 
 JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64_t stamp,
                       std::int64_t window) {
   JointState state;
   const bool turns = joint.motion == Motion::kRotation;
-  std::vector<double> values;
+  TimedValues found;
   for (const TimedPose& sample : samples.poses) {
     const JointFit fit = fitOf(joint, sample.pose);
-    state.problem = misfit(joint, fit);
+    state.problem = whyMisfit(joint, fit);
     if (!state.problem.empty()) return state;
+    std::vector<double>& values = found.values;
     double difference = values.empty() ? 0 : fit.value - values.back();
     if (turns) difference = withoutTurns(difference);
     if (turns && std::abs(difference) >= kMaxTurn) {
@@ -61,16 +98,47 @@ JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64
                       "not known; send them more often";
       return state;
     }
+    found.stamps.push_back(sample.stamp);
     values.push_back(values.empty() ? fit.value : values.back() + difference);
     if (sample.stamp <= stamp || values.size() == 1) state.value = values.back();
   }
-  if (samples.is_static) return state;
-  const std::vector<std::size_t> cuts = piecesOf(samples.poses, window);
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
-    const std::int64_t time = samples.poses[cuts[i]].stamp - samples.poses[cuts[i - 1]].stamp;
-    widen(state.speed, i == 1, values[cuts[i]] - values[cuts[i - 1]], time);
-    state.piece = std::max(state.piece, static_cast<double>(time) / kSecond);
+  if (!samples.is_static) addSpeeds(found, window, state);
+  return state;
+}
+
+JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
+                      const std::vector<JointReport>& reports, std::int64_t stamp,
+                      std::int64_t window) {
+  JointState state;
+  const JointFit fit = fitOf(joint, pose);
+  state.problem = whyMisfit(joint, fit);
+  if (!state.problem.empty()) return state;
+  TimedValues found;
+  bool have_velocities = true;
+  const JointReport* nearest = nullptr;
+  for (const JointReport& report : reports) {
+    found.stamps.push_back(report.stamp);
+    found.values.push_back(report.position);
+    have_velocities = have_velocities && report.velocity;
+    if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
+      nearest = &report;
   }
+  if (!nearest || std::abs(stamp - nearest->stamp) > window ||
+      (!have_velocities && reports.size() < 2)) {
+    state.problem = "/joint_states has joint \"" + joint.name +
+                    "\" too rarely for ~velocity_window, or at other times than tf; raise "
+                    "~velocity_window, or send it more often";
+    return state;
+  }
+  have_velocities ? addReportedSpeeds(reports, stamp, state) : addSpeeds(found, window, state);
+  double error = fit.value - nearest->position;
+  if (joint.motion == Motion::kRotation) error = withoutTurns(error);
+  if (!(std::abs(error) <= reportError(*nearest, state, stamp))) {
+    state.problem = "tf and /joint_states differ by " + std::to_string(std::abs(error)) +
+                    " rad or m about joint \"" + joint.name + "\"; correct their publishers";
+  }
+  state.value = nearest->position + error;
+  state.are_turns_known = true;
   return state;
 }
 
@@ -80,12 +148,11 @@ SpeedRange speedAtStamp(const JointState& state, std::optional<double> accelerat
   return {-fastest(-state.speed.lower, gain), fastest(state.speed.upper, gain)};
 }
 
-Limits stopOffsetsWithin(const JointRule& rule, const JointState& state, const SpeedRange& speed,
-                         const Reaction& reaction) {
-  Limits offsets = stopOffsets(speed, *rule.braking, reaction);
+Limits withinLimits(Limits offsets, const JointRule& rule, const JointState& state) {
   if (!rule.limits) return offsets;
   const auto [lower, upper] = *rule.limits;
-  const double turn = rule.joint->motion == Motion::kRotation ? 2 * M_PI : 0;
+  const bool may_be_turned = rule.joint->motion == Motion::kRotation && !state.are_turns_known;
+  const double turn = may_be_turned ? 2 * M_PI : 0;
   const double first =
       turn > 0 ? state.value + turn * std::ceil((lower - kMaxMisfit - state.value) / turn)
                : state.value;

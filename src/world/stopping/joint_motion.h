@@ -1,38 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a joint can come until it stands, from tf alone.
+// Where a joint is and how fast it moves, and from there where it can come.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "robot/stopping/joint_fit.h"
 #include "world/stopping/edge_samples.h"
+#include "world/stopping/joint_states.h"
 #include "world/stopping/stop_rules.h"
 
 namespace link_bounds {
 
-/// The state of a joint at a stamp, from the transforms of a window before it.
+/// The state of a joint at a stamp.
 struct JointState {
-  double value = 0;     ///< [rad, from -pi to pi, or m]
-  SpeedRange speed;     ///< all mean speeds of pieces of the window, see piecesOf()
-  double piece = 0;     ///< the longest of these pieces [s]
-  std::string problem;  ///< why it is not known, with the remedy
+  double value = 0;              ///< [rad or m]
+  bool are_turns_known = false;  ///< of a joint that turns: else the value is from -pi to pi
+  SpeedRange speed;              ///< all mean speeds of pieces of a window, see piecesOf()
+  double piece = 0;              ///< the longest of these pieces [s]
+  std::string problem;           ///< why it is not known, with the remedy
 };
 
-/// Of a joint that has a value and an axis. One that turns by 90 degrees or more between
-/// two transforms is a problem: it may have turned the other way. So is a pose that does not fit
-/// the joint to 1 mm and 1 mrad.
+/// From transforms alone, of a joint that has a value and an axis. One that turns by 90 degrees or
+/// more between two transforms is a problem: it may have turned the other way. So is a pose that
+/// does not fit the joint to 1 mm and 1 mrad.
 JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64_t stamp,
                       std::int64_t window);
+
+/// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
+/// speeds are those that were reported, or as of transforms where a report has none.
+JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
+                      const std::vector<JointReport>& reports, std::int64_t stamp,
+                      std::int64_t window);
+
+/// Why the pose of a joint's child does not fit the joint; "" if it does.
+std::string whyMisfit(const Joint& joint, const JointFit& fit);
 
 /// With `acceleration`, the speeds at the end of any piece that a joint may have that speeds up no
 /// faster: of mean v over a time h, it ends with at most max(v + a h / 2, a h). A faster one would
 /// have moved all the time, and farther.
 SpeedRange speedAtStamp(const JointState& state, std::optional<double> acceleration);
 
-/// How far the joint may be from where it is until it stands, within its limits. Limits that the
-/// value does not obey, or obeys in several ways, do not count.
-Limits stopOffsetsWithin(const JointRule& rule, const JointState& state, const SpeedRange& speed,
-                         const Reaction& reaction);
+/// The offsets that lead to no value beyond the joint's limits. Limits that the value does not
+/// obey, or obeys in several ways, do not count.
+Limits withinLimits(Limits offsets, const JointRule& rule, const JointState& state);
 
 }  // namespace link_bounds

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "link_bounds/robot/urdf/kinematics.h"
-#include "robot/urdf/joint_ranges.h"
 
 namespace link_bounds {
 namespace {
@@ -32,21 +31,20 @@ class RuleMaker {
 
   JointRule make(std::size_t index) const {
     const Joint& joint = robot_.joints[index];
-    JointRule rule{&joint, std::nullopt, "", limits(index)};
+    JointRule rule{&joint, leads_[index], &leader(index).name, {0}, "", "", limits(index)};
+    const std::string name = "joint \"" + joint.name + "\"";
+    const std::string no_limit = name + " has no limit of its velocity; add it to the URDF";
+    if (joint.motion == Motion::kNone) return rule;
+    if (!hasValue(joint.motion)) rule.why_no_speed_limit = name + " has no limit of its velocity";
     if (!hasValue(joint.motion) || joint.axis.isZero(0)) return rule;
-    const std::optional<double> deceleration = given(parameters_.deceleration, index);
-    if (!deceleration) {
-      rule.missing = "joint \"" + joint.name + "\" has no ~deceleration; set it";
-      return rule;
+    rule.braking = {given(parameters_.deceleration, index).value_or(0),
+                    given(parameters_.acceleration, index), maxSpeed(index)};
+    if (!rule.braking.max_speed) rule.why_no_speed_limit = no_limit;
+    if (rule.braking.deceleration == 0) {
+      rule.why_no_stop = name + " has no ~deceleration; set it";
+    } else if (parameters_.during_reaction == "limit" && !rule.braking.max_speed) {
+      rule.why_no_stop = no_limit + ", or set ~during_reaction to measured";
     }
-    const Braking braking{*deceleration, given(parameters_.acceleration, index), maxSpeed(index)};
-    if (parameters_.during_reaction == "limit" && !braking.max_speed) {
-      rule.missing = "joint \"" + joint.name +
-                     "\" has no limit of its velocity; add it to the URDF, or set "
-                     "~during_reaction to measured";
-      return rule;
-    }
-    rule.braking = braking;
     return rule;
   }
 
@@ -63,10 +61,12 @@ class RuleMaker {
     return of_leader->second * factor;
   }
 
+  /// Many descriptions have 0 where nobody knows it.
   std::optional<double> maxSpeed(std::size_t index) const {
     const std::optional<double> of_leader = leader(index).max_speed;
-    if (!of_leader || !std::isfinite(*of_leader) || *of_leader < 0) return std::nullopt;
-    return *of_leader * std::abs(leads_[index].factor);
+    const double factor = std::abs(leads_[index].factor);
+    if (!of_leader || !std::isfinite(*of_leader) || !(*of_leader * factor > 0)) return std::nullopt;
+    return *of_leader * factor;
   }
 
   std::optional<Limits> limits(std::size_t index) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/stopping/stop_offsets.h"
+#include "robot/urdf/joint_ranges.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -19,8 +20,11 @@ namespace link_bounds {
 /// parameters do not say about it, come from the joint that it follows.
 struct JointRule {
   const Joint* joint;
-  std::optional<Braking> braking;  ///< none: `missing` says what is not known
-  std::string missing;             ///< with the remedy
+  Lead lead;                       ///< the joint that it follows, or itself
+  const std::string* leader;       ///< its name
+  Braking braking{0};              ///< deceleration 0: not known
+  std::string why_no_stop;         ///< why it is not known where it stands, with the remedy
+  std::string why_no_speed_limit;  ///< likewise, how fast it can be
   std::optional<Limits> limits;
 };
 

@@ -24,7 +24,8 @@ from visualization_msgs.msg import MarkerArray
 LINKS, OBJECTS, HZ = 200, 300, 100
 NODE = "/ours/node"
 OPTIONAL = ["markers", "parts", "footprint", "overlaps", "distances", "nearest",
-            "distance_markers", "swept", "swept_markers"]
+            "distance_markers", "swept", "swept_markers", "stopping", "stopping_markers",
+            "stopping_overlaps", "earliest"]
 PARAMETERS = {"timeout": 0.0, "swept_span": 1.0, "parts_per_link": 4}
 SERVED_MS = 20  # median of the age in the first second, while the node keeps up
 SERVED = 0.95  # part of the messages that have boxes of their own then

@@ -28,7 +28,8 @@ LINKS = 30
 SECONDS, SANITIZED_SECONDS = 60, 20
 MESHES, VERTICES = 24, 3000
 TOPICS = ["boxes", "groups", "markers", "parts", "footprint", "overlaps", "distances", "nearest",
-          "distance_markers", "swept", "swept_markers"]
+          "distance_markers", "swept", "swept_markers", "stopping", "stopping_markers",
+          "stopping_overlaps", "earliest"]
 PARAMETERS = {"timeout": 0.0, "swept_span": 0.5, "parts_per_link": 4, "distance_limit": 0.05}
 SLOW = 200000  # bytes per second; what a slow subscriber reads
 MAX_AGE = 250 * PATIENCE  # ms

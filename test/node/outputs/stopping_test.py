@@ -1,21 +1,32 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""~stopping, its markers and its overlaps: a slide that moves, and an object in its way."""
+"""~stopping, its markers and its overlaps, and ~earliest: a slide that moves, an object in its way,
+and two robots that hear each other."""
+import time
 import unittest
 
 import rospy
 import rostest
-from bounds_testing import Recorder, TfSender, box_link, load, names_of, transform, wait_for
+from bounds_testing import (Recorder, TfSender, box_link, load, names_of, transform, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
-from link_bounds.msg import BoxOverlapArray
-from node_testing import NODE
+from link_bounds.msg import BoxOverlapArray, EarliestContactArray
+from node_testing import NODE, NodeProcess
+from sensor_msgs.msg import JointState
 from visualization_msgs.msg import Marker, MarkerArray
 
-SLIDE = ('<robot name="slide">' + box_link("rail", (0.2, 0.2, 0.2)) +
-         box_link("cart", (0.2, 0.2, 0.2)) +
-         '<joint name="slide" type="prismatic"><parent link="rail"/><child link="cart"/>'
-         '<axis xyz="1 0 0"/><limit lower="-5" upper="5" effort="1" velocity="2"/></joint></robot>')
+
+
+def slide(rail, cart):
+    return ('<robot name="slide">' + box_link(rail, (0.2, 0.2, 0.2)) +
+            box_link(cart, (0.2, 0.2, 0.2)) +
+            '<joint name="slide" type="prismatic"><parent link="%s"/><child link="%s"/><axis '
+            'xyz="1 0 0"/><limit lower="-5" upper="5" effort="1" velocity="2"/></joint></robot>'
+            % (rail, cart))
+
+
+SLIDE = slide("rail", "cart")
+MAX_SPEED = 2.0
 SPEED, DECELERATION, REACTION = 0.5, 2.0, 0.2
 WAY = SPEED * REACTION + SPEED ** 2 / (2 * DECELERATION)  # m until the cart stands
 START = 1.0  # m, where the cart is at the newest stamp
@@ -88,16 +99,108 @@ class StoppingTest(unittest.TestCase):
             value.key == "stopping" and 'joint "slide" has no ~deceleration' in value.value
             for s in m.status for value in s.values), "the reason in /diagnostics")
 
-    def test_overlaps_with_what_is_in_the_way(self):
-        overlaps = self.listen("/stopping_overlaps", BoxOverlapArray)
+    def put_box(self, gap):
+        """So far in front of the cart."""
         box = Marker(ns="in_the_way", id=1, type=Marker.CUBE)
         box.header.frame_id = "rail"
-        box.pose.position.x = START + 0.1 + WAY + 0.04
+        box.pose.position.x = START + 0.1 + gap + 0.05
         box.pose.orientation.w = 1
         box.scale.x = box.scale.y = box.scale.z = 0.1
         self.objects.publish(box)
         self.addCleanup(lambda: self.objects.publish(
             Marker(ns="in_the_way", id=1, action=Marker.DELETE)))
+
+    def test_earliest(self):
+        """At the limit of the URDF, however fast the cart is now."""
+        load(NODE, SLIDE, distance_limit=1.0)
+        earliest = self.listen("/earliest", EarliestContactArray)
+        self.put_box(0.6)
+        stamp = self.move()
+        message = earliest.wait(
+            lambda m: m.header.stamp == stamp and len(m.contacts) == 1, "a contact")
+        contact = message.contacts[0]
+        self.assertEqual((contact.first, contact.second), ("cart", "in_the_way/1"))
+        self.assertAlmostEqual((contact.earliest - stamp).to_sec(), 0.6 / MAX_SPEED, delta=1e-4)
+        self.assertEqual(message.valid_until, contact.earliest)
+        self.assertEqual(message.incomplete, [])
+        self.assertAlmostEqual(contact.distance, 0.6, delta=1e-4)
+
+    def test_joint_states(self):
+        """tf is too slow for ~velocity_window; /joint_states is not."""
+        load(NODE, SLIDE, deceleration={"slide": DECELERATION}, reaction_time=REACTION,
+             joint_states=True)
+        joints = rospy.Publisher("joint_states", JointState, queue_size=10)
+        self.addCleanup(joints.unregister)
+        stopping = self.listen("/stopping")
+        type(self).now += 1
+        wait_for(lambda: self.send_slow_tf() and joints.get_num_connections() > 0, "a subscription")
+        state = JointState(name=["slide"], position=[START], velocity=[SPEED])
+        type(self).now += 1
+        state.header.stamp = rospy.Time(self.now)
+        joints.publish(state)
+
+        def cart_of(message):
+            return next((box for box in message.boxes if box.name == "cart"), None)
+
+        def is_there():
+            self.send_slow_tf()
+            return any(cart_of(m) and abs(cart_of(m).max.x - START - 0.1 - WAY) < NEAR
+                       for m in stopping.messages)
+        wait_for(is_there, "a box")
+
+    def send_slow_tf(self):
+        """One transform, again and again."""
+        self.tf.send(transform("rail", "cart", rospy.Time(self.now), (START, 0, 0), (0, 0, 0, 1)))
+        return True
+
+    def test_two_robots_hear_where_the_other_one_can_stop(self):
+        """They meet in the middle only if both brake as late and as softly as they may."""
+        robots = {"left": 1, "right": -1}
+        for name, other in (("left", "right"), ("right", "left")):
+            rospy.set_param("/%s_description" % name, slide(name + "_rail", name + "_cart"))
+            node = NodeProcess(name, ["~neighbours:=/%s/stopping" % other,
+                                      "robot_description:=/%s_description" % name],
+                               fixed_frame="map", deceleration={"slide": DECELERATION},
+                               reaction_time=REACTION)
+            self.addCleanup(node.end)
+        recorders = {name: Recorder("/%s/stopping_overlaps" % name, BoxOverlapArray)
+                     for name in robots}
+
+        def send(gap):
+            """Both carts move for 0.2 s, until they are so far apart."""
+            for i in range(20, -1, -1):
+                type(self).now += 1.0 / RATE
+                for name, sign in robots.items():
+                    rail = -sign * 3.0  # m, so that the rails are apart
+                    cart = -sign * (0.1 + gap / 2 + SPEED * i / RATE) - rail
+                    stamp = rospy.Time(self.now)
+                    self.tf.send(
+                        transform("map", name + "_rail", stamp, (rail, 0, 0), (0, 0, 0, 1)),
+                        transform(name + "_rail", name + "_cart", stamp, (cart, 0, 0),
+                                  (0, 0, 0, 1)))
+            return rospy.Time(self.now)
+
+        def is_told(pairs):
+            """Of the end of a motion, soon: the first ones come before the nodes have connected."""
+            stamp, end = send(gap), time.monotonic() + 1
+
+            def is_newest(recorder, hits):
+                newest = recorder.messages[-1] if recorder.messages else None
+                return (newest and newest.header.stamp == stamp and
+                        [(o.first, o.second) for o in newest.overlaps] == hits)
+            while time.monotonic() < end:
+                if all(is_newest(recorders[name], pairs[name]) for name in robots):
+                    return True
+                time.sleep(0.01)  # polls a condition
+            return False
+        met = {"left": [("left_cart", "/right/right_cart")],
+               "right": [("right_cart", "/left/left_cart")]}
+        for gap, pairs in ((2 * WAY - 0.01, met), (2 * WAY + 0.01, {"left": [], "right": []})):
+            wait_for(lambda pairs=pairs: is_told(pairs), "pairs at a gap of %g m" % gap)
+
+    def test_overlaps_with_what_is_in_the_way(self):
+        overlaps = self.listen("/stopping_overlaps", BoxOverlapArray)
+        self.put_box(WAY - 0.01)
         stamp = self.move()
 
         def names(message):

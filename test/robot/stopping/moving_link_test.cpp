@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stops of random arms, of the demo robot and of the robots of LINK_BOUNDS_DATA: no pose on the way
-// leaves the box of the stop. LINK_BOUNDS_TEST_SAMPLES says how many stops of each robot are tried.
+// leaves the box of the stop, and near faces not in quadruple precision either.
+// LINK_BOUNDS_TEST_SAMPLES says how many stops of each robot are tried, and LINK_BOUNDS_TEST_ROBOT
+// of which robot of LINK_BOUNDS_DATA only.
 #include "robot/stopping/moving_link.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +23,7 @@
 #include "robot/urdf/joints_above.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
+#include "testing/quad_poses.h"
 #include "testing/robot_files.h"
 #include "testing/sampled_links.h"
 #include "testing/sanitized.h"
@@ -32,6 +35,9 @@ using brute_force::Random;
 
 constexpr double kStep = 0.005;      // s, of the simulation
 constexpr int kEndsPerState = 1000;  // poses that stops may end in
+constexpr int kStatesWithEnds = 50;  // enough to tell how tight boxes are
+constexpr double kNearFace = 1e-12;  // m; nearer, double is not precise enough
+constexpr int kMaxChecks = 20;       // in quadruple precision, per state
 
 /// How a simulated joint may differ from what it declares: its braking distance is so much longer.
 struct Brakes {
@@ -144,7 +150,11 @@ double faceGap(const Aabb& outer, const Aabb& inner, int face) {
 struct Findings {
   double nearest = std::numeric_limits<double>::infinity();  ///< of any box to its face [m]
   std::vector<double> looseness;  ///< of faces, beyond 10 % of how far the sampled face moved [m]
-  double seconds = 0;             ///< for all boxes of all stops
+  std::size_t poses = 0;          ///< that were looked at, of all links
+  std::size_t near_faces = 0;     ///< of these, those that were checked in quadruple precision
+  std::size_t outside = 0;        ///< of these
+  int states = 0;
+  double seconds = 0;  ///< for all boxes of all stops
   std::size_t boxes = 0;
 
   double median() {
@@ -152,6 +162,19 @@ struct Findings {
     return looseness[looseness.size() / 2];
   }
 };
+
+/// Whether the link at these values is inside, padding left out.
+bool isInside(const Model& model, std::size_t index, const std::vector<double>& values,
+              const Aabb& bounds) {
+  const Robot& robot = model.robot;
+  const std::vector<std::size_t> above = jointsAbove(robot, model.bounded.indices[index]);
+  QuadPose pose = quadPose(Eigen::Affine3d::Identity());
+  for (auto joint = above.rbegin(); joint != above.rend(); ++joint) {
+    pose = pose * quadPose(Eigen::Affine3d(robot.joints[*joint].parent_from_joint)) *
+           quadJointMotion(robot.joints[*joint], values[*joint]);
+  }
+  return contains(bounds, quadBox(model.bounded.links[index], pose));
+}
 
 /// One state of the robot, and some stops from there.
 void tryState(const Model& model, const Brakes& brakes, int stops, Random& random,
@@ -169,6 +192,7 @@ void tryState(const Model& model, const Brakes& brakes, int stops, Random& rando
                                  movingJoints(robot, start, poses, link)));
   }
   findings.seconds += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  int checks = 0;
   const auto look = [&](const std::vector<double>& values) {
     const auto now = linkPoses(robot, values);
     for (std::size_t k = 0; k < count; ++k) {
@@ -177,8 +201,16 @@ void tryState(const Model& model, const Brakes& brakes, int stops, Random& rando
       ASSERT_EQ(bounds[k].has_value(), box.has_value()) << model.bounded.links[k].name;
       if (!box) continue;
       attained[k].extend(*box);
+      ++findings.poses;
+      double gap = std::numeric_limits<double>::infinity();
       for (int face = 0; face < 6; ++face)
-        findings.nearest = std::min(findings.nearest, faceGap(*bounds[k], *box, face));
+        gap = std::min(gap, faceGap(*bounds[k], *box, face));
+      findings.nearest = std::min(findings.nearest, gap);
+      const bool moves = random.uniform(0, 1) < 0.1;  // not the same links again and again
+      if (gap > kNearFace || !moves || checks >= kMaxChecks) continue;
+      ++checks;
+      ++findings.near_faces;
+      findings.outside += !isInside(model, k, values, *bounds[k]);
     }
   };
   look(start.values);
@@ -199,7 +231,8 @@ void tryState(const Model& model, const Brakes& brakes, int stops, Random& rando
     }
   }
   // Each joint may be anywhere in its interval, often at an end, where many extremes are.
-  for (int i = 0; brakes.longer == 1 && i < kEndsPerState; ++i) {
+  const bool tries_ends = brakes.longer == 1 && findings.states++ < kStatesWithEnds;
+  for (int i = 0; tries_ends && i < kEndsPerState; ++i) {
     std::vector<double> values = start.values;
     for (std::size_t j = 0; j < values.size(); ++j) {
       const auto [lower, upper] = offsetsOf(start, j);
@@ -209,7 +242,7 @@ void tryState(const Model& model, const Brakes& brakes, int stops, Random& rando
     look(values);
   }
   for (std::size_t k = 0; k < count; ++k) {
-    for (int face = 0; bounds[k] && face < 6; ++face) {
+    for (int face = 0; tries_ends && bounds[k] && face < 6; ++face) {
       const double moved = faceGap(attained[k], first[k], face);
       findings.looseness.push_back(faceGap(*bounds[k], attained[k], face) - moved / 10);
     }
@@ -229,6 +262,8 @@ void report(const std::string& name, int stops, Findings& findings) {
   std::cout << name << ": " << stops << " stops, a box came within " << findings.nearest
             << " m of a face; faces are at most 10 % of their way and " << findings.median()
             << " m (median), " << findings.looseness.back() << " m (worst) too far out; "
+            << findings.near_faces << " of " << findings.poses
+            << " boxes checked in quadruple precision, outside " << findings.outside << "; "
             << findings.seconds / static_cast<double>(findings.boxes) * 1e6 << " us per link\n";
 }
 
@@ -269,6 +304,8 @@ TEST(MovingLink, StopsOfTheDemoRobotStayInside) {
   const Model model = demoRobot();
   Findings findings = trySome(model, {}, samples(), kStopsPerState);
   EXPECT_GE(findings.nearest, 0);
+  EXPECT_EQ(findings.outside, 0u);
+  EXPECT_GT(findings.near_faces, 0u);
   EXPECT_LE(findings.median(), 0.005);
   report("demo", samples() * kStopsPerState, findings);
 }
@@ -285,12 +322,17 @@ TEST(MovingLink, StopsOfPublicRobotsStayInside) {
   const PackagePath package_path = [&](const std::string& package) {
     return (robots / package).string();
   };
+  const char* const only = std::getenv("LINK_BOUNDS_TEST_ROBOT");
   for (const std::filesystem::path& file : robotFiles(robots)) {
-    const int states = samples() / 10 + 1;
-    Findings findings = trySome(load(file, package_path), {}, states, 2);
+    if (only && file.stem() != only) continue;
+    const bool is_long = samples() >= 1000;
+    const int stops = is_long ? 20 : 2;
+    const int states = (is_long ? samples() : samples() / 5) / stops + 1;
+    Findings findings = trySome(load(file, package_path), {}, states, stops);
     EXPECT_GE(findings.nearest, 0) << file;
+    EXPECT_EQ(findings.outside, 0u) << file;
     EXPECT_LE(findings.median(), 0.005) << file;
-    report(file.stem().string(), states * 2, findings);
+    report(file.stem().string(), states * stops, findings);
   }
 }
 

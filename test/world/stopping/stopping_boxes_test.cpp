@@ -5,16 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include "link_bounds/robot/urdf/kinematics.h"
-#include "testing/live_boxes_testing.h"
+#include "testing/moving_robot.h"
 #include "testing/sanitized.h"
-#include "world/history/scene_copy.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr double kRate = 100;    // Hz, of tf
-constexpr double kStamp = 10.0;  // s, of the newest transforms
+constexpr double kRate = MovingRobot::kRate;
+constexpr double kStamp = MovingRobot::kStamp;
 constexpr double kDeceleration = 4;
 
 /// An arm of all joint types that have a value, on a base that may drive.
@@ -44,7 +42,7 @@ constexpr char kArm[] = R"(<robot name="arm">
     <limit lower="0" upper="0.05" effort="1" velocity="0.1"/></joint>
 </robot>)";
 
-using Values = std::vector<double>;  // by joint of the robot
+using Values = MovingRobot::Values;
 
 Parameters goodParameters() {
   Parameters parameters;
@@ -55,84 +53,8 @@ Parameters goodParameters() {
   return parameters;
 }
 
-/// Sends tf and computes stopping boxes.
-class Robotics {
- public:
-  explicit Robotics(const Parameters& parameters) : scene_(tf_) {
-    RobotLoader loader([](const MeshFile&) { return TriangleMesh(); });
-    model_ = std::make_shared<const Model>(makeModel(kArm, parameters, loader, MeshSource()));
-    scene_.adopt(model_, ros::Time(kStamp));
-  }
-
-  const Robot& robot() const { return *model_->robot; }
-
-  std::size_t joint(const std::string& name) const {
-    for (std::size_t i = 0; i < robot().joints.size(); ++i) {
-      if (robot().joints[i].name == name) return i;
-    }
-    throw std::out_of_range(name);
-  }
-
-  /// Mimic joints follow.
-  Values values(std::map<std::string, double> given) const { return jointValues(robot(), given); }
-
-  void send(double stamp, const Values& values,
-            const Eigen::Isometry3d& map_from_base = Eigen::Isometry3d::Identity()) {
-    add("map", "base", stamp, map_from_base);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const Joint& joint = robot().joints[i];
-      add(robot().links[joint.parent].name, robot().links[joint.child].name, stamp,
-          joint.parent_from_joint * jointMotion(joint, values[i]));
-    }
-    scene_.update(ros::Time(kStamp));
-  }
-
-  void add(const std::string& parent, const std::string& child, double stamp,
-           const Eigen::Isometry3d& pose) {
-    const auto transform =
-        edge(parent, child, stamp, Eigen::Quaterniond(pose.linear()), pose.translation());
-    tf_.add({transform}, false, ros::Time(kStamp));
-  }
-
-  /// All joints at constant speeds until kStamp; at the end they have `values`.
-  void move(const Values& values, const Values& speeds) {
-    for (int i = 20; i >= 0; --i) {
-      Values then = values;
-      for (std::size_t j = 0; j < then.size(); ++j)
-        then[j] -= speeds[j] * i / kRate;
-      send(kStamp - i / kRate, then);
-    }
-  }
-
-  StoppingBoxes stopping() {
-    const BoxRequest request = stoppingRequest(model_->parameters);
-    SceneCopy copy(request, model_);
-    while (!copy.proceed(scene_, ros::Time(kStamp), std::chrono::seconds(1))) {
-    }
-    const auto past = copy.take();
-    return stoppingBoxes(*past, StopRules(model_));
-  }
-
-  std::vector<std::string> incomplete() { return stopping().moment->incomplete; }
-
-  /// The boxes of all links there.
-  std::map<std::string, Aabb> boxesAt(const Values& values,
-                                      const Eigen::Isometry3d& map_from_base) const {
-    std::map<std::string, Aabb> result;
-    const auto poses = linkPoses(robot(), values);
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-      const Eigen::Affine3d pose(map_from_base * poses[model_->robot_links[i]]);
-      result.emplace(model_->links[i].name, *linkBox(model_->links[i], pose));
-    }
-    return result;
-  }
-
-  Scene& scene() { return scene_; }
-
- private:
-  TransformBuffer tf_;
-  Scene scene_;
-  std::shared_ptr<const Model> model_;
+struct Robotics : MovingRobot {
+  explicit Robotics(const Parameters& parameters) : MovingRobot(kArm, parameters) {}
 };
 
 bool contains(const Moment& moment, const std::map<std::string, Aabb>& boxes) {
@@ -156,7 +78,7 @@ bool coversWorstStop(double longer, std::uint64_t seed) {
       {{"pan", random.uniform(-0.2, 0.2)}, {"roll", random.uniform(-10, 10)}, {"finger", 0.02}});
   const Values speeds = robot.values({{"pan", pan_speed}, {"roll", roll_speed}});
   robot.move(start, speeds);
-  const StoppingBoxes found = robot.stopping();
+  const WayBoxes found = robot.stopping();
   EXPECT_EQ(found.problem, "");
   EXPECT_EQ(found.moment->bodies.size(), robot.robot().links.size());
   bool covers = true;
@@ -187,7 +109,7 @@ TEST(StoppingBoxes, ARobotAtRestHasItsBoxes) {
   Robotics robot(goodParameters());
   const Values values = robot.values({{"pan", 0.3}, {"roll", 2}, {"finger", 0.01}});
   robot.move(values, Values(values.size(), 0.0));
-  const StoppingBoxes found = robot.stopping();
+  const WayBoxes found = robot.stopping();
   EXPECT_EQ(found.problem, "");
   const auto boxes = robot.boxesAt(values, Eigen::Isometry3d::Identity());
   ASSERT_EQ(found.moment->bodies.size(), boxes.size());
@@ -222,7 +144,7 @@ TEST(StoppingBoxes, WhatDoesNotFitAJointIsTold) {
       other.add("base", "upper", kStamp - i / kRate, pose);
     }
     other.scene().update(ros::Time(kStamp));
-    const StoppingBoxes found = other.stopping();
+    const WayBoxes found = other.stopping();
     EXPECT_EQ(found.moment->bodies.size(), error < 0.001 ? 2u : 1u);
     EXPECT_EQ(found.problem.find("upper: a transform does not fit joint \"pan\"") == 0,
               error > 0.001)
@@ -264,7 +186,7 @@ TEST(StoppingBoxes, ABaseThatDrivesNeedsItsDeceleration) {
     const Values values = robot.values({});
     for (int i = 20; i >= 0; --i)
       robot.send(kStamp - i / kRate, values, drivenBase(-0.5 * i / kRate, -0.4 * i / kRate));
-    const StoppingBoxes found = robot.stopping();
+    const WayBoxes found = robot.stopping();
     EXPECT_EQ(found.moment->incomplete.size(), is_given ? 0 : robot.robot().links.size());
     EXPECT_EQ(found.problem.empty(), is_given) << found.problem;
     Eigen::Isometry3d pose = drivenBase(0, 0);
@@ -295,7 +217,7 @@ TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
   };
   for (int i = 20; i >= 0; --i)
     robot.send(kStamp - i / kRate, values, on_circle(-60 * i / kRate));
-  const StoppingBoxes found = robot.stopping();
+  const WayBoxes found = robot.stopping();
   EXPECT_EQ(found.problem, "");
   ASSERT_EQ(found.moment->bodies.size(), robot.robot().links.size());
   for (int i = 0; i <= 10; ++i)

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages wait in a queue of their own until they are read.
+#include "node/inputs/joint_state_receiver.h"
+
+#include <algorithm>
+
+#include "node/interface/topics.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kQueue = 1000;  // messages, a second at 1 kHz
+
+}  // namespace
+
+JointStateReceiver::JointStateReceiver() {
+  node_.setCallbackQueue(&queue_);
+}
+
+const JointStates& JointStateReceiver::read() {
+  if (!subscriber_) {
+    subscriber_ = node_.subscribe<Received<sensor_msgs::JointState>, const Event&>(
+        kJointStatesTopic.name, kQueue, [this](const Event& event) { take(event); }, {},
+        ros::TransportHints().tcpNoDelay());
+  }
+  queue_.callAvailable();
+  return states_;
+}
+
+void JointStateReceiver::rest() {
+  subscriber_.shutdown();
+  states_.clear();
+}
+
+/// Positions, and velocities if there is one for each name.
+void JointStateReceiver::take(const Event& event) {
+  const auto& message = *event.getConstMessage();
+  if (!incomplete_messages_.accept(message, kJointStatesTopic.name, event.getPublisherName()))
+    return;
+  const auto stamp = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  const bool have_velocities = message.velocity.size() == message.name.size();
+  for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
+    JointReport report{stamp, message.position[i], {}};
+    if (have_velocities) report.velocity = message.velocity[i];
+    states_.add(message.name[i], report);
+  }
+}
+
+}  // namespace link_bounds

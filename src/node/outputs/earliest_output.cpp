@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// publish() and forget() run on a thread of their own.
+#include "node/outputs/earliest_output.h"
+
+#include <utility>
+
+#include "node/interface/topics.h"
+#include "node/outputs/queues.h"
+
+namespace link_bounds {
+namespace {
+
+Worker::Options options() {
+  Worker::Options result;
+  result.name = "earliest contacts";
+  result.is_nice = true;
+  return result;
+}
+
+}  // namespace
+
+EarliestOutput::EarliestOutput(ros::NodeHandle& private_node, const Guard& guard,
+                               const SceneCopier& scenes, TreeRequests requests)
+    : scenes_(scenes),
+      contacts_(std::move(requests)),
+      output_(private_node, privateName(kEarliestTopic), kBoxesQueue,
+              [this, guard](const auto&) { guard([this] { request(); }); }),
+      worker_(options()) {}
+
+/// The newest boxes are never left out: while the thread computes, another publish() may wait.
+void EarliestOutput::request() {
+  if (output_.hasSubscribers()) {
+    is_forgotten_ = false;
+    worker_.post("contacts", [this] { publish(); });
+  } else if (!is_forgotten_.exchange(true)) {
+    worker_.post("contacts", [this] { forget(); });
+  }
+}
+
+/// It is used from the next ~boxes on.
+void EarliestOutput::give(MadeTree tree) {
+  worker_.post("tree " + std::to_string(++trees_),
+               [this, tree = std::move(tree)] { contacts_.trees().add(tree); });
+}
+
+std::string EarliestOutput::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problem_;
+}
+
+void EarliestOutput::setProblem(std::string problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  problem_ = std::move(problem);
+}
+
+void EarliestOutput::publish() {
+  const auto copy = scenes_.copy(worker_);
+  if (!copy) return;
+  const auto now = std::chrono::steady_clock::now();
+  const auto is_over = [this] { return worker_.isStopping(); };
+  const auto computed = contacts_.compute(*copy->scene, *copy->rules, copy->states, now, is_over);
+  if (!computed) return;
+  contacts_.trees().requestSettled(now);
+  setProblem(computed->problem);
+  output_.publish(computed->array);
+}
+
+void EarliestOutput::forget() {
+  scenes_.rest();
+  contacts_.forget();
+  setProblem("");
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes how soon bodies can touch; a thread of its own computes it.
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <mutex>
+#include <string>
+
+#include "link_bounds/EarliestContactArray.h"
+#include "node/outputs/output.h"
+#include "node/outputs/way_scenes.h"
+#include "world/log/guarded.h"
+#include "world/stopping/contact_times.h"
+
+namespace link_bounds {
+
+/// Computes only while somebody listens. Where computing takes longer than the time between two
+/// ~boxes, it skips those in between.
+class EarliestOutput {
+ public:
+  /// `scenes` must outlive this. `guard` runs the callbacks of roscpp.
+  EarliestOutput(ros::NodeHandle& private_node, const Guard& guard, const SceneCopier& scenes,
+                 TreeRequests requests);
+  EarliestOutput(const EarliestOutput&) = delete;
+  EarliestOutput& operator=(const EarliestOutput&) = delete;
+
+  /// To be called with each ~boxes.
+  void request();
+
+  /// A tree that was requested. For any thread, also after stop().
+  void give(MadeTree tree);
+
+  /// Trees are not requested any more afterwards.
+  void stop() { worker_.stop(); }
+
+  /// Why the first of its incomplete bodies is that, and how many more are; "" if all are complete
+  /// or nobody listens. For any thread.
+  std::string problem() const;
+
+ private:
+  void publish();
+  void forget();
+  void setProblem(std::string problem);
+
+  mutable std::mutex mutex_;
+  std::string problem_;                  ///< guarded by mutex_
+  std::atomic<std::uint64_t> trees_{0};  ///< that were given
+  std::atomic<bool> is_forgotten_{true};
+  WayScenes scenes_;  ///< this and the next one: of the thread
+  ContactTimes contacts_;
+  Output<EarliestContactArray> output_;
+  Worker worker_;  ///< last: its thread ends before the rest goes
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What outputs need that look ahead: the scene, how its joints may move, and /joint_states.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "node/inputs/joint_state_receiver.h"
+#include "node/outputs/scene_copier.h"
+#include "world/stopping/stop_rules.h"
+
+namespace link_bounds {
+
+/// Of the thread of one worker.
+class WayScenes {
+ public:
+  explicit WayScenes(const SceneCopier& scenes) : scenes_(scenes) {}
+
+  struct Copy {
+    std::unique_ptr<PastScene> scene;
+    const StopRules* rules;     ///< until the next copy()
+    const JointStates* states;  ///< likewise; null without the parameter joint_states
+  };
+
+  /// Nothing if there is no robot, if the scene has no answer, or if the worker is stopping.
+  std::optional<Copy> copy(Worker& worker);
+
+  /// To be called when nobody listens any more.
+  void rest() { joint_states_.rest(); }
+
+ private:
+  const SceneCopier& scenes_;
+  JointStateReceiver joint_states_;
+  std::shared_ptr<const Model> model_;
+  std::optional<StopRules> rules_;  ///< of the model
+};
+
+}  // namespace link_bounds

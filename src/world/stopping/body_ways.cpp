@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each body goes up its tf path. The motion of an edge is found once per stamp.
+#include "world/stopping/body_ways.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+std::int64_t windowOf(const Parameters& parameters) {
+  constexpr double kMaxWindow = 10;  // s, all history
+  return static_cast<std::int64_t>(std::min(parameters.velocity_window, kMaxWindow) * 1e9);
+}
+
+WayJoint placed(WayJoint joint, const Eigen::Isometry3d& frame) {
+  joint.place.origin = frame * joint.place.origin;
+  joint.place.axis = frame.linear() * joint.place.axis;
+  return joint;
+}
+
+/// From the nearest sample of the edge to the stamp [s].
+double gapAt(const EdgeHistory& history, std::int64_t stamp) {
+  const std::vector<const EdgeSample*> samples = history.between(stamp, stamp);
+  std::int64_t gap = samples.empty() ? 0 : EdgeHistory::kLength;
+  for (const EdgeSample* sample : samples)
+    gap = std::min(gap, std::abs(stamp - sample->stamp));
+  return static_cast<double>(gap) / 1e9;
+}
+
+}  // namespace
+
+BodyWays::BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose,
+                   const JointStates* states)
+    : scene_(scene),
+      tf_(scene.excerpt.buffer()),
+      rules_(rules),
+      purpose_(purpose),
+      states_(states),
+      window_(windowOf(rules.model().parameters)),
+      tracker_(tf_) {
+  tracker_.setTarget(scene.target, rules.model().parameters.timeout, scene.now);
+  fixed_problem_ = whyFixedFrameMoves();
+}
+
+const FramePose& BodyWays::poseOf(Frame frame) {
+  handles_.push_back(tracker_.follow(frame));
+  return handles_.back().pose();
+}
+
+/// With which a body moves: an attached object with a frame of its link's rigid body, whatever its
+/// own frame is. Nothing if tf has none.
+std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
+  const auto rigid_body = body.link ? std::nullopt : rules_.bodyOfObject(body.bounded->name);
+  if (!rigid_body) return body.frame;
+  for (Frame frame = 0; frame < tf_.size(); ++frame) {
+    const auto link = rules_.linkOf(tf_.name(frame));
+    if (link && rules_.bodyOfLink(*link) == *rigid_body) return frame;
+  }
+  return std::nullopt;
+}
+
+BodyWay BodyWays::find(const PastBody& body) {
+  BodyWay way;
+  const FramePose& own = poseOf(*body.frame);
+  if (own.problem != TransformProblem::kNone) {
+    way.problem = describe(own.problem, tf_.name(*body.frame), scene_.frameName());
+    return way;
+  }
+  way.stamp = own.stamp == 0 ? body.stamp : own.stamp;
+  way.pose = own.fixed_from_frame.affine;
+  if (body.frame_from_body)
+    way.pose =
+        *body.frame == scene_.target ? *body.frame_from_body : way.pose * *body.frame_from_body;
+  const std::optional<Frame> mover = moverOf(body);
+  if (!mover) {
+    way.problem = "tf has no frame of the link to which it is attached";
+    return way;
+  }
+  const FramePose& start = poseOf(*mover);
+  if (start.problem != TransformProblem::kNone) {
+    way.problem = describe(start.problem, tf_.name(*mover), scene_.frameName());
+    return way;
+  }
+  way.has_pose = true;
+  bool is_carried = false;
+  if (isContact() || start.stamp != 0 || *mover == scene_.target)
+    is_carried = climb(*mover, start, way);
+  if (!way.problem.empty() && is_carried) return way;
+  // It was placed once, so it does not move with a fixed frame on the robot.
+  if (body.frame_from_body && *mover == scene_.target)
+    way.problem = whyStrangerMoves(scene_.target, 0);
+  if (isContact() && body.object && body.object->is_neighbour && body.object->stamp != 0)
+    way.problem = "it belongs to another node, and nothing is known of how fast it moves";
+  way.is_placed = !isContact() || way.problem.empty();
+  return way;
+}
+
+/// Up to the fixed frame, or to the root and from there on its motion as a base; for contacts, up
+/// to the root. True if a link of the robot carries the body.
+bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
+  const Frame first = frame;
+  Eigen::Isometry3d pose;
+  pose.matrix() = start.fixed_from_frame.affine.matrix();
+  std::string below;  // why an edge below the first link is not rigid
+  bool is_carried = false;
+  for (std::size_t steps = 0;; ++steps) {
+    const std::optional<std::size_t> link = rules_.linkOf(tf_.name(frame));
+    is_carried = is_carried || link;
+    if (is_carried && way.problem.empty()) way.problem = below;
+    const bool is_root = link && !rules_.jointAbove(*link);
+    if (!way.problem.empty() || (!isContact() && frame == scene_.target)) break;
+    if (is_root) {
+      if (!isContact())
+        way.problem =
+            fixed_problem_.empty() ? addBase(start.stamp, frame, way.joints) : fixed_problem_;
+      break;
+    }
+    if (!tf_.hasParent(frame) || steps > tf_.size()) {
+      if (is_carried)
+        way.problem = "tf does not lead from frame \"" + tf_.name(frame) + "\" to the robot's root";
+      break;
+    }
+    const EdgeMotion& motion = motionOf(frame, start.stamp);
+    if (link) way.problem = motion.problem;
+    if (!link && below.empty()) below = motion.problem;
+    const Eigen::Isometry3d parent = pose * motion.parent_from_child.inverse();
+    if (motion.joint) {
+      const bool is_base = motion.joint->place.kind == MovingJoint::Kind::kFree;
+      way.joints.push_back(placed(*motion.joint, is_base ? parent : pose));
+    }
+    pose = parent;
+    frame = tf_.parent(frame);
+  }
+  std::reverse(way.joints.begin(), way.joints.end());
+  if (!is_carried) way.problem = whyStrangerMoves(first, start.stamp);
+  return is_carried;
+}
+
+/// Of what no link carries, nothing is known but where it is.
+std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
+  if (!ground_problem_) ground_problem_ = isContact() ? whyRootMoves() : whyGroundMoves();
+  if (!ground_problem_->empty() || frame == scene_.target || stamp == 0) return *ground_problem_;
+  const std::string what = "its frame \"" + tf_.name(frame) + "\" moves, and nothing is known of ";
+  if (isContact()) return what + "how fast";
+  const EdgeSamples samples = pathSamples(tf_, scene_.target, frame, stamp, window_);
+  if (!samples.problem.empty()) return samples.problem;
+  if (isStill(samples.poses)) return "";
+  return what + "how it brakes";
+}
+
+/// A fixed frame on the robot: if it moves against what is above it, all that stands moves in it.
+std::string BodyWays::whyGroundMoves() const {
+  bool is_on_robot = false;
+  Frame frame = scene_.target;
+  for (std::size_t steps = 0; tf_.hasParent(frame) && steps < tf_.size(); ++steps) {
+    is_on_robot = is_on_robot || rules_.linkOf(tf_.name(frame));
+    const EdgeSamples samples = edgeSamples(tf_, frame, tf_.newest(frame), window_);
+    if (is_on_robot && !(samples.problem.empty() && isStill(samples.poses))) {
+      return "the fixed frame \"" + scene_.frameName() + "\" moves with frame \"" +
+             tf_.name(frame) +
+             "\", or it is not known whether it does; choose a ~fixed_frame that stands";
+    }
+    frame = tf_.parent(frame);
+  }
+  return "";
+}
+
+/// Against what stands: every edge between them must be unable to move.
+std::string BodyWays::whyRootMoves() const {
+  std::vector<Frame> edges;
+  bool is_on_robot = false;
+  for (const Frame frame : wayUp(tf_, scene_.target)) {
+    is_on_robot = is_on_robot || rules_.linkOf(tf_.name(frame));
+    if (is_on_robot) edges.push_back(frame);
+  }
+  for (Frame frame = 0; frame < tf_.size() && edges.empty(); ++frame) {
+    const auto link = rules_.linkOf(tf_.name(frame));
+    if (link && !rules_.jointAbove(*link)) edges = edgesBetween(tf_, scene_.target, frame);
+  }
+  for (const Frame frame : edges) {
+    if (tf_.hasParent(frame) && !isRigid(frame))
+      return "the robot moves by the transform of frame \"" + tf_.name(frame) +
+             "\", and nothing is known of how fast";
+  }
+  return "";
+}
+
+bool BodyWays::isRigid(Frame child) const {
+  const auto link = rules_.linkOf(tf_.name(child));
+  const auto above = link ? rules_.jointAbove(*link) : std::nullopt;
+  return tf_.isStatic(child) || (above && rules_.rule(*above).joint->motion == Motion::kNone);
+}
+
+std::string BodyWays::addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints) {
+  const auto [entry, is_new] = bases_.try_emplace({root, stamp});
+  BaseMotion& motion = entry->second;
+  if (is_new) {
+    const EdgeSamples samples = pathSamples(tf_, scene_.target, root, stamp, window_);
+    motion.problem = samples.problem;
+    if (motion.problem.empty())
+      motion = baseMotion(samples.poses, window_, rules_.model().parameters);
+  }
+  if (motion.joint) joints.push_back({*motion.joint, {}, {}});
+  return motion.problem;
+}
+
+const BodyWays::EdgeMotion& BodyWays::motionOf(Frame child, std::int64_t stamp) {
+  const auto [entry, is_new] = motions_.try_emplace({child, stamp});
+  if (is_new) entry->second = findMotion(child, stamp);
+  return entry->second;
+}
+
+/// Of an edge that is no joint of the robot: a problem if it moves.
+BodyWays::EdgeMotion BodyWays::findMotion(Frame child, std::int64_t stamp) {
+  EdgeMotion result;
+  EdgeSample scratch;
+  const EdgeSample* const edge = tf_.at(child, stamp, scratch);
+  if (!edge || !toIsometry(edge->parent_from_child, result.parent_from_child)) {
+    result.problem = "frame \"" + tf_.name(child) +
+                     "\" has no transform at that time, or its quaternion is not of length 1; "
+                     "correct its publisher";
+    return result;
+  }
+  const std::optional<std::size_t> link = rules_.linkOf(tf_.name(child));
+  const std::optional<std::size_t> joint = link ? rules_.jointAbove(*link) : std::nullopt;
+  if (joint) {
+    addJoint(child, *joint, stamp, result);
+  } else if (!tf_.isStatic(child)) {
+    const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
+    result.problem = samples.problem;
+    if (isContact() || (samples.problem.empty() && !isStill(samples.poses)))
+      result.problem = "frame \"" + tf_.name(child) + "\" moves, and it is no link of the robot";
+  }
+  return result;
+}
+
+void BodyWays::addJoint(Frame child, std::size_t index, std::int64_t stamp, EdgeMotion& edge) {
+  const JointRule& rule = rules_.rule(index);
+  const Joint& joint = *rule.joint;
+  const std::string& parent = rules_.frameName(joint.parent);
+  if (tf_.name(tf_.parent(child)) != parent) {
+    edge.problem = "tf has frame \"" + tf_.name(child) + "\" below \"" +
+                   tf_.name(tf_.parent(child)) + "\", not below \"" + parent +
+                   "\" as the robot description";
+    return;
+  }
+  if (!hasValue(joint.motion) || joint.axis.isZero(0)) {
+    addFreeJoint(child, joint, stamp, edge);
+    return;
+  }
+  if (tf_.isStatic(child)) {
+    edge.problem = whyMisfit(joint, fitOf(joint, edge.parent_from_child));
+    return;
+  }
+  WayJoint moving{
+      {joint.motion == Motion::kRotation ? MovingJoint::Kind::kTurn : MovingJoint::Kind::kSlide,
+       Eigen::Vector3d::Zero(), joint.axis},
+      index,
+      {}};
+  if (isContact()) {
+    edge.problem = whyMisfit(joint, fitOf(joint, edge.parent_from_child));
+    if (edge.problem.empty()) edge.problem = rule.why_no_speed_limit;
+    moving.between = gapAt(*tf_.history(child), stamp);
+  }
+  if (!edge.problem.empty()) return;
+  moving.state = stateOf(child, rule, stamp, edge.parent_from_child);
+  moving.is_speed_known = moving.state.problem.empty();
+  if (isContact()) {
+    if (!moving.is_speed_known) moving.state.value = fitOf(joint, edge.parent_from_child).value;
+  } else {
+    edge.problem = moving.is_speed_known ? rule.why_no_stop : moving.state.problem;
+  }
+  if (edge.problem.empty()) edge.joint = moving;
+}
+
+/// A fixed, planar or floating joint, or one without an axis.
+void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge) {
+  if (tf_.isStatic(child)) return;
+  const bool is_base = joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating;
+  if (isContact()) {
+    if (is_base) edge.problem = rules_.rule(*rules_.jointAbove(joint.child)).why_no_speed_limit;
+    return;
+  }
+  const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
+  edge.problem = samples.problem;
+  if (!edge.problem.empty()) return;
+  if (!is_base) {
+    if (!isStill(samples.poses))
+      edge.problem = "joint \"" + joint.name + "\" moves, but it is fixed";
+    return;
+  }
+  const BaseMotion base = baseMotion(samples.poses, window_, rules_.model().parameters);
+  if (!base.problem.empty()) edge.problem = joint.name + ": " + base.problem;
+  if (base.joint) edge.joint = WayJoint{*base.joint, {}, {}};
+}
+
+/// A joint that /joint_states does not have, but the joint that it mimics, has that one's reports.
+JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t stamp,
+                             const Eigen::Isometry3d& pose) const {
+  if (states_) {
+    if (const auto own = states_->reports(rule.joint->name, stamp, window_))
+      return jointState(*rule.joint, pose, *own, stamp, window_);
+    if (auto of_leader = states_->reports(*rule.leader, stamp, window_)) {
+      for (JointReport& report : *of_leader) {
+        report.position = rule.lead.factor * report.position + rule.lead.offset;
+        if (report.velocity) *report.velocity *= rule.lead.factor;
+      }
+      return jointState(*rule.joint, pose, *of_leader, stamp, window_);
+    }
+  }
+  const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
+  if (samples.problem.empty()) return jointState(*rule.joint, samples, stamp, window_);
+  JointState unknown;
+  unknown.problem = samples.problem;
+  return unknown;
+}
+
+/// The fixed frame on a link that joints move: the root then moves against it, in a way that no
+/// parameter describes.
+std::string BodyWays::whyFixedFrameMoves() const {
+  for (const Frame frame : wayUp(tf_, scene_.target)) {
+    const auto link = rules_.linkOf(tf_.name(frame));
+    const auto above = link ? rules_.jointAbove(*link) : std::nullopt;
+    if (above && rules_.rule(*above).joint->motion != Motion::kNone) {
+      return "the fixed frame \"" + scene_.frameName() + "\" moves with joint \"" +
+             rules_.rule(*above).joint->name + "\"; choose a ~fixed_frame that no joint moves";
+    }
+  }
+  return "";
+}
+
+BoxRequest wayRequest(const Parameters& parameters) {
+  BoxRequest request;
+  request.span = windowOf(parameters);
+  return request;
+}
+
+WayBoxes wayBoxes(
+    PastScene& scene, BodyWays& ways,
+    const std::function<std::optional<Aabb>(const PastBody&, const BodyWay&)>& box_of) {
+  auto moment = std::make_shared<Moment>();
+  moment->model = scene.model;
+  moment->header.frame_id = scene.frameName();
+  WayBoxes result;
+  std::size_t incomplete = 0;
+  for (const PastBody& body : scene.bodies) {
+    BodyWay way;
+    std::optional<Aabb> box;
+    if (body.frame) way = ways.find(body);
+    if (way.is_placed) {
+      box = box_of(body, way);
+      if (!box) way.problem = "its box is too large for numbers";
+    }
+    if (body.frame && !way.has_pose) result.have_poses = false;
+    if (body.incomplete || !way.problem.empty()) {
+      const std::string& reason = way.problem.empty() ? body.reason : way.problem;
+      if (incomplete++ == 0) result.problem = body.bounded->name + ": " + reason;
+      moment->addIncomplete(body.bounded->name, body.link);
+    }
+    if (!box) continue;
+    moment->bodies.push_back({body.link, body.object, way.stamp, *box, way.pose});
+    const auto stamp = ros::Time().fromNSec(static_cast<std::uint64_t>(way.stamp));
+    moment->header.stamp = std::max(moment->header.stamp, stamp);
+    result.ways.push_back(std::move(way));
+  }
+  if (incomplete > 1)
+    result.problem += "; incomplete are " + std::to_string(incomplete - 1) + " more";
+  result.moment = std::move(moment);
+  return result;
+}
+
+}  // namespace link_bounds

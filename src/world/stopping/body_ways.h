@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which joints move a body, and how they move, from one copy of the scene.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/stopping/moving_link.h"
+#include "world/history/past_scene.h"
+#include "world/moment/moment.h"
+#include "world/stopping/base_motion.h"
+#include "world/stopping/joint_motion.h"
+#include "world/stopping/joint_states.h"
+#include "world/stopping/stop_rules.h"
+#include "world/tf/frame_tracker.h"
+
+namespace link_bounds {
+
+/// A joint, or a base, on the way from the root to a body.
+struct WayJoint {
+  MovingJoint place;                 ///< in the frame of the boxes; without offsets
+  std::optional<std::size_t> joint;  ///< its index in the robot; nothing: a base
+  JointState state;                  ///< of a joint
+  bool is_speed_known = false;
+  double between = 0;  ///< from the nearest transform to the stamp of the body [s]
+};
+
+/// How a body moves.
+struct BodyWay {
+  std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
+  bool has_pose = false;
+  bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands
+  Eigen::Affine3d pose = Eigen::Affine3d::Identity();
+  std::vector<WayJoint> joints;  ///< the one nearest to the root first
+  std::string problem;           ///< why not all is known
+};
+
+/// What is to be known of the way: whether all stands soon if it brakes, or what can touch what if
+/// nobody brakes. In the first case the base is on the way, and without a speed nothing is known.
+/// In the second one the way begins at the root, and what no joint moves must be unable to move.
+enum class WayPurpose { kStandstill, kContact };
+
+class BodyWays {
+ public:
+  /// `states` may be null. All must outlive this.
+  BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose, const JointStates* states);
+
+  BodyWay find(const PastBody& body);
+
+ private:
+  using Frame = TransformBuffer::Frame;
+
+  /// How an edge moves at a stamp.
+  struct EdgeMotion {
+    Eigen::Isometry3d parent_from_child = Eigen::Isometry3d::Identity();
+    std::optional<WayJoint> joint;  ///< in the frame of the child; of a base in that of the parent
+    std::string problem;
+  };
+
+  bool isContact() const { return purpose_ == WayPurpose::kContact; }
+  const FramePose& poseOf(Frame frame);
+  std::optional<Frame> moverOf(const PastBody& body) const;
+  bool climb(Frame frame, const FramePose& start, BodyWay& way);
+  std::string whyStrangerMoves(Frame frame, std::int64_t stamp);
+  std::string whyGroundMoves() const;
+  std::string whyRootMoves() const;
+  std::string whyFixedFrameMoves() const;
+  bool isRigid(Frame child) const;
+  std::string addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints);
+  const EdgeMotion& motionOf(Frame child, std::int64_t stamp);
+  EdgeMotion findMotion(Frame child, std::int64_t stamp);
+  void addJoint(Frame child, std::size_t joint, std::int64_t stamp, EdgeMotion& edge);
+  void addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge);
+  JointState stateOf(Frame child, const JointRule& rule, std::int64_t stamp,
+                     const Eigen::Isometry3d& pose) const;
+
+  PastScene& scene_;
+  TransformBuffer& tf_;
+  const StopRules& rules_;
+  const WayPurpose purpose_;
+  const JointStates* const states_;
+  const std::int64_t window_;
+  FrameTracker tracker_;
+  std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
+  std::map<std::pair<Frame, std::int64_t>, EdgeMotion> motions_;
+  std::map<std::pair<Frame, std::int64_t>, BaseMotion> bases_;
+  std::string fixed_problem_;                  ///< if the fixed frame moves with a joint
+  std::optional<std::string> ground_problem_;  ///< if what stands moves in the fixed frame
+};
+
+/// What a copy of the scene must have for ways.
+BoxRequest wayRequest(const Parameters& parameters);
+
+/// Boxes of all bodies of a scene, in the order of ~boxes, with the stamps of those.
+struct WayBoxes {
+  std::shared_ptr<const Moment> moment;
+  std::vector<BodyWay> ways;  ///< of the bodies of the moment
+  std::string problem;        ///< why the first incomplete body is that, and how many more are
+  bool have_poses = true;     ///< all bodies that have a frame
+};
+
+/// `box_of` makes the box of a body that is placed; nothing: its numbers are too large.
+WayBoxes wayBoxes(
+    PastScene& scene, BodyWays& ways,
+    const std::function<std::optional<Aabb>(const PastBody&, const BodyWay&)>& box_of);
+
+}  // namespace link_bounds

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reach never falls with time, so bisection finds when it is large enough.
+#include "world/stopping/contact_reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+constexpr double kRounding = 1e-9;          // of a reach, much more than its arithmetic needs
+constexpr std::int64_t kResolution = 1000;  // ns, of times
+constexpr double kSecond = 1e9;             // ns
+
+double leverOf(const MovingJoint& joint, const Aabb& box) {
+  if (joint.kind == MovingJoint::Kind::kSlide) return 0;
+  double lever = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d point((corner & 1) != 0 ? box.max().x() : box.min().x(),
+                                (corner & 2) != 0 ? box.max().y() : box.min().y(),
+                                (corner & 4) != 0 ? box.max().z() : box.min().z());
+    lever = std::max(lever, (point - joint.origin).cross(joint.axis).norm());
+  }
+  return lever;
+}
+
+}  // namespace
+
+/// Without a speed it may have its limit at once. Between two transforms a joint may have left the
+/// line between their values by what it can move there and back.
+ContactReach::ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules)
+    : stamp_(way.stamp) {
+  for (const WayJoint& joint : way.joints) {
+    const JointRule& rule = rules.rule(*joint.joint);
+    Step step{&rule, *joint.joint, joint.state, {}, rule.braking, 0, leverOf(joint.place, box)};
+    if (joint.is_speed_known && rule.braking.acceleration)
+      step.speed = speedAtStamp(joint.state, rule.braking.acceleration);
+    else
+      step.drive.acceleration.reset();
+    step.uncertainty = 2 * *rule.braking.max_speed * joint.between;
+    steps_.push_back(step);
+  }
+}
+
+double ContactReach::offsetOf(const Step& step, double time) const {
+  Limits offsets = travelOffsets(step.speed, step.drive, time);
+  offsets.lower -= step.uncertainty;
+  offsets.upper += step.uncertainty;
+  offsets = withinLimits(offsets, *step.rule, step.state);
+  return std::max(-offsets.lower, offsets.upper);
+}
+
+double ContactReach::until(std::int64_t time, std::size_t first) const {
+  const double seconds = static_cast<double>(std::max<std::int64_t>(time - stamp_, 0)) / kSecond;
+  double path = 0;
+  for (std::size_t i = steps_.size(); i-- > first;) {
+    const Step& step = steps_[i];
+    const double offset = offsetOf(step, seconds);
+    path += step.rule->joint->motion == Motion::kTranslation
+                ? offset
+                : 2 * std::sin(std::min(offset, M_PI) / 2) * (step.lever + path);
+  }
+  return path * (1 + kRounding);
+}
+
+std::size_t sharedJoints(const ContactReach& a, const ContactReach& b) {
+  if (a.stamp_ != b.stamp_) return 0;
+  std::size_t count = 0;
+  while (count < std::min(a.steps_.size(), b.steps_.size()) &&
+         a.steps_[count].joint == b.steps_[count].joint)
+    ++count;
+  return count;
+}
+
+std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
+                                            double distance, std::int64_t end) {
+  const std::size_t shared = sharedJoints(a, b);
+  const auto can_touch = [&](std::int64_t time) {
+    return a.until(time, shared) + b.until(time, shared) >= distance;
+  };
+  const bool a_moves = a.steps_.size() > shared;
+  const bool b_moves = b.steps_.size() > shared;
+  if (!(a_moves || b_moves) || !can_touch(end)) return std::nullopt;
+  std::int64_t before = std::min(a_moves ? a.stamp_ : end, b_moves ? b.stamp_ : end);
+  std::int64_t after = end;
+  while (after - before > kResolution) {
+    const std::int64_t middle = before + (after - before) / 2;
+    (can_touch(middle) ? after : before) = middle;
+  }
+  return before;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pairs within distance_limit have their measured distance. All others are farther apart, and no
+// nearer than their boxes: of these, only the ones count that can touch before all pairs so far.
+#include "world/stopping/contact_times.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "world/stopping/contact_reach.h"
+
+namespace link_bounds {
+namespace {
+
+/// No time is later than this after the header's stamp: nobody waits for it [ns].
+constexpr std::int64_t kHorizon = 10'000'000'000;
+
+ros::Time toTime(std::int64_t nanoseconds) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(nanoseconds, 0)));
+}
+
+class Contacts {
+ public:
+  Contacts(const WayBoxes& boxes, const StopRules& rules, std::int64_t end)
+      : moment_(*boxes.moment), end_(end), first_(end) {
+    for (std::size_t i = 0; i < boxes.ways.size(); ++i) {
+      reaches_.emplace_back(boxes.ways[i], moment_.bodies[i].box, rules);
+      bodies_.emplace(moment_.name(moment_.bodies[i]), i);
+    }
+  }
+
+  /// A pair of ~distances.
+  void add(const Distance& distance) {
+    const std::size_t a = bodies_.at(distance.first);
+    const std::size_t b = bodies_.at(distance.second);
+    measured_.insert({a, b});
+    const auto time = earliestContact(reaches_[a], reaches_[b], distance.distance, end_);
+    if (!time) return;
+    found_.push_back({a, b, distance.distance, *time});
+    first_ = std::min(first_, *time);
+  }
+
+  void setLimit(const DistanceArray& distances) {
+    limit_ = distances.limit;
+    complete_.assign(reaches_.size(), false);
+    for (const std::string& name : distances.complete)
+      complete_[bodies_.at(name)] = true;
+  }
+
+  /// Bodies farther apart cannot touch before what was found so far [m].
+  double margin() const {
+    double largest = 0;
+    for (const ContactReach& reach : reaches_)
+      largest = std::max(largest, reach.until(first_));
+    return 2 * largest;
+  }
+
+  bool needsOthers() const {
+    return margin() > limit_ || std::count(complete_.begin(), complete_.end(), false) > 0;
+  }
+
+  /// Pairs by their boxes.
+  void addOthers(std::vector<BoxPair> pairs) {
+    std::sort(pairs.begin(), pairs.end(), [](const BoxPair& a, const BoxPair& b) {
+      return std::tie(a.distance, a.first, a.second) < std::tie(b.distance, b.first, b.second);
+    });
+    std::optional<Found> earliest;
+    for (const BoxPair& pair : pairs) {
+      if (measured_.count({pair.first, pair.second})) continue;
+      const bool is_far = complete_[pair.first] && complete_[pair.second];
+      const double distance = std::max(pair.distance, is_far ? limit_ : 0);
+      const auto time =
+          earliestContact(reaches_[pair.first], reaches_[pair.second], distance, first_);
+      if (!time || (*time >= first_ && earliest)) continue;
+      earliest = {pair.first, pair.second, distance, *time};
+      first_ = *time;
+    }
+    if (earliest) found_.push_back(*earliest);
+  }
+
+  /// The earliest ones first.
+  void write(EarliestContactArray& array) {
+    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return std::tie(a.time, a.first, a.second) < std::tie(b.time, b.first, b.second);
+    });
+    for (const Found& found : found_) {
+      EarliestContact& contact = array.contacts.emplace_back();
+      contact.first = moment_.name(moment_.bodies[found.first]);
+      contact.second = moment_.name(moment_.bodies[found.second]);
+      contact.earliest = toTime(found.time);
+      contact.distance = found.distance;
+    }
+    array.valid_until = toTime(first_);
+  }
+
+ private:
+  struct Found {
+    std::size_t first;
+    std::size_t second;
+    double distance;
+    std::int64_t time;
+  };
+
+  const Moment& moment_;
+  const std::int64_t end_;
+  std::int64_t first_;  ///< the earliest time so far
+  std::vector<ContactReach> reaches_;
+  std::unordered_map<std::string, std::size_t> bodies_;
+  std::set<std::pair<std::size_t, std::size_t>> measured_;
+  std::vector<Found> found_;
+  std::vector<bool> complete_;
+  double limit_ = 0;
+};
+
+}  // namespace
+
+std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const StopRules& rules,
+                                                      const JointStates* states,
+                                                      TriangleTrees::Time now,
+                                                      const std::function<bool()>& is_cancelled) {
+  BodyWays ways(scene, rules, WayPurpose::kContact, states);
+  const WayBoxes boxes = wayBoxes(scene, ways, [](const PastBody& body, const BodyWay& way) {
+    return linkBox(*body.bounded, way.pose);
+  });
+  const auto computed = distances_.compute(boxes.moment, pairs_, now, is_cancelled);
+  if (!computed) return std::nullopt;
+  const ros::Time stamp = boxes.moment->header.stamp;
+  const ros::Time start = stamp.isZero() ? scene.now : stamp;
+  Contacts contacts(boxes, rules, static_cast<std::int64_t>(start.toNSec()) + kHorizon);
+  contacts.setLimit(computed->array);
+  for (const Distance& distance : computed->array.distances)
+    contacts.add(distance);
+  if (contacts.needsOthers()) {
+    std::vector<BoxPair> others;
+    const auto read = [&others](const NearPairs& near) { others = near.compared; };
+    if (!pairs_.read(boxes.moment, contacts.margin(), read, is_cancelled)) return std::nullopt;
+    contacts.addOthers(std::move(others));
+  }
+  ComputedContacts result;
+  result.array.header = boxes.moment->header;
+  result.array.incomplete = computed->array.incomplete;
+  contacts.write(result.array);
+  if (!boxes.have_poses) result.array.valid_until = ros::Time();
+  result.problem = boxes.problem;
+  return result;
+}
+
+void ContactTimes::forget() {
+  distances_ = SceneDistances(requests_);
+  pairs_.freeMemory();
+}
+
+}  // namespace link_bounds

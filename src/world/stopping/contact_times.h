@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The earliest times at which bodies can touch, whatever the controllers do.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "link_bounds/EarliestContactArray.h"
+#include "world/moment/scene_distances.h"
+#include "world/stopping/body_ways.h"
+
+namespace link_bounds {
+
+struct ComputedContacts {
+  EarliestContactArray array;
+  std::string problem;  ///< why the first incomplete body is that, and how many more are
+};
+
+/// Not thread-safe; belongs to one thread.
+class ContactTimes {
+ public:
+  explicit ContactTimes(TreeRequests requests)
+      : requests_(std::move(requests)), distances_(requests_) {}
+
+  /// Of a copy that wayRequest() asked for. The rules are those of its model; `states` may be null.
+  /// Nothing if `is_cancelled`, which is asked now and then, said so.
+  std::optional<ComputedContacts> compute(PastScene& scene, const StopRules& rules,
+                                          const JointStates* states, TriangleTrees::Time now,
+                                          const std::function<bool()>& is_cancelled);
+
+  TriangleTrees& trees() { return distances_.trees(); }
+
+  /// Frees what is kept between two calls, trees among it.
+  void forget();
+
+ private:
+  TreeRequests requests_;
+  SceneDistances distances_;
+  MomentPairs pairs_;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What /joint_states says of joints.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace link_bounds {
+
+/// The value of a joint at a time [ns].
+struct JointReport {
+  std::int64_t stamp;
+  double position;                 ///< [rad or m]
+  std::optional<double> velocity;  ///< [rad/s or m/s], if it was sent
+};
+
+/// Messages may come in any order.
+class JointStates {
+ public:
+  /// What is not finite and what has no stamp is ignored. A stamp of long before the newest one
+  /// means that time jumped back: then all else is forgotten.
+  void add(const std::string& joint, const JointReport& report);
+
+  void clear();
+
+  /// The reports of a joint that tell how it moves at `stamp`: those of `window` before it [ns],
+  /// and the next one after it, in order. Nothing for a joint that was never reported.
+  std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
+                                                  std::int64_t window) const;
+
+ private:
+  std::map<std::string, std::map<std::int64_t, JointReport>> joints_;  ///< by name and stamp
+  std::int64_t newest_ = std::numeric_limits<std::int64_t>::min();
+};
+
+}  // namespace link_bounds

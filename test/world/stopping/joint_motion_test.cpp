@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The values and speeds of joints, from tf and from /joint_states.
+#include "world/stopping/joint_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "testing/brute_force.h"
+#include "testing/moving_robot.h"
+
+namespace link_bounds {
+namespace {
+
+using brute_force::Random;
+
+constexpr std::int64_t kPeriod = 10'000'000;  // ns
+constexpr std::int64_t kWindow = 50'000'000;  // ns
+constexpr std::int64_t kEnd = 1'000'000'000;  // ns, the newest stamp
+
+double secondsUntilEnd(std::int64_t stamp) {
+  return static_cast<double>(kEnd - stamp) / 1e9;
+}
+
+Joint randomJoint(Motion motion, Random& random) {
+  Joint joint;
+  joint.name = "joint";
+  joint.motion = motion;
+  joint.parent_from_joint = Eigen::Isometry3d(random.rigid(1).matrix());
+  joint.axis = random.vector(1).normalized();
+  return joint;
+}
+
+/// At a constant speed until kEnd, where it has `value`.
+EdgeSamples samplesOf(const Joint& joint, double value, double speed) {
+  EdgeSamples samples;
+  for (std::int64_t stamp = kEnd - kWindow; stamp <= kEnd; stamp += kPeriod) {
+    const double then = value - speed * secondsUntilEnd(stamp);
+    samples.poses.push_back({stamp, joint.parent_from_joint * jointMotion(joint, then)});
+  }
+  return samples;
+}
+
+/// Axes of all directions, so of all signs; turning joints also past half a turn.
+TEST(JointState, HasValueAndSpeedOfEachType) {
+  Random random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const bool turns = i % 2 == 0;
+    const Joint joint = randomJoint(turns ? Motion::kRotation : Motion::kTranslation, random);
+    const double value = random.uniform(-7, 7);
+    const double speed = random.uniform(-100, 100);
+    const JointState state = jointState(joint, samplesOf(joint, value, speed), kEnd, kWindow);
+    ASSERT_EQ(state.problem, "");
+    const double error = state.value - value;
+    EXPECT_NEAR(turns ? withoutTurns(error) : error, 0, 1e-9);
+    EXPECT_LE(state.speed.lower, speed);
+    EXPECT_GE(state.speed.upper, speed);
+    EXPECT_NEAR(state.speed.upper - state.speed.lower, 0, 1e-4);
+  }
+}
+
+/// In which direction it turned by half a turn is not known, so it is not guessed.
+TEST(JointState, HalfATurnBetweenTransformsIsAProblem) {
+  Random random(3);
+  for (const double turn : {0.49, 0.51, 0.99, 1.01, 1.49}) {
+    const Joint joint = randomJoint(Motion::kRotation, random);
+    const double speed = turn * M_PI / (static_cast<double>(kPeriod) / 1e9);
+    const JointState state = jointState(joint, samplesOf(joint, 0, speed), kEnd, kWindow);
+    EXPECT_EQ(state.problem.empty(), turn < 0.5) << turn;
+  }
+}
+
+using Reports = std::vector<JointReport>;
+
+Reports reportsOf(double value, double speed, bool have_velocities) {
+  Reports reports;
+  for (std::int64_t stamp = kEnd - kWindow; stamp <= kEnd; stamp += kPeriod) {
+    JointReport report{stamp, value - speed * secondsUntilEnd(stamp), {}};
+    if (have_velocities) report.velocity = speed;
+    reports.push_back(report);
+  }
+  return reports;
+}
+
+TEST(JointState, OfReportsKnowsTurns) {
+  Random random(4);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 9.0);
+  for (const bool have_velocities : {false, true}) {
+    const JointState state =
+        jointState(joint, pose, reportsOf(9.0, 1.5, have_velocities), kEnd, kWindow);
+    EXPECT_EQ(state.problem, "");
+    EXPECT_NEAR(state.value, 9.0, 1e-12);
+    EXPECT_TRUE(state.are_turns_known);
+    EXPECT_NEAR(state.speed.lower, 1.5, 1e-5);
+    EXPECT_NEAR(state.speed.upper, 1.5, 1e-5);
+  }
+}
+
+TEST(JointState, OfReportsMustAgreeWithTf) {
+  Random random(5);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  for (const double error : {0.0009, 0.0011}) {
+    const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 0.5 + error);
+    const JointState state = jointState(joint, pose, reportsOf(0.5, 0, true), kEnd, kWindow);
+    EXPECT_EQ(state.problem.find("tf and /joint_states differ") == 0, error > 1e-3)
+        << state.problem;
+  }
+}
+
+TEST(JointState, OfOldReportsIsAProblem) {
+  Random random(6);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint;
+  for (const Reports& reports : {Reports{}, Reports{{kEnd - 2 * kWindow, 0, 0.0}}}) {
+    const JointState state = jointState(joint, pose, reports, kEnd, kWindow);
+    EXPECT_EQ(state.problem.find("/joint_states has joint \"joint\" too rarely"), 0u);
+  }
+}
+
+TEST(JointStates, KeepsHistoryInAnyOrderUntilTimeJumpsBack) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  JointStates states;
+  EXPECT_FALSE(states.reports("a", kEnd, kWindow));
+  for (const std::int64_t stamp : {50 * kSecond, 50 * kSecond - kPeriod, 50 * kSecond + kPeriod})
+    states.add("a", {stamp, 1, 2.0});
+  states.add("a", {0, 1, 2.0});  // without a stamp, as the next one without a position
+  states.add("a", {50 * kSecond + 1, std::numeric_limits<double>::quiet_NaN(), 2.0});
+  const auto reports = states.reports("a", 50 * kSecond, kWindow);
+  ASSERT_TRUE(reports);
+  ASSERT_EQ(reports->size(), 2u);
+  EXPECT_EQ(reports->front().stamp, 50 * kSecond - kPeriod);
+  states.add("a", {3 * kSecond, 1, std::numeric_limits<double>::infinity()});
+  EXPECT_TRUE(states.reports("a", 50 * kSecond, kWindow)->empty());
+  ASSERT_EQ(states.reports("a", 3 * kSecond, kWindow)->size(), 1u);
+  EXPECT_FALSE(states.reports("a", 3 * kSecond, kWindow)->front().velocity);
+}
+
+/// A gripper whose right finger goes the other way, twice as far.
+constexpr char kGripper[] = R"(<robot name="gripper">
+  <link name="palm"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+  <link name="left"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+  <link name="right"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+  <joint name="finger" type="prismatic"><parent link="palm"/><child link="left"/>
+    <axis xyz="0 1 0"/><limit lower="-5" upper="5" effort="1" velocity="2"/></joint>
+  <joint name="other" type="prismatic"><parent link="palm"/><child link="right"/>
+    <axis xyz="0 1 0"/><limit lower="-5" upper="5" effort="1" velocity="2"/>
+    <mimic joint="finger" multiplier="-2" offset="0.3"/></joint>
+</robot>)";
+
+Parameters gripperParameters() {
+  Parameters parameters;
+  parameters.fixed_frame = "palm";
+  parameters.deceleration = {{"finger", 2}};
+  return parameters;
+}
+
+constexpr double kSpeed = 0.5;                                       // of the finger
+constexpr double kWay = kSpeed * 0.1 + kSpeed * kSpeed / (2 * 2.0);  // until it stands
+constexpr double kOtherWay = 2 * kWay;  // twice the speed, twice the deceleration
+
+void expectFingers(const WayBoxes& found) {
+  ASSERT_EQ(found.problem, "");
+  ASSERT_EQ(found.moment->bodies.size(), 3u);
+  EXPECT_NEAR(found.moment->bodies[1].box.max().y(), 1 + 0.05 + kWay, 1e-6);
+  EXPECT_NEAR(found.moment->bodies[1].box.min().y(), 1 - 0.05, 1e-6);
+  EXPECT_NEAR(found.moment->bodies[2].box.min().y(), -1.7 - 0.05 - kOtherWay, 1e-6);
+  EXPECT_NEAR(found.moment->bodies[2].box.max().y(), -1.7 + 0.05, 1e-6);
+}
+
+TEST(JointMotion, AMimicJointGoesByItsMultiplier) {
+  MovingRobot robot(kGripper, gripperParameters());
+  robot.move(robot.values({{"finger", 1.0}}), {kSpeed, -2 * kSpeed});
+  expectFingers(robot.stopping());
+}
+
+/// The reports have the leader only, and come more often than tf.
+TEST(JointMotion, AMimicJointHasTheReportsOfItsLeader) {
+  MovingRobot robot(kGripper, gripperParameters());
+  robot.send(MovingRobot::kStamp - 1, robot.values({{"finger", 1.0 - kSpeed}}));
+  robot.send(MovingRobot::kStamp, robot.values({{"finger", 1.0}}));
+  EXPECT_NE(robot.stopping().problem, "");  // tf alone is too slow
+  JointStates states;
+  for (int i = 5; i >= 0; --i) {
+    const double stamp = MovingRobot::kStamp - i * 0.01;
+    states.add("finger", {static_cast<std::int64_t>(ros::Time(stamp).toNSec()),
+                          1.0 - kSpeed * i * 0.01, kSpeed});
+  }
+  expectFingers(robot.stopping(&states));
+}
+
+/// While a clock is paused, the same stamps come again; a bag that is played again begins anew.
+TEST(JointMotion, PausedAndRestartedClocks) {
+  MovingRobot robot(kGripper, gripperParameters());
+  const auto end = robot.values({{"finger", 1.0}});
+  robot.move(end, {kSpeed, -2 * kSpeed});
+  for (int i = 0; i < 3; ++i)
+    robot.send(MovingRobot::kStamp, end);
+  expectFingers(robot.stopping());
+  robot.tf().clear();
+  robot.scene().frames.updateAll(ros::Time(1.0));
+  robot.send(1.0, end);
+  EXPECT_NE(robot.stopping().problem.find("do not reach back for ~velocity_window yet"),
+            std::string::npos);
+  EXPECT_EQ(robot.stopping().moment->incomplete, (std::vector<std::string>{"left", "right"}));
+}
+
+}  // namespace
+}  // namespace link_bounds
