@@ -28,7 +28,8 @@ packages_of() {
         ros-environment rosbash rospack-tools tf2-tools python3-rosbag python3-rosmsg python3-rosnode \
         python3-rosparam python3-rosservice python3-rostopic ;;
     demo)  # what only the demos need, and the tests
-      echo ros-robot-state-publisher libsensor-msgs-dev python3-sensor-msgs ros-sensor-msgs ;;
+      echo ros-robot-state-publisher libsensor-msgs-dev python3-sensor-msgs python3-tf2-ros \
+        ros-sensor-msgs ;;
     test)
       echo iproute2 libgtest-dev librostest-dev python3-rosgraph-msgs python3-roslib \
         python3-rosmaster python3-rosunit python3-tf2-ros \

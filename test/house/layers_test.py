@@ -23,7 +23,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
          'tools/bag_bounds/bag', 'tools/bag_bounds', 'tools/cloud_filter', 'python',
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
-         'bench/pipeline', 'bench/node', 'bench/tools']
+         'bench/cloud', 'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Former places of headers, folders of test that are no rooms, and folders of tests that look at the
 # node as a whole.

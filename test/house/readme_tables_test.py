@@ -105,9 +105,10 @@ class ReadmeTablesTest(unittest.TestCase):
     def test_parameters(self):
         self.check(text_of('README.md'), 'Parameters', ['name', 'type', 'default', 'meaning'])
 
-    def test_topics_and_parameters_of_cloud_filter(self):
+    def test_interface_of_cloud_filter(self):
         text, program = text_of('doc/clouds.md'), PROGRAMS / 'cloud_filter'
         self.check(text, 'Topics', ['topic', 'type', 'when'], program)
+        self.check(text, 'Services', ['service', 'type', 'what'], program)
         self.check(text, 'Parameters', ['name', 'type', 'default', 'meaning'], program)
 
     def test_example_config(self):

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks of cells are halved until one class holds for all points of a block.
+// Blocks of cells are halved until one class holds for all points of a block; then regions of cells
+// that no surface divides are found to be inside or outside.
 #include "geometry/cloud/body_grid.h"
 
 #include <algorithm>
@@ -23,6 +24,9 @@ constexpr double kMinCellsPerEdge = 16;
 /// A point near the border of two cells may be looked up in either one, because rounding decides:
 /// every block is larger by this part.
 constexpr double kBlockPad = 1e-6;
+
+/// Cells of a region whose rays may pass too close to an edge.
+constexpr std::size_t kMaxTries = 16;
 
 }  // namespace
 
@@ -62,12 +66,13 @@ void BodyGrid::layOut(std::size_t max_bytes) {
 
 void BodyGrid::build(const CheckInterrupt& check_interrupt) {
   std::vector<Block> open{{{{0, 0, 0}}, counts_}};
+  BodySurface::Hint hint;
   std::size_t done = 0;
   while (!open.empty()) {
     if (check_interrupt && ++done % 1024 == 0) check_interrupt();
     const Block block = open.back();
     open.pop_back();
-    if (const auto cell = classOf(block)) {
+    if (const auto cell = classOf(block, hint)) {
       fill(block, *cell);
       continue;
     }
@@ -80,11 +85,12 @@ void BodyGrid::build(const CheckInterrupt& check_interrupt) {
     open.push_back(left);
     open.push_back(right);
   }
+  if (surface_.hasInside()) findSides(check_interrupt);
 }
 
 /// Nothing if the block must be divided. A ball holds the block. If no point of the surface is in
 /// the ball, all points of the block are on one side of it.
-std::optional<BodyGrid::Cell> BodyGrid::classOf(const Block& block) const {
+std::optional<BodyGrid::Cell> BodyGrid::classOf(const Block& block, BodySurface::Hint& hint) const {
   Eigen::Vector3d center, half;
   bool is_single = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -96,34 +102,85 @@ std::optional<BodyGrid::Cell> BodyGrid::classOf(const Block& block) const {
   }
   const double radius = half.norm() * (1 + kBlockPad) + 1e-12 * center.cwiseAbs().maxCoeff();
   const double clear = padding_ + max_slack_ + radius;
-  const double near = padding_ - radius;
-  const PointDistance found = surface_.distance(center, clear * (1 + kBlockPad) + 1e-9, near);
-  if (found.upper <= near) return Cell::kBody;
-  const bool is_on_one_side = found.lower > radius;
-  if (found.lower > clear) return surface_.contains(center) ? Cell::kBody : Cell::kClear;
+  // A block is divided as soon as one point of the surface is near.
+  const double near = is_single ? padding_ - radius : clear;
+  const PointDistance found =
+      surface_.distance(center, clear * (1 + kBlockPad) + 1e-9, near, &hint);
+  if (found.lower > clear) return Cell::kClear;
   if (!is_single) return std::nullopt;
-  if (!is_on_one_side && surface_.hasInside()) return Cell::kByDistanceAndSide;
-  return is_on_one_side && surface_.contains(center) ? Cell::kBody : Cell::kByDistance;
+  if (found.upper <= near) return Cell::kBody;
+  const bool is_on_one_side = found.lower > radius || !surface_.hasInside();
+  return is_on_one_side ? Cell::kByDistance : Cell::kByDistanceAndSide;
 }
 
 void BodyGrid::fill(const Block& block, Cell cell) {
   for (std::size_t z = block.begin[2]; z < block.end[2]; ++z) {
     for (std::size_t y = block.begin[1]; y < block.end[1]; ++y) {
       for (std::size_t x = block.begin[0]; x < block.end[0]; ++x) {
-        const std::size_t index = (z * counts_[1] + y) * counts_[0] + x;
-        cells_[index / kCellsPerByte] = static_cast<std::uint8_t>(
-            cells_[index / kCellsPerByte] | static_cast<unsigned>(cell) << (index % 4 * 2));
+        set(indexOf(x, y, z), cell);
         undecided_ += cell >= Cell::kByDistance;
       }
     }
   }
 }
 
+/// No surface crosses a cell of the first and third class, so neighbours among them are on one
+/// side: one ray per region decides.
+void BodyGrid::findSides(const CheckInterrupt& check_interrupt) {
+  std::vector<bool> is_seen(cells(), false);
+  for (std::size_t i = 0; i < cells(); ++i) {
+    if (check_interrupt && i % 1024 == 0) check_interrupt();
+    if (is_seen[i] || !isOnOneSide(at(i))) continue;
+    const std::vector<std::size_t> region = regionAt(i, is_seen);
+    if (!isInside(region)) continue;
+    for (const std::size_t index : region) {
+      undecided_ -= at(index) == Cell::kByDistance;
+      set(index, Cell::kBody);
+    }
+  }
+}
+
+/// All cells that are on one side with this one, which is the first.
+std::vector<std::size_t> BodyGrid::regionAt(std::size_t index, std::vector<bool>& is_seen) const {
+  std::vector<std::size_t> region{index};
+  is_seen[index] = true;
+  const std::array<std::size_t, 3> steps{1, counts_[0], counts_[0] * counts_[1]};
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const std::size_t cell = region[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t place = cell / steps[k] % counts_[k];
+      const auto visit = [&](std::size_t next) {
+        if (is_seen[next] || !isOnOneSide(at(next))) return;
+        is_seen[next] = true;
+        region.push_back(next);
+      };
+      if (place > 0) visit(cell - steps[k]);
+      if (place + 1 < counts_[k]) visit(cell + steps[k]);
+    }
+  }
+  return region;
+}
+
+/// What no ray of several cells decides counts as inside.
+bool BodyGrid::isInside(const std::vector<std::size_t>& region) const {
+  for (std::size_t i = 0; i < std::min(region.size(), kMaxTries); ++i) {
+    if (const auto is_inside = surface_.contains(centerOf(region[i]))) return *is_inside;
+  }
+  return true;
+}
+
+Eigen::Vector3d BodyGrid::centerOf(std::size_t index) const {
+  const Eigen::Vector3d place(static_cast<double>(index % counts_[0]),
+                              static_cast<double>(index / counts_[0] % counts_[1]),
+                              static_cast<double>(index / (counts_[0] * counts_[1])));
+  return origin_ + (place.array() + 0.5).matrix() * cell_;
+}
+
 bool BodyGrid::decide(const Eigen::Vector3d& point, double slack, Cell cell) const {
   const double reach = padding_ + slack;
   const PointDistance found = surface_.distance(point, reach * (1 + 1e-9) + 1e-9, reach);
   if (found.lower <= reach) return true;
-  return cell == Cell::kByDistanceAndSide && surface_.contains(point);
+  return cell == Cell::kByDistanceAndSide && surface_.contains(point).value_or(true);
 }
 
 }  // namespace link_bounds

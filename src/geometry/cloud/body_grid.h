@@ -37,7 +37,7 @@ class BodyGrid {
     if (!(place.x() < end_.x() && place.y() < end_.y() && place.z() < end_.z())) return false;
     const auto x = static_cast<std::size_t>(place.x()), y = static_cast<std::size_t>(place.y()),
                z = static_cast<std::size_t>(place.z());
-    const Cell cell = at((z * counts_[1] + y) * counts_[0] + x);
+    const Cell cell = at(indexOf(x, y, z));
     if (cell == Cell::kClear) return false;
     return cell == Cell::kBody || decide(point, slack, cell);
   }
@@ -56,24 +56,37 @@ class BodyGrid {
 
  private:
   enum class Cell : std::uint8_t {
-    kClear,
+    kClear,  ///< until findSides(): or inside, far from the surface
     kBody,
-    kByDistance,         ///< points beyond the padding are outside
-    kByDistanceAndSide,  ///< they may also be inside
+    kByDistance,  ///< points beyond the padding are outside; until findSides(): or all inside
+    kByDistanceAndSide,  ///< the surface crosses the cell: they may also be inside
   };
   /// Cells from `begin` to before `end`.
   struct Block {
     std::array<std::size_t, 3> begin, end;
   };
 
+  static bool isOnOneSide(Cell cell) { return cell == Cell::kClear || cell == Cell::kByDistance; }
   Cell at(std::size_t index) const {
     return static_cast<Cell>(cells_[index / 4] >> (index % 4 * 2) & 3);
   }
   bool decide(const Eigen::Vector3d& point, double slack, Cell cell) const;
   void layOut(std::size_t max_bytes);
   void build(const CheckInterrupt& check_interrupt);
-  std::optional<Cell> classOf(const Block& block) const;
+  std::optional<Cell> classOf(const Block& block, BodySurface::Hint& hint) const;
   void fill(const Block& block, Cell cell);
+  void findSides(const CheckInterrupt& check_interrupt);
+  std::vector<std::size_t> regionAt(std::size_t index, std::vector<bool>& is_seen) const;
+  bool isInside(const std::vector<std::size_t>& region) const;
+  Eigen::Vector3d centerOf(std::size_t index) const;
+  std::size_t indexOf(std::size_t x, std::size_t y, std::size_t z) const {
+    return (z * counts_[1] + y) * counts_[0] + x;
+  }
+  void set(std::size_t index, Cell cell) {
+    const std::size_t shift = index % 4 * 2;
+    cells_[index / 4] = static_cast<std::uint8_t>((cells_[index / 4] & ~(3u << shift)) |
+                                                  static_cast<unsigned>(cell) << shift);
+  }
 
   BodySurface surface_;
   double padding_;

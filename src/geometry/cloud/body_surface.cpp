@@ -19,6 +19,10 @@ constexpr double kRounding = 1e-14;
 
 constexpr double kSolidAccuracy = 5e-7;  // m
 
+/// The shortest step through a solid, and the max number of steps.
+constexpr double kSolidStep = 5e-4;  // m
+constexpr int kMaxSolidSteps = 10000;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A lower bound of the distance of the point from the box: how far the plane across the way to the
@@ -75,8 +79,9 @@ Eigen::Vector3d nearestOnTriangle(const Triangle& t, const Eigen::Vector3d& poin
 }
 
 /// The plane through the nearest point, across the way to it, has the triangle behind it.
-PointDistance distanceOf(const Triangle& triangle, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d way = point - nearestOnTriangle(triangle, point);
+PointDistance distanceOf(const Triangle& triangle, const Eigen::Vector3d& point,
+                         const Eigen::Vector3d& nearest) {
+  const Eigen::Vector3d way = point - nearest;
   const double length = way.norm();
   if (!(length > 0)) return {0, 0};
   double gap = kInfinity;
@@ -91,6 +96,20 @@ class PointSearch {
   PointSearch(const TriangleTree& tree, const Eigen::Vector3d& point, double near,
               PointDistance& best)
       : tree_(tree), point_(point), near_(near), best_(best) {}
+
+  /// False once `upper` is at most `near`.
+  bool look(std::uint32_t triangle) {
+    const Triangle corners = tree_.corners(triangle);
+    const Eigen::Vector3d place = nearestOnTriangle(corners, point_);
+    const PointDistance found = distanceOf(corners, point_, place);
+    if (found.upper < best_.upper) {
+      nearest_ = triangle;
+      place_ = place;
+    }
+    best_.lower = std::min(best_.lower, found.lower);
+    best_.upper = std::min(best_.upper, found.upper);
+    return !(best_.upper <= near_);
+  }
 
   /// False once `upper` is at most `near`.
   bool visit(std::uint32_t index) {
@@ -109,21 +128,43 @@ class PointSearch {
     return true;
   }
 
+  /// The nearest triangle that look() saw, if one is nearer than the bound it began with.
+  std::uint32_t nearest() const { return nearest_; }
+  const Eigen::Vector3d& place() const { return place_; }
+
  private:
   bool visitLeaf(const TreeNode& node) {
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const PointDistance found = distanceOf(tree_.corners(i), point_);
-      best_.lower = std::min(best_.lower, found.lower);
-      best_.upper = std::min(best_.upper, found.upper);
+      if (!look(i)) return false;
     }
-    return !(best_.upper <= near_);
+    return true;
   }
 
   const TriangleTree& tree_;
   const Eigen::Vector3d& point_;
   double near_;
   PointDistance& best_;
+  std::uint32_t nearest_ = 0;
+  Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
 };
+
+std::optional<BodyDistance> solidDistance(const Body& solids, const Eigen::Vector3d& point,
+                                          double limit = kInfinity) {
+  static const Body kPoint{{BodyShape()}};
+  const Eigen::Affine3d at(Eigen::Translation3d{point});
+  return bodyDistance(solids, Eigen::Affine3d::Identity(), kPoint, at, {kSolidAccuracy, limit});
+}
+
+std::shared_ptr<const TriangleTree> placedTree(const TriangleTree& tree,
+                                               const Eigen::Affine3d& pose,
+                                               const CheckInterrupt& check_interrupt) {
+  std::vector<Eigen::Vector3d> vertices;
+  vertices.reserve(tree.vertices.size());
+  for (const Eigen::Vector3d& vertex : tree.vertices)
+    vertices.push_back(pose * vertex);
+  return triangleTree(vertices, tree.triangles, Solid::kNone, Eigen::Vector3d::Zero(),
+                      check_interrupt);
+}
 
 }  // namespace
 
@@ -141,32 +182,31 @@ BodySurface::BodySurface(const Body& body, const CheckInterrupt& check_interrupt
 }
 
 void BodySurface::addMesh(const BodyShape& shape, const CheckInterrupt& check_interrupt) {
-  std::vector<Eigen::Vector3d> vertices;
-  vertices.reserve(shape.triangles->vertices.size());
-  for (const Eigen::Vector3d& vertex : shape.triangles->vertices)
-    vertices.push_back(shape.shape.link_from_shape * vertex);
-  auto tree = triangleTree(vertices, shape.triangles->triangles, Solid::kNone,
-                           Eigen::Vector3d::Zero(), check_interrupt);
+  std::shared_ptr<const TriangleTree> tree = shape.triangles;
+  if (!shape.shape.link_from_shape.matrix().isIdentity(0))
+    tree = placedTree(*tree, shape.shape.link_from_shape, check_interrupt);
   if (!tree) return;  // not finite in this pose: such a shape has no box either
   MeshInside inside(*tree);
   meshes_.push_back({std::move(tree), std::move(inside)});
 }
 
-PointDistance BodySurface::distance(const Eigen::Vector3d& point, double limit, double near) const {
+PointDistance BodySurface::distance(const Eigen::Vector3d& point, double limit, double near,
+                                    Hint* hint) const {
   PointDistance best{limit, kInfinity};
   if (!solids_.shapes.empty()) {
-    static const Body kPoint{{BodyShape()}};
-    const Eigen::Affine3d at(Eigen::Translation3d{point});
-    DistanceGoal goal{kSolidAccuracy, limit};
-    const auto found = bodyDistance(solids_, Eigen::Affine3d::Identity(), kPoint, at, goal);
+    const auto found = solidDistance(solids_, point, limit);
     if (found) best = {std::min(found->lower, limit), found->upper};
     if (best.upper <= near) return best;
   }
   const double point_size = point.cwiseAbs().maxCoeff();
-  for (const Mesh& mesh : meshes_) {
-    const double rounding = kRounding * (point_size + mesh.tree->magnitude);
+  if (hint) hint->resize(meshes_.size(), 0);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const TriangleTree& tree = *meshes_[i].tree;
+    const double rounding = kRounding * (point_size + tree.magnitude);
     PointDistance found{best.lower + rounding, best.upper};
-    const bool is_complete = PointSearch(*mesh.tree, point, near - rounding, found).visit(0);
+    PointSearch search(tree, point, near - rounding, found);
+    const bool is_complete = (!hint || search.look((*hint)[i])) && search.visit(0);
+    if (hint) (*hint)[i] = search.nearest();
     best.upper = std::min(best.upper, found.upper + rounding);
     if (!is_complete) return {0, best.upper};
     best.lower = std::min(best.lower, std::max(found.lower - rounding, 0.0));
@@ -174,9 +214,56 @@ PointDistance BodySurface::distance(const Eigen::Vector3d& point, double limit, 
   return best;
 }
 
-bool BodySurface::contains(const Eigen::Vector3d& point) const {
+SurfacePoint BodySurface::nearest(const Eigen::Vector3d& point) const {
+  SurfacePoint best{{kInfinity, kInfinity}, point, false};
+  if (!solids_.shapes.empty()) {
+    if (const auto found = solidDistance(solids_, point))
+      best = {{found->lower, found->upper}, found->on_first, found->level == DistanceLevel::kMesh};
+  }
+  const double point_size = point.cwiseAbs().maxCoeff();
+  for (const Mesh& mesh : meshes_) {
+    const double rounding = kRounding * (point_size + mesh.tree->magnitude);
+    PointDistance found{best.distance.lower + rounding, best.distance.upper};
+    PointSearch search(*mesh.tree, point, -1, found);
+    search.visit(0);
+    best.distance.lower = std::min(best.distance.lower, std::max(found.lower - rounding, 0.0));
+    if (!(found.upper < best.distance.upper)) continue;
+    best.distance.upper = found.upper + rounding;
+    best.on_body = search.place();
+    best.is_of_mesh = true;
+  }
+  return best;
+}
+
+bool BodySurface::crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
   return std::any_of(meshes_.begin(), meshes_.end(),
-                     [&](const Mesh& mesh) { return mesh.inside.contains(point); });
+                     [&](const Mesh& mesh) { return mesh.inside.crosses(from, to); }) ||
+         crossesSolid(from, to);
+}
+
+/// Each step is as long as the distance from the solids, so it misses none that is thick enough.
+bool BodySurface::crossesSolid(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+  if (solids_.shapes.empty()) return false;
+  const Eigen::Vector3d way = to - from;
+  const double length = way.norm();
+  double done = 0;
+  for (int i = 0; i < kMaxSolidSteps && done < length; ++i) {
+    const auto found = solidDistance(solids_, from + done / length * way);
+    if (!found) return false;
+    if (found->upper <= kSolidAccuracy) return true;
+    done += std::max(found->lower, kSolidStep);
+  }
+  return false;
+}
+
+std::optional<bool> BodySurface::contains(const Eigen::Vector3d& point) const {
+  std::optional<bool> result = false;
+  for (const Mesh& mesh : meshes_) {
+    const std::optional<bool> is_inside = mesh.inside.contains(point);
+    if (is_inside == true) return true;
+    if (!is_inside) result = std::nullopt;
+  }
+  return result;
 }
 
 bool BodySurface::hasInside() const {

@@ -18,23 +18,42 @@ struct PointDistance {
   double upper;  ///< proven: a point of the body is at most so far away
 };
 
+/// The point of a body that is the nearest one to another point.
+struct SurfacePoint {
+  PointDistance distance;  ///< `upper` is that of `on_body`
+  Eigen::Vector3d on_body;
+  bool is_of_mesh;  ///< on a triangle, not a solid or a convex hull
+};
+
 /// A body in its own frame. Meshes are surfaces; solids, and meshes without triangles as their
 /// convex hulls, are filled. Immutable, so any number of threads may use it.
 class BodySurface {
  public:
+  /// The triangle of each mesh that was the nearest to a point.
+  using Hint = std::vector<std::uint32_t>;
+
   /// What `check_interrupt` throws ends it.
   explicit BodySurface(const Body& body, const CheckInterrupt& check_interrupt = nullptr);
 
   /// The bounds differ by less than 1e-6 m for solids and by rounding for triangles. Distances
   /// beyond `limit` need not be known: `lower` is then at least `limit`, and `upper` may be
-  /// infinite. Once `upper` is at most `near`, the search ends, and `lower` may be 0.
+  /// infinite. Once `upper` is at most `near`, the search ends, and `lower` may be 0. A `hint` that
+  /// is kept from a point nearby makes it faster.
   PointDistance distance(const Eigen::Vector3d& point,
-                         double limit = std::numeric_limits<double>::infinity(),
-                         double near = -1) const;
+                         double limit = std::numeric_limits<double>::infinity(), double near = -1,
+                         Hint* hint = nullptr) const;
 
-  /// True for a point inside a closed part of a mesh; see MeshInside. Solids are not looked at:
-  /// inside them the distance is 0.
-  bool contains(const Eigen::Vector3d& point) const;
+  /// The body must have a shape.
+  SurfacePoint nearest(const Eigen::Vector3d& point) const;
+
+  /// True if the segment surely goes through the inside of a triangle, or comes within a micrometre
+  /// of a solid. Convex hulls of meshes without triangles prove nothing. A solid may be missed
+  /// where the segment is less than half a millimetre in it.
+  bool crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+  /// True for a point inside a closed part of a mesh; see MeshInside. Nothing if that is not sure.
+  /// Solids are not looked at: inside them the distance is 0.
+  std::optional<bool> contains(const Eigen::Vector3d& point) const;
 
   /// Whether contains() can be true.
   bool hasInside() const;
@@ -47,11 +66,12 @@ class BodySurface {
 
  private:
   struct Mesh {
-    std::shared_ptr<const TriangleTree> tree;  ///< in the frame of the body
+    std::shared_ptr<const TriangleTree> tree;  ///< in the frame of the body; maybe shared
     MeshInside inside;
   };
 
   void addMesh(const BodyShape& shape, const CheckInterrupt& check_interrupt);
+  bool crossesSolid(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   Body solids_;  ///< all that has no triangles, or triangles that a solid sweeps
   std::vector<Mesh> meshes_;

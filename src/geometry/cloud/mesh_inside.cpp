@@ -131,7 +131,7 @@ MeshInside::MeshInside(const TriangleTree& tree) : tree_(tree) {
   }
 }
 
-bool MeshInside::contains(const Eigen::Vector3d& point) const {
+std::optional<bool> MeshInside::contains(const Eigen::Vector3d& point) const {
   if (!hasInside()) return false;
   std::vector<std::uint32_t> crossed;
   for (const Eigen::Vector3d& direction : kDirections) {
@@ -145,11 +145,35 @@ bool MeshInside::contains(const Eigen::Vector3d& point) const {
     }
     return false;
   }
-  return true;
+  return std::nullopt;
+}
+
+bool MeshInside::crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+  const Eigen::Vector3d way = to - from;
+  bool is_crossed = false;
+  visitAlong(from, way, [&](std::uint32_t triangle) {
+    is_crossed =
+        cross(triangle, from, way) == Crossing::kYes && cross(triangle, to, -way) == Crossing::kYes;
+    return !is_crossed;
+  });
+  return is_crossed;
 }
 
 bool MeshInside::cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                       std::vector<std::uint32_t>& crossed) const {
+  return visitAlong(from, direction, [&](std::uint32_t triangle) {
+    if (parts_[triangle] == kOpen) return true;
+    const Crossing crossing = cross(triangle, from, direction);
+    if (crossing == Crossing::kYes) crossed.push_back(parts_[triangle]);
+    return crossing != Crossing::kUnsure;
+  });
+}
+
+/// All triangles whose boxes the ray may hit, until `visit` returns false, which then is the
+/// result.
+template <class Visit>
+bool MeshInside::visitAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                            const Visit& visit) const {
   std::array<std::uint32_t, 128> open;
   std::size_t count = 0;
   open[count++] = 0;
@@ -163,10 +187,7 @@ bool MeshInside::cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direct
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (parts_[i] == kOpen) continue;
-      const Crossing crossing = cross(i, from, direction);
-      if (crossing == Crossing::kUnsure) return false;
-      if (crossing == Crossing::kYes) crossed.push_back(parts_[i]);
+      if (!visit(i)) return false;
     }
   }
   return true;

@@ -8,6 +8,7 @@
 // direction: odd is inside. A part that is not closed has no inside.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "link_bounds/geometry/distance/body.h"
@@ -22,9 +23,13 @@ class MeshInside {
   bool hasInside() const { return closed_parts_ > 0; }
 
   /// True if the point is inside a closed part: so a cavity that a closed shell surrounds is
-  /// inside. A ray that passes too close to an edge to be sure is replaced by another one; if all
-  /// are, the point counts as inside.
-  bool contains(const Eigen::Vector3d& point) const;
+  /// inside. A ray that passes too close to an edge to be sure is replaced by another one; nothing
+  /// if all are.
+  std::optional<bool> contains(const Eigen::Vector3d& point) const;
+
+  /// True if the segment surely goes through a triangle, also one of an open part: not through its
+  /// edge, and neither end is on it.
+  bool crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
  private:
   enum class Crossing { kNo, kYes, kUnsure };
@@ -32,6 +37,9 @@ class MeshInside {
   /// Appends the part of each triangle that the ray crosses; false if one of them is unsure.
   bool cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
             std::vector<std::uint32_t>& crossed) const;
+  template <class Visit>
+  bool visitAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                  const Visit& visit) const;
   Crossing cross(std::size_t triangle, const Eigen::Vector3d& from,
                  const Eigen::Vector3d& direction) const;
 

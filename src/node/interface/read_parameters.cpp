@@ -9,11 +9,9 @@
 #include "node/interface/parameter_table.h"
 
 namespace link_bounds {
-namespace {
 
-/// In the private namespace or the nearest one above it, as robot_state_publisher does.
-std::string foundTfPrefix(const ParameterServer& server) {
-  const auto name = server.search(ros::this_node::getName(), "tf_prefix");
+std::string foundTfPrefix(const ParameterServer& server, const std::string& node) {
+  const auto name = server.search(node, "tf_prefix");
   auto value = name ? server.get(*name) : std::nullopt;
   std::string prefix;
   if (value && !fromXml(*value, prefix).empty()) {
@@ -22,15 +20,13 @@ std::string foundTfPrefix(const ParameterServer& server) {
   return prefix;
 }
 
-}  // namespace
-
 ReadParameters readParameters(const ParameterServer& server) {
-  XmlRpc::XmlRpcValue values =
-      server.get(ros::this_node::getName()).value_or(XmlRpc::XmlRpcValue());
+  const std::string& node = ros::this_node::getName();
+  XmlRpc::XmlRpcValue values = server.get(node).value_or(XmlRpc::XmlRpcValue());
   ReadParameters result;
   ParameterReader reader(values);
   visitParameters(result.parameters, reader);
-  result.parameters.tf_prefix = foundTfPrefix(server);
+  result.parameters.tf_prefix = foundTfPrefix(server, node);
   result.warnings = reader.warnings();
   return result;
 }

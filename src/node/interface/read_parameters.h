@@ -21,4 +21,8 @@ struct ReadParameters {
 /// Throws ParameterError, NoMaster.
 ReadParameters readParameters(const ParameterServer& server);
 
+/// In the private namespace of that node or the nearest one above it, as robot_state_publisher
+/// finds it; "" if it is not set. Throws the same.
+std::string foundTfPrefix(const ParameterServer& server, const std::string& node);
+
 }  // namespace link_bounds

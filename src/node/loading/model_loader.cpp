@@ -5,7 +5,6 @@
 
 #include <ros/init.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -13,6 +12,7 @@
 #include "node/interface/read_parameters.h"
 #include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
+#include "node/loading/reloaded_text.h"
 #include "node/threads/queued_function.h"
 #include "packages/package_path.h"
 #include "world/log/log_text.h"
@@ -21,7 +21,6 @@ namespace link_bounds {
 namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod(200);  // of the description, until there is one
-constexpr std::size_t kMaxAnsweredWarnings = 4;        // the answer of ~reload is one line
 
 /// Packages that are installed later are found, too. Searching takes some 10 ms.
 constexpr std::chrono::seconds kPackagesAge(1);
@@ -48,16 +47,6 @@ void report(const Model& model) {
     ROS_WARN("%s", logText(warning).c_str());
   ROS_INFO("bounding %zu links in frame \"%s\" with %zu meshes", model.links.size(),
            logText(model.fixed_frame).c_str(), model.mesh_bytes.size());
-}
-
-/// The answer of a ~reload that succeeded, with the first of its warnings.
-std::string reloadedText(const std::vector<std::string>& warnings) {
-  if (warnings.empty()) return "reloaded";
-  std::string text = "reloaded, with " + std::to_string(warnings.size()) + " warning" +
-                     (warnings.size() > 1 ? "s" : "");
-  for (std::size_t i = 0; i < std::min(warnings.size(), kMaxAnsweredWarnings); ++i)
-    text += (i == 0 ? ": " : "; ") + warnings[i];
-  return logText(text + (warnings.size() > kMaxAnsweredWarnings ? "; see the log for all" : ""));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
   ros::init(argc, argv, "cloud_filter");
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
-  link_bounds::CloudFilterNode node;
+  link_bounds::CloudFilterNode node(ros::NodeHandle(), ros::NodeHandle("~"), ros::requestShutdown);
   node.spin();
   return node.exitCode();
 }

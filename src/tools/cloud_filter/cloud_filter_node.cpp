@@ -3,29 +3,32 @@
 // From what arrives to what is sent, in the order of the functions below.
 #include "tools/cloud_filter/cloud_filter_node.h"
 
+#include <ros/console.h>
 #include <ros/init.h>
 
 #include <chrono>
 
+#include "tools/cloud_filter/nearest_message.h"
 #include "world/cloud/laser_points.h"
 #include "world/cloud/without_points.h"
 #include "world/log/guarded.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kQueue = 5;      // messages of one topic that roscpp keeps
 constexpr std::size_t kMaxWaiting = 32;  // messages that wait for tf
+constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 const ros::WallDuration kTick(0.005);
+const ros::WallDuration kExpirePeriod(0.05);
 const ros::WallDuration kStatusPeriod(1.0);
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-/// On the program's own queue.
-ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& queue) {
-  ros::NodeHandle node(ns);
+ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueueInterface& queue) {
   node.setCallbackQueue(&queue);
   return node;
 }
@@ -36,15 +39,17 @@ std::string withoutSlash(const std::string& frame) {
 
 }  // namespace
 
-CloudFilterNode::CloudFilterNode()
-    : node_(nodeHandle("", queue_)),
-      private_node_(nodeHandle("~", queue_)),
-      health_(node_),
+CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                 std::function<void()> on_failure)
+    : node_(onQueue(node, queue_)),
+      private_node_(onQueue(private_node, queue_)),
+      health_(node_, private_node.getNamespace()),
       output_(private_node_.advertise<sensor_msgs::PointCloud2>(privateName(kCloudOutput), kQueue)),
       scan_output_(
           private_node_.advertise<sensor_msgs::LaserScan>(privateName(kScanOutput), kQueue)),
       robot_points_(
           private_node_.advertise<sensor_msgs::PointCloud2>(privateName(kRobotPoints), kQueue)),
+      nearest_(private_node_.advertise<DistanceArray>(privateName(kNearestPoints), kQueue)),
       tf_receiver_(node_, [this](const TfReceiver::Event& event, bool is_static) {
         guarded([&] { onTransforms(event, is_static); });
       }) {
@@ -57,7 +62,7 @@ CloudFilterNode::CloudFilterNode()
         guarded([&] {
           const auto cloud = event.getMessage();
           if (incomplete_messages_.accept(*cloud, kCloudTopic.name, event.getPublisherName()))
-            add({cloud, nullptr, ros::SteadyTime::now()});
+            add({cloud, nullptr, ros::SteadyTime::now(), {}});
         });
       },
       {}, no_delay);
@@ -67,38 +72,77 @@ CloudFilterNode::CloudFilterNode()
         guarded([&] {
           const auto scan = event.getMessage();
           if (incomplete_messages_.accept(*scan, kScanTopic.name, event.getPublisherName()))
-            add({nullptr, scan, ros::SteadyTime::now()});
+            add({nullptr, scan, ros::SteadyTime::now(), {}});
         });
       },
       {}, no_delay);
-  loading_ = std::make_unique<RobotLoading>(
-      queue_, [this](std::shared_ptr<const FilteredRobot> robot) { adopt(std::move(robot)); });
+  RobotLoading::Handlers handlers;
+  handlers.adopt = [this](auto robot) { adopt(std::move(robot)); };
+  handlers.on_failure = std::move(on_failure);
+  loading_ = std::make_unique<RobotLoading>(private_node_, queue_, std::move(handlers));
+  held_ = std::make_unique<HeldObjects>(private_node_, tf_, loading_->worker(), queue_,
+                                        [this] { listBodies(); });
 }
 
 void CloudFilterNode::spin() {
   ros::SteadyTime next_status = ros::SteadyTime::now() + kStatusPeriod;
-  while (ros::ok()) {
+  ros::SteadyTime next_expiry = ros::SteadyTime::now();
+  while (ros::ok() && !is_stopping_) {
     queue_.callAvailable(kTick);
     guarded([&] {
       observeClock();
       filterWaiting();
     });
-    if (ros::SteadyTime::now() < next_status) continue;
-    next_status = ros::SteadyTime::now() + kStatusPeriod;
+    const ros::SteadyTime now = ros::SteadyTime::now();
+    if (now >= next_expiry) {
+      next_expiry = now + kExpirePeriod;
+      guarded([&] { held_->expire(ros::Time::now()); });
+    }
+    if (now < next_status) continue;
+    next_status = now + kStatusPeriod;
     guarded([&] {
-      tf_.forgetQuiet(ros::SteadyTime::now());
+      tf_.forgetQuiet(now);
       tf_receiver_.freeSpareMemory();
-      health_.publish(robot_.get());
+      health_.publish(robot_.get(), heldProblems(), waiting_.size());
     });
   }
 }
 
 void CloudFilterNode::adopt(std::shared_ptr<const FilteredRobot> robot) {
   robot_ = std::move(robot);
-  for (std::size_t i = 0; i < robot_->links.size(); ++i) {
-    frames_.emplace_back(tf_, withoutSlash(robot_->links[i]));
-    links_.push_back({frames_.back().frame(), robot_->grids[i]->box()});
+  held_->adopt(robot_);
+}
+
+/// After a change of the robot or of what it holds.
+void CloudFilterNode::listBodies() {
+  const std::vector<TransformBuffer::Hold> old_frames = std::move(frames_);
+  names_.clear();
+  frames_.clear();
+  grids_.clear();
+  links_.clear();
+  incomplete_ = robot_->incomplete;
+  for (std::size_t i = 0; i < robot_->links.size(); ++i)
+    add(robot_->links[i], robot_->frames[i], robot_->grids[i]);
+  for (const auto& [key, held] : held_->objects()) {
+    if (held.grid) add(objectName(key), held.frame, held.grid);
+    if (!held.grid || !held.problem.empty()) incomplete_.push_back(objectName(key));
   }
+}
+
+void CloudFilterNode::add(const std::string& name, const std::string& frame,
+                          const std::shared_ptr<const BodyGrid>& grid) {
+  names_.push_back(name);
+  frames_.emplace_back(tf_, frame);
+  grids_.push_back(grid);
+  links_.push_back({frames_.back().frame(), grid->box()});
+}
+
+std::vector<std::string> CloudFilterNode::heldProblems() const {
+  std::vector<std::string> problems;
+  for (const auto& [key, held] : held_->objects()) {
+    if (!held.problem.empty()) problems.push_back(held.problem);
+  }
+  return problems;
 }
 
 void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_static) {
@@ -116,14 +160,23 @@ void CloudFilterNode::observeClock() {
   if (event != ClockWatch::Event::kJumpedBack) return;
   tf_.clear();
   tf_input_.forgetLog();
+  held_->restart(now);
   for (const Waiting& waiting : waiting_)
     giveUp(waiting, "the clock jumped back", false);
   waiting_.clear();
 }
 
+std::size_t CloudFilterNode::Waiting::bytes() const {
+  return cloud ? cloud->data.size() : scan->ranges.size() * sizeof(float);
+}
+
 void CloudFilterNode::add(Waiting waiting) {
-  if (waiting_.size() >= kMaxWaiting) {
+  std::size_t bytes = waiting.bytes();
+  for (const Waiting& other : waiting_)
+    bytes += other.bytes();
+  while (!waiting_.empty() && (waiting_.size() >= kMaxWaiting || bytes > kMaxWaitingBytes)) {
     giveUp(waiting_.front(), "more clouds came than could be filtered", false);
+    bytes -= waiting_.front().bytes();
     waiting_.pop_front();
   }
   waiting_.push_back(std::move(waiting));
@@ -133,7 +186,7 @@ void CloudFilterNode::add(Waiting waiting) {
 void CloudFilterNode::filterWaiting() {
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
   while (!waiting_.empty()) {
-    const Waiting& waiting = waiting_.front();
+    Waiting& waiting = waiting_.front();
     const Outcome outcome = filter(waiting);
     if (!outcome.is_done) {
       const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
@@ -156,7 +209,7 @@ void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, 
   }
 }
 
-CloudFilterNode::Outcome CloudFilterNode::filter(const Waiting& waiting) {
+CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting) {
   if (waiting.header().stamp.isZero())
     return {false, false, "its header has no stamp; set that of the measurement"};
   if (!robot_) return {false, true, "no robot has been loaded yet"};
@@ -170,26 +223,40 @@ CloudFilterNode::Outcome CloudFilterNode::filter(const Waiting& waiting) {
   return filter(waiting, laser.points());
 }
 
-CloudFilterNode::Outcome CloudFilterNode::filter(const Waiting& waiting,
-                                                 const CloudPoints& points) {
+CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPoints& points) {
   const auto begin = std::chrono::steady_clock::now();
   const double waited = (ros::SteadyTime::now() - waiting.since).toSec() * 1e3;
   std::vector<RobotPoint> removed;
-  if (const auto span = timeSpan(points)) {
+  if (!waiting.span) waiting.span = timeSpan(points);
+  if (waiting.span) {
     const std::string frame = withoutSlash(waiting.header().frame_id);
     const auto sensor = tf_.find(frame);
     if (!sensor) return {false, true, "tf does not know its frame \"" + frame + "\""};
-    const ScanPoses poses = scanPoses(tf_, *sensor, links_, *span);
+    const ScanPoses poses = scanPoses(tf_, *sensor, links_, *waiting.span);
     if (!poses.problem.empty()) return {false, poses.may_come, poses.problem};
     const FilterParameters& parameters = robot_->parameters;
-    removed = robotPoints({points, robot_->grids, poses, parameters.min_distance},
+    removed = robotPoints({points, grids_, poses, parameters.min_distance, parameters.shadow},
                           static_cast<std::size_t>(parameters.threads));
   }
   const std::size_t count = points.size();
+  if (nearest_.getNumSubscribers() > 0) sendNearest(waiting.header(), points, removed);
   send(waiting, removed);
   health_.addFiltered(count, removed.size(), waited,
                       milliseconds(std::chrono::steady_clock::now() - begin));
   return {true, false, ""};
+}
+
+/// Before the points are removed.
+void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoints& points,
+                                  const std::vector<RobotPoint>& removed) {
+  const auto sensor = tf_.find(withoutSlash(header.frame_id));
+  if (!sensor) return;
+  const NearestPoints found = nearestPoints({points, removed, grids_, links_, tf_, *sensor});
+  if (!found.problem.empty()) {
+    ROS_WARN_THROTTLE(10, "no ~nearest: %s", logText(found.problem).c_str());
+    return;
+  }
+  nearest_.publish(nearestMessage(header, names_, found.links, incomplete_));
 }
 
 void CloudFilterNode::send(const Waiting& waiting, const std::vector<RobotPoint>& removed) {

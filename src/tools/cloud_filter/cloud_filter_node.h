@@ -9,13 +9,18 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <atomic>
 #include <deque>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/inputs/tf_receiver.h"
 #include "tools/cloud_filter/filter_health.h"
+#include "tools/cloud_filter/held_objects.h"
 #include "tools/cloud_filter/robot_loading.h"
 #include "world/cloud/robot_points.h"
 #include "world/tf/clock_watch.h"
@@ -23,15 +28,21 @@
 
 namespace link_bounds {
 
-/// Everything here runs on the thread that calls spin().
+/// A node, or a nodelet in a process with others. Everything here runs on the thread that calls
+/// spin().
 class CloudFilterNode {
  public:
-  CloudFilterNode();
+  /// The name of `private_node` is that of the node. `on_failure`: see RobotLoading.
+  CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                  std::function<void()> on_failure);
   CloudFilterNode(const CloudFilterNode&) = delete;
   CloudFilterNode& operator=(const CloudFilterNode&) = delete;
 
-  /// Handles what arrives, until the program is to end.
+  /// Handles what arrives, until ROS shuts down or stop() is called.
   void spin();
+
+  /// On any thread; returns at once.
+  void stop() { is_stopping_ = true; }
 
   int exitCode() const { return loading_->hasFailed() ? 1 : 0; }
 
@@ -44,7 +55,9 @@ class CloudFilterNode {
     boost::shared_ptr<Cloud> cloud;
     boost::shared_ptr<Scan> scan;
     ros::SteadyTime since;
+    std::optional<TimeSpan> span = std::nullopt;  ///< of its points, once it is known
 
+    std::size_t bytes() const;
     const std_msgs::Header& header() const { return cloud ? cloud->header : scan->header; }
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
   };
@@ -59,10 +72,16 @@ class CloudFilterNode {
   void add(Waiting waiting);
   void filterWaiting();
   void giveUp(const Waiting& waiting, const std::string& reason, bool is_late);
-  Outcome filter(const Waiting& waiting);
-  Outcome filter(const Waiting& waiting, const CloudPoints& points);
+  Outcome filter(Waiting& waiting);
+  Outcome filter(Waiting& waiting, const CloudPoints& points);
   void send(const Waiting& waiting, const std::vector<RobotPoint>& removed);
+  void sendNearest(const std_msgs::Header& header, const CloudPoints& points,
+                   const std::vector<RobotPoint>& removed);
   void adopt(std::shared_ptr<const FilteredRobot> robot);
+  void listBodies();
+  void add(const std::string& name, const std::string& frame,
+           const std::shared_ptr<const BodyGrid>& grid);
+  std::vector<std::string> heldProblems() const;
   void onTransforms(const TfReceiver::Event& event, bool is_static);
   void observeClock();
 
@@ -74,13 +93,19 @@ class CloudFilterNode {
   ClockWatch clock_;
   std::deque<Waiting> waiting_;
   std::shared_ptr<const FilteredRobot> robot_;  ///< null until it is loaded
-  std::vector<TransformBuffer::Hold> frames_;   ///< by link
+  // Links, then held objects:
+  std::vector<std::string> names_;
+  std::vector<TransformBuffer::Hold> frames_;
+  std::vector<std::shared_ptr<const BodyGrid>> grids_;
   std::vector<ScannedLink> links_;
+  std::vector<std::string> incomplete_;  ///< names of which something is missing
   FilterHealth health_;
   IncompleteMessages incomplete_messages_;
-  ros::Publisher output_, scan_output_, robot_points_;
+  ros::Publisher output_, scan_output_, robot_points_, nearest_;
   TfReceiver tf_receiver_;
   ros::Subscriber cloud_subscriber_, scan_subscriber_;
+  std::atomic<bool> is_stopping_{false};
+  std::unique_ptr<HeldObjects> held_;
   std::unique_ptr<RobotLoading> loading_;  ///< last: its thread ends before the rest goes
 };
 

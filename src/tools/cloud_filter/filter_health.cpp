@@ -4,11 +4,11 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/console.h>
-#include <ros/this_node.h>
 
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "world/log/log_text.h"
 
@@ -44,8 +44,9 @@ bool filtersAnything(const FilteredRobot& robot) {
 
 }  // namespace
 
-FilterHealth::FilterHealth(ros::NodeHandle& node)
-    : publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {}
+FilterHealth::FilterHealth(ros::NodeHandle& node, std::string name)
+    : name_(std::move(name)),
+      publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)) {}
 
 void FilterHealth::addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                                double filter_ms) {
@@ -67,20 +68,23 @@ void FilterHealth::addUnfiltered(const std::string& topic, const std::string& re
   if (!line.empty()) ROS_WARN("%s", logText(line).c_str());
 }
 
-void FilterHealth::publish(const FilteredRobot* robot) {
+void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
+                           std::size_t waiting) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double seconds = std::max((now - last_status_).toSec(), 1e-3);
   last_status_ = now;
   diagnostic_msgs::DiagnosticArray message;
   message.header.stamp = ros::Time::now();
   DiagnosticStatus& status = message.status.emplace_back();
-  status.name = ros::this_node::getName() + ": cloud filter";
+  status.name = name_ + ": cloud filter";
   status.hardware_id = "none";
   if (!robot) raise(status, DiagnosticStatus::ERROR, "no robot has been loaded yet");
   if (robot && !filtersAnything(*robot))
     raise(status, DiagnosticStatus::ERROR, "no link of the robot is filtered");
   if (robot && !robot->problems.empty())
     raise(status, DiagnosticStatus::WARN, "geometry of the robot is missing or a convex hull");
+  if (!problems.empty())
+    raise(status, DiagnosticStatus::WARN, "objects that the robot holds are not filtered");
   if (!new_reasons_.empty())
     raise(status, DiagnosticStatus::WARN, "clouds or scans were not filtered");
   if (status.message.empty() && filter_ms_.empty())
@@ -96,6 +100,7 @@ void FilterHealth::publish(const FilteredRobot* robot) {
     add(status, "per cloud, max [ms]", text(filter_ms_.back(), 2));
     add(status, "wait for tf, max [ms]", text(max_waited_ms_, 1));
   }
+  add(status, "waiting", std::to_string(waiting));
   add(status, "filtered", std::to_string(filtered_));
   add(status, "dropped", std::to_string(dropped_));
   add(status, "passed unfiltered", std::to_string(passed_));
@@ -105,6 +110,8 @@ void FilterHealth::publish(const FilteredRobot* robot) {
     for (const std::string& problem : robot->problems)
       add(status, "problem", problem);
   }
+  for (const std::string& problem : problems)
+    add(status, "problem", problem);
   publisher_.publish(message);
   points_ = robot_points_ = 0;
   filter_ms_.clear();

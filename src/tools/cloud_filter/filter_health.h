@@ -17,7 +17,8 @@ namespace link_bounds {
 
 class FilterHealth {
  public:
-  explicit FilterHealth(ros::NodeHandle& node);
+  /// `name` is that of the node or nodelet.
+  FilterHealth(ros::NodeHandle& node, std::string name);
 
   /// A cloud or scan was filtered: it waited for tf, then took so long.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
@@ -29,9 +30,12 @@ class FilterHealth {
 
   /// One status named "<node name>: cloud filter". ERROR: there is no robot. WARN: geometry is
   /// missing, or clouds were not filtered since the last status. Else OK. `robot` may be null.
-  void publish(const FilteredRobot* robot);
+  /// `problems` are those of held objects; `waiting` messages wait for tf.
+  void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
+               std::size_t waiting);
 
  private:
+  std::string name_;
   ros::Publisher publisher_;
   ros::SteadyTime last_status_ = ros::SteadyTime::now();
   // Since the last status:

@@ -25,7 +25,9 @@ struct FilterParameters {
   std::string late = "drop";
   bool keep_organized = true;
   double min_distance = 0;
+  bool shadow = false;
   int threads = 1;
+  std::string tf_prefix;
 };
 
 namespace rules {
@@ -63,7 +65,12 @@ void visitFilterParameters(AnyParameters& p, Visitor&& visit) {
         "points of the robot become NaN; if not, they are left out, and the cloud has one row");
   visit("min_distance", p.min_distance, rules::length,
         "metres, 0 to 1e6; points nearer to the origin of the sensor's frame are removed, too");
+  visit("shadow", p.shadow, rules::any<bool>,
+        "true removes points, too, that a link hides from the origin of the sensor's frame");
   visit("threads", p.threads, rules::threads, "1 to 64, for one cloud");
+  visit("tf_prefix", p.tf_prefix, rules::any<std::string>,
+        "goes before link names in tf; if not set here, it is found upwards as "
+        "robot_state_publisher finds it");
 }
 
 constexpr TopicName kCloudTopic{"~input", "sensor_msgs/PointCloud2", "subscribed"};
@@ -75,18 +82,32 @@ constexpr TopicName kScanOutput{
     "each scan of ~input_scan; ranges that the robot reflected are NaN"};
 constexpr TopicName kRobotPoints{"~robot_points", "sensor_msgs/PointCloud2",
                                  "the points that ~output lacks; only while somebody listens"};
+constexpr TopicName kNearestPoints{
+    "~nearest", "link_bounds/DistanceArray",
+    "for each filtered cloud, the point of ~output that is the nearest one to each link; only "
+    "while somebody listens"};
+constexpr TopicName kHeldObjects{
+    "~objects", "visualization_msgs/MarkerArray",
+    "subscribed; markers that follow a link count as a part of the robot"};
 
-constexpr std::array<TopicName, 8> kFilterTopics{{kCloudTopic, kScanTopic, kCloudOutput,
-                                                  kScanOutput, kRobotPoints, kDiagnosticsTopic,
-                                                  kTfTopic, kTfStaticTopic}};
+constexpr std::array<TopicName, 10> kFilterTopics{
+    {kCloudTopic, kScanTopic, kCloudOutput, kScanOutput, kRobotPoints, kNearestPoints,
+     kDiagnosticsTopic, kTfTopic, kTfStaticTopic, kHeldObjects}};
+
+constexpr TopicName kFilterReload{
+    "~reload", "std_srvs/Trigger",
+    "reads robot_description and all parameters again and answers after the swap, with the "
+    "warnings that it logs; on failure keeps the old robot and says why"};
+
+constexpr std::array<TopicName, 1> kFilterServices{{kFilterReload}};
 
 struct ReadFilterParameters {
   FilterParameters parameters;
   std::vector<std::string> warnings;  ///< one per unknown private name
 };
 
-/// Throws ParameterError, NoMaster.
-ReadFilterParameters readFilterParameters(const ParameterServer& server);
+/// Of the node or nodelet of that full name. Throws ParameterError, NoMaster.
+ReadFilterParameters readFilterParameters(const ParameterServer& server, const std::string& name);
 
 /// For --help.
 std::string filterUsage();

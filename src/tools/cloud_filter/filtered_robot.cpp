@@ -3,11 +3,15 @@
 #include "tools/cloud_filter/filtered_robot.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 #include <map>
+#include <thread>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
 #include "world/cloud/scan_poses.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {
@@ -42,6 +46,81 @@ std::vector<std::string> unknownLinks(const Robot& robot, const FilterParameters
   return warnings;
 }
 
+bool isSame(const Shape& a, const Shape& b) {
+  return a.points == b.points && a.solid == b.solid && a.size == b.size &&
+         a.link_from_shape.matrix() == b.link_from_shape.matrix();
+}
+
+bool isSame(const Body& a, const Body& b) {
+  return std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
+                    [](const BodyShape& x, const BodyShape& y) {
+                      return isSame(x.shape, y.shape) && x.triangles == y.triangles &&
+                             x.tip == y.tip;
+                    });
+}
+
+/// Makes the grids of all links.
+class GridMaker {
+ public:
+  GridMaker(const BoundedRobot& robot, const std::function<bool()>& is_cancelled)
+      : robot_(robot), is_cancelled_(is_cancelled) {}
+
+  std::vector<std::shared_ptr<const BodyGrid>> grids() {
+    const std::size_t count = robot_.links.size();
+    grids_.resize(count);
+    std::vector<std::size_t> originals;
+    for (std::size_t i = 0; i < count; ++i) {
+      originals.push_back(originalOf(i));
+      if (originals.back() == i) places_.push_back(i);
+    }
+    const std::size_t threads =
+        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMaxThreads);
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < threads; ++i)
+      others.push_back(std::async(std::launch::async, [this] { work(); }));
+    work();
+    for (auto& other : others)
+      other.get();
+    for (std::size_t i = 0; i < count; ++i)
+      grids_[i] = grids_[originals[i]];
+    return std::move(grids_);
+  }
+
+ private:
+  static constexpr std::size_t kMaxThreads = 4;
+  struct Cancelled {};
+
+  /// The first link of the same body and padding: wheels and fingers have one mesh.
+  std::size_t originalOf(std::size_t link) const {
+    std::size_t i = 0;
+    while (i < link && !(robot_.links[i].padding == robot_.links[link].padding &&
+                         isSame(robot_.bodies[i], robot_.bodies[link])))
+      ++i;
+    return i;
+  }
+
+  void work() {
+    const auto check_interrupt = [this] {
+      if (is_cancelled_()) throw Cancelled();
+    };
+    try {
+      for (std::size_t i = next_++; i < places_.size(); i = next_++) {
+        const std::size_t link = places_[i];
+        const GridOptions options{robot_.links[link].padding, kMaxMotionError};
+        grids_[link] = std::make_shared<BodyGrid>(BodySurface(robot_.bodies[link], check_interrupt),
+                                                  options, check_interrupt);
+      }
+    } catch (const Cancelled&) {
+    }
+  }
+
+  const BoundedRobot& robot_;
+  const std::function<bool()>& is_cancelled_;
+  std::vector<std::size_t> places_;  ///< links that need a grid of their own
+  std::vector<std::shared_ptr<const BodyGrid>> grids_;
+  std::atomic<std::size_t> next_{0};
+};
+
 }  // namespace
 
 FilteredRobot filteredRobot(const std::string& description, const FilterParameters& parameters,
@@ -58,11 +137,14 @@ FilteredRobot filteredRobot(const std::string& description, const FilterParamete
   result.problems.insert(result.problems.end(), bounded.body_problems.begin(),
                          bounded.body_problems.end());
   result.warnings = unknownLinks(robot, parameters);
-  for (std::size_t i = 0; i < bounded.links.size() && !is_cancelled(); ++i) {
-    result.links.push_back(bounded.links[i].name);
-    result.grids.push_back(std::make_shared<BodyGrid>(
-        BodySurface(bounded.bodies[i]), GridOptions{bounded.links[i].padding, kMaxMotionError}));
+  for (const Link& link : robot.links)
+    result.all_frames.insert(tfName(parameters.tf_prefix, link.name));
+  for (const BoundedLink& link : bounded.links) {
+    result.links.push_back(link.name);
+    result.frames.push_back(tfName(parameters.tf_prefix, link.name));
+    if (!link.isWhole()) result.incomplete.push_back(link.name);
   }
+  result.grids = GridMaker(bounded, is_cancelled).grids();
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,16 @@ namespace link_bounds {
 struct FilteredRobot {
   FilterParameters parameters;
   std::vector<std::string> links;                      ///< those with geometry
-  std::vector<std::shared_ptr<const BodyGrid>> grids;  ///< by link
+  std::vector<std::string> frames;                     ///< in tf, by link
+  std::vector<std::shared_ptr<const BodyGrid>> grids;  ///< by link; equal bodies share one
+  std::set<std::string> all_frames;                    ///< of all links of the description
+  std::vector<std::string> incomplete;                 ///< links of which something is missing
   std::vector<std::string> problems;  ///< geometry that is not filtered, or as its convex hull only
   std::vector<std::string> warnings;  ///< names in parameters that fit no link
 };
 
-/// Loads the meshes. Throws RobotError. `is_cancelled` may be called on several threads; if it
-/// returns true, what it returns is not complete.
+/// Loads the meshes and makes the grids, on up to four threads. Throws RobotError. `is_cancelled`
+/// may be called on several threads; once it returns true, the result is not complete.
 FilteredRobot filteredRobot(const std::string& description, const FilterParameters& parameters,
                             const std::function<bool()>& is_cancelled);
 

@@ -15,6 +15,7 @@ using sensor_msgs::PointField;
 
 constexpr double kMaxRelativeSeconds = 1e7;
 constexpr double kMaxSeconds = 1e14;
+constexpr double kMaxRosSeconds = 9e9;  // more nanoseconds do not fit into 64 bits
 
 /// The first of these that there is counts.
 constexpr std::array<const char*, 4> kTimeFields{"t", "time", "timestamp", "offset_time"};
@@ -108,16 +109,16 @@ std::string readTime(const PointCloud2& cloud, CloudPoints& points) {
   return "";
 }
 
+/// The stamp for a number that is no time.
 std::int64_t fromNumber(double value, std::int64_t stamp) {
-  const double size = std::abs(value);
-  if (size <= kMaxRelativeSeconds) return stamp + std::llround(value * 1e9);
-  if (size <= kMaxSeconds) {
+  if (std::abs(value) <= kMaxRelativeSeconds) return stamp + std::llround(value * 1e9);
+  if (value > 0 && value <= kMaxRosSeconds) {
     // Seconds and their fraction apart: in nanoseconds, the product would lose digits.
     const double seconds = std::floor(value);
-    if (size > 9e9) return stamp;
     return static_cast<std::int64_t>(seconds) * 1000000000 + std::llround((value - seconds) * 1e9);
   }
-  return size < 9e18 ? static_cast<std::int64_t>(value) : stamp;
+  if (value > kMaxSeconds && value < 9e18) return static_cast<std::int64_t>(value);
+  return stamp;
 }
 
 }  // namespace

@@ -5,18 +5,55 @@
 #include "world/cloud/robot_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 
 namespace link_bounds {
 namespace {
 
+/// Whether the straight way from `from` to `to` meets the box, which must not be empty.
+bool meets(const Aabb& box, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  double begin = 0, end = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double step = to[k] - from[k];
+    if (step == 0) {
+      if (from[k] < box.min()[k] || from[k] > box.max()[k]) return false;
+      continue;
+    }
+    const auto [near, far] =
+        std::minmax({(box.min()[k] - from[k]) / step, (box.max()[k] - from[k]) / step});
+    begin = std::max(begin, near);
+    end = std::min(end, far);
+  }
+  return begin <= end;
+}
+
+/// The links that throw a shadow.
+std::vector<std::size_t> shadowLinks(const PointQuery& query) {
+  std::vector<std::size_t> result;
+  if (!query.with_shadow) return result;
+  for (std::size_t i = 0; i < query.grids.size(); ++i) {
+    const LinkMotion& motion = query.poses.links[i];
+    const BodyGrid& grid = *query.grids[i];
+    const auto holdsSensor = [&](const auto& pose) {
+      return grid.isBody(pose.col(3), motion.error);
+    };
+    if (!motion.box.isEmpty() &&
+        std::none_of(motion.link_from_sensor.begin(), motion.link_from_sensor.end(), holdsSensor))
+      result.push_back(i);
+  }
+  return result;
+}
+
 /// A run of points on one thread.
 class Labels {
  public:
-  explicit Labels(const PointQuery& query)
+  Labels(const PointQuery& query, const std::vector<std::size_t>& shadow_links)
       : query_(query),
+        shadow_links_(shadow_links),
         box_(query.poses.box),
-        min_squared_(query.min_distance * query.min_distance) {
+        min_squared_(query.min_distance * query.min_distance),
+        cursor_(query.poses) {
     for (std::size_t i = 0; i < query.grids.size(); ++i) {
       if (!query.poses.links[i].box.isEmpty()) order_.push_back(i);
     }
@@ -55,12 +92,14 @@ class Labels {
         look(i, {x, y, z}, bytes);
       } else if (min_squared_ > 0 && x * x + y * y + z * z < min_squared_) {
         found_.push_back({i, kTooNear});
+      } else if (!shadow_links_.empty()) {
+        lookForShadow(i, {x, y, z}, bytes);
       }
     }
   }
 
   void look(std::size_t index, const Eigen::Vector3d& point, const std::uint8_t* bytes) {
-    if (query_.poses.moments.size() > 1) seek(query_.points.timeOf(bytes));
+    if (query_.poses.moments.size() > 1) cursor_.seek(query_.points.timeOf(bytes));
     for (std::size_t i = 0; i < order_.size(); ++i) {
       if (!isOf(order_[i], point)) continue;
       found_.push_back({index, order_[i]});
@@ -68,46 +107,41 @@ class Labels {
                   order_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       return;
     }
-    if (point.squaredNorm() < min_squared_) found_.push_back({index, kTooNear});
+    if (point.squaredNorm() < min_squared_) {
+      found_.push_back({index, kTooNear});
+    } else if (!shadow_links_.empty()) {
+      lookForShadow(index, point, bytes);
+    }
   }
 
   bool isOf(std::size_t link, const Eigen::Vector3d& point) const {
     const LinkMotion& motion = query_.poses.links[link];
-    if (!motion.box.contains(point)) return false;
-    const auto& pose = motion.link_from_sensor[moment_];
-    Eigen::Vector3d in_link = pose.leftCols<3>() * point + pose.col(3);
-    if (part_ > 0) {
-      const auto& next = motion.link_from_sensor[moment_ + 1];
-      in_link += part_ * (next.leftCols<3>() * point + next.col(3) - in_link);
-    }
-    return query_.grids[link]->isBody(in_link, motion.error);
+    return motion.box.contains(point) &&
+           query_.grids[link]->isBody(cursor_.inLink(motion, point), motion.error);
   }
 
-  /// The two moments around that time; most points follow the last one in time.
-  void seek(std::int64_t time) {
-    const std::vector<std::int64_t>& moments = query_.poses.moments;
-    const auto isHere = [&] {
-      return moments[moment_] <= time &&
-             (moment_ + 1 == moments.size() || time < moments[moment_ + 1]);
-    };
-    if (!isHere()) {
-      const auto after = std::upper_bound(moments.begin(), moments.end(), time);
-      moment_ =
-          after == moments.begin() ? 0 : static_cast<std::size_t>(after - moments.begin() - 1);
-    }
-    part_ = 0;
-    if (moment_ + 1 < moments.size() && time > moments[moment_]) {
-      part_ = static_cast<double>(time - moments[moment_]) /
-              static_cast<double>(moments[moment_ + 1] - moments[moment_]);
+  void lookForShadow(std::size_t index, const Eigen::Vector3d& point, const std::uint8_t* bytes) {
+    const double range = point.norm();
+    if (!(range > query_.min_distance && std::isfinite(range))) return;
+    cursor_.seek(query_.points.timeOf(bytes));
+    const Eigen::Vector3d begin = query_.min_distance / range * point;
+    for (const std::size_t link : shadow_links_) {
+      const LinkMotion& motion = query_.poses.links[link];
+      if (!meets(motion.box, begin, point)) continue;
+      if (!query_.grids[link]->surface().crosses(cursor_.inLink(motion, begin),
+                                                 cursor_.inLink(motion, point)))
+        continue;
+      found_.push_back({index, link});
+      return;
     }
   }
 
   const PointQuery& query_;
+  const std::vector<std::size_t>& shadow_links_;
   const Aabb& box_;
   double min_squared_;
+  ScanCursor cursor_;
   std::vector<std::size_t> order_;  ///< links, the last one that was met first
-  std::size_t moment_ = 0;
-  double part_ = 0;  ///< of the way to the next moment
   std::vector<RobotPoint> found_;
 };
 
@@ -116,13 +150,14 @@ class Labels {
 std::vector<RobotPoint> robotPoints(const PointQuery& query, std::size_t threads) {
   const std::size_t size = query.points.size();
   const std::size_t parts = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(size, 1));
+  const std::vector<std::size_t> shadow_links = shadowLinks(query);
   std::vector<std::future<std::vector<RobotPoint>>> others;
   for (std::size_t i = 1; i < parts; ++i) {
-    others.push_back(std::async(std::launch::async, [&query, size, parts, i] {
-      return Labels(query).of(size * i / parts, size * (i + 1) / parts);
+    others.push_back(std::async(std::launch::async, [&, i] {
+      return Labels(query, shadow_links).of(size * i / parts, size * (i + 1) / parts);
     }));
   }
-  std::vector<RobotPoint> result = Labels(query).of(0, size / parts);
+  std::vector<RobotPoint> result = Labels(query, shadow_links).of(0, size / parts);
   for (auto& other : others) {
     const std::vector<RobotPoint> found = other.get();
     result.insert(result.end(), found.begin(), found.end());

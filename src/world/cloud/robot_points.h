@@ -25,6 +25,10 @@ struct PointQuery {
       grids;                ///< by link, max_slack kMaxMotionError
   const ScanPoses& poses;   ///< of these links, of these points
   double min_distance = 0;  ///< nearer points belong to the robot, too [m]
+  /// Whether points count that a link hides from the origin of the sensor's frame: see
+  /// BodySurface::crosses(), in the interpolated pose of the link. A link that this origin belongs
+  /// to hides nothing, and neither does what is nearer than min_distance.
+  bool with_shadow = false;
 };
 
 /// In the order of the cloud: all points that are at most padding + LinkMotion::error from a link,

@@ -128,8 +128,8 @@ double largestNorm(const Aabb& box) {
 
 class Scan {
  public:
-  Scan(const TransformBuffer& tf, TransformBuffer::Frame sensor, TimeSpan span)
-      : tf_(tf), sensor_(sensor), span_(span) {}
+  Scan(const TransformBuffer& tf, TransformBuffer::Frame sensor, TimeSpan span, double range)
+      : tf_(tf), sensor_(sensor), span_(span), range_(range) {}
 
   ScanPoses poses(const std::vector<ScannedLink>& links) {
     if (span_.end - span_.begin > kMaxSpan) {
@@ -181,7 +181,9 @@ class Scan {
       for (Mover& mover : movers_)
         parts = std::max(parts, partsOf(mover, moments_[k], moments_[k + 1]));
       const std::int64_t duration = moments_[k + 1] - moments_[k];
-      parts = std::min(parts, static_cast<double>(duration));
+      // No point has a time between two nanoseconds.
+      if (std::isfinite(parts) || duration == 1)
+        parts = std::min(parts, static_cast<double>(duration));
       if (!(parts + static_cast<double>(moments_.size() + more.size()) <= kMaxMoments)) {
         result_.problem =
             "the robot or the sensor moves so fast that a thousand poses are too few; look at tf";
@@ -197,7 +199,7 @@ class Scan {
   }
 
   /// Of the time between two moments; infinite if no number helps.
-  static double partsOf(Mover& mover, std::int64_t begin, std::int64_t end) {
+  double partsOf(Mover& mover, std::int64_t begin, std::int64_t end) const {
     if (!mover.isMoving()) return 1;
     mover.seek(begin);
     if (mover.isAmbiguous()) return std::numeric_limits<double>::infinity();
@@ -209,13 +211,14 @@ class Scan {
   }
 
   /// Between two samples. The range is that of the link's box at both ends, with its way between.
-  static Mover::Errors errorsBetween(Mover& mover, std::int64_t begin, std::int64_t end) {
+  Mover::Errors errorsBetween(Mover& mover, std::int64_t begin, std::int64_t end) const {
     const Eigen::Affine3d from = MatrixPose(mover.linkFromSensor(begin)).affine;
     const Eigen::Affine3d to = MatrixPose(mover.linkFromSensor(end)).affine;
     const double distance = std::max(from.translation().norm(), to.translation().norm());
     const Mover::Errors of_link = mover.errors(end - begin, distance, 0);
     Aabb box = boxAt(mover.box(), from).merged(boxAt(mover.box(), to));
-    return mover.errors(end - begin, distance, largestNorm(box) + of_link.link + of_link.stretch);
+    const double range = largestNorm(box) + of_link.link + of_link.stretch;
+    return mover.errors(end - begin, distance, std::max(range, range_));
   }
 
   /// The poses and the box of one link.
@@ -229,9 +232,11 @@ class Scan {
       const Eigen::Affine3d pose = MatrixPose(mover.linkFromSensor(moments_[k])).affine;
       motion.link_from_sensor.push_back(pose.matrix().topRows<3>());
       motion.box.extend(boxAt(mover.box(), pose));
-      const std::int64_t next = k + 1 < count ? moments_[k + 1] : moments_[k];
-      const Mover::Errors errors = errorsBetween(mover, moments_[k], next);
-      if (next > moments_[k]) motion.error = std::max(motion.error, errors.smooth + errors.jump);
+      // A step of a nanosecond has no time between its ends.
+      const bool has_time = k + 1 < count && moments_[k + 1] - moments_[k] > 1;
+      const Mover::Errors errors =
+          errorsBetween(mover, moments_[k], moments_[has_time ? k + 1 : k]);
+      if (has_time) motion.error = std::max(motion.error, errors.smooth + errors.jump);
       link_error = std::max(link_error, errors.link + errors.stretch);
     }
     motion.link_from_sensor.resize(moments_.size(), motion.link_from_sensor.back());
@@ -241,6 +246,7 @@ class Scan {
   const TransformBuffer& tf_;
   TransformBuffer::Frame sensor_;
   TimeSpan span_;
+  double range_;
   std::vector<Mover> movers_;
   std::vector<std::size_t> places_;  ///< of each mover its index among the links
   std::vector<std::int64_t> moments_;
@@ -250,8 +256,24 @@ class Scan {
 }  // namespace
 
 ScanPoses scanPoses(const TransformBuffer& tf, TransformBuffer::Frame sensor,
-                    const std::vector<ScannedLink>& links, TimeSpan span) {
-  return Scan(tf, sensor, span).poses(links);
+                    const std::vector<ScannedLink>& links, TimeSpan span, double range) {
+  return Scan(tf, sensor, span, range).poses(links);
+}
+
+void ScanCursor::seek(std::int64_t time) {
+  const std::vector<std::int64_t>& moments = poses_.moments;
+  if (moments.size() < 2) return;
+  const bool is_here =
+      moments[moment_] <= time && (moment_ + 1 == moments.size() || time < moments[moment_ + 1]);
+  if (!is_here) {
+    const auto after = std::upper_bound(moments.begin(), moments.end(), time);
+    moment_ = after == moments.begin() ? 0 : static_cast<std::size_t>(after - moments.begin() - 1);
+  }
+  part_ = 0;
+  if (moment_ + 1 < moments.size() && time > moments[moment_]) {
+    part_ = static_cast<double>(time - moments[moment_]) /
+            static_cast<double>(moments[moment_ + 1] - moments[moment_]);
+  }
 }
 
 }  // namespace link_bounds

@@ -29,7 +29,7 @@ struct ScannedLink {
 struct LinkMotion {
   std::vector<Eigen::Matrix<double, 3, 4>> link_from_sensor;  ///< by moment
   Aabb box;  ///< in the sensor's frame: outside it, nothing is in the link's box at any time
-  double error = 0;  ///< of a point of that box between two moments [m]
+  double error = 0;  ///< of a point of that box, or within the range, between two moments [m]
 };
 
 struct ScanPoses {
@@ -40,8 +40,33 @@ struct ScanPoses {
   bool may_come = false;  ///< with tf that has not been received yet
 };
 
-/// Links without a finite box are left out: their own box is empty.
+/// Links without a finite box are left out: their own box is empty. Errors hold for points up to
+/// `range` from the sensor [m], too.
 ScanPoses scanPoses(const TransformBuffer& tf, TransformBuffer::Frame sensor,
-                    const std::vector<ScannedLink>& links, TimeSpan span);
+                    const std::vector<ScannedLink>& links, TimeSpan span, double range = 0);
+
+/// Where points of the sensor's frame are in the frames of links at one time after the other.
+class ScanCursor {
+ public:
+  explicit ScanCursor(const ScanPoses& poses) : poses_(poses) {}
+
+  /// Finds the two moments around that time [ns]; fast if it is near the last one.
+  void seek(std::int64_t time);
+
+  Eigen::Vector3d inLink(const LinkMotion& link, const Eigen::Vector3d& point) const {
+    const auto& pose = link.link_from_sensor[moment_];
+    Eigen::Vector3d place = pose.leftCols<3>() * point + pose.col(3);
+    if (part_ > 0) {
+      const auto& next = link.link_from_sensor[moment_ + 1];
+      place += part_ * (next.leftCols<3>() * point + next.col(3) - place);
+    }
+    return place;
+  }
+
+ private:
+  const ScanPoses& poses_;
+  std::size_t moment_ = 0;
+  double part_ = 0;  ///< of the way to the next moment
+};
 
 }  // namespace link_bounds

@@ -30,7 +30,7 @@ COUNT = 20  # messages of each topic that are recorded
 RATE = 50  # Hz
 LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
 PROGRAMS = ["assert_box", "assert_distance", "link_bounds_publisher", "urdf_bounds"]
-SCRIPTS = ["arm_slower.py", "box_table.py", "joint_mover.py", "overlap_colors.py",
+SCRIPTS = ["arm_slower.py", "box_table.py", "depth_camera.py", "joint_mover.py", "overlap_colors.py",
            "scene_objects.py", "zone_events.py"]
 UNITS = {"B": 1, "KB": 1e3, "MB": 1e6}
 

@@ -11,7 +11,10 @@ import rospy
 import rostest
 from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
+from link_bounds.msg import Distance, DistanceArray
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
+from std_srvs.srv import Trigger
+from visualization_msgs.msg import Marker, MarkerArray
 
 SPEED = 1.0  # m/s along x
 HAND = robot([box_link("base", (0.2, 0.2, 0.1)), box_link("left", (0.02, 0.02, 0.1), (0, 0.05, 0)),
@@ -50,6 +53,9 @@ class CloudFilter(unittest.TestCase):
         cls.output = Recorder("/cloud_filter/output", PointCloud2)
         cls.compact = Recorder("/compact_filter/output", PointCloud2)
         cls.removed = Recorder("/cloud_filter/robot_points", PointCloud2)
+        cls.nearest = Recorder("/cloud_filter/nearest", DistanceArray)
+        cls.prefixed = Recorder("/prefixed_filter/output", PointCloud2)
+        cls.objects = rospy.Publisher("/cloud_filter/objects", MarkerArray, queue_size=100)
         cls.scans = Recorder("/cloud_filter/output_scan", LaserScan)
         cls.status = Recorder("/diagnostics", DiagnosticArray)
         cls.clouds = rospy.Publisher("/cloud", PointCloud2, queue_size=100)
@@ -57,16 +63,18 @@ class CloudFilter(unittest.TestCase):
         cls.tf, cls.tf_static = TfSender(), TfSender(is_static=True)
         cls.wait_status("/cloud_filter", lambda status: status.level == 2)  # no robot yet
         rospy.set_param("/robot_description", HAND)
-        for name in ("/cloud_filter", "/compact_filter"):
+        for name in ("/cloud_filter", "/compact_filter", "/prefixed_filter"):
             cls.wait_status(name, lambda status: status.level == 1 and
                             status.message.startswith("no cloud or scan has come"))
         cls.wait_status("/blind_filter", lambda status: status.level == 2 and
                         status.message.startswith("no link of the robot is filtered"))
         cls.tf.wait_for_listener()
         cls.tf_static.wait_for_listener()
-        wait_for(lambda: cls.clouds.get_num_connections() >= 2, "the filters listen")
+        wait_for(lambda: cls.clouds.get_num_connections() >= 3, "the filters listen")
+        wait_for(lambda: cls.objects.get_num_connections() >= 1, "the filter listens to objects")
         wait_for(lambda: cls.scan.get_num_connections() >= 1, "the filter listens to scans")
-        cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE))
+        cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE),
+                           transform("sensor", "one/base", rospy.Time(), BASE))
 
     @classmethod
     def wait_status(cls, name, condition, is_new=True):
@@ -78,15 +86,16 @@ class CloudFilter(unittest.TestCase):
         cls.status.wait(found, "a status of " + name)
 
     def setUp(self):
-        for recorder in (self.output, self.compact, self.removed, self.scans):
+        for recorder in (self.output, self.compact, self.removed, self.scans, self.nearest,
+                         self.prefixed):
             recorder.clear()
         self.stamp = rospy.Time.now()
 
-    def send_tf(self, begin, end):
+    def send_tf(self, begin, end, prefix=""):
         """The way of the hand; it is where the sensor is at the stamp."""
         for i in range(round(begin * 50), round(end * 50) + 1):
             stamp = self.stamp + rospy.Duration(i / 50)
-            self.tf.send(*[transform("sensor", finger, stamp, (SPEED * i / 50, 0, 0))
+            self.tf.send(*[transform("sensor", prefix + finger, stamp, (SPEED * i / 50, 0, 0))
                            for finger in ("left", "right")])
 
     def check(self, expected, send):
@@ -124,6 +133,78 @@ class CloudFilter(unittest.TestCase):
         self.send_tf(0, 0.1)
         output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the cloud that waited")
         self.assertTrue(math.isnan(places_of(output)[0][0]))
+
+    def test_the_nearest_point_of_what_remains(self):
+        self.send_tf(-0.1, 0.1)
+        self.clouds.publish(cloud(self.stamp, [(LEFT, 0), (BETWEEN, 0), (FAR, 0)]))
+        message = self.nearest.wait(lambda m: m.header.stamp == self.stamp, "the nearest points")
+        self.assertEqual([(d.first, d.second) for d in message.distances],
+                         [("base", "cloud"), ("left", "cloud"), ("right", "cloud")])
+        self.assertEqual(message.incomplete, [])
+        left = message.distances[1]
+        self.assertLessEqual(left.distance, 0.04)
+        self.assertAlmostEqual(left.distance, 0.04, delta=1e-5)
+        self.assertAlmostEqual(left.distance_max, 0.04, delta=1e-5)
+        self.assertAlmostEqual(left.on_first.y, 0.04, delta=1e-5)
+        self.assertAlmostEqual(left.normal.y, -1, delta=1e-4)
+        self.assertEqual((left.stamp, left.level), (self.stamp, Distance.HULL))
+        self.assertAlmostEqual(message.distances[0].distance, 0.9, delta=1e-5)
+
+    def is_kept(self, place):
+        """Whether the filter keeps a point at that place, now."""
+        self.output.clear()
+        self.stamp = rospy.Time.now()
+        self.send_tf(-0.02, 0.02)
+        self.clouds.publish(cloud(self.stamp, [(place, 0)]))
+        output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
+        return not math.isnan(places_of(output)[0][0])
+
+    def test_a_marker_that_follows_a_link_is_the_robots(self):
+        marker = Marker(ns="held", id=1, type=Marker.CUBE, frame_locked=True)
+        marker.header.frame_id, marker.header.stamp = "left", rospy.Time.now()
+        marker.pose.orientation.w = 1
+        marker.scale.x = marker.scale.y = marker.scale.z = 0.02
+        stranger = Marker(ns="scene", id=1, type=Marker.CUBE, frame_locked=True)
+        stranger.header.frame_id, stranger.scale = "sensor", marker.scale
+        stranger.pose.orientation.w = 1
+        self.objects.publish(MarkerArray([stranger]))
+        self.assertTrue(self.is_kept(BETWEEN))
+        self.objects.publish(MarkerArray([marker]))
+        wait_for(lambda: not self.is_kept(BETWEEN), "the held object is filtered")
+        self.assertTrue(self.is_kept((0, 0.0225, 0)))
+        marker.action = Marker.DELETE
+        self.objects.publish(MarkerArray([marker]))
+        wait_for(lambda: self.is_kept(BETWEEN), "the object is forgotten")
+        marker.action, marker.lifetime = Marker.ADD, rospy.Duration(1)
+
+        def is_held_again():
+            self.objects.publish(MarkerArray([marker]))  # which prolongs its life
+            return not self.is_kept(BETWEEN)
+        wait_for(is_held_again, "the held object is filtered again")
+        wait_for(lambda: self.is_kept(BETWEEN), "its lifetime is over")
+
+    def test_reload(self):
+        reload_robot = rospy.ServiceProxy("/cloud_filter/reload", Trigger)
+        self.assertFalse(self.is_kept(LEFT))
+        rospy.set_param("/robot_description", "no robot")
+        answer = reload_robot()
+        self.assertFalse(answer.success)
+        self.assertFalse(self.is_kept(LEFT))
+        rospy.set_param("/robot_description", robot([box_link("base", (0.2, 0.2, 0.1))], []))
+        answer = reload_robot()
+        self.assertTrue(answer.success, answer.message)
+        self.assertTrue(self.is_kept(LEFT))
+        rospy.set_param("/robot_description", HAND)
+        self.assertTrue(reload_robot().success)
+        self.assertFalse(self.is_kept(LEFT))
+
+    def test_a_prefix_and_the_shadow(self):
+        self.send_tf(-0.1, 0.1, "one/")
+        self.clouds.publish(cloud(self.stamp, [(place, 0) for place in PLACES]))
+        output = self.prefixed.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
+        # The last point is behind the left finger.
+        self.assertEqual([math.isnan(place[0]) for place in places_of(output)],
+                         IS_ROBOT[:-1] + [True])
 
     def wait_refused(self, words):
         self.wait_status("/cloud_filter", lambda status: any(

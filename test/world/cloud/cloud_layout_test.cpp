@@ -141,6 +141,29 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
   EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, 1e13), 0);
 }
 
+TEST(CloudLayout, NumbersThatAreNoTimeGiveTheStamp) {
+  const double nan = kNan, infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, 1e300, -1e300, 1e19, -1e18, -1.7e9, 9e9 + 1.0})
+    EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, bad), 0) << bad;
+  // The latest and the earliest time that there is are not too far apart for 64 bits.
+  PointCloud2 cloud;
+  cloud.header.stamp = ros::Time(1);
+  addField(cloud, "x", 0, PointField::FLOAT64);
+  addField(cloud, "y", 8, PointField::FLOAT64);
+  addField(cloud, "z", 16, PointField::FLOAT64);
+  addField(cloud, "timestamp", 24, PointField::FLOAT64);
+  cloud.width = 2;
+  cloud.height = 1;
+  cloud.point_step = 32;
+  cloud.row_step = 64;
+  cloud.data.resize(64, 0);
+  const double first = -1e7, last = 8.9e18;
+  std::memcpy(cloud.data.data() + 24, &first, 8);
+  std::memcpy(cloud.data.data() + 56, &last, 8);
+  const auto span = timeSpan(layoutOf(cloud).points);
+  EXPECT_GT(span->end - span->begin, 0);
+}
+
 TEST(CloudLayout, PointsThatAreNotFiniteHaveNoTime) {
   PointCloud2 cloud = oddCloud(2, 1);
   std::memcpy(cloud.data.data() + 26 + 5, &kNan, 4);

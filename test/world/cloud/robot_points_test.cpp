@@ -10,6 +10,7 @@
 
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
+#include "world/cloud/nearest_points.h"
 
 namespace link_bounds {
 namespace {
@@ -258,6 +259,161 @@ TEST(RobotPoints, NearTheSensorCountIfAsked) {
   const auto far = robotPoints({layout.points, scanned.grids, poses, 0.2});
   ASSERT_EQ(far.size(), 1u);
   EXPECT_EQ(far[0].point, 1u);
+}
+
+TEST(RobotPoints, OfALinkThatTurnsRoundBetweenTwoMessagesAreRightOrRefused) {
+  int refused = 0;
+  for (const double turn : {M_PI - 1e-3, M_PI, M_PI + 1e-3, 3.0}) {
+    for (const double step : {0.02, 1e-9}) {
+      Random random(5);
+      Scanned scanned;
+      const MeshBody body = sheet(random);
+      scanned.tf.add(
+          {edge("world", "sensor", kBegin - 1, Eigen::Quaterniond::Identity(), {0, 0, 1}),
+           edge("world", "sensor", kBegin + 1, Eigen::Quaterniond::Identity(), {0, 0, 1})},
+          false, ros::Time(kBegin + 1));
+      double angle = 0.3;
+      for (const double stamp : {kBegin - 0.1, kBegin + 0.05, kBegin + 0.05 + step, kBegin + 0.2}) {
+        const Eigen::Quaterniond rotation(Eigen::AngleAxisd(angle, Eigen::Vector3d(0.6, 0, 0.8)));
+        scanned.tf.add({edge("world", "one", stamp, rotation, {0.3, 0, 0})}, false,
+                       ros::Time(kBegin + 1));
+        if (stamp >= kBegin + 0.05 - 1e-6 && stamp < kBegin + 0.05 + step / 2) angle += turn;
+      }
+      scanned.add("one", body.body, body.placed(Eigen::Affine3d::Identity()));
+      const std::vector<TestPoint> points = pointsAround(scanned, random, 300);
+      const auto begin = static_cast<std::int64_t>(ros::Time(kBegin).toNSec());
+      const ScanPoses poses = scanned.poses({begin, begin + 100000000});
+      if (!poses.problem.empty()) {
+        EXPECT_FALSE(poses.may_come);
+        ++refused;
+        continue;
+      }
+      expectRight(compare(scanned, points), "turned by " + std::to_string(turn));
+    }
+  }
+  std::cout << refused << " of 8 refused\n";
+}
+
+TEST(RobotPoints, OfFiveMillionPointsAreFound) {
+  Random random(6);
+  Scanned scanned;
+  addArm(scanned, random, 0);
+  const std::vector<TestPoint> some = pointsAround(scanned, random, 1000);
+  std::vector<TestPoint> many(5000000, TestPoint{{50, 0, 0}, 0});
+  for (std::size_t i = 0; i < some.size(); ++i)
+    many[i * 5000] = some[i];
+  const sensor_msgs::PointCloud2 small = cloudOf(some), large = cloudOf(many);
+  const CloudPoints few_points = layoutOf(small).points, all_points = layoutOf(large).points;
+  const ScanPoses poses = scanned.poses(*timeSpan(few_points));
+  const auto expected = robotPoints({few_points, scanned.grids, poses});
+  const auto found = robotPoints({all_points, scanned.grids, poses}, 2);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_EQ(found[i].point, 5000 * expected[i].point);
+}
+
+/// One link at rest, a metre before the sensor.
+void placeBefore(const Body& body, Scanned& scanned) {
+  scanned.tf.add({edge("sensor", "plate", 0, Eigen::Quaterniond::Identity(), {0, 0, 1})}, true,
+                 ros::Time(kBegin));
+  scanned.add("plate", body, {});
+}
+
+std::vector<std::size_t> shadowOf(Scanned& scanned, const std::vector<TestPoint>& points,
+                                  double min_distance = 0) {
+  const sensor_msgs::PointCloud2 cloud = cloudOf(points);
+  const CloudLayout layout = layoutOf(cloud);
+  const ScanPoses poses = scanned.poses(*timeSpan(layout.points));
+  EXPECT_EQ(poses.problem, "");
+  std::vector<std::size_t> result;
+  for (const RobotPoint& found :
+       robotPoints({layout.points, scanned.grids, poses, min_distance, true}))
+    result.push_back(found.point);
+  return result;
+}
+
+TEST(RobotPoints, BehindALinkAreItsShadowIfAsked) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<TestPoint> points{{{0.11, 0.02, 2}, 0}, {{0.3, 0.02, 2}, 0},
+                                      {{0, 0.01, 0.5}, 0},  {{-0.1, 0.01, 50}, 0},
+                                      {{0, 0, -2}, 0},      {{nan, 0, 2}, 0}};
+  const std::vector<std::size_t> behind{0, 3};
+  MeshBody mesh, sheet;
+  mesh.add(boxMesh({0.2, 0.2, 0.02}));
+  sheet.add(meshOf({{-0.2f, -0.2f, 0}, {0.2f, -0.2f, 0}, {0, 0.3f, 0}}));
+  const Body solid{{{{nullptr, Solid::kBox, {0.2, 0.2, 0.02}}}}};
+  for (const Body& body : {mesh.body, sheet.body, solid}) {
+    Scanned scanned;
+    placeBefore(body, scanned);
+    EXPECT_EQ(shadowOf(scanned, points), behind);
+    // What is too near to be seen hides nothing.
+    EXPECT_EQ(shadowOf(scanned, points, 1.4), std::vector<std::size_t>({2}));
+  }
+  // The sensor's own housing hides nothing.
+  MeshBody housing;
+  housing.add(boxMesh({0.2, 0.2, 2.1}));
+  Scanned scanned;
+  placeBefore(housing.body, scanned);
+  EXPECT_EQ(shadowOf(scanned, {{{0, 0, 3}, 0}, {{0.01, 0, 1.5}, 0}}),
+            std::vector<std::size_t>({1}));
+}
+
+TEST(NearestPoints, AreProvenBesideAllPoints) {
+  for (const double speed : {0.0, 2.0}) {
+    Random random(7);
+    Scanned scanned;
+    addArm(scanned, random, speed);
+    const std::vector<TestPoint> points = pointsAround(scanned, random, 400);
+    const sensor_msgs::PointCloud2 cloud = cloudOf(points);
+    const CloudPoints places = layoutOf(cloud).points;
+    const ScanPoses poses = scanned.poses(*timeSpan(places));
+    const std::vector<RobotPoint> removed = robotPoints({places, scanned.grids, poses});
+    std::vector<bool> is_removed(points.size(), false);
+    for (const RobotPoint& point : removed)
+      is_removed[point.point] = true;
+    const NearestPoints found = nearestPoints(
+        {places, removed, scanned.grids, scanned.links, scanned.tf, scanned.tf.frame("sensor")});
+    ASSERT_EQ(found.problem, "");
+    const Body dot{{BodyShape()}};
+    for (std::size_t link = 0; link < scanned.links.size(); ++link) {
+      const auto distanceOf = [&](const Eigen::Vector3d& place, std::int64_t stamp) {
+        const Eigen::Vector3d in_link = scanned.linkFromSensor(link, stamp) * place;
+        return *bodyDistance(scanned.bodies[link], Eigen::Affine3d::Identity(), dot,
+                             Eigen::Affine3d(Eigen::Translation3d(in_link)), {1e-7});
+      };
+      double lower = 1e9, upper = 1e9;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (is_removed[i]) continue;
+        const auto distance = distanceOf(points[i].place, stampOf(points[i]));
+        lower = std::min(lower, distance.lower);
+        upper = std::min(upper, distance.upper);
+      }
+      ASSERT_TRUE(found.links[link]);
+      const NearestPoint& nearest = *found.links[link];
+      EXPECT_FALSE(is_removed[nearest.point]);
+      EXPECT_LE(nearest.lower, upper + 1e-9);
+      EXPECT_GE(nearest.lower, lower - (speed > 0 ? 2 * kMaxMotionError : 1e-6));
+      EXPECT_GE(nearest.upper, lower - 1e-9);
+      EXPECT_LE(nearest.upper, upper + (speed > 0 ? 2 * kMaxMotionError : 1e-6));
+      EXPECT_NEAR((nearest.on_cloud - nearest.on_link).norm(), nearest.upper, 1e-9);
+      EXPECT_LT(distanceOf(nearest.on_link, nearest.stamp).lower, 1e-6);
+      EXPECT_TRUE(nearest.is_of_mesh);
+    }
+  }
+}
+
+TEST(NearestPoints, OfACloudWithoutPointsAreNone) {
+  Scanned scanned;
+  placeBefore({{{{nullptr, Solid::kBox, {0.2, 0.2, 0.02}}}}}, scanned);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& points : {std::vector<TestPoint>{}, std::vector<TestPoint>{{{nan, 0, 0}, 0}}}) {
+    const sensor_msgs::PointCloud2 cloud = cloudOf(points);
+    const CloudPoints places = layoutOf(cloud).points;
+    const NearestPoints found = nearestPoints(
+        {places, {}, scanned.grids, scanned.links, scanned.tf, scanned.tf.frame("sensor")});
+    EXPECT_EQ(found.problem, "");
+    EXPECT_FALSE(found.links[0]);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sends clouds of 640 x 480 at 30 Hz to cloud_filter, beside tf of a moving robot at 100 Hz, and
+// checks that each comes back and that the filter's memory does not grow.
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "joint_motion.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint32_t kWidth = 640, kHeight = 480;
+constexpr double kCloudRate = 30, kTfRate = 100;  // Hz
+constexpr double kTimeout = 60;                   // s
+constexpr double kFirstMinute = 60;               // s; memory counts from its end
+
+/// Memory of a process in use [MB].
+double residentMegabytes(int pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("VmRSS:", 0) == 0) return std::atof(line.c_str() + 6) / 1024;
+  }
+  throw std::runtime_error("the filter is gone");
+}
+
+/// Points around the robot, in the frame of its root link: a grid that waves.
+sensor_msgs::PointCloud2 cloudAround(const std::string& frame) {
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.frame_id = frame;
+  cloud.width = kWidth;
+  cloud.height = kHeight;
+  cloud.is_dense = true;
+  cloud.point_step = 16;
+  cloud.row_step = kWidth * cloud.point_step;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    sensor_msgs::PointField& field = cloud.fields.emplace_back();
+    field.name = std::string(1, "xyz"[k]);
+    field.offset = 4 * k;
+    field.datatype = sensor_msgs::PointField::FLOAT32;
+    field.count = 1;
+  }
+  cloud.data.resize(std::size_t{cloud.row_step} * kHeight);
+  for (std::uint32_t v = 0; v < kHeight; ++v) {
+    for (std::uint32_t u = 0; u < kWidth; ++u) {
+      const float place[3] = {3.0f * static_cast<float>(u) / kWidth - 1.5f,
+                              0.3f * std::sin(0.05f * static_cast<float>(u + 2 * v)),
+                              1.6f * static_cast<float>(v) / kHeight};
+      std::memcpy(cloud.data.data() + v * cloud.row_step + u * cloud.point_step, place, 12);
+    }
+  }
+  return cloud;
+}
+
+/// Counts what comes back, and how long that took.
+class Returned {
+ public:
+  explicit Returned(ros::NodeHandle& node)
+      : subscriber_(node.subscribe("/cloud_filter/output", 100, &Returned::take, this)) {}
+
+  int count() const { return count_; }
+  bool hasRobotPoints() const { return has_robot_points_; }
+
+  /// Sorted [ms]; only after the last message.
+  std::vector<double> delays() const {
+    std::vector<double> sorted = delays_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+ private:
+  void take(const sensor_msgs::PointCloud2& cloud) {
+    delays_.push_back((ros::Time::now() - cloud.header.stamp).toSec() * 1e3);
+    if (!cloud.is_dense) has_robot_points_ = true;
+    ++count_;
+  }
+
+  std::atomic<int> count_{0};
+  std::atomic<bool> has_robot_points_{false};
+  std::vector<double> delays_;
+  ros::Subscriber subscriber_;
+};
+
+class CloudSoak {
+ public:
+  CloudSoak(ros::NodeHandle& node, const Robot& robot)
+      : robot_(robot),
+        tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
+        tf_static_(node.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)),
+        clouds_(node.advertise<sensor_msgs::PointCloud2>("/cloud", 10)),
+        returned_(node),
+        cloud_(cloudAround(robot.links[robot.root].name)) {
+    tf_static_.publish(fixedTransforms(robot));
+  }
+
+  /// Until the filter has loaded the robot and answers.
+  void waitForFilter() {
+    const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kTimeout);
+    while (returned_.count() == 0) {
+      if (!ros::ok() || ros::SteadyTime::now() > end)
+        throw std::runtime_error("waited in vain for the first cloud");
+      sendTf();
+      if (clouds_.getNumSubscribers() > 0) sendCloud();
+      ros::WallDuration(0.5).sleep();
+      sendTf();
+    }
+    ros::WallDuration(1).sleep();
+  }
+
+  bool run(int minutes, int pid, double max_growth) {
+    const int sent_before = sent_, returned_before = returned_.count();
+    const ros::SteadyTime begin = ros::SteadyTime::now();
+    double first = 0, largest = 0, next_cloud = 0;
+    double next_report = kFirstMinute;
+    ros::WallRate rate(kTfRate);
+    for (double now = 0; ros::ok() && now < 60 * minutes;
+         now = (ros::SteadyTime::now() - begin).toSec()) {
+      sendTf();
+      if (now >= next_cloud) {
+        sendCloud();
+        next_cloud += 1 / kCloudRate;
+      }
+      if (now >= next_report) {
+        const double memory = residentMegabytes(pid);
+        if (first == 0) first = memory;
+        largest = std::max(largest, memory);
+        std::printf("%3.0f s: %d clouds sent, %d came back, %.1f MB\n", now, sent_ - sent_before,
+                    returned_.count() - returned_before, memory);
+        std::fflush(stdout);
+        next_report += 60;
+      }
+      rate.sleep();
+    }
+    for (int i = 0; i < 100 && returned_.count() - returned_before < sent_ - sent_before; ++i) {
+      sendTf();
+      ros::WallDuration(0.05).sleep();
+    }
+    const int lost = (sent_ - sent_before) - (returned_.count() - returned_before);
+    const double growth = largest - first;
+    const std::vector<double> delays = returned_.delays();
+    const bool is_good = lost == 0 && growth < max_growth && returned_.hasRobotPoints();
+    std::printf(
+        "%s: %d of %d clouds lost (allowed: 0), memory %+.1f MB after the first minute "
+        "(allowed: < %.1f), points of the robot %s\n  from stamp to output: median %.1f ms, "
+        "99 %% %.1f ms, max %.1f ms\n",
+        is_good ? "passed" : "FAILED", lost, sent_ - sent_before, growth, max_growth,
+        returned_.hasRobotPoints() ? "removed" : "NOT removed", delays[delays.size() / 2],
+        delays[delays.size() * 99 / 100], delays.back());
+    return is_good;
+  }
+
+ private:
+  void sendTf() { tf_.publish(movingTransforms(robot_, ros::Time::now())); }
+
+  void sendCloud() {
+    cloud_.header.stamp = ros::Time::now();
+    clouds_.publish(cloud_);
+    ++sent_;
+  }
+
+  const Robot& robot_;
+  ros::Publisher tf_, tf_static_, clouds_;
+  Returned returned_;
+  sensor_msgs::PointCloud2 cloud_;
+  int sent_ = 0;
+};
+
+bool soak(int minutes, int pid, double max_growth) {
+  ros::NodeHandle node;
+  std::string description;
+  node.getParam("robot_description", description);
+  const Robot robot = parseRobot(description);
+  CloudSoak soak(node, robot);
+  soak.waitForFilter();
+  return soak.run(minutes, pid, max_growth);
+}
+
+}  // namespace
+}  // namespace link_bounds
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "cloud_soak");
+  const int minutes = argc == 4 ? std::atoi(argv[1]) : 0;
+  const int pid = argc == 4 ? std::atoi(argv[2]) : 0;
+  const double max_growth = argc == 4 ? std::atof(argv[3]) : 0;
+  if (minutes < 1 || pid < 1 || !(max_growth > 0)) {
+    std::cerr << "usage: cloud_soak MINUTES PID_OF_THE_FILTER MAX_GROWTH_IN_MB\n";
+    return 2;
+  }
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  try {
+    return link_bounds::soak(minutes, pid, max_growth) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::cerr << "cloud_soak: " << error.what() << "\n";
+    return 1;
+  }
+}

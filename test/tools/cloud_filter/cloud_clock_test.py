@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""cloud_filter while the clock jumps back, as at the begin of each loop of a bag."""
+import math
+import struct
+import time
+import unittest
+
+import rospy
+import rostest
+from bounds_testing import Recorder, TfSender, box_link, robot, transform, wait_for
+from diagnostic_msgs.msg import DiagnosticArray
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import PointCloud2, PointField
+
+
+def cloud(stamp, x):
+    """One point on the x axis of the sensor."""
+    message = PointCloud2(height=1, width=1, point_step=12, row_step=12)
+    message.header.stamp, message.header.frame_id = stamp, "sensor"
+    message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
+    message.data = struct.pack("<fff", x, 0, 0)
+    return message
+
+
+class CloudClock(unittest.TestCase):
+    def setUp(self):
+        self.output = Recorder("/cloud_filter/output", PointCloud2)
+        self.status = Recorder("/diagnostics", DiagnosticArray)
+        self.clock = rospy.Publisher("/clock", Clock, queue_size=100)
+        self.clouds = rospy.Publisher("/cloud", PointCloud2, queue_size=100)
+        self.tf = TfSender()
+        rospy.set_param("/robot_description", robot([box_link("hand", (0.2, 0.2, 0.2))], []))
+        self.tf.wait_for_listener()
+        wait_for(lambda: self.clouds.get_num_connections() >= 1, "the filter listens")
+        wait_for(lambda: self.clock.get_num_connections() >= 1, "the filter hears the clock")
+
+    def send(self, seconds, x):
+        """The hand is at x at that time."""
+        self.clock.publish(Clock(rospy.Time(seconds)))
+        self.tf.send(transform("sensor", "hand", rospy.Time(seconds), (x, 0, 0)))
+
+    def is_removed(self, seconds, hand, x):
+        """Whether a point at x is the robot's while the hand is there. What the filter hears before
+        it hears the clock is lost, so all is sent again until the cloud comes back."""
+        self.output.clear()
+
+        def has_come():
+            self.send(seconds, hand)
+            self.clouds.publish(cloud(rospy.Time(seconds), x))
+            time.sleep(0.1)
+            return any(m.header.stamp == rospy.Time(seconds) for m in self.output.messages)
+        wait_for(has_come, "the cloud comes back")
+        message = self.output.messages[-1]
+        return math.isnan(struct.unpack("<f", message.data[:4])[0])
+
+    def wait_status(self, condition, what):
+        self.status.wait(lambda message: any(condition(value.key, value.value)
+                                             for status in message.status
+                                             for value in status.values), what)
+
+    def test_a_jump_back(self):
+        self.assertTrue(self.is_removed(1000, 1, 1))
+        self.assertFalse(self.is_removed(1001, 1, 2))
+        # This one waits for tf when the clock jumps; tf of its time never comes.
+        self.clouds.publish(cloud(rospy.Time(1002), 1))
+        self.wait_status(lambda key, value: (key, value) == ("waiting", "1"), "the cloud waits")
+        self.send(500, 2)
+        self.wait_status(lambda key, _: "the clock jumped back" in key, "the cloud is dropped")
+        # What tf said of the time before the jump is forgotten.
+        self.assertTrue(self.is_removed(501, 2, 2))
+        self.assertFalse(self.is_removed(502, 2, 1))
+
+
+if __name__ == "__main__":
+    rospy.init_node("cloud_clock_test", disable_rostime=True)
+    rostest.rosrun("link_bounds", "cloud_clock_test", CloudClock)
