@@ -40,7 +40,11 @@ std::string withoutStatic(const std::string& topic) {
 
 std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   std::set<std::string> topics = options.objects;
-  topics.insert({options.tf_topic, staticTopic(options)});
+  if (options.joint_states.empty()) {
+    topics.insert({options.tf_topic, staticTopic(options)});
+  } else {
+    topics.insert(options.joint_states);
+  }
   return topics;
 }
 
@@ -110,8 +114,10 @@ BagRun::BagRun(const BagBoundsOptions& options)
 }
 
 Model BagRun::loadModel() {
-  Model model =
-      makeModel(readText(options_.urdf, "a URDF"), parametersOf(options_), loader_, mesh_source_);
+  const std::string urdf = readText(options_.urdf, "a URDF");
+  Model model = makeModel(urdf, parametersOf(options_), loader_, mesh_source_);
+  if (!options_.joint_states.empty())
+    joints_ = std::make_unique<JointTransforms>(parseRobot(urdf), options_.tf_prefix);
   if (model.links.empty())
     throw UsageError("no link of the robot has geometry of the kind " + options_.geometry +
                      "; choose another --geometry");
@@ -137,8 +143,10 @@ void BagRun::begin() {
   to_ = options_.end ? after(begin_, *options_.end) : std::numeric_limits<std::int64_t>::max();
   if (options_.start == 0) from_ = std::numeric_limits<std::int64_t>::min();
   last_ = begin_;
+  if (options_.at) boxes_at_.emplace(after(begin_, *options_.at));
   scene_.adopt(model_, begin_);
   zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  if (joints_) scene_.takeJoints(options_.joint_states, *joints_);
   if (!options_.static_from.empty()) takeStatic();
   onStep(begin_, false);
 }
@@ -232,6 +240,7 @@ void BagRun::onNews(std::int64_t now) {
 void BagRun::onStep(std::int64_t now, bool is_tick) {
   if (++steps_ % kStepsPerGlance == 0) showProgress();
   zones_.onStep(now, is_tick, isReported(now));
+  if (boxes_at_) boxes_at_->look(scene_.scene(), scene_.tf(), now);
   if (!isReported(now)) return;
   last_ = now;
   if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
@@ -260,6 +269,10 @@ BagReport BagRun::report() const {
   report.messages = messages_;
   report.boxes = boxes_.records();
   addCoverage(report.boxes);
+  if (boxes_at_) {
+    report.at = boxes_at_->stamp();
+    report.boxes_at = boxes_at_->boxes(scene_.scene());
+  }
   report.min_coverage = options_.min_coverage;
   report.zones = zones_.records();
   if (pairs_) report.distances = pairs_->pairs();
@@ -283,7 +296,12 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
-    if (!boxes[i].has_box) {
+    if (!boxes[i].has_box && joints_) {
+      std::string names;
+      for (const std::string& name : joints_->missing())
+        names += (names.empty() ? "" : ", ") + name;
+      if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;
+    } else if (!boxes[i].has_box) {
       boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
                         frameRemedy(i, scene_.scene(), scene_.tf());
     }
@@ -292,6 +310,9 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
 
 /// "" if the report is about something.
 std::string BagRun::whyUseless(const BagReport& report) const {
+  if (scene_.transforms() == 0 && joints_)
+    return "there is no message on " + options_.joint_states +
+           "; see rosbag info for the topics of the bags";
   if (scene_.transforms() == 0)
     return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
            (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);

@@ -54,10 +54,12 @@ class BagRun {
   RobotLoader loader_;
   ZoneWatch zones_;
   BagReader reader_;
+  std::unique_ptr<JointTransforms> joints_;
   std::shared_ptr<const Model> model_;
   RecordedScene scene_;
   BoxRecords boxes_;
   Coverage coverage_;
+  std::optional<BoxesAt> boxes_at_;
   std::optional<NearestPairs> pairs_;
   std::optional<BoxesBag> out_;
   std::optional<SeriesFile> series_;
