@@ -31,6 +31,8 @@ as one, by their record times.
   --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
   --tf-prefix P       tf has P/LINK for each link of the robot, as for the node's tf_prefix
   --tf-topic T        transforms are on T and T_static, instead of /tf and /tf_static
+  --joint-states T    positions of joints (JointState) and the URDF's kinematics, instead of tf; the
+                      root link stands, floating and planar joints have no transform
   --padding M         this and the next two are as the node's parameters: metres on every side
   --timeout S         a link without a newer transform for so long has no box; default 2, 0 = never
   --ignore-pairs "A B"  no distances between these links or objects; may be given several times
@@ -39,6 +41,7 @@ as one, by their record times.
                       have a box, 0 to 1; default 0.99
   --start S           reports from S seconds after the first message on, as rosbag play -s
   --end S             reads no further than S seconds after the first message
+  --at S              also all boxes S seconds after the first message, as tf2 interpolates
   --format F          table (default): rounded to micrometres
                       csv: kind,name,other,value,time,stamp
                       json: also says what is incomplete and why
@@ -58,11 +61,12 @@ as one, by their record times.
 Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
      the frame of a zone, although nobody interrupted
-  3  a zone was entered, or a distance was less than LIMIT
+  3  a zone was entered, or a distance was less than LIMIT, at a message or between two
   4  without --allow-incomplete: a name is incomplete, such as a link that never had a
      box, less than --min-coverage, or not any more at the end; a topic of --objects has no
-     message, not all distances are known, nothing was compared, or a part of the
-     bags was not read: damage, or interrupted
+     message, not all distances are known, a motion between two messages is undecided
+     or a transform came late, nothing was compared, or a part of the bags was not
+     read: damage, or interrupted
   2  see --strict
   0  everything was answered, and nothing was found
 With --each and --merge it is the first of these that applies to any bag; a file of lines that ends
@@ -80,6 +84,7 @@ enum Code {
   kObjects,
   kTfPrefix,
   kTfTopic,
+  kJointStates,
   kPadding,
   kTimeout,
   kIgnorePairs,
@@ -87,6 +92,7 @@ enum Code {
   kMinCoverage,
   kStart,
   kEnd,
+  kAt,
   kFormat,
   kOut,
   kSeries,
@@ -108,6 +114,7 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"objects", required_argument, nullptr, kObjects},
                                    {"tf-prefix", required_argument, nullptr, kTfPrefix},
                                    {"tf-topic", required_argument, nullptr, kTfTopic},
+                                   {"joint-states", required_argument, nullptr, kJointStates},
                                    {"padding", required_argument, nullptr, kPadding},
                                    {"timeout", required_argument, nullptr, kTimeout},
                                    {"ignore-pairs", required_argument, nullptr, kIgnorePairs},
@@ -115,6 +122,7 @@ constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
                                    {"min-coverage", required_argument, nullptr, kMinCoverage},
                                    {"start", required_argument, nullptr, kStart},
                                    {"end", required_argument, nullptr, kEnd},
+                                   {"at", required_argument, nullptr, kAt},
                                    {"format", required_argument, nullptr, kFormat},
                                    {"out", required_argument, nullptr, kOut},
                                    {"series", required_argument, nullptr, kSeries},
@@ -183,6 +191,9 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
     case kTfTopic:
       options.tf_topic = topicName("--tf-topic", optarg);
       return;
+    case kJointStates:
+      options.joint_states = topicName("--joint-states", optarg);
+      return;
     case kPadding:
       options.padding = limitOption("--padding", optarg);
       checkRule("--padding", optarg, rules::length(options.padding));
@@ -205,6 +216,9 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
       return;
     case kEnd:
       options.end = limitOption("--end", optarg, "seconds");
+      return;
+    case kAt:
+      options.at = limitOption("--at", optarg, "seconds");
       return;
     case kFormat:
       options.format = chosen<Format>(
@@ -276,6 +290,9 @@ void check(const BagBoundsOptions& options) {
   if (options.urdf.empty()) throw UsageError("no robot is given; add --urdf FILE");
   if (options.end && *options.end < options.start)
     throw UsageError("--end is before --start; nothing would be reported");
+  if (!options.joint_states.empty() && (options.tf_topic != "/tf" || !options.static_from.empty()))
+    throw UsageError(
+        "--joint-states is instead of transforms; leave out --tf-topic and --static-from");
 }
 
 }  // namespace

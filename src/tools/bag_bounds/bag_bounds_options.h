@@ -23,11 +23,13 @@ struct BagBoundsOptions {
   std::optional<double> distances;  ///< limit [m], finite, >= 0; none: not computed
   double start = 0;                 ///< s after the first message
   std::optional<double> end;        ///< s after the first message
+  std::optional<double> at;         ///< likewise, of all boxes
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
   std::string series;             ///< likewise
   std::set<std::string> objects;  ///< topics
   std::string tf_topic = "/tf";   ///< static transforms are on this name with "_static"
+  std::string joint_states;       ///< a topic that is instead of transforms; "": none
   std::string tf_prefix;          ///< this and the next three: as the node's parameters
   double padding = 0;
   double timeout = 2;

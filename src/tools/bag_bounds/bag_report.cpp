@@ -24,6 +24,8 @@ class Writer {
          << exactSeconds(report_.begin) << ", from " << shortTime(report_.from) << " to "
          << shortTime(report_.to) << "\n\n";
     writeExtremes();
+    writeSpeeds();
+    writeBoxes();
     if (!report_.zones.empty()) writeZones();
     if (report_.distances) writeDistances();
     writeCoverage();
@@ -38,6 +40,17 @@ class Writer {
       for (std::size_t k = 0; box.has_box && k < 3; ++k) {
         writeRow(std::string("min_") + kAxes[k], box.name, "", box.min[k].value, box.min[k].when);
         writeRow(std::string("max_") + kAxes[k], box.name, "", box.max[k].value, box.max[k].when);
+      }
+    }
+    for (const BoxRecord& box : report_.boxes) {
+      if (box.speed) writeRow("max_speed", box.name, "", box.speed->value, box.speed->when);
+    }
+    for (const BoxAt& found : report_.boxes_at) {
+      for (int k = 0; found.box && k < 3; ++k) {
+        const auto axis = static_cast<std::size_t>(k);
+        const RecordTime at{*report_.at, found.stamp};
+        writeRow(std::string("at_min_") + kAxes[axis], found.name, "", found.box->min()[k], at);
+        writeRow(std::string("at_max_") + kAxes[axis], found.name, "", found.box->max()[k], at);
       }
     }
     for (const ZoneRecord& zone : report_.zones) {
@@ -88,6 +101,33 @@ class Writer {
     }
     writeAligned(rows, out_, 2);
     if (rows.size() == 1) out_ << "(no link ever had a box)\n";
+  }
+
+  /// Only of boxes that moved.
+  void writeSpeeds() const {
+    std::vector<Row> rows{{"name", "max speed [m/s]", "at"}};
+    for (const BoxRecord& box : report_.boxes) {
+      if (box.speed && box.speed->value > 0)
+        rows.push_back({printable(box.name), shortRow("", {box.speed->value})[1],
+                        shortTime(box.speed->when.recorded)});
+    }
+    if (rows.size() == 1) return;
+    out_ << '\n';
+    writeAligned(rows, out_);
+  }
+
+  void writeBoxes() const {
+    if (!report_.at) return;
+    std::vector<Row> rows{{"box at " + exactSeconds(*report_.at - report_.begin), "min x", "min y",
+                           "min z", "max x", "max y", "max z"}};
+    for (const BoxAt& found : report_.boxes_at) {
+      if (!found.box) continue;
+      const Eigen::Vector3d &min = found.box->min(), &max = found.box->max();
+      rows.push_back(
+          shortRow(printable(found.name), {min.x(), min.y(), min.z(), max.x(), max.y(), max.z()}));
+    }
+    out_ << '\n';
+    writeAligned(rows, out_);
   }
 
   void writeZones() const {
@@ -198,6 +238,9 @@ Reasons incompleteOf(const BagReport& report) {
     if (!box.partial.empty()) reasons.emplace_back(box.name, box.partial);
     const std::string loss = lossOf(box, report);
     if (!loss.empty()) reasons.emplace_back(box.name, loss);
+  }
+  for (const BoxAt& found : report.boxes_at) {
+    if (!found.problem.empty()) reasons.emplace_back(found.name, found.problem);
   }
   return reasons;
 }

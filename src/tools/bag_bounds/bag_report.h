@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/bag_bounds/box_records.h"
+#include "tools/bag_bounds/boxes_at.h"
 #include "tools/bag_bounds/nearest_pairs.h"
 #include "tools/bag_bounds/zone_watch.h"
 #include "tools/text/table_text.h"
@@ -24,6 +25,8 @@ struct BagReport {
   std::int64_t to = 0;     ///< ... to here
   std::uint64_t messages = 0;
   std::vector<BoxRecord> boxes;
+  std::optional<std::int64_t> at;  ///< of the next ones
+  std::vector<BoxAt> boxes_at;
   std::vector<ZoneRecord> zones;
   std::optional<std::vector<NearestPair>> distances;
   double distance_limit = 0;  ///< [m]

@@ -27,6 +27,8 @@ class JsonWriter {
     writeHead(out);
     out << ",\n \"extremes\": "
         << jsonList(report_.boxes, [this](const auto& box) { return toJson(box); })
+        << ",\n \"boxes\": "
+        << jsonList(report_.boxes_at, [this](const auto& box) { return toJson(box); })
         << ",\n \"zones\": "
         << jsonList(report_.zones, [this](const auto& zone) { return toJson(zone); });
     if (report_.distances) {
@@ -126,7 +128,20 @@ class JsonWriter {
     const std::string name = "{\"name\": " + jsonString(box.name) +
                              (box.coverage ? ", \"coverage\": " + exactNumber(*box.coverage) : "");
     if (!box.has_box) return name + "}";
-    return name + ", " + extremes("min", box.min) + ", " + extremes("max", box.max) + "}";
+    std::string speed;
+    if (box.speed)
+      speed = ", \"max_speed\": {\"value\": " + exactNumber(box.speed->value) + ", " +
+              when(box.speed->when) + "}";
+    return name + ", " + extremes("min", box.min) + ", " + extremes("max", box.max) + speed + "}";
+  }
+
+  std::string toJson(const BoxAt& found) const {
+    std::string result = "{\"name\": " + jsonString(found.name);
+    if (found.box)
+      result += ", \"min\": " + jsonNumbers(found.box->min()) +
+                ", \"max\": " + jsonNumbers(found.box->max()) + ", " +
+                when({*report_.at, found.stamp});
+    return result + "}";
   }
 
   std::string toJson(const Stay& stay) const {

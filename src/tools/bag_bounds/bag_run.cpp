@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "link_bounds/robot/urdf/robot.h"
 #include "node/interface/topics.h"
 #include "robot/posed/row_threads.h"
 #include "tools/bag_bounds/report_words.h"
@@ -34,7 +35,11 @@ std::string withoutStatic(const std::string& topic) {
 
 std::set<std::string> topicsOf(const BagBoundsOptions& options) {
   std::set<std::string> topics = options.objects;
-  topics.insert({options.tf_topic, staticTopic(options)});
+  if (options.joint_states.empty()) {
+    topics.insert({options.tf_topic, staticTopic(options)});
+  } else {
+    topics.insert(options.joint_states);
+  }
   return topics;
 }
 
@@ -61,6 +66,8 @@ BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgres
       unused_topics_(options.objects) {
   if (options.distances)
     pairs_.emplace([this](const std::string& uri) { return question_.loadTree(uri); });
+  if (!options.joint_states.empty())
+    joints_ = std::make_unique<JointTransforms>(parseRobot(question.urdf()), options.tf_prefix);
   if (!options.out.empty()) out_.emplace(options.out);
   if (!options.series.empty()) series_.emplace(options.series);
 }
@@ -80,8 +87,10 @@ void BagRun::begin() {
   to_ = options_.end ? after(begin_, *options_.end) : std::numeric_limits<std::int64_t>::max();
   if (options_.start == 0) from_ = std::numeric_limits<std::int64_t>::min();
   last_ = begin_;
+  if (options_.at) boxes_at_.emplace(after(begin_, *options_.at));
   scene_.adopt(model_, begin_);
   zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  if (joints_) scene_.takeJoints(options_.joint_states, *joints_);
   if (!options_.static_from.empty()) takeStatic();
   onStep(begin_, false);
 }
@@ -167,6 +176,7 @@ void BagRun::onNews(std::int64_t now) {
 void BagRun::onStep(std::int64_t now, bool is_tick) {
   if (++steps_ % kStepsPerGlance == 0) on_progress_(reader_.progress());
   zones_.onStep(now, is_tick, isReported(now));
+  if (boxes_at_) boxes_at_->look(scene_.scene(), scene_.tf(), now);
   if (!isReported(now)) return;
   last_ = now;
   if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
@@ -195,6 +205,10 @@ BagReport BagRun::report() const {
   report.messages = messages_;
   report.boxes = boxes_.records();
   addCoverage(report.boxes);
+  if (boxes_at_) {
+    report.at = boxes_at_->stamp();
+    report.boxes_at = boxes_at_->boxes(scene_.scene());
+  }
   report.min_coverage = options_.min_coverage;
   report.zones = zones_.records();
   if (pairs_) report.distances = pairs_->pairs();
@@ -218,7 +232,12 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
-    if (!boxes[i].has_box) {
+    if (!boxes[i].has_box && joints_) {
+      std::string names;
+      for (const std::string& name : joints_->missing())
+        names += (names.empty() ? "" : ", ") + name;
+      if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;
+    } else if (!boxes[i].has_box) {
       boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
                         frameRemedy(i, scene_.scene(), scene_.tf());
     }
@@ -228,6 +247,9 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
 /// Who interrupts knows that there may be more.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (was_interrupted_) return "";
+  if (scene_.transforms() == 0 && joints_)
+    return "there is no message on " + options_.joint_states +
+           "; see rosbag info for the topics of the bags";
   if (scene_.transforms() == 0)
     return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
            (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);

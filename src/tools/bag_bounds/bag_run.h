@@ -58,10 +58,12 @@ class BagRun {
   OnProgress on_progress_;
   ZoneWatch zones_;
   BagReader reader_;
+  std::unique_ptr<JointTransforms> joints_;
   const std::shared_ptr<const Model> model_;
   RecordedScene scene_;
   BoxRecords boxes_;
   Coverage coverage_;
+  std::optional<BoxesAt> boxes_at_;
   std::optional<NearestPairs> pairs_;
   std::optional<BoxesBag> out_;
   std::optional<SeriesFile> series_;

@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/box_records.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace link_bounds {
 namespace {
@@ -19,6 +20,15 @@ void extend(BoxRecord& record, const Aabb& box, const RecordTime& now) {
   record.has_box = true;
 }
 
+void addSpeed(BoxRecord& record, const Aabb& box, const RecordTime& now, double timeout) {
+  const auto speed = record.last
+                         ? centreSpeed(*record.last, record.last_stamp, box, now.stamp, timeout)
+                         : std::nullopt;
+  if (speed && (!record.speed || *speed > record.speed->value)) record.speed = {*speed, now};
+  record.last = box;
+  record.last_stamp = now.stamp;
+}
+
 void endGap(BoxRecord& record, std::int64_t now) {
   if (record.gap) record.gaps_length += std::max<std::int64_t>(now - *record.gap, 0);
   record.gap.reset();
@@ -26,11 +36,14 @@ void endGap(BoxRecord& record, std::int64_t now) {
 
 /// Before its first box a name has no gap.
 template <class GetReason>
-void add(BoxRecord& record, const BoxState& state, std::int64_t now, const GetReason& reason) {
+void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout,
+         const GetReason& reason) {
+  if (!state.box) record.last.reset();
   if (state.box) {
     endGap(record, now);
     if (state.incomplete && record.partial.empty()) record.partial = reason();
     extend(record, *state.box, {now, state.stamp});
+    addSpeed(record, *state.box, {now, state.stamp}, timeout);
   } else if (!record.has_box) {
     record.reason = reason();
   } else if (!record.gap) {
@@ -44,7 +57,17 @@ void add(BoxRecord& record, const BoxState& state, std::int64_t now, const GetRe
 
 }  // namespace
 
+std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, const Aabb& to,
+                                  std::int64_t to_stamp, double timeout) {
+  const double seconds = static_cast<double>(to_stamp - from_stamp) / 1e9;
+  if (from_stamp == 0 || to_stamp <= from_stamp || (timeout > 0 && seconds > timeout))
+    return std::nullopt;
+  const double speed = (to.center() - from.center()).norm() / seconds;
+  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
+}
+
 bool BoxRecords::add(const Scene& scene, std::int64_t now) {
+  const double timeout = scene.model()->parameters.timeout;
   bool has_changed = false;
   const std::vector<BoxState>& states = scene.links.states();
   links_.resize(states.size());
@@ -52,7 +75,7 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
     if (links_[i].name.empty()) links_[i].name = scene.model()->links[i].name;
     const bool had_box = links_[i].has_box && !links_[i].gap;
     has_changed |= had_box != states[i].box.has_value();
-    link_bounds::add(links_[i], states[i], now, [&] { return scene.links.reason(i); });
+    link_bounds::add(links_[i], states[i], now, timeout, [&] { return scene.links.reason(i); });
   }
   for (const auto& [key, object] : scene.objects.objects()) {
     auto found = objects_.find(key);
@@ -64,7 +87,7 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
       found = objects_.emplace(key, BoxRecord()).first;
       found->second.name = object.content->bounded.name;
     }
-    link_bounds::add(found->second, object.state, now,
+    link_bounds::add(found->second, object.state, now, timeout,
                      [&scene, &live = object] { return scene.objects.reason(live); });
   }
   return has_changed;

@@ -25,6 +25,9 @@ struct BoxRecord {
   bool has_box = false;        ///< at any time; the next two are then defined
   std::array<Extreme, 3> min;  ///< smallest x, y, z
   std::array<Extreme, 3> max;
+  std::optional<Extreme> speed;     ///< the largest of its centre [m/s], see centreSpeed
+  std::optional<Aabb> last;         ///< the box of the last time
+  std::int64_t last_stamp = 0;      ///< its stamp [ns]
   std::uint64_t gaps = 0;           ///< how often the box was lost
   std::optional<std::int64_t> gap;  ///< begin of the present gap [ns]
   std::int64_t first_gap = 0;       ///< record time of its begin [ns]
@@ -35,6 +38,12 @@ struct BoxRecord {
   std::string remedy;               ///< for a link without any box; "" if none is known
   std::string partial;              ///< why the box does not cover everything; "" if it does
 };
+
+/// How fast the centre of a box moved from one stamp to the next [m/s]. Nothing between static
+/// boxes, where stamps do not grow, where it is not finite, and where they are farther apart than
+/// `timeout` [s; 0: never].
+std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, const Aabb& to,
+                                  std::int64_t to_stamp, double timeout);
 
 class BoxRecords {
  public:

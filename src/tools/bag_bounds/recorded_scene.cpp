@@ -66,7 +66,10 @@ bool RecordedScene::take(const BagMessage& message) {
   if (!passTo(message.time)) return false;
   try {
     const bool is_static = *message.topic == static_topic_;
-    if (is_static || *message.topic == tf_topic_) {
+    if (joints_ && *message.topic == joints_topic_) {
+      takeJointState(message);
+      ++transforms_;
+    } else if (is_static || *message.topic == tf_topic_) {
       takeTransforms(message, is_static);
       ++transforms_;
     } else if (!takeMarkers(message)) {
@@ -108,6 +111,24 @@ void RecordedScene::takeStatic(const BagMessage& message) {
   } catch (const ros::Exception&) {
     ++damaged_;
   }
+}
+
+void RecordedScene::takeJoints(const std::string& topic, JointTransforms& joints) {
+  joints_topic_ = topic;
+  joints_ = &joints;
+  feed_.onTransforms(
+      joints.fixed(), true, [] { return std::string(); }, toRosTime(now_));
+}
+
+/// Where a driver gives no stamp, that of the recording serves.
+void RecordedScene::takeJointState(const BagMessage& message) {
+  checkType(message, {"sensor_msgs/JointState", ""});
+  sensor_msgs::JointState state;
+  deserialize(message, state);
+  const ros::Time now = toRosTime(now_);
+  const ros::Time stamp = state.header.stamp.isZero() ? now : state.header.stamp;
+  feed_.onTransforms(
+      joints_->of(state, stamp), false, [&message] { return *message.publisher; }, now);
 }
 
 void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {

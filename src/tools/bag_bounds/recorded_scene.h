@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/bag_bounds/bag/bag_reader.h"
+#include "tools/bag_bounds/joint_transforms.h"
 #include "world/bodies/scene_feed.h"
 #include "world/model/model.h"
 
@@ -37,6 +38,10 @@ class RecordedScene {
   /// than transforms or markers.
   bool take(const BagMessage& message);
 
+  /// Takes the positions of joints on this topic as transforms. To be called before the first
+  /// message; takes the fixed joints at once. `joints` must outlive this.
+  void takeJoints(const std::string& topic, JointTransforms& joints);
+
   /// Takes static transforms at once, whatever their topic and time. Not to be called after take().
   void takeStatic(const BagMessage& message);
 
@@ -60,12 +65,15 @@ class RecordedScene {
  private:
   void tick(std::int64_t time);
   void takeTransforms(const BagMessage& message, bool is_static);
+  void takeJointState(const BagMessage& message);
   bool takeMarkers(const BagMessage& message);
   bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
   bool loadMeshes();
 
   const std::string tf_topic_;
   const std::string static_topic_;
+  std::string joints_topic_;
+  JointTransforms* joints_ = nullptr;
   LoadMesh load_mesh_;
   OnNews on_news_;
   OnStep on_step_;

@@ -14,7 +14,8 @@
 
 namespace link_bounds {
 
-/// A row per box that is another one than before, and per pair within the limit.
+/// A row per box that is another one than before, with the speed of its centre since then, and per
+/// pair within the limit.
 class SeriesFile {
  public:
   /// Throws std::runtime_error if the file cannot be written; close() likewise.
@@ -33,7 +34,8 @@ class SeriesFile {
     Aabb box;
   };
 
-  void addBox(const std::string& name, const BoxState& state, const std::string& time);
+  void addBox(const std::string& name, const BoxState& state, const std::string& time,
+              double timeout);
 
   std::string file_;
   std::ofstream out_;

@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 import time
 
+import rosbag
 from node_process import PROGRAMS, print_target, random_mesh
 
 LINKS = 50
@@ -25,8 +26,9 @@ ahead: {min: [0.5, -1, 0], max: [3, 1, 3]}
 around: {frame: branch_100_joint_10_link, min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5]}
 """
 READERS = {"rosbag": "bag_peer", "ours": "bag_ours", "bag_bounds": "bag_bounds",
-           "bag_bounds --out": "bag_bounds"}
-SPEED = ("rosbag", "ours", "bag_bounds")
+           "bag_bounds --out": "bag_bounds", "extremes alone": "bag_bounds"}
+SPEED = ("rosbag", "ours", "bag_bounds", "extremes alone")
+MEMORY = ("rosbag", "ours", "bag_bounds", "bag_bounds --out")
 
 
 class Bag:
@@ -34,6 +36,7 @@ class Bag:
 
     def __init__(self, folder, name, links, minutes):
         self.seconds = round(60 * minutes)
+        self.jobs = os.cpu_count()
         self.path = os.path.join(folder, name + ".bag")
         self.urdf = os.path.join(folder, name + ".urdf")
         self.zones = os.path.join(folder, "zones.yaml")
@@ -47,7 +50,9 @@ class Bag:
     def command(self, reader):
         options = []
         if READERS[reader] == "bag_bounds":
-            options = ["--urdf", self.urdf, "--zones", self.zones]
+            options = ["--urdf", self.urdf, "--jobs", str(self.jobs)]
+            if reader != "extremes alone":
+                options += ["--zones", self.zones]
         if reader.endswith("--out"):
             options += ["--out", self.path + ".boxes"]
         return [os.path.join(PROGRAMS, READERS[reader]), self.path, *options]
@@ -67,7 +72,7 @@ class Bag:
 
 def measure_speed(bag, readers, repetitions):
     """A row for each reader. They take turns, so that each has the same share of disturbance."""
-    if len({bag.counts(reader) for reader in readers if reader != "bag_bounds"}) > 1:
+    if len({bag.counts(reader) for reader in readers if READERS[reader] != "bag_bounds"}) > 1:
         raise RuntimeError("the readers disagree on what is in the bag")
     runs = {reader: [] for reader in readers}
     for _ in range(repetitions):
@@ -86,6 +91,27 @@ def measure_speed(bag, readers, repetitions):
                statistics.median(rows[-1]["times_real_time"]), rows[-1]["peak_mb"],
                ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else ""), flush=True)
     return rows
+
+
+def measure_jobs(bag, repetitions):
+    """A row for the bag compressed with bz2, with one thread and with one per core."""
+    plain, bag.path = bag.path, bag.path + ".bz2.bag"
+    with rosbag.Bag(plain) as source, rosbag.Bag(bag.path, "w", compression="bz2") as target:
+        for topic, message, time in source.read_messages(raw=True):
+            target.write(topic, message, time, raw=True)
+    runs = {1: [], os.cpu_count(): []}
+    for _ in range(repetitions):
+        for jobs in runs:
+            bag.jobs = jobs
+            runs[jobs].append(bag.read("bag_bounds")[0])
+    os.remove(bag.path)
+    bag.path, bag.jobs = plain, os.cpu_count()
+    alone, together = (statistics.median(seconds) for seconds in runs.values())
+    print("bz2: %.2f s with one thread, %.2f s with %d" % (alone, together, os.cpu_count()),
+          flush=True)
+    return {"kind": "jobs", "reader": "bag_bounds", "jobs": os.cpu_count(),
+            "seconds": list(runs.values()),
+            "shares": [a / b / os.cpu_count() for a, b in zip(*runs.values())]}
 
 
 def measure_memory(short, long, readers):
@@ -148,10 +174,15 @@ def print_targets(rows):
         if row["kind"] == "memory":
             print_target("%s, memory, %d times longer / short bag" % (row["reader"], TIMES_LONGER),
                          1.1, [row["peaks_mb"][1] / row["peaks_mb"][0]])
+        elif row["kind"] == "jobs":
+            print_target("bz2, speed of %d threads / %d times that of one" % ((row["jobs"],) * 2),
+                         0.8, row["shares"], False)
+        elif row["reader"] == "extremes alone":
+            print_target("extremes alone, times real time", 1000, row["times_real_time"], False)
         else:
-            print_target("bag_bounds, times real time", 200, row["times_real_time"], False)
+            print_target("bag_bounds, times real time", 500, row["times_real_time"], False)
             if row["ratios"]:
-                print_target("bag_bounds / rosbag that only reads and deserialises", 3,
+                print_target("bag_bounds / rosbag that only reads and deserialises", 4,
                              row["ratios"])
 
 
@@ -168,12 +199,15 @@ def main():
     if "rosbag" not in readers:
         print("left out, because this system lacks it: librosbag-storage")
     with tempfile.TemporaryDirectory(prefix="link_bounds_") as folder:
-        rows = measure_speed(Bag(folder, "bag", LINKS, minutes),
-                             [reader for reader in readers if reader in SPEED],
+        bag = Bag(folder, "bag", LINKS, minutes)
+        rows = measure_speed(bag, [reader for reader in readers if reader in SPEED],
                              3 if options.quick else 7)
+        if os.cpu_count() > 1:
+            rows.append(measure_jobs(Bag(folder, "bag", LINKS, min(minutes, 1)), 3))
         os.remove(os.path.join(folder, "bag.bag"))
         rows += measure_memory(Bag(folder, "short", FEW_LINKS, minutes),
-                               Bag(folder, "long", FEW_LINKS, TIMES_LONGER * minutes), readers)
+                               Bag(folder, "long", FEW_LINKS, TIMES_LONGER * minutes),
+                               [reader for reader in readers if reader in MEMORY])
         rows += measure_each(folder, 5 if options.quick else 20, 3)
     print_targets(rows)
     if options.json:

@@ -25,6 +25,7 @@ from bounds_testing import transform, wait_for
 from emulation import catches, is_emulated
 from node_testing import ALL, SIZES, arm_bounds
 from page_testing import PACKAGE, code_block, rows_below
+from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 from urdf_tf import UrdfTf
 
@@ -184,6 +185,135 @@ class CoverageTest(BagBoundsTest):
                 if time < time_of(BEGIN + 90) or message.transforms[0].child_frame_id == 'right']
         found = self.report(self.bag(lost), code=INCOMPLETE, err='names: 2')
         self.assertRegex(found['incomplete']['left'], 'had no box 2 times')
+
+
+def center(box):
+    return [(box[k] + box[k + 3]) / 2 for k in range(3)]
+
+
+class MomentsTest(BagBoundsTest):
+    """Boxes at one time, and how fast they move."""
+
+    def test_speeds_of_centers(self):
+        bag = self.bag(arms(COUNT))
+        series = self.path('series.csv')
+        found = {box['name']: box for box in self.report(bag, '--series', series)['extremes']}
+        centers = [center(arm_bounds('left_tip', degrees_at(i))) for i in range(COUNT)]
+        speeds = [math.dist(a, b) / PERIOD for a, b in zip(centers, centers[1:])]
+        speed = found['left_tip']['max_speed']
+        self.assertAlmostEqual(speed['value'], max(speeds), delta=1e-6)
+        self.assertAlmostEqual(speeds[round(speed['time'] / PERIOD) - 1], max(speeds), delta=1e-6)
+        self.assertNotIn('max_speed', found['mast'])
+        with open(series, encoding='utf-8') as file:
+            rows = [row for row in csv.DictReader(file) if row['name'] == 'left_tip']
+        self.assertEqual(rows[0]['speed'], '')
+        for row, expected in zip(rows[1:], speeds):
+            self.assertAlmostEqual(float(row['speed']), expected, delta=1e-6)
+        self.assertRegex(run(bag, '--urdf', self.urdf)[1], r'max speed \[m/s\] +at\n')
+
+    def test_a_gap_is_no_speed(self):
+        """The box is lost meanwhile, or a new one after a jump of the clock."""
+        bag = self.bag([static_arms()] + [moving_arms(i, angle_index=a)
+                                          for i, a in ((0, 0), (200, 100), (201, 100))])
+        found = self.report(bag, '--allow-incomplete')
+        tip = next(box for box in found['extremes'] if box['name'] == 'left_tip')
+        self.assertEqual(tip['max_speed']['value'], 0)
+
+    def test_all_boxes_at_a_time_between_two_messages(self):
+        bag = self.bag(arms(COUNT))
+        found = self.report(bag, '--at', '0.51')['boxes']
+        self.assertEqual([box['name'] for box in found], ALL)
+        degrees = (degrees_at(25) + degrees_at(26)) / 2
+        for box in found:
+            for value, expected in zip(box['min'] + box['max'], arm_bounds(box['name'], degrees)):
+                self.assertAlmostEqual(value, expected, delta=1e-9)
+            self.assertAlmostEqual(box['stamp'], 0 if box['name'] in ('base', 'mast')
+                                   else BEGIN + 0.51, delta=1e-9)
+        self.assertRegex(run(bag, '--urdf', self.urdf, '--at', '0.51')[1], 'box at 0.51.* +min x')
+        rows = run(bag, '--urdf', self.urdf, '--at', '0.51', '--format', 'csv')[1]
+        self.assertRegex(rows, r'(?m)^at_max_x,left,,[\d.]+,0\.51\d*,1000\.51\d*$')
+
+    def test_boxes_that_are_not_known_then_are_incomplete(self):
+        bag = self.bag([static_arms()] + [moving_arms(i, links=('right',)) for i in range(5)] +
+                       [moving_arms(i) for i in range(5, 9)])
+        found = self.report(bag, '--at', '0.03', code=INCOMPLETE, err='incomplete names: 2')
+        self.assertEqual([box['name'] for box in found['boxes'] if 'min' in box],
+                         ['base', 'mast', 'right'])
+        self.assertIn('no box at', found['incomplete']['left'])
+        found = self.report(bag, '--at', '60', code=INCOMPLETE, err='incomplete names: 1')
+        self.assertIn('the report ends before', found['incomplete']['--at'])
+
+
+class JointStatesTest(BagBoundsTest):
+    """Positions of joints beside the transforms that robot_state_publisher would have sent."""
+
+    def setUp(self):
+        super().setUp()
+        self.demo = UrdfTf(DEMO.read_text('utf-8'))
+        self.urdf = str(DEMO)
+        mimics = re.findall(r'<joint name="(\w+)"(?:(?!</joint>).)*<mimic', DEMO.read_text('utf-8'),
+                            re.DOTALL)
+        self.leaders = [name for name in self.demo.movable if name not in mimics]
+
+    def values(self, index):
+        return {name: 0.02 + 0.01 * i * math.sin(0.05 * index * (1 + i))
+                for i, name in enumerate(self.demo.movable)}
+
+    def state(self, index, names, stamp=None):
+        time = time_of(BEGIN + PERIOD * index)
+        message = JointState(name=['other_robot'] + names, position=[1.0] + [
+            self.values(index)[name] for name in names])
+        message.header.stamp = time if stamp is None else stamp
+        return '/joint_states', message, time
+
+    def both(self, states, *arguments):
+        messages = [('/tf_static', TFMessage(self.demo.static()), time_of(BEGIN))]
+        for index in range(60):
+            stamp = time_of(BEGIN + PERIOD * index)
+            messages.append(('/tf', TFMessage(self.demo.moving(stamp, self.values(index))), stamp))
+        return (self.report(self.bag(messages, 'tf.bag'), *arguments),
+                self.report(self.bag(states, 'states.bag'), '--joint-states', 'joint_states',
+                            *arguments))
+
+    def check_same(self, expected, found):
+        for a, b in zip(expected['extremes'], found['extremes']):
+            self.assertEqual((a['name'], a['coverage']), (b['name'], b['coverage']))
+            for x, y in zip(a['min'] + a['max'], b['min'] + b['max']):
+                self.assertAlmostEqual(x, y, delta=1e-9)
+        self.assertEqual(found['incomplete'], {})
+
+    def test_the_boxes_are_those_of_tf(self):
+        self.check_same(*self.both([self.state(i, self.leaders) for i in range(60)]))
+
+    def test_joints_in_messages_of_their_own(self):
+        """And without a stamp, where that of the recording serves."""
+        states = [self.state(i, self.leaders[half::2], time_of(0) if half else None)
+                  for i in range(60) for half in (0, 1)]
+        self.check_same(*self.both(states))
+
+    def test_motion_between_positions_is_covered(self):
+        states = [self.state(i, self.leaders) for i in range(0, 60, 15)]
+        found = self.report(self.bag(states), '--joint-states', '/joint_states', '--distances', '1',
+                            code=UNDERCUT)
+        self.assertTrue(all(pair['clearance'] <= pair['distance'] for pair in found['distances']))
+
+    def test_a_joint_without_position(self):
+        bag = self.bag([self.state(i, self.leaders[1:]) for i in range(9)])
+        found = self.report(bag, '--joint-states', '/joint_states', code=INCOMPLETE,
+                            err='incomplete names')
+        self.assertIn('; no message has the position of ' + self.leaders[0],
+                      found['incomplete']['shoulder'])
+
+    def test_what_is_refused(self):
+        bag = self.bag([self.state(0, self.leaders)])
+        good = (bag, '--urdf', self.urdf, '--joint-states')
+        self.check_refused('leave out --tf-topic', *good, 'a', '--tf-topic', '/b')
+        code, _, err = run(*good, '/none')
+        self.assertEqual(code, 1)
+        self.assertIn('error: there is no message on /none; see rosbag info', err)
+        code, _, err = run(self.bag(arms(2)), '--urdf', self.urdf, '--joint-states', '/tf')
+        self.assertEqual(code, 1)
+        self.assertIn('the messages on /tf are of type tf2_msgs/TFMessage, not sensor_msgs', err)
 
 
 class DistancesTest(BagBoundsTest):

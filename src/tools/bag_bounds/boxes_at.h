@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// All boxes at one moment, as tf2 interpolates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/bodies/scene.h"
+
+namespace link_bounds {
+
+struct BoxAt {
+  std::string name;
+  std::optional<Aabb> box;
+  std::int64_t stamp = 0;  ///< [ns]; 0 if all transforms on its way are static
+  std::string problem;     ///< why there is no box; "" if there is one
+};
+
+/// Poses at a stamp are known when the next transforms have come. Objects are those that are there
+/// when record time reaches the stamp.
+class BoxesAt {
+ public:
+  explicit BoxesAt(std::int64_t stamp) : stamp_(stamp) {}
+
+  /// To be called after each message and tick, at the record time [ns].
+  void look(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
+
+  std::int64_t stamp() const { return stamp_; }
+
+  /// In the order of ~boxes; links without geometry are not among them.
+  std::vector<BoxAt> boxes(const Scene& scene) const;
+
+ private:
+  struct Body {
+    std::string name;
+    const BoundedLink* link;
+    std::shared_ptr<const ObjectContent> object;  ///< null for links
+    TransformBuffer::Frame frame;
+    Eigen::Affine3d frame_from_body;
+    std::optional<Aabb> box;
+    std::int64_t stamp;
+  };
+
+  void begin(const Scene& scene);
+
+  std::int64_t stamp_;
+  bool has_begun_ = false;
+  std::vector<Body> bodies_;
+  std::size_t missing_ = 0;
+};
+
+}  // namespace link_bounds

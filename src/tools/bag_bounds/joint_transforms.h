@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Recorded joint values as the transforms that robot_state_publisher would have sent.
+#pragma once
+
+#include <sensor_msgs/JointState.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/robot/urdf/robot.h"
+#include "robot/urdf/joint_ranges.h"
+#include "world/tf/tf_message.h"
+
+namespace link_bounds {
+
+/// The root link is where it is. Floating and planar joints have no value in a JointState, so their
+/// links have no transforms. Not copyable: it hands out views of its names.
+class JointTransforms {
+ public:
+  /// Throws JointError for mimic joints that follow each other in a circle or follow no joint.
+  JointTransforms(Robot robot, const std::string& tf_prefix);
+  JointTransforms(const JointTransforms&) = delete;
+  JointTransforms& operator=(const JointTransforms&) = delete;
+
+  /// Of all fixed joints.
+  std::vector<TransformView> fixed() const;
+
+  /// Of the joints whose positions the message has, and of those that mimic them. Other names are
+  /// those of other robots, or of joints that the URDF does not have.
+  std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
+
+  /// Joints with a value that no message had so far.
+  std::vector<std::string> missing() const;
+
+ private:
+  struct Follower {
+    std::size_t joint;
+    double factor;
+    double offset;  ///< rad or m
+  };
+
+  TransformView transformOf(const Joint& joint, double value, ros::Time stamp) const;
+
+  Robot robot_;
+  std::vector<std::string> frames_;                         ///< of the links
+  std::map<std::string, std::vector<Follower>> followers_;  ///< by the name of their leader
+  std::map<std::string, bool> is_met_;                      ///< leaders
+};
+
+}  // namespace link_bounds
