@@ -106,8 +106,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
     control.is_over = overAfter(request.budget, stop);
     control.threads = jobs;
     const PairGoal goal{clearance, request.accuracy, touching};
-    return provePairs(shared.robot(), shared.bounded(), ranges, goal, control,
-                      adjacent ? PairChoice::kMovingWithAdjacent : PairChoice::kMoving);
+    return provePairs(shared.robot(), shared.bounded(), ranges, goal, control, {adjacent, false});
   });
   const std::vector<BoundedLink>& links = shared.bounded().links;
   std::vector<NamedProof> result;

@@ -19,11 +19,12 @@ std::vector<PairProof> chosenPairs(const Robot& robot, const BoundedRobot& bound
   std::vector<PairProof> pairs;
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
     for (std::size_t j = i + 1; j < bounded.links.size(); ++j) {
-      if (neighbours.areRigid(i, j) != (choice == PairChoice::kRigid)) continue;
       PairProof pair;
       pair.first = i;
       pair.second = j;
-      if (choice != PairChoice::kMovingWithAdjacent && neighbours.areAdjacent(i, j))
+      pair.is_rigid = neighbours.areRigid(i, j);
+      if (pair.is_rigid && !choice.lists_rigid) continue;
+      if ((pair.is_rigid || !choice.examines_adjacent) && neighbours.areAdjacent(i, j))
         pair.verdict = Verdict::kAdjacent;
       pairs.push_back(pair);
     }

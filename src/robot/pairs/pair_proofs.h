@@ -24,16 +24,17 @@ enum class Verdict {
   kAdjacent  ///< a joint is between the links; not examined
 };
 
-/// Which pairs are examined.
-enum class PairChoice {
-  kMoving,              ///< of links that are not rigidly joined; those of adjacent ones are listed
-  kMovingWithAdjacent,  ///< those of adjacent links are examined, too
-  kRigid                ///< of links that are rigidly joined; those of adjacent ones are listed
+/// Pairs of links that are not rigidly joined are listed, and examined but for those of adjacent
+/// links.
+struct PairChoice {
+  bool examines_adjacent = false;  ///< these, too, if they are not rigidly joined
+  bool lists_rigid = false;        ///< pairs of links that are rigidly joined, too
 };
 
 struct PairProof {
   std::size_t first = 0;   ///< index in BoundedRobot::links
   std::size_t second = 0;  ///< stands after `first`
+  bool is_rigid = false;   ///< fixed joints join the two
   Verdict verdict = Verdict::kUndecided;
   double clearance = 0;  ///< proven: in no pose the links are nearer [m]
   /// At most this far are the links apart in `pose` [m]; infinite if no pose was tried.
@@ -62,7 +63,6 @@ struct ProofControl {
 /// whose turn has not come by then are undecided. A search takes some 20 MB at most in its turn.
 std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges, const PairGoal& goal,
-                                  const ProofControl& control,
-                                  PairChoice choice = PairChoice::kMoving);
+                                  const ProofControl& control, PairChoice choice = {});
 
 }  // namespace link_bounds

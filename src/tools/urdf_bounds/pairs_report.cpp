@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <utility>
 
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
@@ -91,11 +92,9 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
   const PairGoal goal{table.clearance, options.accuracy.value_or(kDefaultAccuracy),
                       options.touching.value_or(kDefaultTouching)};
   const ProofControl control = controlFor(options);
-  const auto prove = [&](PairChoice choice) {
-    return provePairs(robot, bounded, ranges, goal, control, choice);
-  };
-  if (options.as_srdf) table.rigid = prove(PairChoice::kRigid);
-  table.rows = prove(options.adjacent ? PairChoice::kMovingWithAdjacent : PairChoice::kMoving);
+  const PairChoice choice{options.adjacent, options.as_srdf};
+  for (PairProof& proof : provePairs(robot, bounded, ranges, goal, control, choice))
+    (proof.is_rigid ? table.rigid : table.rows).push_back(std::move(proof));
   if (hasTerminal()) eraseBar();
   if (options.srdf)
     table.srdf = checkedSrdf(*options.srdf, old, Exemptions(exempt), table.links, table.rows);

@@ -58,7 +58,7 @@ std::vector<PairProof> proveInSlices(const Model& model, int slices) {
   std::atomic<int> used{0};
   control.is_over = [&] { return ++used > slices; };
   return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control,
-                    PairChoice::kMovingWithAdjacent);
+                    {true, false});
 }
 
 /// Values of the joints, also at the ends of their ranges.

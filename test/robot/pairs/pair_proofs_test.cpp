@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -275,8 +276,8 @@ TEST(PairProofs, WhatLeavesTheToleranceCollidesSometimes) {
   const auto verdict = [&](double touching) {
     PairGoal goal;
     goal.touching = touching;
-    const auto proofs = provePairs(model.robot, model.bounded, jointRanges(model.robot), goal, {},
-                                   PairChoice::kMovingWithAdjacent);
+    const auto proofs =
+        provePairs(model.robot, model.bounded, jointRanges(model.robot), goal, {}, {true, false});
     EXPECT_TRUE(proofs.at(0).has_free_pose);
     return proofs.at(0).verdict;
   };
@@ -329,10 +330,13 @@ TEST(PairProofs, NeighboursAreLinksWithOneJointBetweenThem) {
   EXPECT_FALSE(isAdjacent(1, 3));
   EXPECT_FALSE(isAdjacent(1, 4)) << "the base is between them";
   EXPECT_EQ(verdicts.count({2, 3}), 0U);
-  const auto rigid =
-      provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, {}, PairChoice::kRigid);
-  ASSERT_EQ(rigid.size(), 1U);
-  EXPECT_EQ(rigid[0].verdict, Verdict::kAdjacent);
+  std::vector<PairProof> all =
+      provePairs(model.robot, model.bounded, ranges, {}, control, {false, true});
+  EXPECT_EQ(all.size(), 10U);
+  all.erase(std::remove_if(all.begin(), all.end(), [](const auto& p) { return !p.is_rigid; }),
+            all.end());
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].verdict, Verdict::kAdjacent);
 }
 
 TEST(PairProofs, MemoryDoesNotChangeVerdicts) {

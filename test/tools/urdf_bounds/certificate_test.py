@@ -375,6 +375,9 @@ class ContactTest(UrdfBoundsTest):
             count = list(found.values()).count(verdict)
             self.assertRegex(text, '[:,] %d %s[,;]' % (count, verdict))
         self.assertIn('TOUCHING: within 0.0001 m in all poses\n', text)
+        lifted = self.write('lifted.urdf', CONTACT.replace('xyz="0.8 0 0"', 'xyz="0.8 0 3"'))
+        code, text = check(self.file, lifted, '--all')
+        self.assertRegex(text, 'refused: slab and mesh: .*not proven')
         self.damage_each(lines)
 
     def damage_each(self, good):
@@ -413,12 +416,30 @@ class ContactTest(UrdfBoundsTest):
         self.assertEqual(code, 0, text)
         self.assertIn(' %d ALWAYS' % list(found.values()).count('ALWAYS'), text)
 
-    def test_an_engine_whose_bodies_move_too_little(self):
-        """A ball that swings by up to 0.49 m has its way in a large ball, 0.2 m above its middle."""
+    def write_swing(self, solid):
+        """A ball swings by up to 0.49 m to each side, 0.2 m below the middle of a solid."""
         self.urdf = self.write('swing.urdf', '<robot name="swing">%s</robot>' % ''.join([
-            link('base', ball(0.01, -9.0)), link('large', ball(0.66)), link('small', ball(0.01, 1.0)),
-            joint('weld', 'fixed', 'base', 'large', '1 0 0.2'),
+            link('base', ball(0.01, -9.0)), link('large', '<geometry><%s/></geometry>' % solid),
+            link('small', ball(0.01, 1.0)), joint('weld', 'fixed', 'base', 'large', '1 0 0.2'),
             joint('swing', 'revolute', 'base', 'small', limits=(-0.5, 0.5))]))
+
+    def test_the_ball_leaves_a_solid_that_is_smaller(self):
+        for solid, smaller in (
+                ('sphere radius="0.66"', ['sphere radius="0.5"']),
+                ('box size="1.32 1.32 1.32"', ['box size="1.32 0.6 1.32"',
+                                               'box size="1.32 1.32 0.3"']),
+                ('cylinder radius="0.66" length="1.32"', ['cylinder radius="0.45" length="1.32"',
+                                                          'cylinder radius="0.66" length="0.3"'])):
+            self.write_swing(solid)
+            self.assertEqual(self.certificate()['large', 'small'], 'ALWAYS')
+            self.assertEqual(check(self.file, self.urdf, '--all')[0], 0)
+            for other in smaller:
+                with self.subTest(other):
+                    self.write_swing(other)
+                    self.assertEqual(check(self.file, self.urdf, '--all')[0], REFUSED)
+
+    def test_an_engine_whose_bodies_move_too_little(self):
+        self.write_swing('sphere radius="0.66"')
         self.assertEqual(self.certificate()['large', 'small'], 'ALWAYS')
         code, text = check(self.file, self.urdf, '--all')
         self.assertEqual((code, ' 1 ALWAYS; 2 of 2 boxes' in text), (0, True), text)
