@@ -36,7 +36,8 @@ double residentMegabytes(int pid) {
   throw std::runtime_error("the filter is gone");
 }
 
-/// Points around the robot, in the frame of its root link: a grid that waves.
+/// In the frame of the robot's root link: a wall beside the robot, and in each tenth row a sheet
+/// that waves through it.
 sensor_msgs::PointCloud2 cloudAround(const std::string& frame) {
   sensor_msgs::PointCloud2 cloud;
   cloud.header.frame_id = frame;
@@ -55,9 +56,10 @@ sensor_msgs::PointCloud2 cloudAround(const std::string& frame) {
   cloud.data.resize(std::size_t{cloud.row_step} * kHeight);
   for (std::uint32_t v = 0; v < kHeight; ++v) {
     for (std::uint32_t u = 0; u < kWidth; ++u) {
-      const float place[3] = {3.0f * static_cast<float>(u) / kWidth - 1.5f,
-                              0.3f * std::sin(0.05f * static_cast<float>(u + 2 * v)),
-                              1.6f * static_cast<float>(v) / kHeight};
+      const float place[3] = {
+          3.0f * static_cast<float>(u) / kWidth - 1.5f,
+          v % 10 != 0 ? 1.5f : 0.3f * std::sin(0.05f * static_cast<float>(u + 2 * v)),
+          1.6f * static_cast<float>(v) / kHeight};
       std::memcpy(cloud.data.data() + v * cloud.row_step + u * cloud.point_step, place, 12);
     }
   }

@@ -28,8 +28,7 @@
 
 namespace link_bounds {
 
-/// A node, or a nodelet in a process with others. Everything here runs on the thread that calls
-/// spin().
+/// Everything here runs on the thread that calls spin().
 class CloudFilterNode {
  public:
   /// The name of `private_node` is that of the node. `on_failure`: see RobotLoading.

@@ -17,7 +17,7 @@ namespace link_bounds {
 
 class FilterHealth {
  public:
-  /// `name` is that of the node or nodelet.
+  /// `name` is that of the node.
   FilterHealth(ros::NodeHandle& node, std::string name);
 
   /// A cloud or scan was filtered: it waited for tf, then took so long.

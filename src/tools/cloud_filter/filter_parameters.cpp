@@ -22,7 +22,7 @@ std::string filterUsage() {
   const FilterParameters defaults;
   return "usage: rosrun link_bounds cloud_filter [_PARAMETER:=VALUE ...] [--help] [--version]\n\n"
          "Removes the points of the robot from point clouds and laser scans: by its exact meshes,\n"
-         "at each point's own time. Also as nodelet link_bounds/cloud_filter.\n\n" +
+         "at each point's own time.\n\n" +
          interfaceTables(kFilterTopics, kFilterServices,
                          [&](auto& rows) { visitFilterParameters(defaults, rows); });
 }

@@ -106,7 +106,7 @@ struct ReadFilterParameters {
   std::vector<std::string> warnings;  ///< one per unknown private name
 };
 
-/// Of the node or nodelet of that full name. Throws ParameterError, NoMaster.
+/// Of the node of that full name. Throws ParameterError, NoMaster.
 ReadFilterParameters readFilterParameters(const ParameterServer& server, const std::string& name);
 
 /// For --help.

@@ -163,13 +163,13 @@ std::optional<TimeSpan> timeSpan(const CloudPoints& points) {
   if (points.size() == 0) return std::nullopt;
   if (!points.time) return TimeSpan{points.stamp, points.stamp};
   TimeSpan span{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint8_t* bytes = points.point(i);
-    if (!points.position(bytes).allFinite()) continue;
+  points.forEach([&](std::size_t, const std::uint8_t* bytes) {
+    // A sum is finite only if all are; one too large for that is no place either.
+    if (!std::isfinite(points.position(bytes).sum())) return;
     const std::int64_t time = points.timeOf(bytes);
     span.begin = std::min(span.begin, time);
     span.end = std::max(span.end, time);
-  }
+  });
   if (span.begin > span.end) return std::nullopt;
   return span;
 }

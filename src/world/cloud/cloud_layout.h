@@ -50,6 +50,17 @@ struct CloudPoints {
                        : data + index / width * row_step + index % width * point_step;
   }
 
+  /// Calls visit(index, bytes) for each point in order; faster than point() for each.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    std::size_t index = 0;
+    for (std::size_t row = 0; row < height; ++row) {
+      const std::uint8_t* bytes = data + row * row_step;
+      for (std::size_t i = 0; i < width; ++i, bytes += point_step)
+        visit(index++, bytes);
+    }
+  }
+
   template <class Number>
   static Number read(const std::uint8_t* bytes) {
     Number number;

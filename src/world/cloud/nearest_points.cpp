@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-/// Of 16, 64 and 256, the fastest for clouds of 640 x 480.
+/// A cloud of 640 x 480 so has 4,800 runs, which are sorted for each link.
 constexpr std::size_t kPointsPerRun = 64;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -41,14 +41,14 @@ class Runs {
   explicit Runs(const NearestQuery& query) {
     const CloudPoints& points = query.points;
     auto removed = query.removed.begin();
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    points.forEach([&](std::size_t i, const std::uint8_t* bytes) {
       if (removed != query.removed.end() && removed->point == i) {
         ++removed;
-        continue;
+        return;
       }
-      const Eigen::Vector3d place = points.position(points.point(i));
+      const Eigen::Vector3d place = points.position(bytes);
       if (place.norm() <= kMaxPointRange) add({place, i});
-    }
+    });
   }
 
   const std::vector<Run>& runs() const { return runs_; }

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Most points are outside the box around all links; of the others, neighbours are mostly of one
-// link.
+// link, and a coarse grid says which others can be there.
 #include "world/cloud/robot_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <future>
+
+#include "world/cloud/link_cells.h"
 
 namespace link_bounds {
 namespace {
@@ -45,19 +47,26 @@ std::vector<std::size_t> shadowLinks(const PointQuery& query) {
   return result;
 }
 
+/// What all threads share.
+struct Plan {
+  explicit Plan(const PointQuery& asked)
+      : query(asked), cells(asked.poses), shadow_links(shadowLinks(asked)) {}
+
+  const PointQuery& query;
+  LinkCells cells;
+  std::vector<std::size_t> shadow_links;
+};
+
 /// A run of points on one thread.
 class Labels {
  public:
-  Labels(const PointQuery& query, const std::vector<std::size_t>& shadow_links)
-      : query_(query),
-        shadow_links_(shadow_links),
-        box_(query.poses.box),
-        min_squared_(query.min_distance * query.min_distance),
-        cursor_(query.poses) {
-    for (std::size_t i = 0; i < query.grids.size(); ++i) {
-      if (!query.poses.links[i].box.isEmpty()) order_.push_back(i);
-    }
-  }
+  explicit Labels(const Plan& plan)
+      : query_(plan.query),
+        cells_(plan.cells),
+        shadow_links_(plan.shadow_links),
+        box_(query_.poses.box),
+        min_squared_(query_.min_distance * query_.min_distance),
+        cursor_(query_.poses) {}
 
   std::vector<RobotPoint> of(std::size_t begin, std::size_t end) {
     const CloudPoints& points = query_.points;
@@ -100,11 +109,14 @@ class Labels {
 
   void look(std::size_t index, const Eigen::Vector3d& point, const std::uint8_t* bytes) {
     if (query_.poses.moments.size() > 1) cursor_.seek(query_.points.timeOf(bytes));
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (!isOf(order_[i], point)) continue;
-      found_.push_back({index, order_[i]});
-      std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(i),
-                  order_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    if (last_ != kTooNear && isOf(last_, point)) {
+      found_.push_back({index, last_});
+      return;
+    }
+    for (const std::uint32_t link : cells_.at(point)) {
+      if (!isOf(link, point)) continue;
+      found_.push_back({index, link});
+      last_ = link;
       return;
     }
     if (point.squaredNorm() < min_squared_) {
@@ -137,11 +149,12 @@ class Labels {
   }
 
   const PointQuery& query_;
+  const LinkCells& cells_;
   const std::vector<std::size_t>& shadow_links_;
   const Aabb& box_;
   double min_squared_;
   ScanCursor cursor_;
-  std::vector<std::size_t> order_;  ///< links, the last one that was met first
+  std::size_t last_ = kTooNear;  ///< the link that was met last
   std::vector<RobotPoint> found_;
 };
 
@@ -150,14 +163,14 @@ class Labels {
 std::vector<RobotPoint> robotPoints(const PointQuery& query, std::size_t threads) {
   const std::size_t size = query.points.size();
   const std::size_t parts = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(size, 1));
-  const std::vector<std::size_t> shadow_links = shadowLinks(query);
+  const Plan plan(query);
   std::vector<std::future<std::vector<RobotPoint>>> others;
   for (std::size_t i = 1; i < parts; ++i) {
     others.push_back(std::async(std::launch::async, [&, i] {
-      return Labels(query, shadow_links).of(size * i / parts, size * (i + 1) / parts);
+      return Labels(plan).of(size * i / parts, size * (i + 1) / parts);
     }));
   }
-  std::vector<RobotPoint> result = Labels(query, shadow_links).of(0, size / parts);
+  std::vector<RobotPoint> result = Labels(plan).of(0, size / parts);
   for (auto& other : others) {
     const std::vector<RobotPoint> found = other.get();
     result.insert(result.end(), found.begin(), found.end());

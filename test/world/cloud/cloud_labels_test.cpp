@@ -185,7 +185,7 @@ void expectRight(const std::string& name, const Labels& labels) {
   EXPECT_EQ(labels.kept_robot, 0u) << name;
   EXPECT_EQ(labels.lost_scene, 0u) << name;
   EXPECT_EQ(labels.lost_between, 0u) << name;
-  EXPECT_GT(labels.robot, 100u) << name;
+  EXPECT_GT(labels.robot, 50u) << name;
   EXPECT_GT(labels.scene - labels.near, 100u) << name;
 }
 
