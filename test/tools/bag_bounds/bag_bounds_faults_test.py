@@ -163,7 +163,8 @@ class BagsTest(BagBoundsTest):
         expected = self.report(self.bag(arms(COUNT)))
         for compression in (rosbag.Compression.BZ2, rosbag.Compression.LZ4):
             bag = self.bag(arms(COUNT), name='small.bag', compression=compression)
-            self.assertEqual(self.report(bag), expected)
+            for jobs in '1', '2', '7':
+                self.assertEqual(self.report(bag, '--jobs', jobs), expected)
 
     def test_several_bags_are_read_as_one(self):
         messages = arms(COUNT)

@@ -169,6 +169,16 @@ class PostTest(BagBoundsTest):
                            )['zones'][0]
         self.assertEqual((zone['undecided'], zone['clearance']), (1, 0))
 
+    def test_a_late_transform_is_told(self):
+        """It changes a motion that was looked at before it came."""
+        messages = swing(5)
+        late = messages[2][:2] + (messages[4][2],)
+        messages = messages[:2] + [messages[3], late] + messages[4:]
+        free = zone_text('far', [5, 5, 5], [6, 6, 6])
+        self.zone(messages, text=free, code=INCOMPLETE,
+                  err='late transforms, which change motions that were looked at: 1')
+        self.zone(messages, '--allow-incomplete', text=free)
+
     def test_every_format_has_the_clearance(self):
         bag = self.bag([marker(1.1, 0, 0.05)] + swing(5))
         zones = self.write('zones.yaml', self.POST)
