@@ -127,8 +127,9 @@ class PathTest(UrdfBoundsTest):
 
     def test_the_table_names_collisions(self):
         path = self.write('path.csv', 'push,lift\n0,0\n4,0\n0,-0.5\n')
-        code, out, _ = run('-', '--poses', path, '--path', urdf=SLIDE)
+        code, out, err = run('-', '--poses', path, '--path', '--verbose', urdf=SLIDE)
         self.assertEqual(code, 3)
+        self.assertRegex(err, r'a segment took [0-9.e-]+ ms in the middle of 2, [0-9.e-]+ ms at most')
         self.assertIn('2 segments: 1 SAFE, 1 COLLIDES, 0 UNDECIDED', out)
         self.assertRegex(out, 'from row 2 to row 3, base and block collide at push:=[-0-9.]+ lift')
 
