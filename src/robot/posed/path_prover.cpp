@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <deque>
 #include <map>
 #include <optional>
@@ -292,7 +293,10 @@ PathProver::PathProver(PathProver&&) noexcept = default;
 PathProver::~PathProver() = default;
 
 SegmentProof PathProver::prove(const JointMotion& motion, const std::function<bool()>& is_over) {
-  return search_->prove(motion, is_over);
+  const auto begin = std::chrono::steady_clock::now();
+  SegmentProof proof = search_->prove(motion, is_over);
+  proof.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return proof;
 }
 
 }  // namespace link_bounds

@@ -46,7 +46,8 @@ struct SegmentProof {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t first = 0;
   std::size_t second = 0;
-  double share = 0;  ///< of the time from one way point to the next
+  double share = 0;    ///< of the time from one way point to the next
+  double seconds = 0;  ///< that the search took
 };
 
 /// Proofs about the same bodies, one after the other. Each is as it would be alone. Not

@@ -15,6 +15,7 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/pair_words.h"
 #include "tools/urdf_bounds/path_table.h"
 #include "tools/urdf_bounds/srdf_check.h"
 
@@ -119,6 +120,16 @@ std::size_t countOf(const PathTable& table, PathVerdict verdict) {
                     [=](const PathSegment& s) { return s.proof.verdict == verdict; }));
 }
 
+/// How long the searches took.
+void reportTimes(const PathTable& table) {
+  std::vector<double> times;
+  for (const PathSegment& segment : table.segments)
+    times.push_back(segment.proof.seconds * 1e3);
+  std::sort(times.begin(), times.end());
+  say("a segment took " + shortestNumber(times[times.size() / 2]) + " ms in the middle of " +
+      std::to_string(times.size()) + ", " + shortestNumber(times.back()) + " ms at most");
+}
+
 }  // namespace
 
 Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
@@ -128,6 +139,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
   result.segments = prove(options, withSimpleJoints(robot), bodies, motionsOf(table, given));
   write(result, options.format, std::cout);
+  if (options.verbose) reportTimes(result);
   Outcome outcome;
   outcome.has_finding = countOf(result, PathVerdict::kCollides) > 0;
   outcome.lost_geometry = !result.incomplete.empty();

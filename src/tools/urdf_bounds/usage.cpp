@@ -67,7 +67,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --accept-sampled    of --format srdf: also disables pairs that collided in all poses tried
   --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
                       without a range, nothing is proven of what depends on such a joint
-  --verbose           the memory that each mesh takes, on standard error
+  --verbose           the memory that each mesh takes, and the time of a segment of --path, on
+                      standard error
   --strict            exit with 2 if any geometry could not be used; of --poses: with 1 if a joint has
                       no column, a column is none of a joint, or a value is no number or is outside
                       the limits of its joint

@@ -4,6 +4,7 @@
 """Proofs about the motion between way points: urdf_bounds_path_test.py URDF_BOUNDS"""
 import json
 
+from page_testing import PACKAGE
 from urdf_bounds_testing import UrdfBoundsTest, main, run, tetrahedron
 
 # A block that slides along x above a bump: where the slide is at 2, they are 0.1 apart if the
@@ -127,10 +128,25 @@ class PathTest(UrdfBoundsTest):
 
     def test_the_table_names_collisions(self):
         path = self.write('path.csv', 'push,lift\n0,0\n4,0\n0,-0.5\n')
-        code, out, _ = run('-', '--poses', path, '--path', urdf=SLIDE)
+        code, out, err = run('-', '--poses', path, '--path', '--verbose', urdf=SLIDE)
         self.assertEqual(code, 3)
+        self.assertRegex(err, r'a segment took [0-9.e-]+ ms in the middle of 2, [0-9.e-]+ ms at most')
         self.assertIn('2 segments: 1 SAFE, 1 COLLIDES, 0 UNDECIDED', out)
         self.assertRegex(out, 'from row 2 to row 3, base and block collide at push:=[-0-9.]+ lift')
+
+    def test_the_example(self):
+        """The page shows what is printed: the way points are free, the way between two is not."""
+        demo = PACKAGE / 'launch/demo'
+        plan = (demo / 'plan.csv').read_text('utf-8').splitlines()
+        arguments = ['--path', '--objects', str(demo / 'cell.yaml')]
+        code, out, err = run(str(demo / 'demo.urdf'), '--poses', str(demo / 'plan.csv'), *arguments)
+        self.assertEqual(code, 3, err)
+        page = (PACKAGE / 'doc/tools.md').read_text('utf-8')
+        self.assertIn('--path --objects launch/demo/cell.yaml\n```\n\n```\n%s```' % out, page)
+        for row in plan[1:]:
+            rest = self.write('rest.csv', '\n'.join([plan[0], row, row]) + '\n')
+            code, out, err = run(str(demo / 'demo.urdf'), '--poses', rest, *arguments)
+            self.assertEqual(code, 0, err)
 
     def test_what_is_no_path_is_refused(self):
         for reason, table in (
