@@ -19,7 +19,7 @@ NODE = 'link_bounds_publisher/'
 POSE = {'shoulder_pan': -0.7, 'shoulder_lift': 0.5, 'elbow_bend': 1.5, 'forearm_roll': 0.0,
         'wrist_bend': 0.3, 'wrist_roll': 0.4, 'finger_left_slide': 0.03}  # in rad and m
 SPEEDS = {'shoulder_pan': 1.0, 'wrist_bend': 0.4}  # rad/s
-PERIOD, COUNT = 0.02, 10  # s and messages of the motion, longer than velocity_window
+PERIOD, COUNT = 0.03, 10  # s and messages of the motion; robot_state_publisher takes 50 per second
 PLACE, SIZE = (0.62, -0.2, 0.5), (0.12, 0.12, 0.12)  # of the ball [m]
 CUT = (10, 10, 450, 410)  # left, top, right, bottom of what is shown
 
@@ -39,10 +39,11 @@ class Motion:
         self._news[topic] = message
 
     def send(self):
-        """The stamp of the end."""
+        """Returns the stamp of the end. Stamps are even however busy the machine is."""
+        start = rospy.Time.now()
         for i in range(COUNT, -1, -1):
             message = JointState(name=list(POSE))
-            message.header.stamp = rospy.Time.now()
+            message.header.stamp = start + rospy.Duration((COUNT - i) * PERIOD)
             message.position = [value - SPEEDS.get(joint, 0) * i * PERIOD
                                 for joint, value in POSE.items()]
             self._joints.publish(message)

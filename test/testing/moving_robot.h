@@ -78,7 +78,7 @@ class MovingRobot {
     }
   }
 
-  std::unique_ptr<PastScene> copy(double now) {
+  std::unique_ptr<PastScene> copy(double now = kStamp) {
     SceneCopy copy(wayRequest(model_->parameters), model_);
     while (!copy.proceed(scene_, ros::Time(now), std::chrono::seconds(1))) {
     }

@@ -28,7 +28,8 @@ as one, by their record times.
                       without frame they are in the fixed frame
   --distances LIMIT   also the pairs whose proven distance was ever at most LIMIT [m], but none that
                       are rigidly connected or neighbours by one joint
-  --objects TOPIC     markers (Marker or MarkerArray) become boxes, too; may be given several times
+  --objects TOPIC     markers (Marker or MarkerArray) become boxes, too, and so do boxes of another
+                      node (AxisAlignedBoxArray, as ~boxes or ~stopping); may be given several times
   --tf-prefix P       tf has P/LINK for each link of the robot, as for the node's tf_prefix
   --tf-topic T        transforms are on T and T_static, instead of /tf and /tf_static
   --joint-states T    positions of joints (JointState) and the URDF's kinematics, instead of tf; the

@@ -25,6 +25,7 @@ constexpr std::int64_t kTicksPerGap = 100;
 constexpr std::size_t kMarkersPerGlance = 256;   // at the interrupt flag
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
 constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
+constexpr char kBoxArray[] = "link_bounds/AxisAlignedBoxArray";
 
 void checkType(const BagMessage& message, std::initializer_list<const char*> types) {
   for (const char* type : types) {
@@ -72,7 +73,7 @@ bool RecordedScene::take(const BagMessage& message) {
     } else if (is_static || *message.topic == tf_topic_) {
       takeTransforms(message, is_static);
       ++transforms_;
-    } else if (!takeMarkers(message)) {
+    } else if (!takeObjects(message)) {
       return false;
     }
   } catch (const ros::Exception&) {
@@ -139,8 +140,16 @@ void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
       toRosTime(now_));
 }
 
-bool RecordedScene::takeMarkers(const BagMessage& message) {
-  checkType(message, {"visualization_msgs/Marker", kMarkerArray});
+/// Boxes are those of a neighbour, as for the node.
+bool RecordedScene::takeObjects(const BagMessage& message) {
+  checkType(message, {"visualization_msgs/Marker", kMarkerArray, kBoxArray});
+  if (*message.type == kBoxArray) {
+    AxisAlignedBoxArray boxes;
+    deserialize(message, boxes);
+    ++markers_;
+    feed_.onNeighbour(boxes, {*message.publisher}, toRosTime(now_));
+    return true;
+  }
   const bool is_array = *message.type == kMarkerArray;
   visualization_msgs::MarkerArray array;
   if (is_array) {

@@ -66,7 +66,7 @@ class RecordedScene {
   void tick(std::int64_t time);
   void takeTransforms(const BagMessage& message, bool is_static);
   void takeJointState(const BagMessage& message);
-  bool takeMarkers(const BagMessage& message);
+  bool takeObjects(const BagMessage& message);
   bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
   bool loadMeshes();
 

@@ -9,12 +9,15 @@ import pathlib
 
 import genpy
 import rosbag
+import rospy
 from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, UNDERCUT,
                                 BagBoundsTest, arms, degrees_at, main, raw, run, time_of, zone_text)
 from bounds_testing import Pose, difference, union
+from geometry_msgs.msg import Point
+from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from node_testing import joint_pose
 from object_testing import deletion, marker
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 from visualization_msgs.msg import Marker, MarkerArray
 
 MESHES = pathlib.Path(__file__).resolve().parents[3] / 'launch/demo/meshes'
@@ -45,6 +48,17 @@ class ObjectsTest(BagBoundsTest):
         found = self.objects(arms(3) + [cube], '--objects', '/object', code=INCOMPLETE,
                              err='no message on /objects')
         self.assertLess(difference(self.box(found, 'part/1'), [-.5] * 3 + [.5] * 3), 1e-9)
+
+    def test_boxes_of_another_node(self):
+        """Such as its ~stopping. Names begin with that of the node, which this bag does not have."""
+        def boxes(index, names):
+            message = AxisAlignedBoxArray(Header(frame_id='base'), [AxisAlignedBox(
+                name, rospy.Time(), Point(1, 2, 3 + index), Point(2, 3, 4 + index))
+                for name in names], [])
+            return '/objects', message, time_of(BEGIN + PERIOD * index)
+        found = self.objects(arms(5) + [boxes(1, ['arm']), boxes(2, ['arm', 'hand'])])
+        self.assertLess(difference(self.box(found, '//arm'), [1, 2, 4, 2, 3, 6]), 1e-9)
+        self.assertLess(difference(self.box(found, '//hand'), [1, 2, 5, 2, 3, 6]), 1e-9)
 
     def test_an_object_in_a_zone(self):
         """It appears, goes, and comes again with another pose."""
