@@ -41,9 +41,12 @@ class Writer {
       }
     }
     for (const ZoneRecord& zone : report_.zones) {
-      if (zone.nearest)
+      if (zone.nearest) {
         writeRow("zone_nearest", zone.nearest->name, zone.zone.name, zone.nearest->distance,
                  zone.nearest->when);
+        out_ << "zone_clearance,," << csvField(zone.zone.name) << ',' << exactNumber(zone.clearance)
+             << ",,\n";
+      }
       for (const Stay& stay : zone.stays) {
         writeRow("zone_entered", stay.name, zone.zone.name, std::nullopt, stay.entered);
         writeRow(std::string("zone_") + toText(stay.end), stay.name, zone.zone.name, std::nullopt,
@@ -59,9 +62,12 @@ class Writer {
     for (const std::string& loss : report_.losses)
       out_ << "partial," << csvField(loss) << ",,,,\n";
     if (!report_.distances) return;
-    for (const NearestPair& pair : *report_.distances)
+    for (const NearestPair& pair : *report_.distances) {
       writeRow("distance", pair.distance.first, pair.distance.second, pair.distance.distance,
                pair.when);
+      out_ << "clearance," << csvField(pair.distance.first) << ',' << csvField(pair.distance.second)
+           << ',' << exactNumber(pair.clearance) << ",,\n";
+    }
   }
 
  private:
@@ -85,7 +91,7 @@ class Writer {
   }
 
   void writeZones() const {
-    std::vector<Row> nearest{{"zone", "nearest", "distance", "at", "entries"}};
+    std::vector<Row> nearest{{"zone", "nearest", "distance", "at", "clearance", "entries"}};
     std::vector<Row> stays{{"zone", "entered by", "from", "to", "end"}};
     for (const ZoneRecord& record : report_.zones) {
       const std::string zone = printable(record.zone.name);
@@ -93,9 +99,10 @@ class Writer {
       if (record.nearest) {
         nearest.push_back({zone, printable(record.nearest->name),
                            shortRow("", {record.nearest->distance})[1],
-                           shortTime(record.nearest->when.recorded), entries});
+                           shortTime(record.nearest->when.recorded),
+                           shortRow("", {record.clearance})[1], entries});
       } else {
-        nearest.push_back({zone, "-", "-", "-", entries});
+        nearest.push_back({zone, "-", "-", "-", "-", entries});
       }
       for (const Stay& stay : record.stays) {
         stays.push_back({zone, printable(stay.name), shortTime(stay.entered.recorded),
@@ -123,12 +130,14 @@ class Writer {
       }
       return;
     }
-    std::vector<Row> rows{{"first", "second", "distance", "distance max", "at", "level"}};
+    std::vector<Row> rows{
+        {"first", "second", "distance", "distance max", "at", "clearance", "level"}};
     for (const NearestPair& pair : *report_.distances) {
       Row row = shortRow(printable(pair.distance.first),
                          {pair.distance.distance, pair.distance.distance_max});
       row.insert(row.begin() + 1, printable(pair.distance.second));
       row.push_back(shortTime(pair.when.recorded));
+      row.push_back(shortRow("", {pair.clearance})[1]);
       row.emplace_back(levelText(pair.distance.level));
       rows.push_back(std::move(row));
     }

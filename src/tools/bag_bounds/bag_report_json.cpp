@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include "tools/bag_bounds/report_words.h"
 #include "tools/text/safe_text.h"
@@ -71,11 +72,13 @@ class JsonWriter {
            ", \"share\": " + exactNumber(*least->coverage) + "}";
   }
 
-  /// Of several, the first in alphabetical order.
+  /// That of the smallest proven clearance; of several, the first in alphabetical order.
   std::string nearestPair() const {
     const auto nearest = std::min_element(
-        report_.distances->begin(), report_.distances->end(),
-        [](const auto& a, const auto& b) { return a.distance.distance < b.distance.distance; });
+        report_.distances->begin(), report_.distances->end(), [](const auto& a, const auto& b) {
+          return std::make_pair(a.clearance, a.distance.distance) <
+                 std::make_pair(b.clearance, b.distance.distance);
+        });
     return nearest == report_.distances->end() ? "null" : toJson(*nearest);
   }
 
@@ -83,10 +86,11 @@ class JsonWriter {
     std::string first = "null";
     if (!record.stays.empty()) {
       const Stay& stay = record.stays.front();
-      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) + "}";
+      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) +
+              after(stay.outside_at) + "}";
     }
-    return "{\"name\": " + jsonString(record.zone.name) + ", \"nearest\": " + nearestTo(record) +
-           ", \"entries\": " + std::to_string(record.entries) + ", \"first\": " + first + "}";
+    return "{\"name\": " + jsonString(record.zone.name) + ", " + approachTo(record) +
+           ", \"first\": " + first + "}";
   }
 
   std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
@@ -102,6 +106,11 @@ class JsonWriter {
 
   std::string when(const RecordTime& moment) const {
     return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
+  }
+
+  /// The other end of the interval in which it happened.
+  static std::string after(const std::optional<std::int64_t>& stamp) {
+    return stamp ? ", \"after\": " + exactSeconds(*stamp) : "";
   }
 
   /// Three arrays: values, times and stamps.
@@ -126,20 +135,27 @@ class JsonWriter {
 
   std::string toJson(const Stay& stay) const {
     return "{\"name\": " + jsonString(stay.name) + ", \"entered\": {" + when(stay.entered) +
-           "}, \"end\": {" + when(stay.left) + "}, \"how\": " + quoted(toText(stay.end)) + "}";
+           after(stay.outside_at) + "}, \"end\": {" + when(stay.left) + after(stay.inside_at) +
+           "}, \"how\": " + quoted(toText(stay.end)) + "}";
   }
 
-  std::string nearestTo(const ZoneRecord& record) const {
-    if (!record.nearest) return "null";
-    return "{\"name\": " + jsonString(record.nearest->name) +
-           ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
-           when(record.nearest->when) + "}";
+  std::string approachTo(const ZoneRecord& record) const {
+    std::string nearest = "null";
+    if (record.nearest) {
+      nearest = "{\"name\": " + jsonString(record.nearest->name) +
+                ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
+                when(record.nearest->when) + "}";
+    }
+    return "\"nearest\": " + nearest +
+           ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
+           ", \"undecided\": " + std::to_string(record.undecided) +
+           ", \"entries\": " + std::to_string(record.entries);
   }
 
   std::string toJson(const ZoneRecord& record) const {
     return "{\"name\": " + jsonString(record.zone.name) +
-           ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearestTo(record) +
-           ", \"entries\": " + std::to_string(record.entries) + ", \"stays\": " +
+           ", \"frame\": " + jsonString(record.zone.frame) + ", " + approachTo(record) +
+           ", \"stays\": " +
            jsonList(record.stays, [this](const Stay& stay) { return toJson(stay); }) + "}";
   }
 
@@ -150,6 +166,7 @@ class JsonWriter {
            ", \"second\": " + jsonString(distance.second) +
            ", \"distance\": " + exactNumber(distance.distance) +
            ", \"distance_max\": " + exactNumber(distance.distance_max) +
+           ", \"clearance\": " + exactNumber(pair.clearance) +
            ", \"on_first\": " + vector(distance.on_first) +
            ", \"on_second\": " + vector(distance.on_second) +
            ", \"normal\": " + vector(distance.normal) +

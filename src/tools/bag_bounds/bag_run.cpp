@@ -50,7 +50,7 @@ BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgres
     : options_(options),
       question_(question),
       on_progress_(std::move(on_progress)),
-      zones_(question.zones()),
+      zones_(question.zones(), isInterrupted),
       reader_(
           options.bags, topicsOf(options), [this] { return glance(); },
           options.jobs.value_or(coreCount())),
@@ -179,7 +179,7 @@ void BagRun::record(std::int64_t now) {
   has_recorded_ = true;
   last_ = now;
   if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
-  if (pairs_) pairs_->add(scene_.scene(), now);
+  if (pairs_) pairs_->add(scene_.scene(), scene_.tf(), now);
   if (out_) out_->write(scene_.scene(), now);
   if (series_) {
     series_->add(scene_.scene(), pairs_ ? pairs_->latest() : std::vector<Distance>(), now, begin_);
@@ -252,6 +252,12 @@ Outcome BagRun::outcome(const BagReport& report) const {
     for (const std::string& problem : pairs_->problems())
       warn("distances to the convex hull only: " + problem);
   }
+  for (const ZoneRecord& zone : report.zones) {
+    if (zone.undecided > 0)
+      warn("zone \"" + zone.zone.name + "\": " + std::to_string(zone.undecided) +
+           " motions between two messages are not decided, the first of " + zone.first_undecided +
+           "; record tf at a higher rate");
+  }
   const std::string useless = whyUseless(report);
   if (!useless.empty()) say("error: " + useless);
   outcome.is_unusable = !useless.empty();
@@ -260,10 +266,19 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("losses while reading", report.losses.size());
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());
+  outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
+  if (pairs_ || !options_.zones.empty())
+    outcome.addOpen("late transforms, which change motions that were looked at",
+                    scene_.tf().intake().late);
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
   if (!pairs_) return outcome;
   if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
   outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
+  if (pairs_->undecided() > 0)
+    warn(std::to_string(pairs_->undecided()) +
+         " motions of two bodies between two messages are not decided, the first of " +
+         pairs_->firstUndecided() + "; record tf at a higher rate");
+  outcome.addOpen("motions of pairs that are not decided", pairs_->undecided());
   outcome.addOpen("distances of further pairs", pairs_->pairsLeftOut());
   outcome.addOpen("meshes without triangles", pairs_->problems().size());
   return outcome;

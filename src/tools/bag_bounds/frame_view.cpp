@@ -36,18 +36,20 @@ const FramePose& FrameView::poseOf(const std::string& frame) {
   return found->second.pose();
 }
 
-BoxState FrameView::stateOf(const LiveObject& object) {
-  BoxState state;
-  if (!object.state.box) return state;
+FrameView::Placed FrameView::placed(const LiveObject& object) {
+  Placed result;
+  BoxState& state = result.state;
+  if (!object.state.box) return result;
   const ObjectContent& content = *object.boxed.content;
   const FramePose& pose = poseOf(content.follows() ? content.frame : scene_.model()->fixed_frame);
-  if (pose.problem != TransformProblem::kNone) return state;
+  if (pose.problem != TransformProblem::kNone) return result;
+  result.pose_stamp = pose.stamp;
   state.box = linkBox(content.bounded, content.follows() ? pose.fixed_from_frame.affine
                                                          : pose.fixed_from_frame.affine *
                                                                object.boxed.fixed_from_header);
   state.stamp = std::max(pose.stamp, object.state.stamp);
   state.incomplete = object.state.incomplete || !state.box;
-  return state;
+  return result;
 }
 
 }  // namespace link_bounds

@@ -24,17 +24,28 @@ class FrameView {
   /// To be called with each tick. Likewise.
   bool expire(ros::Time now);
 
+  TransformBuffer::Frame frame() const { return *frames_.fixedFrame(); }
+
+  const LiveBoxes& links() const { return links_; }
+
+  struct Placed {
+    BoxState state;
+    std::int64_t pose_stamp = 0;  ///< [ns], if there is a box; 0: it does not move
+  };
+
+  /// An object of the scene.
+  Placed placed(const LiveObject& object);
+
   /// Calls visit(name, state) as Scene::forEach.
   template <class Visit>
   void forEach(Visit&& visit) {
     for (std::size_t i = 0; i < links_.states().size(); ++i)
       visit(links_.model()->links[i].name, links_.states()[i]);
     for (const auto& [key, object] : scene_.objects.objects())
-      visit(object.content->bounded.name, stateOf(object));
+      visit(object.content->bounded.name, placed(object).state);
   }
 
  private:
-  BoxState stateOf(const LiveObject& object);
   const FramePose& poseOf(const std::string& frame);
 
   Scene& scene_;

@@ -3,7 +3,10 @@
 // Trees come back within the request, so that nothing waits for them.
 #include "tools/bag_bounds/nearest_pairs.h"
 
+#include <algorithm>
+
 #include "tools/command_line/interrupt.h"
+#include "world/moment/distance_message.h"
 #include "world/moment/object_body.h"
 
 namespace link_bounds {
@@ -44,7 +47,7 @@ TreeRequests NearestPairs::requests() {
   return requests;
 }
 
-void NearestPairs::add(const Scene& scene, std::int64_t now) {
+void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
   latest_.clear();
   const auto computed = compute(momentOf(scene));
   if (!computed) return;
@@ -56,8 +59,42 @@ void NearestPairs::add(const Scene& scene, std::int64_t now) {
   latest_ = array.distances;
   for (const Distance& distance : latest_) {
     was_undercut_ |= distance.distance < limit;
-    keep(distance, now);
+    keep(distance, {now, static_cast<std::int64_t>(distance.stamp.toNSec())});
   }
+  lookBetween(computed->moment, tf, now);
+}
+
+void NearestPairs::lookBetween(const MomentPtr& moment, const TransformBuffer& tf,
+                               std::int64_t now) {
+  const double limit = moment->model->parameters.distance_limit;
+  PairMotions::Handlers handlers;
+  handlers.wanted = [&](std::size_t first, std::size_t second) -> std::optional<double> {
+    const auto found =
+        pairs_.find({moment->name(moment->bodies[first]), moment->name(moment->bodies[second])});
+    if (found == pairs_.end()) return limit;
+    if (found->second.clearance <= 0) return std::nullopt;
+    return std::max(found->second.distance.distance - kPairAccuracy, 0.0);
+  };
+  handlers.on_motion = [&](const PairMotion& motion) { take(*moment, motion, now); };
+  handlers.gives_up = isInterrupted;
+  motions_.look(moment, moment_pairs_, distances_.bodies(), tf, handlers);
+}
+
+void NearestPairs::take(const Moment& moment, const PairMotion& motion, std::int64_t now) {
+  const double limit = moment.model->parameters.distance_limit;
+  if (motion.nearest && motion.nearest->lower <= limit) {
+    Distance distance = toMessage(moment, FoundPair{motion.first, motion.second, *motion.nearest});
+    distance.stamp.fromNSec(static_cast<std::uint64_t>(motion.stamp));
+    was_undercut_ |= distance.distance < limit;
+    keep(distance, {now - motion.duration, motion.stamp});
+  }
+  const auto& first = moment.name(moment.bodies[motion.first]);
+  const auto& second = moment.name(moment.bodies[motion.second]);
+  const auto found = pairs_.find({first, second});
+  if (found != pairs_.end())
+    found->second.clearance = std::min(found->second.clearance, motion.clearance);
+  if (!motion.undecided.empty() && undecided_++ == 0)
+    first_undecided_ = first + " and " + second + ": " + motion.undecided;
 }
 
 /// Nothing if it was interrupted: without all trees, distances are smaller than they need be.
@@ -72,14 +109,15 @@ std::optional<ComputedDistances> NearestPairs::compute(const MomentPtr& moment) 
   return std::nullopt;
 }
 
-void NearestPairs::keep(const Distance& distance, std::int64_t now) {
+void NearestPairs::keep(const Distance& distance, const RecordTime& when) {
   const std::pair<std::string, std::string> names{distance.first, distance.second};
   const auto found = pairs_.find(names);
-  const RecordTime when{now, static_cast<std::int64_t>(distance.stamp.toNSec())};
   if (found != pairs_.end()) {
-    if (distance.distance < found->second.distance.distance) found->second = {distance, when};
+    NearestPair& pair = found->second;
+    if (distance.distance >= pair.distance.distance) return;
+    pair = {distance, when, std::min(pair.clearance, distance.distance)};
   } else if (pairs_.size() < kMaxPairs) {
-    pairs_[names] = {distance, when};
+    pairs_[names] = {distance, when, distance.distance};
   } else {
     ++left_out_;
   }

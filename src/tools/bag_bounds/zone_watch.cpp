@@ -9,7 +9,8 @@
 
 namespace link_bounds {
 
-ZoneWatch::ZoneWatch(const std::vector<Zone>& zones) {
+ZoneWatch::ZoneWatch(const std::vector<Zone>& zones, std::function<bool()> gives_up)
+    : gives_up_(std::move(gives_up)) {
   for (const Zone& zone : zones)
     zones_.emplace_back().record.zone = zone;
 }
@@ -17,11 +18,17 @@ ZoneWatch::ZoneWatch(const std::vector<Zone>& zones) {
 void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
   scene_ = &scene;
   tf_ = &tf;
+  timeout_ = scene.model()->parameters.timeout;
   for (Watched& watched : zones_) {
     std::string& frame = watched.record.zone.frame;
     if (frame.empty()) frame = scene.model()->fixed_frame;
-    if (frame == scene.model()->fixed_frame) continue;
-    watched.view = &views_.try_emplace(frame, frame, scene, tf, now).first->second;
+    FrameView* view = nullptr;
+    if (frame != scene.model()->fixed_frame)
+      view = &views_.try_emplace(frame, frame, scene, tf, now).first->second;
+    auto group = groups_.find(frame);
+    if (group == groups_.end())
+      group = groups_.emplace(frame, Group{view, BodyMotions(scene, tf, view), {}}).first;
+    group->second.zones.push_back(&watched);
   }
 }
 
@@ -36,8 +43,8 @@ void ZoneWatch::updateViews(ros::Time now) {
 void ZoneWatch::onNews(std::int64_t now, bool is_reported) {
   updateViews(toRosTime(now));
   if (!is_reported) return;
-  for (Watched& watched : zones_)
-    compare(watched, now);
+  for (auto& [frame, group] : groups_)
+    compare(group, now);
   have_views_changed_ = false;
 }
 
@@ -49,65 +56,108 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
       have_views_changed_ |= view.expire(toRosTime(now));
   }
   if (!is_reported || !std::exchange(have_views_changed_, false)) return;
-  for (Watched& watched : zones_) {
-    if (watched.view) compare(watched, now);
+  for (auto& [frame, group] : groups_) {
+    if (group.view) compare(group, now);
   }
 }
 
-void ZoneWatch::compare(Watched& watched, std::int64_t now) {
+void ZoneWatch::compare(Group& group, std::int64_t now) {
   ++comparisons_;
-  const auto visit_box = [&](const std::string& name, const BoxState& state) {
-    visit(watched, name, state, now);
-  };
-  if (watched.view) {
-    watched.view->forEach(visit_box);
-  } else {
-    scene_->forEach(visit_box);
-  }
-  for (auto body = watched.inside.begin(); body != watched.inside.end();) {
-    const auto next = std::next(body);
-    if (body->second.seen != comparisons_)
-      end(watched, body, StayEnd::kLost, {now, body->second.stamp});
-    body = next;
+  group.motions.forEach(
+      [&](const std::string& name, const BoxState& state, const BodyMotion* motion) {
+        if (!state.box) return;
+        for (Watched* watched : group.zones)
+          visit(*watched, name, state, motion, now);
+      });
+  for (Watched* watched : group.zones) {
+    for (auto body = watched->inside.begin(); body != watched->inside.end();) {
+      const auto next = std::next(body);
+      if (body->second.seen != comparisons_)
+        end(*watched, body, StayEnd::kLost, {now, body->second.stamp});
+      body = next;
+    }
   }
 }
 
 void ZoneWatch::visit(Watched& watched, const std::string& name, const BoxState& state,
-                      std::int64_t now) {
-  if (!state.box) return;
+                      const BodyMotion* motion, std::int64_t now) {
   const RecordTime moment{now, state.stamp};
   const double distance = signedDistance(*state.box, watched.record.zone.box);
-  std::optional<NearestToZone>& nearest = watched.record.nearest;
-  if (!nearest || distance < nearest->distance) nearest = {name, distance, moment};
+  ZoneRecord& record = watched.record;
+  if (!record.nearest || distance < record.nearest->distance)
+    record.nearest = {name, distance, moment};
+  record.clearance = std::min(record.clearance, std::max(distance, 0.0));
   if (distance > 0) {
+    if (motion) lookBetween(watched, name, *motion, distance, now);
     if (watched.inside.empty()) return;
     const auto body = watched.inside.find(name);
     if (body != watched.inside.end()) end(watched, body, StayEnd::kLeft, moment);
     return;
   }
-  if (!watched.inside.count(name)) enter(watched, name, moment);
+  if (!watched.inside.count(name))
+    enter(watched, name, moment, motion ? std::optional(motion->span.begin) : std::nullopt);
   Inside& inside = watched.inside[name];
   inside.seen = comparisons_;
   inside.stamp = state.stamp;
 }
 
-void ZoneWatch::enter(Watched& watched, const std::string& name, const RecordTime& now) const {
+/// Of a body that is outside now. The distance of two boxes changes by no more than sqrt(3) times
+/// what their points move, and a pose is half of the way from one of both ends, or nearer.
+void ZoneWatch::lookBetween(Watched& watched, const std::string& name, const BodyMotion& motion,
+                            double distance, std::int64_t now) {
+  constexpr double kPerWay = 0.8661;  // sqrt(3) / 2, rounded up
+  ZoneRecord& record = watched.record;
+  const double before = signedDistance(motion.before, record.zone.box);
+  if (before <= 0) return;
+  const double wanted = std::max(record.nearest->distance - kZoneAccuracy, 0.0);
+  const double clearance = (before + distance) / 2 - kPerWay * motion.way;
+  if (clearance > wanted) {
+    record.clearance = std::min(record.clearance, clearance);
+  } else {
+    take(watched, name, searchZone(*tf_, motion, record.zone.box, wanted, timeout_, gives_up_),
+         motion, now);
+  }
+}
+
+void ZoneWatch::take(Watched& watched, const std::string& name, const ZoneSearch& found,
+                     const BodyMotion& motion, std::int64_t now) {
+  ZoneRecord& record = watched.record;
+  const auto at = [&](std::int64_t stamp) {
+    return RecordTime{now - (motion.span.end - stamp), stamp};
+  };
+  if (found.nearest < record.nearest->distance)
+    record.nearest = {name, found.nearest, at(found.nearest_stamp)};
+  record.clearance = std::min(record.clearance, found.clearance);
+  if (!found.undecided.empty() && record.undecided++ == 0)
+    record.first_undecided = name + ": " + found.undecided;
+  for (const ZoneSearch::Crossing& crossing : found.crossings) {
+    if (!watched.inside.count(name))
+      enter(watched, name, at(crossing.is_entry ? crossing.after : crossing.before),
+            crossing.is_entry ? std::optional(crossing.before) : std::nullopt);
+    watched.inside[name].stamp = crossing.is_entry ? crossing.after : crossing.before;
+    if (!crossing.is_entry)
+      end(watched, watched.inside.find(name), StayEnd::kLeft, at(crossing.after));
+  }
+}
+
+void ZoneWatch::enter(Watched& watched, const std::string& name, const RecordTime& now,
+                      std::optional<std::int64_t> outside_at) const {
   ZoneRecord& record = watched.record;
   ++record.entries;
   watched.inside[name] = {record.stays.size(), comparisons_, now.stamp};
   if (record.stays.size() == kMaxStays) {
     watched.inside[name].stay = kMaxStays;
   } else {
-    record.stays.push_back({name, now, StayEnd::kReportEnded, {}});
+    record.stays.push_back({name, now, outside_at, StayEnd::kReportEnded, {}, {}});
   }
 }
 
-void ZoneWatch::end(Watched& watched, std::map<std::string, Inside>::iterator body, StayEnd how,
-                    const RecordTime& now) {
+void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const RecordTime& now) {
   if (body->second.stay < watched.record.stays.size()) {
     Stay& stay = watched.record.stays[body->second.stay];
     stay.end = how;
     stay.left = now;
+    stay.inside_at = body->second.stamp;
   }
   watched.inside.erase(body);
 }
@@ -131,6 +181,13 @@ std::vector<ZoneRecord> ZoneWatch::records() const {
 bool ZoneWatch::wasEntered() const {
   return std::any_of(zones_.begin(), zones_.end(),
                      [](const Watched& watched) { return watched.record.entries > 0; });
+}
+
+std::uint64_t ZoneWatch::undecided() const {
+  std::uint64_t count = 0;
+  for (const Watched& watched : zones_)
+    count += watched.record.undecided;
+  return count;
 }
 
 const Zone* ZoneWatch::neverCompared() const {

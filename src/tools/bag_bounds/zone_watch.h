@@ -4,13 +4,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "tools/bag_bounds/frame_view.h"
+#include "tools/bag_bounds/body_motions.h"
 #include "tools/bag_bounds/record_time.h"
+#include "tools/bag_bounds/zone_search.h"
 #include "tools/bag_bounds/zones.h"
 
 namespace link_bounds {
@@ -18,11 +21,15 @@ namespace link_bounds {
 /// How a stay in a zone ended: the box left, there was no box any more, or the report ended.
 enum class StayEnd { kLeft, kLost, kReportEnded };
 
+/// Between two messages it is found when the body had already entered or left, and that it had not
+/// at an earlier time.
 struct Stay {
   std::string name;
   RecordTime entered;
+  std::optional<std::int64_t> outside_at;  ///< the last stamp at which it was known outside [ns]
   StayEnd end = StayEnd::kReportEnded;
-  RecordTime left;  ///< when it ended
+  RecordTime left;                        ///< when it ended
+  std::optional<std::int64_t> inside_at;  ///< the last stamp at which it was known inside [ns]
 };
 
 struct NearestToZone {
@@ -34,17 +41,25 @@ struct NearestToZone {
 struct ZoneRecord {
   Zone zone;
   std::uint64_t entries = 0;
-  std::vector<Stay> stays;  ///< the first kMaxStays of the entries
-  std::optional<NearestToZone> nearest;
+  std::vector<Stay> stays;               ///< the first kMaxStays of the entries
+  std::optional<NearestToZone> nearest;  ///< of all poses that were looked at
+  /// Proven: nothing that has a box ever came nearer, also between messages [m]; 0 if something
+  /// entered it, or if that is not decided.
+  double clearance = std::numeric_limits<double>::infinity();
+  std::uint64_t undecided = 0;  ///< motions
+  std::string first_undecided;  ///< the first of these, in words
 };
 
-/// A body is in a zone while its box, with padding, and the zone overlap or touch.
+/// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
+/// between two of them. Who is inside at both is not looked at between them.
 class ZoneWatch {
  public:
   /// A body at the edge of a zone may enter it without end; further entries are only counted.
   static constexpr std::size_t kMaxStays = 1000;
 
-  explicit ZoneWatch(const std::vector<Zone>& zones);
+  /// `gives_up` is asked often while a motion between two messages is looked at.
+  explicit ZoneWatch(
+      const std::vector<Zone>& zones, std::function<bool()> gives_up = [] { return false; });
 
   /// To be called when the scene has a model. Both must outlive this.
   void watch(Scene& scene, TransformBuffer& tf, ros::Time now);
@@ -62,6 +77,9 @@ class ZoneWatch {
   std::vector<ZoneRecord> records() const;
   bool wasEntered() const;
 
+  /// Motions between messages of which it is not known whether they met a zone.
+  std::uint64_t undecided() const;
+
   /// A zone in whose frame there never was a box; null if there is none.
   const Zone* neverCompared() const;
 
@@ -75,21 +93,37 @@ class ZoneWatch {
 
   struct Watched {
     ZoneRecord record;
-    FrameView* view = nullptr;  ///< null: that of the scene
     std::map<std::string, Inside> inside;
   };
 
+  /// The zones of one frame.
+  struct Group {
+    FrameView* view;  ///< null: that of the scene
+    BodyMotions motions;
+    std::vector<Watched*> zones;
+  };
+
+  using InsideBody = std::map<std::string, Inside>::iterator;
+
   void updateViews(ros::Time now);
-  void compare(Watched& watched, std::int64_t now);
-  void visit(Watched& watched, const std::string& name, const BoxState& state, std::int64_t now);
-  void enter(Watched& watched, const std::string& name, const RecordTime& now) const;
-  static void end(Watched& watched, std::map<std::string, Inside>::iterator body, StayEnd how,
-                  const RecordTime& now);
+  void compare(Group& group, std::int64_t now);
+  void visit(Watched& watched, const std::string& name, const BoxState& state,
+             const BodyMotion* motion, std::int64_t now);
+  void lookBetween(Watched& watched, const std::string& name, const BodyMotion& motion,
+                   double distance, std::int64_t now);
+  void take(Watched& watched, const std::string& name, const ZoneSearch& found,
+            const BodyMotion& motion, std::int64_t now);
+  void enter(Watched& watched, const std::string& name, const RecordTime& now,
+             std::optional<std::int64_t> outside_at) const;
+  static void end(Watched& watched, InsideBody body, StayEnd how, const RecordTime& now);
 
   Scene* scene_ = nullptr;
   TransformBuffer* tf_ = nullptr;
+  std::function<bool()> gives_up_;
+  double timeout_ = 0;  ///< [s]
   std::vector<Watched> zones_;
   std::map<std::string, FrameView> views_;  ///< by frame, without the fixed one
+  std::map<std::string, Group> groups_;     ///< by frame
   std::uint64_t tf_version_ = 0;            ///< of which the views are
   bool have_views_changed_ = false;         ///< since they were compared
   std::uint64_t comparisons_ = 0;

@@ -15,6 +15,9 @@ namespace link_bounds {
 /// The problem if it was given up.
 constexpr const char* kNotInTime = "there was no time to compute its box";
 
+/// How far the points of the link's shapes are from the origin of its frame [m], at most.
+double radiusOf(const BoundedLink& link);
+
 struct SweptBox {
   std::optional<Aabb> box;  ///< in the target frame, padded as linkBox() does it
   std::string problem;      ///< why there is no box, in words; "" if there is one

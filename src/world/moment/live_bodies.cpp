@@ -65,7 +65,8 @@ void LiveBodies::set(std::size_t index, const Moment::Body& body, TriangleTrees:
   slot.lacks_trees =
       std::any_of(made->shapes.begin(), made->shapes.end(),
                   [](const BodyShape& shape) { return shape.shape.points && !shape.triangles; });
-  distances_.set(index, std::move(made));
+  slot.body = std::move(made);
+  distances_.set(index, slot.body);
 }
 
 Body LiveBodies::linkBody(const BoundedLink& link) {

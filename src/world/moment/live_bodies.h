@@ -27,6 +27,9 @@ class LiveBodies {
     return distances_.find(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
 
+  /// The shapes of a body, given by its index in the last moment.
+  const Body& body(std::size_t index) const { return *slots_[slots_of_bodies_[index]].body; }
+
   /// As find(), with another limit [m], and remembers nothing of the pair.
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
     return distances_.findOnce(slots_of_bodies_[first], slots_of_bodies_[second], limit);
@@ -43,7 +46,8 @@ class LiveBodies {
   /// Where BodyDistances has a body.
   struct Slot {
     std::shared_ptr<const ObjectContent> object;  ///< null for links
-    std::optional<Eigen::Affine3d> pose;          ///< the last one
+    std::shared_ptr<const Body> body;
+    std::optional<Eigen::Affine3d> pose;  ///< the last one
     bool lacks_trees = false;
     std::uint64_t seen = 0;  ///< number of the last moment that had the body
   };

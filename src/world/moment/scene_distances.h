@@ -37,6 +37,9 @@ class SceneDistances {
 
   TriangleTrees& trees() { return bodies_.trees(); }
 
+  /// As of the last moment.
+  const LiveBodies& bodies() const { return bodies_; }
+
  private:
   bool findCandidates(const MomentPtr& moment, MomentPairs& pairs,
                       const std::function<bool()>& is_cancelled);

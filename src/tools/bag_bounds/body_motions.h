@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How the bodies of a scene moved from one look at them to the next, in one frame.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/bag_bounds/frame_view.h"
+#include "world/history/way_bound.h"
+
+namespace link_bounds {
+
+/// A motion, as tf2 interpolates it. Valid until tf changes.
+struct BodyMotion {
+  MotionSpan span;  ///< the stamps of both boxes
+  Aabb before;      ///< the box at its begin
+  double way;       ///< that no point of the body exceeds [m]; may be infinite
+  TransformBuffer::Frame target;
+  TransformBuffer::Frame source;  ///< the frame of the body, or the one in which it was placed
+  const BoundedLink* link;        ///< its shapes
+  const Eigen::Affine3d* source_from_link;  ///< null: as they are
+};
+
+/// All points of the shapes are at most so far from the origin of the motion's source [m].
+double radiusOf(const BodyMotion& motion);
+
+/// A body moves while the stamp of its box grows, from one transform to a later one. It does not
+/// move, but is another one, where its box was lost meanwhile, where a marker came again, where the
+/// clock jumped back, and where nothing was known of it for longer than `timeout`.
+class BodyMotions {
+ public:
+  /// `view` has the axes of another frame than the scene's fixed one; null: these.
+  BodyMotions(Scene& scene, const TransformBuffer& tf, FrameView* view);
+
+  /// Calls visit(name, state, motion) as Scene::forEach; `motion` is null if there was none since
+  /// the last call.
+  template <class Visit>
+  void forEach(Visit&& visit) {
+    ++pass_;
+    const std::vector<BoundedLink>& links = scene_.model()->links;
+    const std::vector<BoxState>& states = view_ ? view_->links().states() : scene_.links.states();
+    last_links_.resize(states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Content content{scene_.links.frame(i), &links[i], nullptr, nullptr, states[i].stamp};
+      visit(links[i].name, states[i], next(last_links_[i], states[i], content));
+    }
+    for (const auto& [key, object] : scene_.objects.objects())
+      visitObject(key, object, visit);
+    forgetObjects();
+  }
+
+ private:
+  struct Content {
+    TransformBuffer::Frame source;
+    const BoundedLink* link;
+    const Eigen::Affine3d* source_from_link;
+    const ObjectContent* object;  ///< null for links
+    std::int64_t stamp;           ///< of the pose; 0: does not move
+  };
+
+  struct Last {
+    bool has_box = false;
+    std::int64_t stamp = 0;
+    Aabb box;
+    std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
+    std::uint64_t seen = 0;                       ///< pass
+  };
+
+  template <class Visit>
+  void visitObject(const ObjectKey& key, const LiveObject& object, Visit& visit) {
+    const FrameView::Placed placed = view_ ? view_->placed(object) : placedInScene(object);
+    Last& last = last_objects_[key];
+    const BodyMotion* motion = nullptr;
+    if (placed.state.box) {
+      const ObjectContent& content = *object.boxed.content;
+      const bool follows = content.follows();
+      motion =
+          next(last, placed.state,
+               {follows ? object.frame : fixed_frame_, &content.bounded,
+                follows ? nullptr : &object.boxed.fixed_from_header, &content, placed.pose_stamp});
+      last.object = object.boxed.content;
+    }
+    last.has_box = placed.state.box.has_value();
+    last.seen = pass_;
+    visit(object.content->bounded.name, placed.state, motion);
+  }
+
+  FrameView::Placed placedInScene(const LiveObject& object) const;
+  const BodyMotion* next(Last& last, const BoxState& state, const Content& content);
+  void forgetObjects();
+
+  Scene& scene_;
+  FrameView* view_;
+  WayBound ways_;
+  TransformBuffer::Frame target_;
+  TransformBuffer::Frame fixed_frame_;
+  std::int64_t timeout_;       ///< [ns]; 0: never
+  std::vector<double> radii_;  ///< of the links
+  std::vector<Last> last_links_;
+  std::map<ObjectKey, Last> last_objects_;
+  std::uint64_t pass_ = 0;
+  BodyMotion motion_;
+};
+
+}  // namespace link_bounds

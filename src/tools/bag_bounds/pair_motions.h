@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How near two bodies came between two messages.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "world/history/way_bound.h"
+#include "world/moment/live_bodies.h"
+#include "world/moment/moment_pairs.h"
+
+namespace link_bounds {
+
+/// What is proven is at most so far from the nearest pose that was looked at [m], where that is
+/// farther away.
+constexpr double kPairAccuracy = 1e-3;
+
+/// Two bodies by their indices in the moment.
+struct PairMotion {
+  std::size_t first;
+  std::size_t second;
+  /// Proven: the bodies never came nearer [m].
+  double clearance;
+  /// The nearest pose of all that were looked at, if any was.
+  std::optional<BodyDistance> nearest;
+  std::int64_t stamp = 0;     ///< of that pose
+  std::int64_t duration = 0;  ///< from it to the end of the motion [ns]
+  std::string undecided;  ///< why it may have come below `wanted` nevertheless; "" if it did not
+};
+
+/// Remembers of each pair how far apart it was proven to be. It cannot come within a limit before
+/// its bodies have moved by the rest: most motions need one look at the edges between them, and no
+/// distance.
+class PairMotions {
+ public:
+  struct Handlers {
+    /// Clearances above this need not be refined [m]; nothing if the pair is not of interest.
+    std::function<std::optional<double>(std::size_t first, std::size_t second)> wanted;
+    /// A motion of a pair, whose clearance may be below that.
+    std::function<void(const PairMotion&)> on_motion;
+    std::function<bool()> gives_up;
+  };
+
+  /// Looks at all motions from the last moment to this one, of the pairs of the moment's model.
+  /// They are over where a body was lost or replaced, and where nothing was known for `timeout`.
+  void look(const MomentPtr& moment, MomentPairs& pairs, const LiveBodies& bodies,
+            const TransformBuffer& tf, const Handlers& handlers);
+
+ private:
+  using Frame = TransformBuffer::Frame;
+
+  /// A body of this moment.
+  struct Mover {
+    Frame frame = 0;
+    const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
+    double radius = 0;                        ///< about the origin of the frame [m]
+    std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
+    std::int64_t end = 0;
+    bool was_there = false;  ///< in the last moment, the same one
+    double way = 0;          ///< in the fixed frame [m]
+  };
+
+  struct Lease {
+    std::int64_t stamp = 0;
+    double distance = 0;  ///< proven then [m]
+  };
+
+  using Names = std::pair<std::string, std::string>;
+
+  void begin(const MomentPtr& moment, const TransformBuffer& tf);
+  Mover moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
+  void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
+              const Handlers& handlers);
+
+  MomentPtr moment_;
+  MomentPtr last_;
+  std::vector<Mover> movers_;
+  std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
+  std::map<Frame, WayBound> ways_;                           ///< by target
+  std::uint64_t pass_ = 0;
+};
+
+}  // namespace link_bounds

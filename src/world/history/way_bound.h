@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How long the way of any point of a link is, at most: a bound that costs some 30 ns for a link, so
+// that only motions near something need the walk of motion_walk.h.
+//
+// It is step 3 of deviation_bound.h without accelerations: what an edge adds is its turn times the
+// distance of the point from the child's origin, and its shift. Both are linear in that distance,
+// so that one look at each edge serves all links behind it. The angle T of an edge comes from the
+// chord of its two quaternions: T <= 1.111 |q1 - q0| for all angles up to pi/2.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "world/history/motion_path.h"
+#include "world/tf/transform_buffer.h"
+
+namespace link_bounds {
+
+class WayBound {
+ public:
+  using Frame = TransformBuffer::Frame;
+
+  /// In that frame; `tf` must outlive this.
+  WayBound(const TransformBuffer& tf, Frame target) : tf_(tf), target_(target) {}
+
+  /// No point that is at most `radius` from the origin of `source` [m] has a longer way during the
+  /// span, as tf2 interpolates [m]. Infinite if that is not known in this cheap way: a history does
+  /// not cover the span, an edge changes its parent, or a quaternion is not of length 1. Between
+  /// two calls tf may have changed.
+  double of(Frame source, double radius, MotionSpan span);
+
+ private:
+  /// A point at a distance x from the origin of a frame, which moves there by w, has in another
+  /// frame at most the distance reach + scale x and the way shift + turn x + scale w.
+  struct Map {
+    double scale = 1;
+    double reach = 0;
+    double shift = 0;
+    double turn = 0;
+    double stretch = 0;  ///< step 5 of deviation_bound.h: sum of e,
+    double inverse = 1;  ///< and of the product of 1 / |q|^2, at most
+  };
+
+  /// An edge during the span, from the child to its parent.
+  struct Edge {
+    double scale = 1;     ///< largest |q|^2
+    double inverse = 1;   ///< largest 1 / |q|^2
+    double turn = 0;      ///< [rad], of the product, which turns by twice the angle of quaternions
+    double stretch = 0;   ///< e
+    double shift = 0;     ///< [m]
+    double distance = 0;  ///< of the child's origin from the parent's [m]
+  };
+
+  struct Node {
+    std::uint64_t run = 0;  ///< in which it was computed
+    bool is_known = false;
+    std::size_t height = 0;  ///< of the frame above the target that its way leads to
+    Map top_from_node;
+  };
+
+  /// From the target up to one of the frames above it.
+  struct Height {
+    Map top_from_target;
+    double turned_turn = 0;  ///< back from the top into the axes of the target
+    double turned_scale = 1;
+  };
+
+  void begin(MotionSpan span);
+  std::optional<Edge> edgeDuring(Frame child) const;
+  const Node& nodeOf(Frame source);
+  static Map behind(const Map& map, const Edge& edge);
+  static Map before(const Map& map, const Edge& edge);
+
+  const TransformBuffer& tf_;
+  Frame target_;
+  MotionSpan span_{0, -1};
+  std::uint64_t version_ = 0;  ///< of tf
+  std::uint64_t run_ = 0;      ///< counts spans and versions
+  std::vector<Node> nodes_;    ///< by frame
+  std::vector<Height> heights_;
+  std::vector<Frame> way_;  ///< memory that is reused
+};
+
+}  // namespace link_bounds

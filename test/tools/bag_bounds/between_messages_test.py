@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What happens between two messages of a bag: as in a bag with all poses between them.
+
+Run as: between_messages_test.py PATH_OF_bag_bounds
+"""
+import json
+import math
+import random
+
+from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, UNDERCUT, BagBoundsTest, main, run,
+                                static_arms, time_of, zone_text)
+from bounds_testing import Pose, transform, turn
+from node_testing import DYNAMIC, arm_transform
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker
+
+HAND = '''<robot name="arm"><link name="base"/><link name="hand"><visual><origin xyz="1 0 0"/>
+<geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+<joint name="turn" type="continuous"><parent link="base"/><child link="hand"/><axis xyz="0 0 1"/>
+</joint></robot>'''
+LINKS = tuple(DYNAMIC)
+DENSE = 0.002  # s
+ACCURACY = 1e-3  # m, of what is proven
+
+
+def message(stamp, degrees):
+    """Of some links; recorded at its stamp."""
+    transforms = [arm_transform(link, time_of(BEGIN + stamp), angle)
+                  for link, angle in degrees.items()]
+    return '/tf', TFMessage(transforms), time_of(BEGIN + stamp)
+
+
+def swing(hertz, speed=2.0, seconds=1.2, jump=None):
+    """Messages of a hand that turns with a constant speed [rad/s] around the base. After `jump`,
+    their stamps are so much later."""
+    messages = []
+    for i in range(round(seconds * hertz) + 1):
+        angle = speed * (i / hertz - 0.5)
+        stamp = time_of(BEGIN + i / hertz + (3 if jump is not None and i / hertz > jump else 0))
+        pose = Pose((0, 0, 0), turn((0, 0, 1), math.degrees(angle)))
+        edge = transform('base', 'hand', stamp, pose.xyz, pose.xyzw)
+        messages.append(('/tf', TFMessage([edge]), stamp))
+    return messages
+
+
+def marker(x, y, size):
+    """A cube that stands in the base frame."""
+    cube = Marker(ns='post', type=Marker.CUBE)
+    cube.header.frame_id = 'base'
+    cube.pose.position.x, cube.pose.position.y = x, y
+    cube.pose.orientation.w = 1
+    cube.scale.x = cube.scale.y = cube.scale.z = size
+    return '/objects', cube, time_of(BEGIN)
+
+
+class RandomArms:
+    """Each link has messages of its own at a low rate; between them angles change evenly."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.seconds = 2.0
+        self.samples = {}
+        for link in LINKS:
+            stamps = [0.0]
+            while stamps[-1] < self.seconds:
+                stamps.append(round(stamps[-1] + self.random.uniform(0.1, 0.4), 3))
+            angle = self.random.uniform(-60, 60)
+            self.samples[link] = []
+            for stamp in stamps:
+                self.samples[link].append((stamp, angle))
+                angle += self.random.uniform(-40, 40)
+
+    def angle(self, link, stamp):
+        for (begin, first), (end, last) in zip(self.samples[link], self.samples[link][1:]):
+            if begin <= stamp <= end:
+                return first + (last - first) * (stamp - begin) / (end - begin)
+        return self.samples[link][-1][1]
+
+    def sparse(self):
+        messages = [message(stamp, {link: angle})
+                    for link in LINKS for stamp, angle in self.samples[link]]
+        return [static_arms()] + sorted(messages, key=lambda m: m[2])
+
+    def dense(self):
+        """As long as all links are known."""
+        end = min(samples[-1][0] for samples in self.samples.values())
+        stamps = {i * DENSE for i in range(int(end / DENSE) + 1)}
+        stamps |= {stamp for samples in self.samples.values() for stamp, _ in samples
+                   if stamp <= end}
+        return [static_arms()] + [message(stamp, {link: self.angle(link, stamp) for link in LINKS})
+                                  for stamp in sorted(stamps)]
+
+
+class PostTest(BagBoundsTest):
+    """At 2 rad/s and 5 Hz a hand at 1 m passes the post at 0.5 s, between two messages."""
+
+    POST = zone_text('post', [0.95, -0.03, -1], [1, 0.03, 1])
+
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', HAND)
+
+    def zone(self, messages, *arguments, text=POST, **options):
+        path = self.write('zones.yaml', text)
+        return self.report(self.bag(messages), '--zones', path, *arguments, **options)['zones'][0]
+
+    def test_a_post_is_found(self):
+        zone = self.zone(swing(5), code=ENTERED)
+        self.assertEqual((zone['entries'], zone['clearance'], zone['undecided']), (1, 0, 0))
+        self.assertLess(zone['nearest']['distance'], 0)
+        self.assertAlmostEqual(zone['nearest']['time'], 0.5, delta=0.1)
+        stay, = zone['stays']
+        truth, = self.zone(swing(5000), code=ENTERED)['stays']
+        self.assertEqual((stay['name'], stay['how']), ('hand', 'left'))
+        for end in ('entered', 'end'):
+            self.assertLess(stay[end]['after'], stay[end]['stamp'])
+            self.assertLess(stay[end]['stamp'] - stay[end]['after'], 2e-3)
+            self.assertLessEqual(stay[end]['after'], truth[end]['stamp'])
+            self.assertGreaterEqual(stay[end]['stamp'], truth[end]['stamp'] - 2e-4)
+
+    def test_a_post_that_the_hand_passes_is_proven_free(self):
+        """1 mm beside its way: closer than the box around its places at both messages."""
+        zone = self.zone(swing(5), text=zone_text('post', [1.0515, -0.03, -1], [1.2, 0.03, 1]),
+                         code=0)
+        self.assertEqual((zone['entries'], zone['undecided']), (0, 0))
+        self.assertTrue(0 < zone['clearance'] <= 1.5e-3, zone['clearance'])
+
+    def test_a_zone_that_moves_with_the_hand(self):
+        """The marker passes it; in the hand's frame it is the marker that moves."""
+        zone = self.zone([marker(1, 0, 0.05)] + swing(5), '--objects', '/objects',
+                         text=zone_text('grip', [0.95, -0.03, -1], [1.05, 0.03, 1], 'hand'),
+                         code=ENTERED)
+        self.assertIn('post/0', {stay['name'] for stay in zone['stays']})
+
+    def test_a_gap_is_no_motion(self):
+        """Longer than timeout: nobody knows the way. Coverage tells of it."""
+        found = self.zone(swing(5, jump=0.45), code=INCOMPLETE, err='incomplete names: 1')
+        self.assertEqual((found['entries'], found['undecided']), (0, 0))
+        self.zone(swing(5, jump=0.45), '--timeout', '5', code=ENTERED)
+
+    def test_a_distance_is_undercut(self):
+        for size, code in ((0.05, UNDERCUT), (0.002, UNDERCUT)):
+            bag = self.bag([marker(1, 0, size)] + swing(5))
+            pair, = self.report(bag, '--distances', '0.01', '--objects', '/objects',
+                                code=code)['distances']
+            self.assertEqual((pair['distance'], pair['clearance']), (0, 0))
+            self.assertAlmostEqual(pair['time'], 0.5, delta=0.1)
+        bag = self.bag([marker(1.1, 0, 0.05)] + swing(5))
+        pair, = self.report(bag, '--distances', '0.03', '--objects', '/objects',
+                            code=UNDERCUT)['distances']
+        corner = 1.075 - math.hypot(1.05, 0.05)
+        self.assertAlmostEqual(pair['distance'], corner, delta=1e-3)
+        self.assertTrue(corner - 2e-3 <= pair['clearance'] <= corner)
+        found = self.report(bag, '--distances', '0.02', '--objects', '/objects', code=0)
+        self.assertEqual(found['distances'], [])
+
+    def test_a_parent_that_changes_is_undecided(self):
+        """tf knows no way between two parents."""
+        other = [transform('base', 'cart', time_of(0)), transform('base', 'table', time_of(0))]
+        messages = swing(5)
+        for i, (_, message, _) in enumerate(messages):
+            message.transforms[0].header.frame_id = 'cart' if i < 3 else 'table'
+        bag = self.bag([('/tf_static', TFMessage(other), time_of(BEGIN))] + messages)
+        zones = self.write('zones.yaml', self.POST)
+        zone = self.report(bag, '--zones', zones, code=INCOMPLETE,
+                           err='1 motions .* not decided, the first of hand: .*changes its parent'
+                           )['zones'][0]
+        self.assertEqual((zone['undecided'], zone['clearance']), (1, 0))
+
+    def test_every_format_has_the_clearance(self):
+        bag = self.bag([marker(1.1, 0, 0.05)] + swing(5))
+        zones = self.write('zones.yaml', self.POST)
+        arguments = (bag, '--urdf', self.urdf, '--zones', zones, '--distances', '0.03', '--objects',
+                     '/objects')
+        self.assertRegex(run(*arguments)[1], '(?s)at  clearance  entries.*at  clearance  level')
+        table = run(*arguments, '--format', 'csv')[1]
+        self.assertRegex(table, '(?m)^zone_clearance,,post,0,,$')
+        self.assertRegex(table, '(?m)^clearance,hand,post/0,0.02')
+
+
+class DenseSamplesTest(BagBoundsTest):
+    """Nothing that is proven of a slow bag is contradicted by a bag of all poses between."""
+
+    SEEDS = range(6)
+
+    def check_zone(self, slow, fast):
+        if fast['entries'] > 0:
+            self.assertTrue(slow['entries'] > 0 or slow['undecided'] > 0)
+        self.assertLessEqual(slow['clearance'], max(fast['nearest']['distance'], 0) + 1e-9)
+        if slow['undecided'] == 0:
+            self.assertGreaterEqual(slow['clearance'], max(slow['nearest']['distance'], 0)
+                                    - ACCURACY - 1e-9)
+        return slow['entries'] > 0
+
+    def check_pairs(self, slow, fast):
+        slow = {(p['first'], p['second']): p for p in slow['distances']}
+        for pair in fast['distances']:
+            found = slow[pair['first'], pair['second']]
+            self.assertLessEqual(found['clearance'], pair['distance_max'] + 1e-9)
+            self.assertGreaterEqual(found['clearance'], found['distance'] - ACCURACY - 1e-9)
+
+    def test_random_arms(self):
+        entered = 0
+        for seed in self.SEEDS:
+            arms = RandomArms(seed)
+            bags = [self.bag(arms.sparse(), 'slow.bag'), self.bag(arms.dense(), 'fast.bag')]
+            zones = ''
+            for i in range(8):
+                low = [arms.random.uniform(-0.2, 1.2), arms.random.uniform(-1.2, 1.2), -0.5]
+                high = [low[0] + arms.random.uniform(0, 0.1), low[1] + 0.02, 0.5]
+                frame = ('', 'left_tip', 'right')[i % 3]
+                zones += zone_text('z%d' % i, low, high, frame)
+            path = self.write('zones.yaml', zones)
+            found = []
+            for bag in bags:
+                code, out, err = run(bag, '--urdf', self.urdf, '--format', 'json', '--zones', path,
+                                     '--distances', '0.3')
+                self.assertIn(code, (0, ENTERED, INCOMPLETE), err)
+                found.append(json.loads(out))
+            with self.subTest(seed=seed):
+                for slow, fast in zip(found[0]['zones'], found[1]['zones']):
+                    entered += self.check_zone(slow, fast)
+                self.check_pairs(*found)
+        self.assertGreater(entered, 5)
+
+
+if __name__ == '__main__':
+    main()
