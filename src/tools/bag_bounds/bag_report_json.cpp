@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include "tools/bag_bounds/report_words.h"
 #include "tools/text/safe_text.h"
@@ -73,11 +74,13 @@ class JsonWriter {
            ", \"share\": " + exactNumber(*least->coverage) + "}";
   }
 
-  /// Of several, the first in alphabetical order.
+  /// That of the smallest proven clearance; of several, the first in alphabetical order.
   std::string nearestPair() const {
     const auto nearest = std::min_element(
-        report_.distances->begin(), report_.distances->end(),
-        [](const auto& a, const auto& b) { return a.distance.distance < b.distance.distance; });
+        report_.distances->begin(), report_.distances->end(), [](const auto& a, const auto& b) {
+          return std::make_pair(a.clearance, a.distance.distance) <
+                 std::make_pair(b.clearance, b.distance.distance);
+        });
     return nearest == report_.distances->end() ? "null" : toJson(*nearest);
   }
 
@@ -85,10 +88,11 @@ class JsonWriter {
     std::string first = "null";
     if (!record.stays.empty()) {
       const Stay& stay = record.stays.front();
-      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) + "}";
+      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) +
+              after(stay.outside_at) + "}";
     }
-    return "{\"name\": " + jsonString(record.zone.name) + ", \"nearest\": " + nearestTo(record) +
-           ", \"entries\": " + std::to_string(record.entries) + ", \"first\": " + first + "}";
+    return "{\"name\": " + jsonString(record.zone.name) + ", " + approachTo(record) +
+           ", \"first\": " + first + "}";
   }
 
   std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
@@ -150,19 +154,23 @@ class JsonWriter {
            "}, \"how\": " + quoted(toText(stay.end)) + "}";
   }
 
-  std::string nearestTo(const ZoneRecord& record) const {
-    if (!record.nearest) return "null";
-    return "{\"name\": " + jsonString(record.nearest->name) +
-           ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
-           when(record.nearest->when) + "}";
+  std::string approachTo(const ZoneRecord& record) const {
+    std::string nearest = "null";
+    if (record.nearest) {
+      nearest = "{\"name\": " + jsonString(record.nearest->name) +
+                ", \"distance\": " + exactNumber(record.nearest->distance) + ", " +
+                when(record.nearest->when) + "}";
+    }
+    return "\"nearest\": " + nearest +
+           ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
+           ", \"undecided\": " + std::to_string(record.undecided) +
+           ", \"entries\": " + std::to_string(record.entries);
   }
 
   std::string toJson(const ZoneRecord& record) const {
     return "{\"name\": " + jsonString(record.zone.name) +
-           ", \"frame\": " + jsonString(record.zone.frame) + ", \"nearest\": " + nearestTo(record) +
-           ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
-           ", \"undecided\": " + std::to_string(record.undecided) +
-           ", \"entries\": " + std::to_string(record.entries) + ", \"stays\": " +
+           ", \"frame\": " + jsonString(record.zone.frame) + ", " + approachTo(record) +
+           ", \"stays\": " +
            jsonList(record.stays, [this](const Stay& stay) { return toJson(stay); }) + "}";
   }
 

@@ -48,7 +48,8 @@ ReadLine parse(const std::string& text) {
     result.coverage = {least["name"].as<std::string>(), least["share"].as<double>()};
   if (const YAML::Node worst = line["worst"]; worst && !worst.IsNull())
     result.worst = {worst["first"].as<std::string>(), worst["second"].as<std::string>(),
-                    worst["distance"].as<double>(), worst["time"].as<std::string>()};
+                    worst["clearance"].as<double>(), worst["distance"].as<double>(),
+                    worst["time"].as<std::string>()};
   for (const YAML::Node& zone : line["zones"])
     result.zones.push_back({zone["name"].as<std::string>(), zone["entries"].as<std::uint64_t>()});
   return result;

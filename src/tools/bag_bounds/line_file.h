@@ -17,8 +17,9 @@ namespace link_bounds {
 struct PairOfLine {
   std::string first;
   std::string second;
-  double distance = 0;  ///< [m]
-  std::string time;     ///< s after the first message of the bag
+  double clearance = 0;  ///< proven for the whole bag [m]
+  double distance = 0;   ///< [m]
+  std::string time;      ///< s after the first message of the bag
 };
 
 struct ZoneOfLine {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "tools/bag_bounds/line_file.h"
 #include "tools/bag_bounds/report_words.h"
@@ -43,6 +44,10 @@ struct ZoneSum {
   std::size_t bags = 0;  ///< in which it was entered
 };
 
+bool isNearer(const PairOfLine& a, const PairOfLine& b) {
+  return std::make_pair(a.clearance, a.distance) < std::make_pair(b.clearance, b.distance);
+}
+
 class MergedReport {
  public:
   explicit MergedReport(const std::vector<std::string>& files) {
@@ -68,13 +73,14 @@ class MergedReport {
 
   void writeTable(std::ostream& out) const {
     std::vector<Row> rows{
-        {"bag", "verdict", "nearest pair", "distance", "at", "coverage", "entries"}};
+        {"bag", "verdict", "nearest pair", "distance", "at", "clearance", "coverage", "entries"}};
     for (const auto& [bag, line] : lines_) {
       const auto& worst = line.worst;
       rows.push_back({printable(bag), printable(line.verdict),
                       worst ? printable(worst->first + " - " + worst->second) : "-",
                       worst ? shortRow("", {worst->distance})[1] : "-",
                       worst ? shortTime(worst->time) : "-",
+                      worst ? shortRow("", {worst->clearance})[1] : "-",
                       line.coverage ? shortRow("", {line.coverage->second})[1] : "-",
                       std::to_string(entriesOf(line))});
     }
@@ -98,7 +104,8 @@ class MergedReport {
   }
 
   void writeCsv(std::ostream& out) const {
-    out << "bag,size,head,verdict,exit,first,second,distance,time,least_covered,coverage,entries,"
+    out << "bag,size,head,verdict,exit,first,second,distance,time,clearance,least_covered,coverage,"
+           "entries,"
            "reason\n";
     for (const auto& [bag, line] : lines_) {
       out << csvField(bag) << ',' << (line.bag.size ? std::to_string(*line.bag.size) : "") << ','
@@ -106,9 +113,10 @@ class MergedReport {
           << ',';
       if (line.worst) {
         out << csvField(line.worst->first) << ',' << csvField(line.worst->second) << ','
-            << exactNumber(line.worst->distance) << ',' << csvField(line.worst->time) << ',';
+            << exactNumber(line.worst->distance) << ',' << csvField(line.worst->time) << ','
+            << exactNumber(line.worst->clearance) << ',';
       } else {
-        out << ",,,,";
+        out << ",,,,,";
       }
       if (line.coverage) {
         out << csvField(line.coverage->first) << ',' << exactNumber(line.coverage->second) << ',';
@@ -140,7 +148,7 @@ class MergedReport {
   void add(const ReadLine& line) {
     ++verdicts_[line.verdict];
     exit_code_ = worseCode(exit_code_, line.exit_code);
-    if (line.worst && (!worst_ || line.worst->distance < worst_->worst->distance)) worst_ = &line;
+    if (line.worst && (!worst_ || isNearer(*line.worst, *worst_->worst))) worst_ = &line;
     for (const ZoneOfLine& zone : line.zones) {
       auto sum = std::find_if(zones_.begin(), zones_.end(),
                               [&](const ZoneSum& known) { return known.name == zone.name; });
@@ -176,6 +184,7 @@ class MergedReport {
     const PairOfLine& pair = *worst_->worst;
     return "{\"bag\": " + jsonString(worst_->bag.name) + ", \"first\": " + jsonString(pair.first) +
            ", \"second\": " + jsonString(pair.second) +
+           ", \"clearance\": " + exactNumber(pair.clearance) +
            ", \"distance\": " + exactNumber(pair.distance) + ", \"time\": " + pair.time + "}";
   }
 

@@ -18,6 +18,7 @@ import subprocess
 import time
 
 import bag_bounds_testing
+from bag_interrupts_test import bomb
 from bag_bounds_testing import (ENTERED, INCOMPLETE, BagBoundsTest, arms, main, moving_arms, raw, run,
                                 static_arms, time_of, zone_text)
 from bounds_testing import wait_for
@@ -73,6 +74,13 @@ class EachBagTest(BagBoundsTest):
             for number in range(LONG):
                 bag.write('/junk', junk, time_of(1001 + number), raw=True)
         return self.path(name)
+
+    def endless_bag(self):
+        """Takes minutes."""
+        path = self.bag(calm(3), 'endless.bag')
+        with open(path, 'ab') as file:
+            file.write(bomb(50 << 20))
+        return path
 
     def arguments(self, bags, *arguments):
         return [*bags, '--each', '--urdf', self.urdf, '--zones', self.zones, '--distances',
@@ -145,14 +153,15 @@ class LinesTest(EachBagTest):
         for key in ('frame', 'begin', 'from', 'to', 'messages', 'incomplete', 'losses'):
             self.assertEqual(line[key], report[key], key)
         self.assertEqual(line['pairs'], len(report['distances']))
-        self.assertEqual(line['worst'], min(report['distances'], key=lambda d: d['distance']))
+        self.assertEqual(line['worst'], min(
+            report['distances'], key=lambda d: (d['clearance'], d['distance'])))
         self.assertEqual(line['coverage']['share'],
                          min(box['coverage'] for box in report['extremes']))
         for found, expected in zip(line['zones'], report['zones']):
             first = expected['stays'][0] if expected['stays'] else None
             self.assertEqual(found, {
-                'name': expected['name'], 'nearest': expected['nearest'],
-                'entries': expected['entries'],
+                **{key: expected[key]
+                   for key in ('name', 'nearest', 'clearance', 'undecided', 'entries')},
                 'first': first and dict(first['entered'], name=first['name'])})
         self.assertEqual([zone['entries'] > 0 for zone in line['zones']], [False, True])
 
@@ -238,7 +247,7 @@ class ResumeTest(EachBagTest):
             self.assertIn('2 CLEAR', self.merged(*order, code=0)[0])
 
     def test_ctrl_c(self):
-        bags = [self.bag(calm(3), 'short.bag'), self.long_bag()]
+        bags = [self.bag(calm(3), 'short.bag'), self.endless_bag()]
         path, (master, slave) = self.path('lines.jsonl'), pty.openpty()
         for signal_number in (signal.SIGINT, signal.SIGTERM):
             with open(path, 'wb') as out:
@@ -297,7 +306,7 @@ class MergeTest(EachBagTest):
         self.assertEqual(report['verdicts'], {'CLEAR': 1, 'FOUND': 1, 'UNUSABLE': 1})
         self.assertEqual(report['count'], 3)
         self.assertEqual(report['worst'], {'bag': bags[1], **{
-            key: worst[key] for key in ('first', 'second', 'distance', 'time')}})
+            key: worst[key] for key in ('first', 'second', 'clearance', 'distance', 'time')}})
         self.assertEqual(report['zones'], [{'name': 'far', 'entries': 0, 'bags': 0},
                                            {'name': 'front', 'entries': 1, 'bags': 1}])
         rows = list(csv.DictReader(io.StringIO(self.merged(*files, '--format', 'csv', code=1)[0])))
