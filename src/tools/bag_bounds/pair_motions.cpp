@@ -23,12 +23,6 @@ std::int64_t common(std::int64_t a, std::int64_t b) {
   return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-struct PosedBody {
-  const Body* body;
-  const Eigen::Affine3d* offset;
-  double radius;
-};
-
 Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset) {
   return offset ? pose * *offset : pose;
 }
@@ -195,8 +189,9 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
     handlers.on_motion(motion);
     return;
   }
-  const PosedBody first_body{&bodies.body(pair.first), first.offset, first.radius};
-  const PosedBody second_body{&bodies.body(pair.second), second.offset, second.radius};
+  const PosedBody first_body{&bodies.body(pair.first), first.frame, first.offset, first.radius};
+  const PosedBody second_body{&bodies.body(pair.second), second.frame, second.offset,
+                              second.radius};
   const std::optional<Tf2Pose> pose = tf.pose(first.frame, second.frame, span.end);
   std::optional<BodyDistance> now;
   if (pose)
@@ -208,29 +203,35 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
     handlers.on_motion(motion);
     return;
   }
-  motion.clearance = 0;
-  MotionPath path =
-      pathBetween(tf, first.frame, second.frame, span, moment_->model->parameters.timeout);
-  motion.undecided = path.problem;
-  if (path.problem.empty()) {
-    Search search(first_body, second_body, *wanted);
-    MotionWalk<Search> walk(path, span, second_body.radius, search, handlers.gives_up);
-    if (!walk.walk()) {
-      motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";
-    } else {
-      motion.clearance = search.clearance();
-      if (search.isUndecided()) motion.undecided = "they came nearer than can be decided";
-      const Frame fixed = *tf.find(moment_->model->fixed_frame);
-      const auto a = tf.pose(fixed, first.frame, search.stamp());
-      const auto b = tf.pose(fixed, second.frame, search.stamp());
-      if (a && b)
-        motion.nearest = measure(first_body, MatrixPose(*a).affine, second_body,
-                                 MatrixPose(*b).affine, kInfinite);
-      motion.stamp = search.stamp();
-      motion.duration = span.end - motion.stamp;
-    }
-  }
+  walk(first_body, second_body, span, *wanted, tf, handlers, motion);
   handlers.on_motion(motion);
+}
+
+/// The points of the nearest pose are wanted in the fixed frame.
+void PairMotions::walk(const PosedBody& first, const PosedBody& second, MotionSpan span,
+                       double wanted, const TransformBuffer& tf, const Handlers& handlers,
+                       PairMotion& motion) const {
+  const Parameters& parameters = moment_->model->parameters;
+  MotionPath path = pathBetween(tf, first.frame, second.frame, span, parameters.timeout);
+  motion.clearance = 0;
+  motion.undecided = path.problem;
+  if (!path.problem.empty()) return;
+  Search search(first, second, wanted);
+  MotionWalk<Search> walk(path, span, second.radius, search, handlers.gives_up);
+  if (!walk.walk()) {
+    motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";
+    return;
+  }
+  motion.clearance = search.clearance();
+  if (search.isUndecided()) motion.undecided = "they came nearer than can be decided";
+  motion.stamp = search.stamp();
+  motion.duration = span.end - motion.stamp;
+  const Frame fixed = *tf.find(moment_->model->fixed_frame);
+  const auto first_pose = tf.pose(fixed, first.frame, motion.stamp);
+  const auto second_pose = tf.pose(fixed, second.frame, motion.stamp);
+  if (first_pose && second_pose)
+    motion.nearest = measure(first, MatrixPose(*first_pose).affine, second,
+                             MatrixPose(*second_pose).affine, kInfinite);
 }
 
 }  // namespace link_bounds

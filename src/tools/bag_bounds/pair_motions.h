@@ -35,6 +35,13 @@ struct PairMotion {
   std::string undecided;  ///< why it may have come below `wanted` nevertheless; "" if it did not
 };
 
+struct PosedBody {
+  const Body* body;
+  TransformBuffer::Frame frame;
+  const Eigen::Affine3d* offset;  ///< of the body in that frame; null: none
+  double radius;                  ///< about the origin of the frame [m]
+};
+
 /// Remembers of each pair how far apart it was proven to be. It cannot come within a limit before
 /// its bodies have moved by the rest: most motions need one look at the edges between them, and no
 /// distance.
@@ -78,6 +85,9 @@ class PairMotions {
   Mover moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
               const Handlers& handlers);
+
+  void walk(const PosedBody& first, const PosedBody& second, MotionSpan span, double wanted,
+            const TransformBuffer& tf, const Handlers& handlers, PairMotion& motion) const;
 
   MomentPtr moment_;
   MomentPtr last_;
