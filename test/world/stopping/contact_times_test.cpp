@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "testing/moving_robot.h"
 #include "testing/sanitized.h"
@@ -68,6 +69,26 @@ TEST(ContactTimes, AreExactForSlides) {
   EXPECT_NEAR(array.contacts[0].earliest.toSec(), kStamp + 1.0, 1e-3);
   EXPECT_EQ(array.valid_until, array.contacts[0].earliest);
   EXPECT_TRUE(array.incomplete.empty());
+}
+
+/// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both
+/// spheres take.
+TEST(ContactTimes, AreNearTheTruthForATurn) {
+  const std::string at_end = R"(<origin xyz="0 1 0"/>)";
+  MovingRobot robot(
+      "<robot name=\"arm\"><link name=\"base\"/><link name=\"arm\"/>" + sphere("goal", 0.1) +
+          sphere("tip", 0.1) + joint("fixed", "base", "goal", at_end) +
+          joint("revolute", "base", "arm", "<axis xyz=\"0 0 1\"/>" + std::string(kLimit)) +
+          joint("fixed", "arm", "tip", at_end) + "</robot>",
+      [] {
+        Parameters parameters = parametersOf("base", 2);
+        parameters.adjacent_joints = 0;
+        return parameters;
+      }());
+  stand(robot, robot.values({{"to_arm", -M_PI / 2}}));
+  const double truth = (M_PI / 2 - 2 * std::asin(0.1)) / 0.5;
+  EXPECT_LE(untilOf(robot.earliest()), kStamp + truth);
+  EXPECT_GE(untilOf(robot.earliest()), kStamp + 0.8 * truth);
 }
 
 /// Beyond distance_limit the boxes are what is known.
