@@ -18,6 +18,7 @@ from patience import PATIENCE
 from urdf_bounds_testing import ARM, UrdfBoundsTest, mesh, solid, tetrahedron, tree
 
 DEMO = str(pathlib.Path(__file__).parents[2] / 'launch/demo/demo.urdf')
+CALLS = 10**6
 INTERRUPTED = '''
 import sys, numpy, link_bounds
 robot = link_bounds.Robot(sys.argv[1])
@@ -166,12 +167,12 @@ class RobotFaultsTest(UrdfBoundsTest):
                     robot.boxes([0.5])
                 except ValueError:
                     pass
-            for _ in range(count // 100):
+            for _ in range(count // 500):
                 robot.boxes(rows, jobs=2)
                 robot.distances(rows, 10, jobs=2)
         calls(5000)
         before = resident()
-        calls(50000)
+        calls(CALLS // 3)
         self.assertLess(resident() - before, 2 << 20)
 
 
