@@ -266,7 +266,7 @@ void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
 
 /// What --each cannot do, because it is about one bag or one report.
 void checkEach(const BagBoundsOptions& options) {
-  for (const std::string name : {"out", "series", "format"})
+  for (const std::string name : {"out", "series", "format", "at"})
     if (options.given.count(name))
       throw UsageError("--each has no --" + name + "; its lines are JSON, and --merge makes a " +
                        "report of them");

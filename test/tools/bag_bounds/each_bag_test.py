@@ -180,6 +180,7 @@ class LinesTest(EachBagTest):
         self.check_refused_each('is given twice', bag, bag)
         self.check_refused_each('--each has no --out', bag, '--out', 'a.bag')
         self.check_refused_each('--each has no --format', bag, '--format', 'csv')
+        self.check_refused_each('--each has no --at', bag, '--at', '1')
         self.check_refused_each('cannot read .*none.jsonl', bag, '--resume', self.path('none.jsonl'))
         self.check_refused_each('arms.urdf, line 1 is no line of bag_bounds --each', bag, '--resume',
                                 self.urdf)

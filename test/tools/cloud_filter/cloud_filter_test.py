@@ -48,6 +48,8 @@ def places_of(message):
 
 
 class CloudFilter(unittest.TestCase):
+    newest = rospy.Time()  # of all transforms that were sent
+
     @classmethod
     def setUpClass(cls):
         cls.output = Recorder("/cloud_filter/output", PointCloud2)
@@ -89,10 +91,15 @@ class CloudFilter(unittest.TestCase):
         for recorder in (self.output, self.compact, self.removed, self.scans, self.nearest,
                          self.prefixed):
             recorder.clear()
-        self.stamp = rospy.Time.now()
+        self.stamp = self.next_stamp()
+
+    def next_stamp(self):
+        """Later than all that was sent, so that no transform of the next way is late."""
+        return max(rospy.Time.now(), self.newest + rospy.Duration(0.2))
 
     def send_tf(self, begin, end, prefix=""):
         """The way of the hand; it is where the sensor is at the stamp."""
+        type(self).newest = max(self.newest, self.stamp + rospy.Duration(end))
         for i in range(round(begin * 50), round(end * 50) + 1):
             stamp = self.stamp + rospy.Duration(i / 50)
             self.tf.send(*[transform("sensor", prefix + finger, stamp, (SPEED * i / 50, 0, 0))
@@ -153,7 +160,7 @@ class CloudFilter(unittest.TestCase):
     def is_kept(self, place):
         """Whether the filter keeps a point at that place, now."""
         self.output.clear()
-        self.stamp = rospy.Time.now()
+        self.stamp = self.next_stamp()
         self.send_tf(-0.02, 0.02)
         self.clouds.publish(cloud(self.stamp, [(place, 0)]))
         output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
