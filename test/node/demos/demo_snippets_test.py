@@ -20,7 +20,7 @@ from node_testing import NODE
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("link_bounds"))
 PAGES = [PACKAGE / "README.md"] + sorted((PACKAGE / "doc").glob("*.md"))
 PUBLICATION = re.compile(r"^rostopic pub [^'\n]*/object [^'\n]*'[^']*'$", re.MULTILINE)
-FOOTPRINT = re.compile(r"^rosparam set /move_base/footprint_topic .*$", re.MULTILINE)
+FOOTPRINT = re.compile(r"rosparam set /move_base/footprint_topic [^`\n]*")
 OBJECT = re.compile(r"ns: (\w+), id: (\d+)")
 FRAME = re.compile(r"{frame_id: (\w+)}|rviz .*-f (\w+)")
 GROUPS = re.compile(r'groups(?:: |" value=")(\{.+?\})')

@@ -2,8 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The demo's arm slows while its stopping boxes meet objects, and goes on; all links have a box."""
+import sys
 import unittest
 
+import numpy
 import rospkg
 import rospy
 import rostest
@@ -16,15 +18,30 @@ from visualization_msgs.msg import MarkerArray
 
 LINKS = ["base", "shoulder", "upper_arm", "elbow", "forearm", "wrist", "flange", "gripper",
          "finger_left", "finger_right"]
-SLOW, FASTER = 0.5, 0.2  # of the full speed; FASTER is a difference
+SLOW, FASTER = 0.5, 0.3  # of the full speed; FASTER is a difference
 MEET = 120.0  # wall seconds within which the arm meets an object, and is free again
-DISPLAYS = rospkg.RosPack().get_path("link_bounds") + "/launch/stopping_demo.rviz"
+LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
+DISPLAYS = LAUNCH + "stopping_demo.rviz"
+EVERY = 5  # states, of which there are 50 in a second
+STEP = 0.001  # s
+LONGEST = 600.0  # s, longer than this test runs
+
+sys.path.append(LAUNCH + "demo")
+from joint_mover import make_swing, movable_joints  # noqa: E402
 
 
-def speeds_between(older, newer):
-    """Of the joints [rad/s or m/s]."""
-    time = (newer.header.stamp - older.header.stamp).to_sec()
-    return [abs(b - a) / time for a, b in zip(older.position, newer.position)]
+def speeds_of(states):
+    """From state to state, of the full speed: how far each is on the way of joint_mover."""
+    swings = [make_swing(i, joint, 0.8) for i, joint in
+              enumerate(movable_joints(rospy.get_param("robot_description")))]
+    way = numpy.array([[swing.position(seconds) for swing in swings]
+                       for seconds in numpy.arange(0.0, LONGEST, STEP)])
+    rows = [0]
+    for state in states:
+        ahead = way[rows[-1]:rows[-1] + 1000] if len(rows) > 1 else way
+        rows.append(rows[-1] + numpy.abs(ahead - state.position).max(axis=1).argmin())
+    times = [state.header.stamp.to_sec() for state in states]
+    return STEP * numpy.diff(rows[1:]) / numpy.diff(times)
 
 
 class StoppingDemo(unittest.TestCase):
@@ -34,14 +51,17 @@ class StoppingDemo(unittest.TestCase):
 
     def test_the_arm_slows_and_goes_on(self):
         factors = Recorder("/joint_mover/speed", Float64)
-        slow = factors.wait(lambda m: m.data < SLOW, "slow", MEET)
         joints = Recorder("/joint_states", JointState)
-        joints.wait(lambda m: True, "joints")
+        slow = factors.wait(lambda m: m.data < SLOW, "slow", MEET)
         factors.clear()
         factors.wait(lambda m: m.data > slow.data + FASTER, "faster again", MEET)
-        states = joints.messages
-        speeds = [max(speeds_between(a, b)) for a, b in zip(states, states[1:])]
-        self.assertLess(min(speeds), SLOW * max(speeds))
+        end = rospy.Time.now() + rospy.Duration(0.2)
+        joints.wait(lambda m: m.header.stamp > end, "joints at that speed")
+        speeds = speeds_of(joints.messages[::EVERY])
+        print("from %.2f to %.2f of the full speed" % (min(speeds), max(speeds)))
+        self.assertLess(min(speeds), SLOW + 0.1)
+        self.assertGreater(max(speeds), min(speeds) + FASTER - 0.1)
+        self.assertLess(max(speeds), 1.1)
 
     def test_what_rviz_shows_is_published(self):
         with open(DISPLAYS, encoding="utf-8") as config:

@@ -134,7 +134,8 @@ class RosTools(unittest.TestCase):
             with open(LAUNCH + "demo/" + script, encoding="utf-8") as file:
                 read = re.findall(r"get_param\('(~\w+)'", file.read())
             with self.subTest(script):
-                self.assertGreater(len(read), 0)
+                if script != "arm_slower.py":  # which has none
+                    self.assertGreater(len(read), 0)
                 self.assertEqual([name for name in read if name not in self.help_of(script)], [])
 
     def test_rostopic_echo_prints_a_message(self):

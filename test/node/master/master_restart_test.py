@@ -112,7 +112,7 @@ class MasterRestart(unittest.TestCase):
 
     def test_a_new_master_learns_everything(self):
         before = entries(NODE)
-        self.assertEqual(len(before["services"]), 4)
+        self.assertEqual(len(before["services"]), 5)
         self.restart_master()
         self.assertEqual(entries(NODE), before)
         self.assertIn(NODE, run("rosnode", "list"))
