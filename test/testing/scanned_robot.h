@@ -16,6 +16,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "testing/brute_force.h"
 #include "testing/ray_caster.h"
+#include "testing/sanitized.h"
 #include "world/cloud/robot_points.h"
 
 namespace link_bounds {
@@ -81,8 +82,9 @@ class ScannedRobot {
   /// Not needed for casting rays.
   void makeGrids() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      grids.push_back(std::make_shared<BodyGrid>(BodySurface(bodies[i]),
-                                                 GridOptions{padding_, kMaxMotionError}));
+      grids.push_back(std::make_shared<BodyGrid>(
+          BodySurface(bodies[i]),
+          GridOptions{padding_, kMaxMotionError, (kIsSanitized ? 16 : 256) * 1024u}));
       links[i].box = grids[i]->box();
     }
   }

@@ -19,6 +19,9 @@ using Triangles = std::vector<distance_oracle::Triangle>;
 
 constexpr double kSlack = 1e-3;
 
+// To make a grid of the default size takes most of the time under a sanitizer.
+constexpr std::size_t kMaxBytes = (kIsSanitized ? 16 : 256) * 1024;
+
 /// A tube around the z axis, closed in both directions.
 TriangleMesh torus(double large, double small, std::uint32_t around, std::uint32_t across) {
   TriangleMesh mesh;
@@ -92,8 +95,6 @@ struct Counts {
 /// Every label is that of the oracle. Points as near to the border as rounding are left out.
 Counts compare(const MeshBody& body, double padding, bool is_closed, int points,
                std::uint64_t seed) {
-  // To make a grid of the default size takes most of the time under a sanitizer.
-  constexpr std::size_t kMaxBytes = (kIsSanitized ? 16 : 256) * 1024;
   const BodyGrid grid(BodySurface(body.body), {padding, kSlack, kMaxBytes});
   EXPECT_LE(grid.bytes(), kMaxBytes);
   const Triangles triangles = body.placed(Eigen::Affine3d::Identity());
@@ -170,7 +171,8 @@ TEST(BodyGrid, ClosedPartsOfOneMeshCountOneByOne) {
 }
 
 TEST(BodyGrid, KeepsWhatLiesInTheHoleOfATorus) {
-  const BodyGrid grid(BodySurface(bodyOf(torus(0.1, 0.03, 48, 24)).body), {0.01, kSlack});
+  const BodyGrid grid(BodySurface(bodyOf(torus(0.1, 0.03, 48, 24)).body),
+                      {0.01, kSlack, kMaxBytes});
   for (double radius = 0; radius < 0.0595; radius += 0.001)
     EXPECT_FALSE(grid.isBody({radius, 0, 0})) << radius;
   EXPECT_TRUE(grid.isBody({0.07, 0, 0}));
@@ -186,13 +188,13 @@ TEST(BodyGrid, ARegionThatNoSurfaceDividesHasOneSide) {
   mesh.vertices.insert(mesh.vertices.end(), inner.vertices.begin(), inner.vertices.end());
   for (const auto& [a, b, c] : inner.triangles)
     mesh.triangles.push_back({a + first, b + first, c + first});
-  const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.01, kSlack});
+  const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.01, kSlack, kMaxBytes});
   for (double x = 0; x < 0.2095; x += 0.003)
     EXPECT_TRUE(grid.isBody({x, 0.001, 0.002})) << x;
   EXPECT_FALSE(grid.isBody({0.2111, 0.001, 0.002}));
   TriangleMesh open = mesh;  // without a wall, the outer shell has no inside
   open.triangles.erase(open.triangles.begin());
-  const BodyGrid half_open(BodySurface(bodyOf(open).body), {0.01, kSlack});
+  const BodyGrid half_open(BodySurface(bodyOf(open).body), {0.01, kSlack, kMaxBytes});
   EXPECT_TRUE(half_open.isBody({0, 0, 0}));
   EXPECT_FALSE(half_open.isBody({0.15, 0, 0}));
 }
@@ -202,7 +204,7 @@ TEST(BodyGrid, SolidsAreFilled) {
   const Body body{{{{nullptr, Solid::kEllipsoid, {0.2, 0.2, 0.2}, pose}},
                    {{nullptr, Solid::kBox, {0.1, 0.1, 0.4}}},
                    {{nullptr, Solid::kCylinder, {0.1, 0.1, 0.2}, pose.inverse()}}}};
-  const BodyGrid grid(BodySurface(body), {0.01, kSlack});
+  const BodyGrid grid(BodySurface(body), {0.01, kSlack, kMaxBytes});
   Random random(6);
   const auto distance = [](const Eigen::Vector3d& p) {
     const Eigen::Vector3d ball = p - Eigen::Vector3d(0.5, 0, 0);

@@ -312,7 +312,8 @@ TEST(MovingLink, StopsOfTheDemoRobotStayInside) {
 
 /// What is not as declared is not covered: else the boxes would be too large to tell anything.
 TEST(MovingLink, LongerBrakingLeavesTheBoxes) {
-  EXPECT_LT(trySome(demoRobot(), {1.1}, samples(), kStopsPerState).nearest, 0);
+  constexpr int kStates = 40;  // with fewer, none comes far enough
+  EXPECT_LT(trySome(demoRobot(), {1.1}, kStates, kStopsPerState).nearest, 0);
 }
 
 TEST(MovingLink, StopsOfPublicRobotsStayInside) {

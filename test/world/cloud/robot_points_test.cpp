@@ -10,6 +10,7 @@
 
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
+#include "testing/sanitized.h"
 #include "world/cloud/nearest_points.h"
 
 namespace link_bounds {
@@ -60,8 +61,9 @@ class Scanned {
   void add(const std::string& frame, const Body& body,
            std::vector<distance_oracle::Triangle> triangles) {
     const TransformBuffer::Frame number = tf.frame(frame);
-    grids.push_back(
-        std::make_shared<BodyGrid>(BodySurface(body), GridOptions{kPadding, kMaxMotionError}));
+    grids.push_back(std::make_shared<BodyGrid>(
+        BodySurface(body),
+        GridOptions{kPadding, kMaxMotionError, (kIsSanitized ? 16 : 256) * 1024u}));
     links.push_back({number, grids.back()->box()});
     bodies.push_back(body);
     all_triangles.push_back(std::move(triangles));
