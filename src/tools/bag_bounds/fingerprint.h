@@ -12,7 +12,7 @@ namespace link_bounds {
 /// 64-bit FNV-1a: finds changes, but does not withstand who makes files to deceive it.
 class Fingerprint {
  public:
-  /// Fields are told apart by their lengths.
+  /// The length of each text goes before it, so "ab", "c" differs from "a", "bc".
   void add(const std::string& field);
 
   /// At most `limit` bytes from the begin of a file. False if it cannot be read.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From transforms to stopping boxes: which stops they cover, and what is told instead of guessed.
+// From transforms to stopping boxes: which stops the boxes cover, and what makes a link incomplete.
 #include "world/stopping/stopping_boxes.h"
 
 #include <gtest/gtest.h>
