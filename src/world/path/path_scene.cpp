@@ -52,7 +52,8 @@ class SceneMaker {
         original_(*model_.robot),
         tf_(scene.excerpt.buffer()),
         tracker_(tf_),
-        maker_(maker) {
+        maker_(maker),
+        rigid_in_urdf_(rigidBodies(original_)) {
     tracker_.setTarget(scene.target, model_.parameters.timeout, scene.now);
     for (std::size_t i = 0; i < scene.robot_frames.size(); ++i) {
       if (scene.robot_frames[i]) links_.emplace(*scene.robot_frames[i], i);
@@ -172,10 +173,9 @@ class SceneMaker {
   /// object that was placed once rests in the fixed frame.
   std::size_t carrierOf(const PastBody& body, const PairMember& member) const {
     if (const auto attached = bodyOf(model_, member)) {
-      const RigidBodies all = rigidBodies(original_);
-      const auto found = std::find(all.of_links.begin(), all.of_links.end(), *attached);
-      if (found != all.of_links.end())
-        return static_cast<std::size_t>(found - all.of_links.begin());
+      const auto& of_links = rigid_in_urdf_.of_links;
+      const auto found = std::find(of_links.begin(), of_links.end(), *attached);
+      if (found != of_links.end()) return static_cast<std::size_t>(found - of_links.begin());
     }
     Frame frame = *body.frame;
     for (std::size_t i = 0; i < tf_.size(); ++i) {
@@ -232,9 +232,10 @@ class SceneMaker {
   std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
   const PathBodyMaker& maker_;
   std::map<Frame, std::size_t> links_;  ///< of the robot
-  RigidBodies rigid_;                   ///< of the robot whose other joints are fixed
-  std::vector<PairMember> members_;     ///< of the bodies
-  std::vector<std::string> problems_;   ///< of the bodies
+  const RigidBodies rigid_in_urdf_;
+  RigidBodies rigid_;                  ///< of the robot whose other joints are fixed
+  std::vector<PairMember> members_;    ///< of the bodies
+  std::vector<std::string> problems_;  ///< of the bodies
   PathScene result_;
 };
 
