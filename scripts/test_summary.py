@@ -96,6 +96,16 @@ def tests(build):
     return counted(every - failed - skipped, skipped, failed)
 
 
+def print_failures(build):
+    """The last lines of what each failed test case said, which ctest does not show of a rostest."""
+    for root in results(build):
+        for case in root.iter('testcase'):
+            for found in [*case.findall('failure'), *case.findall('error')]:
+                print('failed:   %s.%s' % (case.get('classname'), case.get('name')))
+                lines = (found.text or found.get('message') or '').strip().splitlines()
+                print('\n'.join('          ' + line for line in lines[-12:]))
+
+
 def print_counted(kind, lines):
     for line, count in collections.Counter(lines).items():
         print('%-9s %s%s' % (kind + ':', line, ' (%d times)' % count if count > 1 else ''))
@@ -119,6 +129,8 @@ def main():
     print_counted('latency', found['latency'])
     skipped = [line for folder in [build, *sanitized] for line in facts(folder)['skipped']]
     print_counted('skipped', skipped or ['nothing'])
+    for folder in [build, *sanitized]:
+        print_failures(folder)
 
 
 if __name__ == '__main__':
