@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/urdf/rounding.h"
+
 namespace link_bounds {
 namespace {
 
@@ -15,9 +17,6 @@ constexpr std::size_t kClusterSize = 16;
 
 /// A cylinder lies in a prism with so many sides.
 constexpr int kSides = 32;
-
-/// Against rounding, and the 1e-14 that a PointSet may leave out; relative to the coordinates.
-constexpr double kRounding = 1e-12;
 
 /// Corners of a polytope that holds the solid; the centre of an ellipsoid, see swellOf().
 std::vector<Eigen::Vector3d> cornersOf(Solid solid, const Eigen::Vector3d& size) {
@@ -84,7 +83,7 @@ void BodyCloud::addShape(const BodyShape& body_shape) {
   for (std::size_t i = begin; i < points_.size(); ++i)
     largest = std::max(largest, points_[i].norm());
   const double swell = swellOf(shape);
-  addClusters(begin, points_.size(), swell + kRounding * (largest + swell));
+  addClusters(begin, points_.size(), swell + kPoseRounding * (largest + swell));
 }
 
 /// Halves the points along the longest side of their box until they are few.

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/urdf/rounding.h"
+
 namespace link_bounds {
 namespace {
-
-/// Of the length of the chain. Each joint adds a product of poses, which is exact to some 1e-15.
-constexpr double kRounding = 1e-12;
 
 /// Of a joint value: halving a range some 60 times rounds the centres of the halves so much.
 constexpr double kHalvings = 1e-14;
@@ -35,7 +34,7 @@ MotionBound::MotionBound(const JointPath& path, const BodyCloud& first, const Bo
       half_widths_(path.joints.size()),
       first_{&first, Eigen::Isometry3d::Identity(), {}, {}, 0},
       second_{&second, Eigen::Isometry3d::Identity(), {}, {}, 0},
-      rounding_(kRounding * (path.length + first.magnitude() + second.magnitude())) {
+      rounding_(kPoseRounding * (path.length + first.magnitude() + second.magnitude())) {
   if (path.joints.empty()) return;
   const PathJoint& front = path.joints.front();
   const PathJoint& back = path.joints.back();

@@ -9,15 +9,12 @@
 #include <sstream>
 
 #include "robot/pairs/pair_contact.h"
+#include "robot/pairs/pair_search.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr std::size_t kMaxBoxes = 1'000'000;
-constexpr std::size_t kMaxSteps = 100'000;  // of a distance, see DistanceGoal
-
-/// Of distances, beside the motion of a box.
-constexpr double kShareOfMotion = 0.1;
 constexpr double kFinest = 1e-8;  // m
 constexpr double kMargin = 1e-8;
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -84,7 +81,7 @@ bool PairCertificate::writeContact(std::ostream& out) {
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
   const double reach = claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
   distances_.move(1, first_from_second);
-  distances_.setGoal({kFinest, kFar, kMaxSteps});
+  distances_.setGoal({kFinest, kFar, PairGoal::kMaxTreeSteps});
   auto found = distances_.find(0, 1);
   if (!found || found->upper > reach)
     found = coreContact(first_, second_, first_from_second, reach);
@@ -133,21 +130,21 @@ bool PairCertificate::writeDirections(std::ostream& out) const {
 
 /// In which they are as far apart as in hardly any other one; zero if they touch.
 Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHull& second) const {
-  const auto distance =
-      bodyDistance(*first.body, Eigen::Affine3d::Identity(), *second.body,
-                   Eigen::Affine3d(placed_.first_from_second), {accuracy(), kFar, kMaxSteps});
+  const auto distance = bodyDistance(*first.body, Eigen::Affine3d::Identity(), *second.body,
+                                     Eigen::Affine3d(placed_.first_from_second),
+                                     {accuracy(), kFar, PairGoal::kMaxTreeSteps});
   return distance ? distance->normal : Eigen::Vector3d::Zero();
 }
 
 /// Of distances in the box.
 double PairCertificate::accuracy() const {
-  return std::max(kFinest, kShareOfMotion * motion_.motion());
+  return std::max(kFinest, PairGoal::kShareOfMotion * motion_.motion());
 }
 
 bool PairCertificate::areTrianglesApart() {
   const double least = claim_.distance + motion_.motion() + motion_.rounding();
   distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
-  distances_.setGoal({accuracy(), least + accuracy(), kMaxSteps});
+  distances_.setGoal({accuracy(), least + accuracy(), PairGoal::kMaxTreeSteps});
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   return distance && distance->lower >= least;
 }

@@ -38,9 +38,6 @@ constexpr int kMaxOpenSteps = 20000;
 /// A proof that every pose touches is given up after so many if it would take more than all.
 constexpr int kTrialSteps = 500;
 
-/// Of a distance: what it may take, see DistanceGoal.
-constexpr std::size_t kMaxSteps = 100000;
-
 /// Further boxes are searched in depth, which needs little memory.
 constexpr std::size_t kMaxNodes = 20000;
 constexpr std::size_t kMaxNodeBytes = 16'000'000;
@@ -54,13 +51,6 @@ constexpr double kNews = 0.95;
 /// Of the range of a joint.
 constexpr double kFirstStep = 0.1;
 constexpr double kLastStep = 1e-9;
-
-/// A bound that exceeds the clearance by this proves that it is not undercut [m].
-constexpr double kProof = 1e-9;
-
-/// Accuracy of distances: of poses, and beside the motion of a box [m].
-constexpr double kPoseAccuracy = PairGoal::kTouch / 4;
-constexpr double kShareOfMotion = 0.1;
 
 /// A pose that is farther than the tolerance by less is measured [m].
 constexpr double kFinest = 1e-3;
@@ -232,7 +222,7 @@ KnownPose PairSearch::measured(const PathValues& values, double limit) {
   distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
   const double near = std::max(goal_.clearance, goal_.touching) + kFinest;
   const double far = std::min(limit, goal_.clearance + 10);
-  distances_.setGoal({kPoseAccuracy, std::max(near, far), kMaxSteps});
+  distances_.setGoal({PairGoal::kPoseAccuracy, std::max(near, far), PairGoal::kMaxTreeSteps});
   const std::optional<BodyDistance> distance = distances_.find(0, 1);
   if (!distance) return {values};
   return {values, std::max(0.0, distance->lower - motion_.rounding()),
@@ -279,7 +269,7 @@ PathValues PairSearch::stepped(PathValues values, double step, std::size_t direc
 
 /// A box with that bound needs no more halving.
 double PairSearch::enough() const {
-  return std::max(nearest_.upper - goal_.accuracy, goal_.clearance + kProof);
+  return std::max(nearest_.upper - goal_.accuracy, goal_.clearance + PairGoal::kProof);
 }
 
 void PairSearch::branch() {
@@ -336,8 +326,8 @@ double PairSearch::bound(const JointBox& box) {
   double lower = between.norm() - first.radius() - second.radius() - motion;
   if (lower >= enough()) return lower;
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  const DistanceGoal goal{std::max(kPoseAccuracy, kShareOfMotion * motion), enough() + motion,
-                          kMaxSteps};
+  const DistanceGoal goal{std::max(PairGoal::kPoseAccuracy, PairGoal::kShareOfMotion * motion),
+                          enough() + motion, PairGoal::kMaxTreeSteps};
   hulls_.move(1, first_from_second);
   hulls_.setGoal(goal);
   const std::optional<BodyDistance> hulls = hulls_.find(0, 1);

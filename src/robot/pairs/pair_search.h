@@ -19,6 +19,16 @@ struct PairGoal {
   /// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
   static constexpr double kTouch = 1e-7;
 
+  /// A bound that exceeds the clearance by this proves that it is not undercut [m].
+  static constexpr double kProof = 1e-9;
+
+  /// Accuracy of distances: of poses [m], and beside the motion of a box or an interval.
+  static constexpr double kPoseAccuracy = kTouch / 4;
+  static constexpr double kShareOfMotion = 0.1;
+
+  /// What a distance may take, see DistanceGoal.
+  static constexpr std::size_t kMaxTreeSteps = 100'000;
+
   double clearance = 0;    ///< bodies that are as near collide [m]
   double accuracy = 0.01;  ///< of the clearance that is proven [m]
   double touching = 1e-4;  ///< bodies that are as near in all poses touch always [m]

@@ -10,6 +10,7 @@
 
 #include "geometry/distance/triangle_tree.h"
 #include "robot/pairs/body_cloud.h"
+#include "robot/urdf/rounding.h"
 
 namespace link_bounds {
 namespace {
@@ -18,9 +19,6 @@ namespace {
 /// more to a radius than this share.
 constexpr std::size_t kSlabs = 64;
 constexpr double kAdded = 0.03;
-
-/// Of a coordinate: the products of poses before.
-constexpr double kRounding = 1e-12;
 
 /// Along the axis from `low` to `high` no point is farther from it than the radius.
 struct Slab {
@@ -61,7 +59,7 @@ class Sweep {
     const Axis axis{pose_.inverse() * Eigen::Vector3d::Zero(), pose_.linear().transpose() * axis_};
     const BodyCloud cloud({{shape}});
     const double at = axis.direction.dot(axis.origin);
-    rounding_ = kRounding * (cloud.magnitude() + axis.origin.norm());
+    rounding_ = kPoseRounding * (cloud.magnitude() + axis.origin.norm());
     Slab all{-cloud.support(-axis.direction) - at, cloud.support(axis.direction) - at,
              cloud.farthestFrom(axis)};
     if (!shape.triangles || shape.triangles->solid != Solid::kNone || !(all.low < all.high))

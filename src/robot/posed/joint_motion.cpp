@@ -7,13 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/urdf/rounding.h"
+
 namespace link_bounds {
-namespace {
-
-/// Each operation of a Taylor shift rounds by 1e-16 of its terms.
-constexpr double kRounding = 1e-14;
-
-}  // namespace
 
 JointMotion::JointMotion(const WayPoint& from, const WayPoint& to)
     : joints_(from.positions.size(), Polynomial{}) {
@@ -70,7 +66,7 @@ double JointMotion::spread(std::size_t joint, double share, double half) const {
   double sum = 0;
   for (std::size_t k = c.size(); k-- > 1;)
     sum = (sum + std::abs(c[k])) * half;
-  return sum * (1 + kRounding) + kRounding * size;
+  return sum * (1 + kFormulaRounding) + kFormulaRounding * size;
 }
 
 std::vector<Limits> JointMotion::ranges() const {

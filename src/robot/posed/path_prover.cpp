@@ -14,27 +14,13 @@
 #include <tuple>
 
 #include "link_bounds/geometry/distance/body_distances.h"
-#include "robot/pairs/motion_bound.h"
-#include "robot/pairs/pair_body.h"
+#include "robot/pairs/pair_search.h"
 
 namespace link_bounds {
 namespace {
 
 /// Of one segment: a search that takes longer ends undecided.
 constexpr std::size_t kMaxSteps = 200'000;
-
-/// Of a distance: what it may take, see DistanceGoal.
-constexpr std::size_t kMaxTreeSteps = 100'000;
-
-/// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
-constexpr double kTouch = 1e-7;
-
-/// A bound that exceeds the clearance by this proves that it is not undercut [m].
-constexpr double kProof = 1e-9;
-
-/// Accuracy of distances: of poses, and beside the motion of an interval [m].
-constexpr double kPoseAccuracy = kTouch / 4;
-constexpr double kShareOfMotion = 0.1;
 
 /// Beyond any robot [m].
 constexpr double kFar = 1e9;
@@ -146,12 +132,12 @@ class PathProver::Search {
   }
 
  private:
-  bool isTouch(double distance) const { return distance <= goal_.clearance + kTouch; }
+  bool isTouch(double distance) const { return distance <= goal_.clearance + PairGoal::kTouch; }
   bool collides() const { return isTouch(proof_.nearest); }
 
   /// An interval with that bound needs no more halving.
   double enough() const {
-    return std::max(proof_.nearest - goal_.accuracy, goal_.clearance + kProof);
+    return std::max(proof_.nearest - goal_.accuracy, goal_.clearance + PairGoal::kProof);
   }
 
   void finish() {
@@ -212,7 +198,8 @@ class PathProver::Search {
     std::optional<BodyDistance> distance = pair.distances.find(0, 1);
     // A contact deserves to be found at once.
     if (distance && distance->lower <= goal_.clearance && !isTouch(distance->upper)) {
-      pair.distances.setGoal({kPoseAccuracy, goal_.clearance + goal.accuracy, kMaxTreeSteps});
+      pair.distances.setGoal(
+          {PairGoal::kPoseAccuracy, goal_.clearance + goal.accuracy, PairGoal::kMaxTreeSteps});
       distance = pair.distances.find(0, 1);
     }
     return distance;
@@ -232,7 +219,7 @@ class PathProver::Search {
     place(pair, share, 0);
     if (sphereGap(pair) >= proof_.nearest) return;
     const double limit = std::min(proof_.nearest, kFar);
-    const auto distance = distanceOf(pair, {goal_.accuracy / 10, limit, kMaxTreeSteps});
+    const auto distance = distanceOf(pair, {goal_.accuracy / 10, limit, PairGoal::kMaxTreeSteps});
     if (distance) offer(pair, *distance, share);
   }
 
@@ -257,8 +244,8 @@ class PathProver::Search {
     const Eigen::Affine3d first_from_second(pair.placed.first_from_second);
     double lower = sphereGap(pair) - motion;
     if (lower >= enough()) return lower;
-    const DistanceGoal goal{std::max(kPoseAccuracy, kShareOfMotion * motion),
-                            std::min(enough(), kFar) + motion, kMaxTreeSteps};
+    const DistanceGoal goal{std::max(PairGoal::kPoseAccuracy, PairGoal::kShareOfMotion * motion),
+                            std::min(enough(), kFar) + motion, PairGoal::kMaxTreeSteps};
     pair.hulls.move(1, first_from_second);
     pair.hulls.setGoal(goal);
     const std::optional<BodyDistance> hulls = pair.hulls.find(0, 1);

@@ -5,11 +5,10 @@
 
 #include "link_bounds/geometry/box/rounding.h"
 #include "robot/reach/arc.h"
+#include "robot/urdf/rounding.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr double kRounding = 256;  // roundoffs per joint: derived in the header
 
 /// Directions between two looks at the clock.
 constexpr std::size_t kDirectionsPerGlance = 64;
@@ -56,7 +55,7 @@ std::optional<Aabb> ReachBound::box() {
   const Supports found = supports(0, axes, Slices(chain_.variables.size()));
   if (!found) return std::nullopt;
   const double rounding =
-      kRounding * kUnitRoundoff * radius_ * static_cast<double>(chain_.length + 1);
+      kRoundoffsPerJoint * kUnitRoundoff * radius_ * static_cast<double>(chain_.length + 1);
   Aabb result;
   for (int axis = 0; axis < 3; ++axis) {
     result.max()[axis] = nextUp((*found)[static_cast<std::size_t>(axis)] + rounding);

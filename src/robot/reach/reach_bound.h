@@ -32,8 +32,8 @@
 // because those of the grid have. Then e(q) is off by at most 50 u in length, and so h_i+1(e(q)) by
 // 50 u r. The mean of four values, the sinusoid and the sum with t.d add less than 50 u r, because
 // all of them are at most 2 sqrt 3 r in size; in doubles, a full turn lacks less than 3 u.
-// The kinematics that place a link for a pose are off by less than 20 u r per joint. kRounding u r
-// per joint is more than all of these.
+// The kinematics that place a link for a pose are off by less than 20 u r per joint.
+// kRoundoffsPerJoint u r per joint is more than all of these.
 #pragma once
 
 #include <array>

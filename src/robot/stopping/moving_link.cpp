@@ -8,14 +8,12 @@
 #include <limits>
 
 #include "link_bounds/geometry/box/rounding.h"
+#include "robot/urdf/rounding.h"
 
 namespace link_bounds {
 namespace {
 
 using Kind = MovingJoint::Kind;
-
-/// Roundoffs per joint, of the lengths that it moves: more than the some 20 operations on each.
-constexpr double kRounding = 256;
 
 /// A turn is cut into pieces. For a set of radius r a piece of 2 p costs up to r (1 / cos(p) - 1);
 /// beyond this p it is worse than the ball around the set [rad].
@@ -358,7 +356,7 @@ std::optional<Aabb> boxOfMoving(const BoundedLink& link, const Eigen::Affine3d& 
   const std::optional<Aabb> box = MovingBox(bare, pose, moved).box();
   if (!box) return std::nullopt;
   const double count = static_cast<double>(joints.size() + 1);
-  const double rounding = link.padding + kRounding * kUnitRoundoff *
+  const double rounding = link.padding + kRoundoffsPerJoint * kUnitRoundoff *
                                              (count * magnitudeOf(pose, bare, moved) +
                                               start.norm() + frame_from_link.translation().norm());
   return padded(Aabb(box->min() + start, box->max() + start), rounding);

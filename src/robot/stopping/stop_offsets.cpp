@@ -5,11 +5,10 @@
 
 #include <algorithm>
 
+#include "robot/urdf/rounding.h"
+
 namespace link_bounds {
 namespace {
-
-/// More than the rounding of the formulas, of their result.
-constexpr double kRounding = 1e-14;
 
 /// How far upward it is when it may brake, and how fast.
 struct Drive {
@@ -37,11 +36,11 @@ double farthest(double speed, const Braking& braking, const Reaction& reaction) 
   const auto [path, end] = reaction.may_speed_up ? speedingUp(speed, braking, reaction.time)
                                                  : keepingSpeed(speed, reaction.time);
   const double braked = end > 0 ? end * end / (2 * braking.deceleration) : 0;
-  return std::max(0.0, path + braked) * (1 + kRounding);
+  return std::max(0.0, path + braked) * (1 + kFormulaRounding);
 }
 
 double farthestTravel(double speed, const Braking& braking, double time) {
-  return speedingUp(speed, braking, time).path * (1 + kRounding);
+  return speedingUp(speed, braking, time).path * (1 + kFormulaRounding);
 }
 
 }  // namespace
