@@ -41,6 +41,7 @@ class PathBuilder {
   void addMotion(std::size_t index, double sign) {
     const Joint& joint = robot_.joints[index];
     const JointRange& range = ranges_[index];
+    ++path_.count;
     if (!range.is_known) path_.unknown.push_back(index);
     if (joint.motion == Motion::kNone) return;
     if (joint.motion == Motion::kTranslation)
@@ -71,6 +72,22 @@ class PathBuilder {
 
 }  // namespace
 
+Eigen::Isometry3d PathJoint::motionAt(const PathValues& values) const {
+  return jointMotion(motion, axis, factor * values[variable] + offset);
+}
+
+bool JointPath::isShared(std::size_t variable) const {
+  return std::count_if(joints.begin(), joints.end(),
+                       [&](const PathJoint& joint) { return joint.variable == variable; }) > 1;
+}
+
+Eigen::Isometry3d JointPath::pose(const PathValues& values) const {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  for (const PathJoint& joint : joints)
+    result = result * joint.before * joint.motionAt(values);
+  return result * after;
+}
+
 void JointPath::place(const PathValues& values, PlacedPath& placed) const {
   placed.axes.resize(joints.size());
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
@@ -78,8 +95,7 @@ void JointPath::place(const PathValues& values, PlacedPath& placed) const {
     const PathJoint& joint = joints[j];
     at = at * joint.before;
     placed.axes[j] = {at.translation(), at.linear() * joint.axis};
-    const double value = joint.factor * values[joint.variable] + joint.offset;
-    at = at * jointMotion(joint.motion, joint.axis, value);
+    at = at * joint.motionAt(values);
   }
   placed.first_from_second = at * after;
 }

@@ -12,6 +12,9 @@
 
 namespace link_bounds {
 
+/// The values of the variables [rad or m].
+using PathValues = std::vector<double>;
+
 /// A joint that can move. Joints on the way up to the common ancestor count backwards.
 struct PathJoint {
   Eigen::Isometry3d before;  ///< from the frame of the joint before it, or the first link
@@ -20,6 +23,8 @@ struct PathJoint {
   std::size_t variable;      ///< index in JointPath::variables
   double factor;             ///< the joint is at factor * variable + offset
   double offset;             ///< rad or m
+
+  Eigen::Isometry3d motionAt(const PathValues& values) const;
 };
 
 /// A chain of joints at one pose, in the frame of the first link.
@@ -28,21 +33,26 @@ struct PlacedPath {
   Eigen::Isometry3d first_from_second;
 };
 
-/// The values of the variables [rad or m].
-using PathValues = std::vector<double>;
-
+/// Fixed joints, and those whose range is one value, are parts of the poses between the others.
 struct JointPath {
   std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
   std::vector<Limits> ranges;          ///< one per variable
   std::vector<std::size_t> unknown;    ///< joints of the robot on the way, without known ranges
   std::vector<PathJoint> joints;       ///< from the first link to the second
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second
-  double length = 0;  ///< of all links of the chain and all prismatic ranges [m]
+  double length = 0;      ///< of all links of the chain and all prismatic ranges [m]
+  std::size_t count = 0;  ///< of joints of any kind
+
+  /// Several joints depend on the variable.
+  bool isShared(std::size_t variable) const;
+
+  /// The pose of the second link in the frame of the first.
+  Eigen::Isometry3d pose(const PathValues& values) const;
 
   void place(const PathValues& values, PlacedPath& placed) const;
 };
 
-/// `ranges` has one per joint of the robot. A joint whose range is one value is part of a link.
+/// `ranges` has one per joint of the robot.
 JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t first,
                     std::size_t second);
 

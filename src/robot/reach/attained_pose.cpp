@@ -17,9 +17,9 @@ constexpr double kLastStep = 1e-7;
 constexpr double kMinGain = 1e-8;
 
 /// Tries one step; returns whether the face moved outward.
-bool improve(const Chain& chain, const BoundedLink& link, std::size_t face, std::size_t variable,
-             double step, AttainedFace& best) {
-  const auto [lower, upper] = chain.variables[variable].range;
+bool improve(const JointPath& chain, const BoundedLink& link, std::size_t face,
+             std::size_t variable, double step, AttainedFace& best) {
+  const auto [lower, upper] = chain.ranges[variable];
   const double old = best.values[variable];
   best.values[variable] = std::min(std::max(old + step, lower), upper);
   if (best.values[variable] != old) {
@@ -35,12 +35,12 @@ bool improve(const Chain& chain, const BoundedLink& link, std::size_t face, std:
 
 }  // namespace
 
-double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
+double faceAt(const JointPath& chain, const BoundedLink& link, std::size_t face,
               const std::vector<double>& values) {
   return faceOf(*linkBox(link, Eigen::Affine3d(chain.pose(values))), face);
 }
 
-AttainedFace attainedFrom(const Chain& chain, const BoundedLink& link, std::size_t face,
+AttainedFace attainedFrom(const JointPath& chain, const BoundedLink& link, std::size_t face,
                           std::vector<double> start, const Stop& stop) {
   AttainedFace best{faceAt(chain, link, face, start), std::move(start)};
   for (double step = kFirstStep; step > kLastStep && !stop();) {

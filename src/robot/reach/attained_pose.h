@@ -29,12 +29,12 @@ struct AttainedFace {
 };
 
 /// Where that face is in the pose of `values`. `link` has a box in every pose.
-double faceAt(const Chain& chain, const BoundedLink& link, std::size_t face,
+double faceAt(const JointPath& chain, const BoundedLink& link, std::size_t face,
               const std::vector<double>& values);
 
 /// Moves the face outward from the pose of `start`, one variable at a time, until no small step
 /// moves it further, or until stopped.
-AttainedFace attainedFrom(const Chain& chain, const BoundedLink& link, std::size_t face,
+AttainedFace attainedFrom(const JointPath& chain, const BoundedLink& link, std::size_t face,
                           std::vector<double> start, const Stop& stop);
 
 }  // namespace link_bounds

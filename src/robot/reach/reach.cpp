@@ -68,9 +68,10 @@ class ReachSearch {
   void boundRoughly();
   void refineAll(int cells);
   void refine(std::size_t link, int cells);
-  std::vector<double> startFor(std::size_t link, const Chain& chain, const ReachBound& bound,
+  std::vector<double> startFor(std::size_t link, const JointPath& chain, const ReachBound& bound,
                                std::size_t face) const;
-  void findPose(std::size_t link, const Chain& chain, const ReachBound& bound, std::size_t face);
+  void findPose(std::size_t link, const JointPath& chain, const ReachBound& bound,
+                std::size_t face);
   void showProgress();
 
   const Robot& robot_;
@@ -111,15 +112,16 @@ void ReachSearch::boundRoughly() {
 }
 
 /// Values from which to search. Those of variables that several joints depend on are tried.
-std::vector<double> ReachSearch::startFor(std::size_t link, const Chain& chain,
+std::vector<double> ReachSearch::startFor(std::size_t link, const JointPath& chain,
                                           const ReachBound& bound, std::size_t face) const {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   direction[static_cast<Eigen::Index>(face % 3)] = face < 3 ? -1 : 1;
   std::vector<double> values = bound.guess(direction);
   double best = faceAt(chain, links_[link], face, values);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto [lower, upper] = chain.variables[k].range;
-    for (int i = 0; chain.variables[k].is_shared && i < kSharedStarts; ++i) {
+    if (!chain.isShared(k)) continue;
+    const auto [lower, upper] = chain.ranges[k];
+    for (int i = 0; i < kSharedStarts; ++i) {
       std::vector<double> other = values;
       other[k] = std::min(lower + (upper - lower) * i / (kSharedStarts - 1), upper);
       const double at = faceAt(chain, links_[link], face, other);
@@ -131,7 +133,7 @@ std::vector<double> ReachSearch::startFor(std::size_t link, const Chain& chain,
   return values;
 }
 
-void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBound& bound,
+void ReachSearch::findPose(std::size_t link, const JointPath& chain, const ReachBound& bound,
                            std::size_t face) {
   const AttainedFace found =
       attainedFrom(chain, links_[link], face, startFor(link, chain, bound, face), goal_.stop);
@@ -140,11 +142,11 @@ void ReachSearch::findPose(std::size_t link, const Chain& chain, const ReachBoun
   if (beyond(face, found.at, best.attained) <= 0) return;
   best.attained = found.at;
   for (std::size_t k = 0; k < found.values.size(); ++k)
-    best.pose[robot_.joints[chain.variables[k].joint].name] = found.values[k];
+    best.pose[robot_.joints[chain.variables[k]].name] = found.values[k];
 }
 
 void ReachSearch::refine(std::size_t link, int cells) {
-  const Chain chain = chainTo(robot_, ranges_, indices_[link]);
+  const JointPath chain = jointPath(robot_, ranges_, robot_.root, indices_[link]);
   if (chain.joints.size() > kMaxJoints) return;
   ReachBound bound(chain, links_[link], radii_[link], cells, goal_.stop);
   const std::optional<Aabb> box = bound.box();

@@ -13,7 +13,7 @@ namespace {
 /// Directions between two looks at the clock.
 constexpr std::size_t kDirectionsPerGlance = 64;
 
-bool usesLater(const Chain& chain, std::size_t joint, std::size_t variable) {
+bool usesLater(const JointPath& chain, std::size_t joint, std::size_t variable) {
   for (std::size_t i = joint; i < chain.joints.size(); ++i) {
     if (chain.joints[i].variable == variable) return true;
   }
@@ -38,7 +38,7 @@ double turnedValue(const Limits& range, double angle) {
 
 }  // namespace
 
-ReachBound::ReachBound(const Chain& chain, const BoundedLink& link, double radius, int cells,
+ReachBound::ReachBound(const JointPath& chain, const BoundedLink& link, double radius, int cells,
                        Stop stop)
     : chain_(chain),
       link_(link),
@@ -55,7 +55,7 @@ std::optional<Aabb> ReachBound::box() {
   const Supports found = supports(0, axes, Slices(chain_.variables.size()));
   if (!found) return std::nullopt;
   const double rounding =
-      kRoundoffsPerJoint * kUnitRoundoff * radius_ * static_cast<double>(chain_.length + 1);
+      kRoundoffsPerJoint * kUnitRoundoff * radius_ * static_cast<double>(chain_.count + 1);
   Aabb result;
   for (int axis = 0; axis < 3; ++axis) {
     result.max()[axis] = nextUp((*found)[static_cast<std::size_t>(axis)] + rounding);
@@ -67,8 +67,8 @@ std::optional<Aabb> ReachBound::box() {
 ReachBound::Supports ReachBound::supports(std::size_t joint, const Directions& directions,
                                           const Slices& slices) {
   if (joint == chain_.joints.size()) return supportsOfLink(directions);
-  const ChainJoint& moving = chain_.joints[joint];
-  if (chain_.variables[moving.variable].is_shared && !slices[moving.variable])
+  const PathJoint& moving = chain_.joints[joint];
+  if (isShared(moving.variable) && !slices[moving.variable])
     return unionOfSlices(joint, directions, slices);
   const Table child = table(joint + 1, slices);
   if (!child) return std::nullopt;
@@ -78,7 +78,7 @@ ReachBound::Supports ReachBound::supports(std::size_t joint, const Directions& d
 ReachBound::Supports ReachBound::unionOfSlices(std::size_t joint, const Directions& directions,
                                                Slices slices) {
   const std::size_t variable = chain_.joints[joint].variable;
-  const auto [lower, upper] = chain_.variables[variable].range;
+  const auto [lower, upper] = chain_.ranges[variable];
   Supports result;
   const int count = slicesFor(cells_);
   for (int i = 0; i < count; ++i) {
@@ -105,7 +105,7 @@ ReachBound::Supports ReachBound::supportsOfLink(const Directions& directions) co
       directions_from_end.linear().row(static_cast<Eigen::Index>(row)) =
           directions[std::min(i + row, directions.size() - 1)];
     }
-    const std::optional<Aabb> box = linkBox(link_, directions_from_end * chain_.end);
+    const std::optional<Aabb> box = linkBox(link_, directions_from_end * chain_.after);
     if (!box || (i % kDirectionsPerGlance == 0 && stop_())) return std::nullopt;
     for (Eigen::Index row = 0; row < 3 && result.size() < directions.size(); ++row)
       result.push_back(box->max()[row]);
@@ -113,20 +113,20 @@ ReachBound::Supports ReachBound::supportsOfLink(const Directions& directions) co
   return result;
 }
 
-ReachBound::Supports ReachBound::moved(const ChainJoint& joint, const Limits& range,
+ReachBound::Supports ReachBound::moved(const PathJoint& joint, const Limits& range,
                                        const SupportTable& child,
                                        const Directions& directions) const {
-  const Arc arc(joint.source->motion == Motion::kRotation ? range : Limits{0, 0}, pieceFor(cells_));
+  const Arc arc(joint.motion == Motion::kRotation ? range : Limits{0, 0}, pieceFor(cells_));
   const Eigen::Matrix3d to_joint = joint.before.linear().transpose();
   std::vector<double> result;
   result.reserve(directions.size());
   for (const Eigen::Vector3d& direction : directions) {
     if (result.size() % kDirectionsPerGlance == 0 && stop_()) return std::nullopt;
     const Eigen::Vector3d in_joint = to_joint * direction;
-    const double along = joint.source->axis.dot(in_joint);
+    const double along = joint.axis.dot(in_joint);
     const double best =
-        joint.source->motion == Motion::kRotation
-            ? arc.support(child, joint.source->axis, in_joint)
+        joint.motion == Motion::kRotation
+            ? arc.support(child, joint.axis, in_joint)
             : child.at(in_joint) + std::max(range.lower * along, range.upper * along);
     result.push_back(joint.before.translation().dot(direction) + best);
   }
@@ -154,9 +154,8 @@ ReachBound::Table ReachBound::table(std::size_t joint, Slices slices) {
   return result;
 }
 
-Limits ReachBound::rangeOf(const ChainJoint& joint, const Slices& slices) const {
-  const auto [lower, upper] =
-      slices[joint.variable].value_or(chain_.variables[joint.variable].range);
+Limits ReachBound::rangeOf(const PathJoint& joint, const Slices& slices) const {
+  const auto [lower, upper] = slices[joint.variable].value_or(chain_.ranges[joint.variable]);
   const auto [from, to] =
       std::minmax({joint.factor * lower + joint.offset, joint.factor * upper + joint.offset});
   return {from, to};
@@ -164,27 +163,27 @@ Limits ReachBound::rangeOf(const ChainJoint& joint, const Slices& slices) const 
 
 std::vector<double> ReachBound::guess(const Eigen::Vector3d& direction) const {
   std::vector<double> values;
-  for (const ChainVariable& variable : chain_.variables)
-    values.push_back(variable.range.lower + (variable.range.upper - variable.range.lower) / 2);
+  for (const Limits& range : chain_.ranges)
+    values.push_back(range.lower + (range.upper - range.lower) / 2);
   Eigen::Vector3d remaining = direction;
   for (std::size_t i = 0; i < chain_.joints.size(); ++i) {
-    const ChainJoint& joint = chain_.joints[i];
-    const Limits range = chain_.variables[joint.variable].range;
+    const PathJoint& joint = chain_.joints[i];
+    const Limits range = chain_.ranges[joint.variable];
     double& value = values[joint.variable];
     remaining = joint.before.linear().transpose() * remaining;
-    const bool is_chosen = !chain_.variables[joint.variable].is_shared && tables_[i + 1];
-    if (is_chosen && joint.source->motion == Motion::kTranslation) {
-      value = joint.factor * joint.source->axis.dot(remaining) > 0 ? range.upper : range.lower;
+    const bool is_chosen = !isShared(joint.variable) && tables_[i + 1];
+    if (is_chosen && joint.motion == Motion::kTranslation) {
+      value = joint.factor * joint.axis.dot(remaining) > 0 ? range.upper : range.lower;
     } else if (is_chosen) {
       const Arc arc(rangeOf(joint, Slices(chain_.variables.size())), pieceFor(cells_));
-      const double angle = arc.bestAngle(*tables_[i + 1], joint.source->axis, remaining);
+      const double angle = arc.bestAngle(*tables_[i + 1], joint.axis, remaining);
       const Limits angles = rangeOf(joint, Slices(chain_.variables.size()));
       value = (turnedValue(angles, angle) - joint.offset) / joint.factor;
       value = std::min(std::max(value, range.lower), range.upper);
     }
-    if (joint.source->motion == Motion::kRotation) {
+    if (joint.motion == Motion::kRotation) {
       const double angle = joint.factor * value + joint.offset;
-      remaining = Eigen::AngleAxisd(-angle, joint.source->axis) * remaining;
+      remaining = Eigen::AngleAxisd(-angle, joint.axis) * remaining;
     }
   }
   return values;

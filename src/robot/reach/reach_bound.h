@@ -43,7 +43,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/shape/bounded_link.h"
-#include "robot/reach/chain.h"
+#include "robot/pairs/joint_path.h"
 #include "robot/reach/support_table.h"
 
 namespace link_bounds {
@@ -53,17 +53,18 @@ using Stop = std::function<bool()>;
 
 class ReachBound {
  public:
-  /// `link` has a box in every pose, and no padding; `radius` is r above [m]. All but `stop` must
-  /// live as long as this.
-  ReachBound(const Chain& chain, const BoundedLink& link, double radius, int cells, Stop stop);
+  /// `chain` is the path from the root to the link. `link` has a box in every pose, and no padding;
+  /// `radius` is r above [m]. All but `stop` must live as long as this.
+  ReachBound(const JointPath& chain, const BoundedLink& link, double radius, int cells, Stop stop);
 
   /// Before box(): all supports of the tables become the second next multiple of the step [m], so
-  /// that others who compute with other roundings can check them.
+  /// that others who compute with other roundings can check them. Joints that share a variable
+  /// count as independent.
   void roundSupports(double step) { step_ = step; }
 
   std::size_t joints() const { return chain_.joints.size(); }
-  /// Of a chain without shared variables, after box(): no less than h_joint along each of the
-  /// directions of the table; `joint` is not 0.
+  /// Of a chain whose joints count as independent, after box(): no less than h_joint along each of
+  /// the directions of the table; `joint` is not 0.
   const std::vector<double>& supportsAfter(std::size_t joint) const {
     return tables_[joint]->supports();
   }
@@ -85,12 +86,13 @@ class ReachBound {
   Supports supports(std::size_t joint, const Directions& directions, const Slices& slices);
   Supports unionOfSlices(std::size_t joint, const Directions& directions, Slices slices);
   Supports supportsOfLink(const Directions& directions) const;
-  Supports moved(const ChainJoint& joint, const Limits& range, const SupportTable& child,
+  Supports moved(const PathJoint& joint, const Limits& range, const SupportTable& child,
                  const Directions& directions) const;
   Table table(std::size_t joint, Slices slices);
-  Limits rangeOf(const ChainJoint& joint, const Slices& slices) const;
+  bool isShared(std::size_t variable) const { return step_ == 0 && chain_.isShared(variable); }
+  Limits rangeOf(const PathJoint& joint, const Slices& slices) const;
 
-  const Chain& chain_;
+  const JointPath& chain_;
   const BoundedLink& link_;
   double radius_;
   int cells_;

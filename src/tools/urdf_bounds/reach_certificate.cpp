@@ -46,12 +46,10 @@ class ReachCertificate {
   bool write(std::size_t index, const Reach& reach, std::ostream& out) const {
     BoundedLink link = bounded_.links[index];
     link.padding = 0;
-    Chain chain = chainTo(robot_, ranges_, bounded_.indices[index]);
+    const JointPath chain = jointPath(robot_, ranges_, robot_.root, bounded_.indices[index]);
     if (chain.joints.size() > kMaxJoints) return false;
-    for (ChainVariable& variable : chain.variables) {
-      if (!robot_.joints[variable.joint].part_of.empty()) return false;
-      variable.is_shared = false;
-    }
+    for (const std::size_t joint : chain.variables)
+      if (!robot_.joints[joint].part_of.empty()) return false;
     const double step = kStep * std::max(1.0, radii_[index]);
     for (int cells = kFirstCells;; cells *= 2) {
       ReachBound bound(chain, link, radii_[index], cells, is_over_);
