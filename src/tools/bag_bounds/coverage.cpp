@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "world/tf/frame_paths.h"
+
 namespace link_bounds {
 namespace {
 
@@ -23,13 +25,6 @@ std::set<std::string> prefixesOf(const std::string& link, const TransformBuffer&
       prefixes.insert(name.substr(0, name.size() - link.size() - 1));
   }
   return prefixes;
-}
-
-/// The frame that nothing leads up from. A loop ends somewhere.
-TransformBuffer::Frame topOf(TransformBuffer::Frame frame, const TransformBuffer& tf) {
-  for (std::size_t steps = 0; steps < tf.size() && tf.hasParent(frame); ++steps)
-    frame = tf.parent(frame);
-  return frame;
 }
 
 }  // namespace
@@ -84,7 +79,7 @@ std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer
     if (frame != link && bare && tf.isMet(*bare))
       return "tf has \"" + link + "\"; leave out --tf-prefix";
   }
-  const std::string& top = tf.name(topOf(scene.links.frame(i), tf));
+  const std::string& top = tf.name(wayUp(tf, scene.links.frame(i)).back());
   return "nothing leads up from \"" + top +
          "\"; if its static transform was recorded elsewhere, as in the first part of a split "
          "recording, add --static-from FIRST.bag";

@@ -11,6 +11,7 @@
 
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/urdf/simple_joints.h"
+#include "world/tf/frame_paths.h"
 #include "world/tf/frame_tracker.h"
 
 namespace link_bounds {
@@ -177,14 +178,9 @@ class SceneMaker {
       const auto found = std::find(of_links.begin(), of_links.end(), *attached);
       if (found != of_links.end()) return static_cast<std::size_t>(found - of_links.begin());
     }
-    Frame frame = *body.frame;
-    for (std::size_t i = 0; i < tf_.size(); ++i) {
-      const auto link = links_.find(frame);
-      if (link != links_.end()) return link->second;
-      if (!tf_.hasParent(frame)) break;
-      frame = tf_.parent(frame);
-    }
-    return original_.root;
+    const auto is_link = [&](Frame frame) { return links_.count(frame) > 0; };
+    const auto link = links_.find(climb(tf_, *body.frame, is_link));
+    return link == links_.end() ? original_.root : link->second;
   }
 
   bool moves(std::size_t body) const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/tf/frame_paths.h"
+
 namespace link_bounds {
 namespace {
 
@@ -56,26 +58,6 @@ double stopLength(double speed, double deceleration, double reaction) {
 }
 
 }  // namespace
-
-std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf, TransformBuffer::Frame frame) {
-  std::vector<TransformBuffer::Frame> way{frame};
-  while (tf.hasParent(way.back()) && way.size() <= tf.size())
-    way.push_back(tf.parent(way.back()));
-  return way;
-}
-
-std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
-                                                 TransformBuffer::Frame target,
-                                                 TransformBuffer::Frame source) {
-  std::vector<TransformBuffer::Frame> first = wayUp(tf, target);
-  std::vector<TransformBuffer::Frame> second = wayUp(tf, source);
-  while (!first.empty() && !second.empty() && first.back() == second.back()) {
-    first.pop_back();
-    second.pop_back();
-  }
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
 
 BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
                       const Parameters& parameters) {

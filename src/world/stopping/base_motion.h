@@ -31,12 +31,4 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
 EdgeSamples pathSamples(const TransformBuffer& tf, TransformBuffer::Frame target,
                         TransformBuffer::Frame source, std::int64_t stamp, std::int64_t window);
 
-/// The frame and all above it.
-std::vector<TransformBuffer::Frame> wayUp(const TransformBuffer& tf, TransformBuffer::Frame frame);
-
-/// The frames whose edges lead from one frame to the other, by the newest parents.
-std::vector<TransformBuffer::Frame> edgesBetween(const TransformBuffer& tf,
-                                                 TransformBuffer::Frame target,
-                                                 TransformBuffer::Frame source);
-
 }  // namespace link_bounds

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "world/tf/frame_paths.h"
+
 namespace link_bounds {
 namespace {
 
@@ -152,8 +154,8 @@ std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
 /// A fixed frame on the robot: if it moves against what is above it, all that stands moves in it.
 std::string BodyWays::whyGroundMoves() const {
   bool is_on_robot = false;
-  Frame frame = scene_.target;
-  for (std::size_t steps = 0; tf_.hasParent(frame) && steps < tf_.size(); ++steps) {
+  for (const Frame frame : wayUp(tf_, scene_.target)) {
+    if (!tf_.hasParent(frame)) break;
     is_on_robot = is_on_robot || rules_.linkOf(tf_.name(frame));
     const EdgeSamples samples = edgeSamples(tf_, frame, tf_.newest(frame), window_);
     if (is_on_robot && !(samples.problem.empty() && isStill(samples.poses))) {
@@ -161,7 +163,6 @@ std::string BodyWays::whyGroundMoves() const {
              tf_.name(frame) +
              "\", or it is not known whether it does; choose a ~fixed_frame that stands";
     }
-    frame = tf_.parent(frame);
   }
   return "";
 }
