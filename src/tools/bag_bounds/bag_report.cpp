@@ -7,7 +7,7 @@
 
 #include "tools/bag_bounds/bag_report_json.h"
 #include "tools/bag_bounds/report_words.h"
-#include "tools/text/safe_text.h"
+#include "tools/text/table_text.h"
 
 namespace link_bounds {
 namespace {
@@ -178,7 +178,7 @@ class Writer {
       row.insert(row.begin() + 1, printable(pair.distance.second));
       row.push_back(shortTime(pair.when.recorded));
       row.push_back(shortRow("", {pair.clearance})[1]);
-      row.emplace_back(levelText(pair.distance.level));
+      row.emplace_back(toText(static_cast<DistanceLevel>(pair.distance.level)));
       rows.push_back(std::move(row));
     }
     writeAligned(rows, out_, 2);

@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "tools/bag_bounds/report_words.h"
-#include "tools/text/safe_text.h"
+#include "tools/text/table_text.h"
+#include "world/moment/distance_message.h"
 
 namespace link_bounds {
 namespace {
@@ -97,15 +98,6 @@ class JsonWriter {
 
   std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
 
-  /// A JSON array with one element per line.
-  template <class Element, class ToJson>
-  static std::string jsonList(const std::vector<Element>& elements, const ToJson& to_json) {
-    std::string result;
-    for (const Element& element : elements)
-      result += (result.empty() ? "\n  " : ",\n  ") + to_json(element);
-    return "[" + result + "]";
-  }
-
   std::string when(const RecordTime& moment) const {
     return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
   }
@@ -175,17 +167,10 @@ class JsonWriter {
   }
 
   std::string toJson(const NearestPair& pair) const {
-    const Distance& distance = pair.distance;
-    const auto vector = [](const auto& v) { return jsonNumbers(Eigen::Vector3d(v.x, v.y, v.z)); };
-    return "{\"first\": " + jsonString(distance.first) +
-           ", \"second\": " + jsonString(distance.second) +
-           ", \"distance\": " + exactNumber(distance.distance) +
-           ", \"distance_max\": " + exactNumber(distance.distance_max) +
-           ", \"clearance\": " + exactNumber(pair.clearance) +
-           ", \"on_first\": " + vector(distance.on_first) +
-           ", \"on_second\": " + vector(distance.on_second) +
-           ", \"normal\": " + vector(distance.normal) +
-           ", \"level\": " + quoted(levelText(distance.level)) + ", " + when(pair.when) + "}";
+    return "{" +
+           jsonMembers(pair.distance.first, pair.distance.second, bodyDistanceOf(pair.distance),
+                       ", \"clearance\": " + exactNumber(pair.clearance)) +
+           ", " + when(pair.when) + "}";
   }
 
   const BagReport& report_;

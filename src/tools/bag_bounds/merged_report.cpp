@@ -129,7 +129,7 @@ class MergedReport {
 
   /// Lines are repeated as they are.
   void writeJson(std::ostream& out) const {
-    std::string verdicts, zones, lines;
+    std::string verdicts, zones;
     for (const auto& [verdict, count] : verdicts_)
       verdicts +=
           (verdicts.empty() ? "" : ", ") + jsonString(verdict) + ": " + std::to_string(count);
@@ -137,11 +137,9 @@ class MergedReport {
       zones += std::string(zones.empty() ? "" : ", ") + "{\"name\": " + jsonString(zone.name) +
                ", \"entries\": " + std::to_string(zone.entries) +
                ", \"bags\": " + std::to_string(zone.bags) + "}";
-    for (const auto& [bag, line] : lines_)
-      lines += (lines.empty() ? "\n  " : ",\n  ") + line.text;
     out << "{\"count\": " << lines_.size() << ",\n \"verdicts\": {" << verdicts
-        << "},\n \"worst\": " << worstJson() << ",\n \"zones\": [" << zones << "],\n \"bags\": ["
-        << lines << "]}\n";
+        << "},\n \"worst\": " << worstJson() << ",\n \"zones\": [" << zones << "],\n \"bags\": "
+        << jsonList(lines_, [](const auto& entry) { return entry.second.text; }) << "}\n";
   }
 
  private:

@@ -3,7 +3,6 @@
 // Times are printed from integers.
 #include "tools/bag_bounds/report_words.h"
 
-#include <array>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +12,6 @@ namespace link_bounds {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
-constexpr std::array<const char*, 3> kLevels{"BOX", "HULL", "MESH"};
 
 }  // namespace
 
@@ -40,10 +38,6 @@ const char* toText(StayEnd end) {
       break;
   }
   return "report_ended";
-}
-
-const char* levelText(std::uint8_t level) {
-  return kLevels.at(level);
 }
 
 }  // namespace link_bounds

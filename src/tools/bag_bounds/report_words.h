@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times, ends of stays and levels of distances, in words and digits.
+// Times and ends of stays, in words and digits.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,5 @@ std::string exactSeconds(std::int64_t nanoseconds);
 std::string shortSeconds(std::int64_t time, std::int64_t begin);
 
 const char* toText(StayEnd end);
-
-/// Of Distance::level.
-const char* levelText(std::uint8_t level);
 
 }  // namespace link_bounds

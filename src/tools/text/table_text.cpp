@@ -4,6 +4,7 @@
 #include "tools/text/table_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <locale>
@@ -98,6 +99,22 @@ std::string jsonNumbers(const Eigen::VectorXd& numbers) {
   for (Eigen::Index k = 0; k < numbers.size(); ++k)
     result += (k == 0 ? "" : ", ") + exactNumber(numbers[k]);
   return "[" + result + "]";
+}
+
+const char* toText(DistanceLevel level) {
+  constexpr std::array<const char*, 3> kLevels{"BOX", "HULL", "MESH"};
+  return kLevels.at(static_cast<std::size_t>(level));
+}
+
+std::string jsonMembers(const std::string& first, const std::string& second,
+                        const BodyDistance& distance, const std::string& more) {
+  return "\"first\": " + jsonString(first) + ", \"second\": " + jsonString(second) +
+         ", \"distance\": " + exactNumber(distance.lower) +
+         ", \"distance_max\": " + exactNumber(distance.upper) + more +
+         ", \"on_first\": " + jsonNumbers(distance.on_first) +
+         ", \"on_second\": " + jsonNumbers(distance.on_second) +
+         ", \"normal\": " + jsonNumbers(distance.normal) + ", \"level\": \"" +
+         toText(distance.level) + "\"";
 }
 
 }  // namespace link_bounds

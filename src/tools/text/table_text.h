@@ -1,19 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows and values in the three formats, for the tables of all volumes.
+// Rows, values and distances in the three formats.
 #pragma once
 
-#include <Eigen/Core>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "link_bounds/geometry/distance/body_distance.h"
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
 
 enum class Format { kTable, kCsv, kJson };
+
+/// The one for that format.
+template <class Writer>
+Writer* writerFor(Format format, Writer* table, Writer* csv, Writer* json) {
+  if (format == Format::kTable) return table;
+  return format == Format::kCsv ? csv : json;
+}
 
 /// Before the name of a group, where names of links and groups are mixed.
 constexpr char kGroupPrefix[] = "group:";
@@ -64,6 +72,30 @@ void addIncompleteGroup(Reasons& incomplete);
 
 /// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);
+
+/// BOX, HULL or MESH.
+const char* toText(DistanceLevel level);
+
+/// The members of a JSON object. `more`, which begins with a comma, stands behind the distances.
+std::string jsonMembers(const std::string& first, const std::string& second,
+                        const BodyDistance& distance, const std::string& more = "");
+
+/// A JSON array with one element per line.
+template <class Elements, class ToJson>
+void writeJsonList(const Elements& elements, const ToJson& to_json, std::ostream& out) {
+  out << '[';
+  const char* separator = "\n  ";
+  for (const auto& element : elements)
+    out << std::exchange(separator, ",\n  ") << to_json(element);
+  out << ']';
+}
+
+template <class Elements, class ToJson>
+std::string jsonList(const Elements& elements, const ToJson& to_json) {
+  std::ostringstream out;
+  writeJsonList(elements, to_json, out);
+  return out.str();
+}
 
 /// A JSON object with one member per line.
 template <class Value, class ToJson>

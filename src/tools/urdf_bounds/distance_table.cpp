@@ -12,34 +12,11 @@
 namespace link_bounds {
 namespace {
 
-const char* toText(DistanceLevel level) {
-  switch (level) {
-    case DistanceLevel::kBox:
-      return "BOX";
-    case DistanceLevel::kHull:
-      return "HULL";
-    case DistanceLevel::kMesh:
-      break;
-  }
-  return "MESH";
-}
-
 Numbers numbersOf(const BodyDistance& distance) {
   Numbers numbers{distance.lower, distance.upper};
   for (const auto* vector : {&distance.on_first, &distance.on_second, &distance.normal})
     numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
   return numbers;
-}
-
-std::string toJson(const LinkDistance& pair) {
-  const BodyDistance& distance = pair.distance;
-  return "{\"first\": " + jsonString(pair.first) + ", \"second\": " + jsonString(pair.second) +
-         ", \"distance\": " + exactNumber(distance.lower) +
-         ", \"distance_max\": " + exactNumber(distance.upper) +
-         ", \"on_first\": " + jsonNumbers(distance.on_first) +
-         ", \"on_second\": " + jsonNumbers(distance.on_second) +
-         ", \"normal\": " + jsonNumbers(distance.normal) + ", \"level\": \"" +
-         toText(distance.level) + "\"}";
 }
 
 }  // namespace
@@ -95,10 +72,9 @@ void writeCsv(const DistanceTable& distances, std::ostream& out) {
 }
 
 std::string toJson(const DistanceTable& distances) {
-  std::string result;
-  for (const LinkDistance& pair : distances.pairs)
-    result += (result.empty() ? "\n  " : ",\n  ") + toJson(pair);
-  return "[" + result + "]";
+  return jsonList(distances.pairs, [](const LinkDistance& pair) {
+    return "{" + jsonMembers(pair.first, pair.second, pair.distance) + "}";
+  });
 }
 
 }  // namespace link_bounds

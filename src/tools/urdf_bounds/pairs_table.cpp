@@ -115,13 +115,9 @@ void writeCsv(const PairsTable& table, std::ostream& out) {
 }
 
 void writeJson(const PairsTable& table, std::ostream& out) {
-  out << "{\"pairs\": [";
-  const char* separator = "\n  ";
-  for (const PairProof& proof : table.rows) {
-    out << separator << toJson(proof, table.links);
-    separator = ",\n  ";
-  }
-  out << "]";
+  out << "{\"pairs\": ";
+  writeJsonList(
+      table.rows, [&](const PairProof& proof) { return toJson(proof, table.links); }, out);
   if (table.srdf) {
     out << ",\n \"srdf\": {\"wrong\": " << toJson(table.srdf->wrong, table.links)
         << ", \"undecided\": " << toJson(table.srdf->undecided, table.links)

@@ -99,26 +99,17 @@ std::string toJson(const PathTable& table, const PathSegment& segment) {
 }
 
 void writeJson(const PathTable& table, std::ostream& out) {
-  out << "{\"segments\": [";
-  const char* separator = "\n  ";
-  for (const PathSegment& segment : table.segments) {
-    out << separator << toJson(table, segment);
-    separator = ",\n  ";
-  }
-  out << "],\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
+  const auto to_json = [&](const PathSegment& segment) { return toJson(table, segment); };
+  out << "{\"segments\": ";
+  writeJsonList(table.segments, to_json, out);
+  out << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
 }
 
 }  // namespace
 
 void write(const PathTable& table, Format format, std::ostream& out) {
-  switch (format) {
-    case Format::kTable:
-      return writeTable(table, out);
-    case Format::kCsv:
-      return writeCsv(table, out);
-    case Format::kJson:
-      return writeJson(table, out);
-  }
+  writerFor<void(const PathTable&, std::ostream&)>(format, writeTable, writeCsv, writeJson)(table,
+                                                                                            out);
 }
 
 }  // namespace link_bounds

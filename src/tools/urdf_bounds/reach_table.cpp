@@ -107,14 +107,8 @@ void writeMarker(const ReachTable& table, const std::string& name, const Reach& 
 }  // namespace
 
 void write(const ReachTable& table, Format format, std::ostream& out) {
-  switch (format) {
-    case Format::kTable:
-      return writeTable(table, out);
-    case Format::kCsv:
-      return writeCsv(table, out);
-    case Format::kJson:
-      return writeJson(table, out);
-  }
+  writerFor<void(const ReachTable&, std::ostream&)>(format, writeTable, writeCsv, writeJson)(table,
+                                                                                             out);
 }
 
 void writeMarkers(const ReachTable& table, std::ostream& out) {

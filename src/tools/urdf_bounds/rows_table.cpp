@@ -112,17 +112,17 @@ void writeJson(const RowsTable& table, std::ostream& out) {
       << ",\n \"boxes\": " << jsonObject(linkBoxes(table), toJson)
       << ",\n \"groups\": " << jsonObject(groupBoxes(table), toJson);
   if (table.limit) {
-    out << ",\n \"pairs\": [";
-    const char* separator = "\n  ";
-    for (const auto& [pair, nearest] : table.pairs) {
-      out << separator << "{\"first\": " << jsonString(table.links[pair.first])
-          << ", \"second\": " << jsonString(table.links[pair.second])
-          << ", \"distance\": " << exactNumber(nearest.distance)
-          << ", \"distance_max\": " << exactNumber(nearest.distance_max)
-          << ", \"row\": " << number(nearest.row) << ", \"contacts\": " << nearest.contacts << "}";
-      separator = ",\n  ";
-    }
-    out << "]";
+    const auto to_json = [&](const auto& entry) {
+      const auto& [pair, nearest] = entry;
+      return "{\"first\": " + jsonString(table.links[pair.first]) +
+             ", \"second\": " + jsonString(table.links[pair.second]) +
+             ", \"distance\": " + exactNumber(nearest.distance) +
+             ", \"distance_max\": " + exactNumber(nearest.distance_max) +
+             ", \"row\": " + number(nearest.row) +
+             ", \"contacts\": " + std::to_string(nearest.contacts) + "}";
+    };
+    out << ",\n \"pairs\": ";
+    writeJsonList(table.pairs, to_json, out);
   }
   out << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
 }
@@ -130,14 +130,8 @@ void writeJson(const RowsTable& table, std::ostream& out) {
 }  // namespace
 
 void write(const RowsTable& table, Format format, std::ostream& out) {
-  switch (format) {
-    case Format::kTable:
-      return writeTable(table, out);
-    case Format::kCsv:
-      return writeCsv(table, out);
-    case Format::kJson:
-      return writeJson(table, out);
-  }
+  writerFor<void(const RowsTable&, std::ostream&)>(format, writeTable, writeCsv, writeJson)(table,
+                                                                                            out);
 }
 
 }  // namespace link_bounds

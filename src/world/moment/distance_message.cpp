@@ -10,17 +10,9 @@
 namespace link_bounds {
 namespace {
 
-std::uint8_t toLevel(DistanceLevel level) {
-  switch (level) {
-    case DistanceLevel::kBox:
-      return Distance::BOX;
-    case DistanceLevel::kHull:
-      return Distance::HULL;
-    case DistanceLevel::kMesh:
-      return Distance::MESH;
-  }
-  return Distance::BOX;
-}
+static_assert(Distance::BOX == static_cast<std::uint8_t>(DistanceLevel::kBox));
+static_assert(Distance::HULL == static_cast<std::uint8_t>(DistanceLevel::kHull));
+static_assert(Distance::MESH == static_cast<std::uint8_t>(DistanceLevel::kMesh));
 
 }  // namespace
 
@@ -39,8 +31,15 @@ Distance toMessage(const Moment& moment, const FoundPair& pair) {
   message.normal.x = found.normal.x();
   message.normal.y = found.normal.y();
   message.normal.z = found.normal.z();
-  message.level = toLevel(found.level);
+  message.level = static_cast<std::uint8_t>(found.level);
   return message;
+}
+
+BodyDistance bodyDistanceOf(const Distance& message) {
+  const auto vector = [](const auto& v) { return Eigen::Vector3d(v.x, v.y, v.z); };
+  return {message.distance,         message.distance_max,
+          vector(message.on_first), vector(message.on_second),
+          vector(message.normal),   static_cast<DistanceLevel>(message.level)};
 }
 
 BoxOverlap toMessage(const Moment& moment, const BoxPair& pair) {

@@ -15,6 +15,9 @@ namespace link_bounds {
 
 Distance toMessage(const Moment& moment, const FoundPair& pair);
 
+/// The same without names and stamp.
+BodyDistance bodyDistanceOf(const Distance& message);
+
 BoxOverlap toMessage(const Moment& moment, const BoxPair& pair);
 
 /// The pair of the smallest lower bound. If no pair is within the limit [m]: nothing is nearer than
