@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By getopt_long.
 #include "tools/bag_bounds/bag_bounds_options.h"
-
-#include <getopt.h>
 
 #include "node/interface/parameter_table.h"
 #include "tools/command_line/options.h"
@@ -76,67 +73,6 @@ within a line leads to 4.
 
 namespace {
 
-enum Code {
-  kUrdf = 256,
-  kGeometry,
-  kFixedFrame,
-  kZones,
-  kDistances,
-  kObjects,
-  kTfPrefix,
-  kTfTopic,
-  kJointStates,
-  kPadding,
-  kTimeout,
-  kIgnorePairs,
-  kStaticFrom,
-  kMinCoverage,
-  kStart,
-  kEnd,
-  kAt,
-  kFormat,
-  kOut,
-  kSeries,
-  kEach,
-  kJobs,
-  kResume,
-  kMerge,
-  kStrict,
-  kAllowIncomplete,
-  kHelp,
-  kVersion
-};
-
-constexpr option kLongOptions[] = {{"urdf", required_argument, nullptr, kUrdf},
-                                   {"geometry", required_argument, nullptr, kGeometry},
-                                   {"fixed-frame", required_argument, nullptr, kFixedFrame},
-                                   {"zones", required_argument, nullptr, kZones},
-                                   {"distances", required_argument, nullptr, kDistances},
-                                   {"objects", required_argument, nullptr, kObjects},
-                                   {"tf-prefix", required_argument, nullptr, kTfPrefix},
-                                   {"tf-topic", required_argument, nullptr, kTfTopic},
-                                   {"joint-states", required_argument, nullptr, kJointStates},
-                                   {"padding", required_argument, nullptr, kPadding},
-                                   {"timeout", required_argument, nullptr, kTimeout},
-                                   {"ignore-pairs", required_argument, nullptr, kIgnorePairs},
-                                   {"static-from", required_argument, nullptr, kStaticFrom},
-                                   {"min-coverage", required_argument, nullptr, kMinCoverage},
-                                   {"start", required_argument, nullptr, kStart},
-                                   {"end", required_argument, nullptr, kEnd},
-                                   {"at", required_argument, nullptr, kAt},
-                                   {"format", required_argument, nullptr, kFormat},
-                                   {"out", required_argument, nullptr, kOut},
-                                   {"series", required_argument, nullptr, kSeries},
-                                   {"each", no_argument, nullptr, kEach},
-                                   {"jobs", required_argument, nullptr, kJobs},
-                                   {"resume", required_argument, nullptr, kResume},
-                                   {"merge", no_argument, nullptr, kMerge},
-                                   {"strict", no_argument, nullptr, kStrict},
-                                   {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
-                                   {"help", no_argument, nullptr, kHelp},
-                                   {"version", no_argument, nullptr, kVersion},
-                                   {nullptr, 0, nullptr, 0}};
-
 /// Throws UsageError if there is no text.
 std::string nonEmpty(const std::string& option_name, const std::string& text) {
   if (text.empty()) throw UsageError(option_name + " is empty");
@@ -160,108 +96,67 @@ double shareOption(const std::string& option_name, const std::string& text) {
   throw UsageError(option_name + " is \"" + text + "\", but must be a number from 0 to 1");
 }
 
-/// `code` is what getopt_long returned.
-void addOption(int code, const char* const* argv, BagBoundsOptions& options) {
-  switch (code) {
-    case 1:
-      options.bags.push_back(nonEmpty("the name of a bag", optarg));
-      return;
-    case kUrdf:
-      options.urdf = nonEmpty("--urdf", optarg);
-      return;
-    case kGeometry:
-      options.geometry =
-          chosen<std::string>("--geometry", optarg,
-                              {{"visual", "visual"}, {"collision", "collision"}, {"both", "both"}});
-      return;
-    case kFixedFrame:
-      options.fixed_frame = nonEmpty("--fixed-frame", optarg);
-      return;
-    case kZones:
-      options.zones = nonEmpty("--zones", optarg);
-      return;
-    case kDistances:
-      options.distances = limitOption("--distances", optarg);
-      return;
-    case kObjects:
-      options.objects.insert(topicName("--objects", optarg));
-      return;
-    case kTfPrefix:
-      options.tf_prefix = nonEmpty("--tf-prefix", optarg);
-      return;
-    case kTfTopic:
-      options.tf_topic = topicName("--tf-topic", optarg);
-      return;
-    case kJointStates:
-      options.joint_states = topicName("--joint-states", optarg);
-      return;
-    case kPadding:
-      options.padding = limitOption("--padding", optarg);
-      checkRule("--padding", optarg, rules::length(options.padding));
-      return;
-    case kTimeout:
-      options.timeout = limitOption("--timeout", optarg, "seconds");
-      return;
-    case kIgnorePairs:
-      checkRule("--ignore-pairs", optarg, rules::ignorePairs({optarg}));
-      options.ignore_pairs.emplace_back(optarg);
-      return;
-    case kStaticFrom:
-      options.static_from = nonEmpty("--static-from", optarg);
-      return;
-    case kMinCoverage:
-      options.min_coverage = shareOption("--min-coverage", optarg);
-      return;
-    case kStart:
-      options.start = limitOption("--start", optarg, "seconds");
-      return;
-    case kEnd:
-      options.end = limitOption("--end", optarg, "seconds");
-      return;
-    case kAt:
-      options.at = limitOption("--at", optarg, "seconds");
-      return;
-    case kFormat:
-      options.format = chosen<Format>(
-          "--format", optarg,
-          {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
-      return;
-    case kOut:
-      options.out = nonEmpty("--out", optarg);
-      return;
-    case kSeries:
-      options.series = nonEmpty("--series", optarg);
-      return;
-    case kEach:
-      options.each = true;
-      return;
-    case kJobs:
-      options.jobs = jobsOption(optarg);
-      return;
-    case kResume:
-      options.resume.push_back(nonEmpty("--resume", optarg));
-      return;
-    case kMerge:
-      options.merge = true;
-      return;
-    case kStrict:
-      options.demand.strict = true;
-      return;
-    case kAllowIncomplete:
-      options.demand.allow_incomplete = true;
-      return;
-    case 'h':
-    case kHelp:
-      options.help = true;
-      return;
-    case kVersion:
-      options.version = true;
-      return;
-    case ':':
-      throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
-    default:
-      throw UsageError(badOption(argv, kUrdf));
-  }
+Format formatOption(const std::string& option_name, const std::string& text) {
+  return chosen<Format>(
+      option_name, text,
+      {{"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}});
+}
+
+double seconds(const std::string& option_name, const std::string& text) {
+  return limitOption(option_name, text, "seconds");
+}
+
+double paddingOption(const std::string& option_name, const std::string& text) {
+  const double padding = limitOption(option_name, text);
+  checkRule(option_name, text, rules::length(padding));
+  return padding;
+}
+
+std::string geometryOption(const std::string& option_name, const std::string& text) {
+  return chosen<std::string>(option_name, text,
+                             {{"visual", "visual"}, {"collision", "collision"}, {"both", "both"}});
+}
+
+std::vector<Option> optionsInto(BagBoundsOptions& options) {
+  const auto metres = [](const auto& name, const auto& text) { return limitOption(name, text); };
+  const auto add_objects = [&](const auto& name, const auto& text) {
+    options.objects.insert(topicName(name, text));
+  };
+  const auto add_ignored = [&](const auto& name, const auto& text) {
+    checkRule(name, text, rules::ignorePairs({text}));
+    options.ignore_pairs.push_back(text);
+  };
+  const auto add_resume = [&](const auto& name, const auto& text) {
+    options.resume.push_back(nonEmpty(name, text));
+  };
+  return {{"urdf", into(options.urdf, nonEmpty)},
+          {"geometry", into(options.geometry, geometryOption)},
+          {"fixed-frame", into(options.fixed_frame, nonEmpty)},
+          {"zones", into(options.zones, nonEmpty)},
+          {"distances", into(options.distances, metres)},
+          {"objects", add_objects},
+          {"tf-prefix", into(options.tf_prefix, nonEmpty)},
+          {"tf-topic", into(options.tf_topic, topicName)},
+          {"joint-states", into(options.joint_states, topicName)},
+          {"padding", into(options.padding, paddingOption)},
+          {"timeout", into(options.timeout, seconds)},
+          {"ignore-pairs", add_ignored},
+          {"static-from", into(options.static_from, nonEmpty)},
+          {"min-coverage", into(options.min_coverage, shareOption)},
+          {"start", into(options.start, seconds)},
+          {"end", into(options.end, seconds)},
+          {"at", into(options.at, seconds)},
+          {"format", into(options.format, formatOption)},
+          {"out", into(options.out, nonEmpty)},
+          {"series", into(options.series, nonEmpty)},
+          flag("each", options.each),
+          {"jobs", into(options.jobs, jobsOption)},
+          {"resume", add_resume},
+          flag("merge", options.merge),
+          flag("strict", options.demand.strict),
+          flag("allow-incomplete", options.demand.allow_incomplete),
+          flag("help", options.help),
+          flag("version", options.version)};
 }
 
 /// What --each cannot do, because it is about one bag or one report.
@@ -300,18 +195,18 @@ void check(const BagBoundsOptions& options) {
 
 BagBoundsOptions parseOptions(int argc, char** argv) {
   BagBoundsOptions options;
-  opterr = 0;
-  int code = 0;
-  int index = -1;
-  // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
-  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, &index)) != -1) {
-    addOption(code, argv, options);
-    if (options.help || options.version) return options;
-    if (code >= kUrdf) options.given[kLongOptions[index].name].emplace_back(optarg ? optarg : "");
+  std::vector<Option> table = optionsInto(options);
+  for (Option& option : table) {
+    option.take = [&options, key = option.name, take = option.take](const auto& name,
+                                                                    const auto& value) {
+      take(name, value);
+      options.given[key].push_back(value);
+    };
   }
-  for (; optind < argc; ++optind)
-    options.bags.push_back(nonEmpty("the name of a bag", argv[optind]));
-  check(options);
+  const auto add_bag = [&](const std::string& argument) {
+    options.bags.push_back(nonEmpty("the name of a bag", argument));
+  };
+  if (parseCommandLine(argc, argv, table, add_bag)) check(options);
   return options;
 }
 

@@ -5,6 +5,7 @@
 
 #include <getopt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -14,6 +15,15 @@ namespace {
 
 /// Threads beyond any machine.
 constexpr unsigned kMaxJobs = 1024;
+
+constexpr int kFirstCode = 256;  // of long options; others are letters
+
+/// getopt_long leaves the letter or code in optopt where it knows one.
+std::string badOption(const char* const* argv) {
+  if (optopt >= kFirstCode) return std::string(argv[optind - 1]) + ": this option takes no value";
+  if (optopt > 0) return std::string("there is no option -") + static_cast<char>(optopt);
+  return std::string("there is no option ") + argv[optind - 1];
+}
 
 }  // namespace
 
@@ -35,19 +45,44 @@ double limitOption(const std::string& option_name, const std::string& text,
                    " >= 0, such as 0.1");
 }
 
-unsigned jobsOption(const std::string& text) {
+unsigned jobsOption(const std::string& option_name, const std::string& text) {
   const std::optional<double> value = toNumber(text);
   if (value && *value >= 1 && *value <= kMaxJobs && std::trunc(*value) == *value)
     return static_cast<unsigned>(*value);
-  throw UsageError("--jobs is \"" + text + "\", but must be a whole number from 1 to " +
+  throw UsageError(option_name + " is \"" + text + "\", but must be a whole number from 1 to " +
                    std::to_string(kMaxJobs) + ", such as 2");
 }
 
-/// getopt_long leaves the letter or code in optopt where it knows one.
-std::string badOption(const char* const* argv, int first_code) {
-  if (optopt >= first_code) return std::string(argv[optind - 1]) + ": this option takes no value";
-  if (optopt > 0) return std::string("there is no option -") + static_cast<char>(optopt);
-  return std::string("there is no option ") + argv[optind - 1];
+Option flag(const char* name, bool& target) {
+  return {name, [&target](const auto&, const auto&) { target = true; }, false};
+}
+
+bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
+                      const std::function<void(const std::string&)>& take_argument) {
+  std::vector<option> table;
+  for (const Option& entry : options)
+    table.push_back({entry.name, entry.has_value ? required_argument : no_argument, nullptr,
+                     kFirstCode + static_cast<int>(table.size())});
+  table.push_back({nullptr, 0, nullptr, 0});
+  opterr = 0;
+  int code = 0;
+  // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
+  while ((code = getopt_long(argc, argv, "-:h", table.data(), nullptr)) != -1) {
+    if (code == 1) {
+      take_argument(optarg);
+      continue;
+    }
+    if (code == ':') throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
+    if (code != 'h' && code < kFirstCode) throw UsageError(badOption(argv));
+    const std::string name = code == 'h' ? "help" : table[code - kFirstCode].name;
+    const auto entry = std::find_if(options.begin(), options.end(),
+                                    [&](const Option& known) { return known.name == name; });
+    entry->take("--" + name, optarg ? optarg : "");
+    if (name == "help" || name == "version") return false;
+  }
+  for (; optind < argc; ++optind)
+    take_argument(argv[optind]);
+  return true;
 }
 
 }  // namespace link_bounds

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of options, for programs that use getopt_long.
+// Command lines, by getopt_long.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace link_bounds {
 
@@ -24,10 +26,7 @@ double limitOption(const std::string& option_name, const std::string& text,
                    const std::string& unit = "metres");
 
 /// A number of threads or processes, 1 to 1024. Throws UsageError.
-unsigned jobsOption(const std::string& text);
-
-/// Why getopt_long returned '?'. Codes of long options begin at `first_code`.
-std::string badOption(const char* const* argv, int first_code);
+unsigned jobsOption(const std::string& option_name, const std::string& text);
 
 /// The value called `name`. Throws UsageError with all names if there is none.
 template <class Value>
@@ -40,5 +39,30 @@ Value chosen(const std::string& option_name, const std::string& name,
     names += (names.empty() ? "" : ", ") + choice.first;
   throw UsageError(option_name + " is \"" + name + "\", but must be one of: " + names);
 }
+
+struct Option {
+  /// Gets the name with its dashes, and the value.
+  using Take = std::function<void(const std::string& name, const std::string& value)>;
+
+  const char* name;  ///< without dashes
+  Take take;
+  bool has_value = true;
+};
+
+/// Sets the target to true.
+Option flag(const char* name, bool& target);
+
+/// Sets the target to read(name, value).
+template <class Target, class Read>
+Option::Take into(Target& target, Read read) {
+  return [&target, read](const std::string& name, const std::string& value) {
+    target = read(name, value);
+  };
+}
+
+/// In the order of the command line; -h is --help. False if --help or --version ended it. Throws
+/// UsageError. Call it once: getopt keeps state.
+bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
+                      const std::function<void(const std::string&)>& take_argument);
 
 }  // namespace link_bounds

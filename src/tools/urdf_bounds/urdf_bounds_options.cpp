@@ -1,74 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// By getopt_long. The text after := must be a number to its last character.
+// The text after := must be a number to its last character.
 #include "tools/urdf_bounds/urdf_bounds_options.h"
-
-#include <getopt.h>
 
 #include "tools/command_line/options.h"
 
 namespace link_bounds {
 
 namespace {
-
-enum Code {
-  kGeometry = 256,
-  kRepresentation,
-  kFormat,
-  kVolume,
-  kDistances,
-  kPoses,
-  kColumns,
-  kPath,
-  kObjects,
-  kSeries,
-  kJobs,
-  kReach,
-  kPairs,
-  kAccuracy,
-  kBudget,
-  kClearance,
-  kTouching,
-  kSrdf,
-  kCertificate,
-  kBase,
-  kAdjacent,
-  kAcceptSampled,
-  kVerbose,
-  kStrict,
-  kAllowIncomplete,
-  kHelp,
-  kVersion
-};
-
-constexpr option kLongOptions[] = {{"geometry", required_argument, nullptr, kGeometry},
-                                   {"representation", required_argument, nullptr, kRepresentation},
-                                   {"format", required_argument, nullptr, kFormat},
-                                   {"volume", required_argument, nullptr, kVolume},
-                                   {"distances", required_argument, nullptr, kDistances},
-                                   {"poses", required_argument, nullptr, kPoses},
-                                   {"columns", required_argument, nullptr, kColumns},
-                                   {"path", no_argument, nullptr, kPath},
-                                   {"objects", required_argument, nullptr, kObjects},
-                                   {"series", required_argument, nullptr, kSeries},
-                                   {"jobs", required_argument, nullptr, kJobs},
-                                   {"reach", no_argument, nullptr, kReach},
-                                   {"pairs", no_argument, nullptr, kPairs},
-                                   {"accuracy", required_argument, nullptr, kAccuracy},
-                                   {"budget", required_argument, nullptr, kBudget},
-                                   {"clearance", required_argument, nullptr, kClearance},
-                                   {"touching", required_argument, nullptr, kTouching},
-                                   {"srdf", required_argument, nullptr, kSrdf},
-                                   {"certificate", required_argument, nullptr, kCertificate},
-                                   {"base", required_argument, nullptr, kBase},
-                                   {"adjacent", no_argument, nullptr, kAdjacent},
-                                   {"accept-sampled", no_argument, nullptr, kAcceptSampled},
-                                   {"verbose", no_argument, nullptr, kVerbose},
-                                   {"strict", no_argument, nullptr, kStrict},
-                                   {"allow-incomplete", no_argument, nullptr, kAllowIncomplete},
-                                   {"help", no_argument, nullptr, kHelp},
-                                   {"version", no_argument, nullptr, kVersion},
-                                   {nullptr, 0, nullptr, 0}};
 
 /// A value, or a range a..b.
 Limits jointRange(const std::string& joint, const std::string& text) {
@@ -112,7 +51,7 @@ void addGeometry(const std::string& name, UrdfBoundsOptions& options) {
   options.collision = (kind & kCollision) != 0;
 }
 
-double positive(const std::string& option_name, const std::string& text, const char* what) {
+double positive(const std::string& option_name, const std::string& text, const std::string& what) {
   const std::optional<double> value = toNumber(text);
   if (value && *value > 0) return *value;
   throw UsageError(option_name + " is \"" + text + "\", but must be a number of " + what +
@@ -138,98 +77,61 @@ void setReport(Report report, UrdfBoundsOptions& options) {
   options.report = report;
 }
 
-/// `code` is what getopt_long returned.
-void addOption(int code, const char* const* argv, UrdfBoundsOptions& options) {
-  switch (code) {
-    case 1:
-      return addArgument(optarg, options);
-    case kGeometry:
-      return addGeometry(optarg, options);
-    case kRepresentation:
-      options.representation =
-          chosen<Representation>("--representation", optarg,
-                                 {{"min-max", Representation::kMinMax},
-                                  {"min-width", Representation::kMinWidth},
-                                  {"center-radius", Representation::kCenterRadius}});
-      return;
-    case kFormat:
-      return addFormat(optarg, options);
-    case kVolume:
-      options.volume = chosen<VolumeKind>(
-          "--volume", optarg, {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
-      return;
-    case kDistances:
-      options.distances = limitOption("--distances", optarg);
-      return;
-    case kPoses:
-      options.poses = optarg;
-      return;
-    case kColumns:
-      options.columns = optarg;
-      return;
-    case kPath:
-      return setReport(Report::kPath, options);
-    case kObjects:
-      options.objects = optarg;
-      return;
-    case kSeries:
-      options.series = optarg;
-      return;
-    case kJobs:
-      options.jobs = jobsOption(optarg);
-      return;
-    case kReach:
-      return setReport(Report::kReach, options);
-    case kPairs:
-      return setReport(Report::kPairs, options);
-    case kAccuracy:
-      options.accuracy = positive("--accuracy", optarg, "metres");
-      return;
-    case kBudget:
-      options.budget = positive("--budget", optarg, "seconds");
-      return;
-    case kClearance:
-      options.clearance = limitOption("--clearance", optarg);
-      return;
-    case kTouching:
-      options.touching = limitOption("--touching", optarg);
-      return;
-    case kSrdf:
-      options.srdf = optarg;
-      return;
-    case kCertificate:
-      options.certificate = optarg;
-      return;
-    case kBase:
-      options.has_fixed_base = chosen<bool>("--base", optarg, {{"fixed", true}});
-      return;
-    case kAdjacent:
-      options.adjacent = true;
-      return;
-    case kAcceptSampled:
-      options.accept_sampled = true;
-      return;
-    case kVerbose:
-      options.verbose = true;
-      return;
-    case kStrict:
-      options.demand.strict = true;
-      return;
-    case kAllowIncomplete:
-      options.demand.allow_incomplete = true;
-      return;
-    case 'h':
-    case kHelp:
-      options.help = true;
-      return;
-    case kVersion:
-      options.version = true;
-      return;
-    case ':':
-      throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
-    default:
-      throw UsageError(badOption(argv, kGeometry));
-  }
+Representation representationOption(const std::string& option_name, const std::string& text) {
+  return chosen<Representation>(option_name, text,
+                                {{"min-max", Representation::kMinMax},
+                                 {"min-width", Representation::kMinWidth},
+                                 {"center-radius", Representation::kCenterRadius}});
+}
+
+VolumeKind volumeOption(const std::string& option_name, const std::string& text) {
+  return chosen<VolumeKind>(option_name, text,
+                            {{"sphere", VolumeKind::kSphere}, {"obb", VolumeKind::kOrientedBox}});
+}
+
+std::vector<Option> optionsInto(UrdfBoundsOptions& options) {
+  const auto as_is = [](const auto&, const auto& text) { return text; };
+  const auto limit = [](const auto& name, const auto& text) { return limitOption(name, text); };
+  const auto metres = [](const auto& name, const auto& text) {
+    return positive(name, text, "metres");
+  };
+  const auto seconds = [](const auto& name, const auto& text) {
+    return positive(name, text, "seconds");
+  };
+  const auto fixed_base = [](const auto& name, const auto& text) {
+    return chosen<bool>(name, text, {{"fixed", true}});
+  };
+  const auto report = [&](const char* name, Report kind) {
+    return Option{name, [&options, kind](const auto&, const auto&) { setReport(kind, options); },
+                  false};
+  };
+  return {{"geometry", [&](const auto&, const auto& text) { addGeometry(text, options); }},
+          {"representation", into(options.representation, representationOption)},
+          {"format", [&](const auto&, const auto& text) { addFormat(text, options); }},
+          {"volume", into(options.volume, volumeOption)},
+          {"distances", into(options.distances, limit)},
+          {"poses", into(options.poses, as_is)},
+          {"columns", into(options.columns, as_is)},
+          report("path", Report::kPath),
+          {"objects", into(options.objects, as_is)},
+          {"series", into(options.series, as_is)},
+          {"jobs", into(options.jobs, jobsOption)},
+          report("reach", Report::kReach),
+          report("pairs", Report::kPairs),
+          {"accuracy", into(options.accuracy, metres)},
+          {"budget", into(options.budget, seconds)},
+          {"clearance", into(options.clearance, limit)},
+          {"touching", into(options.touching, limit)},
+          {"srdf", into(options.srdf, as_is)},
+          {"certificate", into(options.certificate, as_is)},
+          {"base", into(options.has_fixed_base, fixed_base)},
+          flag("adjacent", options.adjacent),
+          flag("accept-sampled", options.accept_sampled),
+          flag("verbose", options.verbose),
+          flag("strict", options.demand.strict),
+          flag("allow-incomplete", options.demand.allow_incomplete),
+          flag("help", options.help),
+          flag("version", options.version)};
 }
 
 void refuseRanges(const UrdfBoundsOptions& options) {
@@ -316,15 +218,8 @@ void checkReport(const UrdfBoundsOptions& options) {
 
 UrdfBoundsOptions parseOptions(int argc, char** argv) {
   UrdfBoundsOptions options;
-  opterr = 0;
-  int code = 0;
-  // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
-  while ((code = getopt_long(argc, argv, "-:h", kLongOptions, nullptr)) != -1) {
-    addOption(code, argv, options);
-    if (options.help || options.version) return options;
-  }
-  for (; optind < argc; ++optind)
-    addArgument(argv[optind], options);
+  const auto add_argument = [&](const std::string& text) { addArgument(text, options); };
+  if (!parseCommandLine(argc, argv, optionsInto(options), add_argument)) return options;
   if (options.file.empty()) throw UsageError("no URDF file is given");
   if (options.poses && options.report == Report::kPose) options.report = Report::kRows;
   checkReport(options);
