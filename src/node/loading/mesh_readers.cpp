@@ -22,18 +22,12 @@ unsigned processors() {
   return is_known ? static_cast<unsigned>(CPU_COUNT(&usable)) : 1;
 }
 
-Worker::Options options() {
-  Worker::Options options;
-  options.name = "mesh reader";
-  return options;
-}
-
 }  // namespace
 
-MeshReaders::MeshReaders() : large_(options()) {
+MeshReaders::MeshReaders() : large_({"mesh reader"}) {
   const unsigned count = std::clamp(processors(), 1u, kMaxReaders);
   for (unsigned i = 0; i < count; ++i)
-    small_.push_back(std::make_unique<Worker>(options()));
+    small_.push_back(std::make_unique<Worker>(Worker::Options{"mesh reader"}));
 }
 
 void MeshReaders::post(const std::string& key, Job job) {

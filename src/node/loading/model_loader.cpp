@@ -25,14 +25,6 @@ constexpr std::chrono::milliseconds kPollPeriod(200);  // of the description, un
 /// Packages that are installed later are found, too. Searching takes some 10 ms.
 constexpr std::chrono::seconds kPackagesAge(1);
 
-Worker::Options options(std::function<bool()> on_tick) {
-  Worker::Options options;
-  options.name = "loader";
-  options.on_tick = std::move(on_tick);
-  options.tick_period = kPollPeriod;
-  return options;
-}
-
 ReadParameters readParametersAndWarn(const ParameterServer& server) {
   ReadParameters read = readParameters(server);
   for (const std::string& warning : read.warnings)
@@ -58,7 +50,7 @@ ModelLoader::ModelLoader(ros::NodeHandle& private_node, ros::CallbackQueueInterf
       server_([this] { return worker_.isStopping(); }),
       description_(server_),
       robot_loader_(nodeRemedy),
-      worker_(options([this] { return onTick(); })) {
+      worker_({"loader", false, [this] { return onTick(); }, kPollPeriod}) {
   ros::NodeHandle loader_node(private_node);
   loader_node.setCallbackQueue(&worker_);
   reload_service_ =

@@ -32,13 +32,6 @@ constexpr const char* kStopping = "the node is shutting down";
 constexpr const char* kTooBusy =
     "there was no time to begin within 10 s, because of other requests or much tf; ask again";
 
-Worker::Options options(const std::string& name, bool is_nice) {
-  Worker::Options options;
-  options.name = name;
-  options.is_nice = is_nice;
-  return options;
-}
-
 /// tf's names have no slash at their beginning.
 std::string tfFrame(const std::string& name) {
   return name.compare(0, 1, "/") == 0 ? name.substr(1) : name;
@@ -114,8 +107,8 @@ struct BoxService::Job {
 
 BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
     : scenes_(scenes),
-      moments_(options("requests for boxes", false)),
-      spans_(options("requests for spans", true)),
+      moments_({"requests for boxes"}),
+      spans_({"requests for spans", true}),
       queue_(moments_, spans_) {
   ros::AdvertiseServiceOptions options;
   options.init<GetBoxes::Request, GetBoxes::Response>(privateName(kGetBoxesService), {});

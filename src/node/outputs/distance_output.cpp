@@ -6,24 +6,18 @@
 #include <utility>
 
 #include "node/outputs/distance_markers.h"
+#include "node/outputs/queues.h"
 
 namespace link_bounds {
-namespace {
-
-/// As in scene_output.cpp.
-constexpr std::uint32_t kDistancesQueue = 200;
-constexpr std::uint32_t kMarkersQueue = 10;
-
-}  // namespace
 
 DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard,
                                TreeRequests requests, MomentPairs& pairs,
                                std::function<void()> send)
     : guard_(guard),
       send_(std::move(send)),
-      distances_(private_node, privateName(kDistancesTopic), kDistancesQueue,
+      distances_(private_node, privateName(kDistancesTopic), kBoxesQueue,
                  [this](const auto&) { guard_(send_); }),
-      nearest_(private_node, privateName(kNearestTopic), kDistancesQueue,
+      nearest_(private_node, privateName(kNearestTopic), kBoxesQueue,
                [this](const auto&) { guard_(send_); }),
       markers_(private_node, privateName(kDistanceMarkersTopic), kMarkersQueue,
                [this](const auto&) { guard_(send_); }),

@@ -23,14 +23,7 @@ DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callba
       keep_(keep),
       distances_(requests),
       requests_(std::move(requests)),
-      worker_([this] {
-        Worker::Options options;
-        options.name = "distances";
-        options.is_nice = true;
-        options.on_tick = [this] { return onTick(); };
-        options.tick_period = kTick;
-        return options;
-      }()) {}
+      worker_({"distances", true, [this] { return onTick(); }, kTick}) {}
 
 /// Only taken over here; onTick() computes once for all that waits.
 void DistanceThread::give(MomentPtr moment) {

@@ -9,16 +9,6 @@
 #include "node/outputs/queues.h"
 
 namespace link_bounds {
-namespace {
-
-Worker::Options options() {
-  Worker::Options result;
-  result.name = "earliest contacts";
-  result.is_nice = true;
-  return result;
-}
-
-}  // namespace
 
 EarliestOutput::EarliestOutput(ros::NodeHandle& private_node, const Guard& guard,
                                const SceneCopier& scenes, TreeRequests requests)
@@ -26,7 +16,7 @@ EarliestOutput::EarliestOutput(ros::NodeHandle& private_node, const Guard& guard
       contacts_(std::move(requests)),
       output_(private_node, privateName(kEarliestTopic), kBoxesQueue,
               [this, guard](const auto&) { guard([this] { request(); }); }),
-      worker_(options()) {}
+      worker_({"earliest contacts", true}) {}
 
 /// The newest boxes are never left out: while the thread computes, another publish() may wait.
 void EarliestOutput::request() {
@@ -44,16 +34,6 @@ void EarliestOutput::give(MadeTree tree) {
                [this, tree = std::move(tree)] { contacts_.trees().add(tree); });
 }
 
-std::string EarliestOutput::problem() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return problem_;
-}
-
-void EarliestOutput::setProblem(std::string problem) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  problem_ = std::move(problem);
-}
-
 void EarliestOutput::publish() {
   const auto copy = scenes_.copy(worker_);
   if (!copy) return;
@@ -62,14 +42,13 @@ void EarliestOutput::publish() {
   const auto computed = contacts_.compute(*copy->scene, *copy->rules, copy->states, now, is_over);
   if (!computed) return;
   contacts_.trees().requestSettled(now);
-  setProblem(computed->problem);
+  scenes_.setProblem(computed->problem);
   output_.publish(computed->array);
 }
 
 void EarliestOutput::forget() {
   scenes_.rest();
   contacts_.forget();
-  setProblem("");
 }
 
 }  // namespace link_bounds

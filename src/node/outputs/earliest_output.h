@@ -5,7 +5,7 @@
 
 #include <ros/node_handle.h>
 
-#include <mutex>
+#include <atomic>
 #include <string>
 
 #include "link_bounds/EarliestContactArray.h"
@@ -37,15 +37,12 @@ class EarliestOutput {
 
   /// Why the first of its incomplete bodies is that, and how many more are; "" if all are complete
   /// or nobody listens. For any thread.
-  std::string problem() const;
+  std::string problem() const { return scenes_.problem(); }
 
  private:
   void publish();
   void forget();
-  void setProblem(std::string problem);
 
-  mutable std::mutex mutex_;
-  std::string problem_;                  ///< guarded by mutex_
   std::atomic<std::uint64_t> trees_{0};  ///< that were given
   std::atomic<bool> is_forgotten_{true};
   WayScenes scenes_;  ///< this and the next one: of the thread

@@ -9,16 +9,6 @@
 #include "node/outputs/queues.h"
 
 namespace link_bounds {
-namespace {
-
-Worker::Options workerOptions() {
-  Worker::Options options;
-  options.name = "outputs";
-  options.is_nice = true;
-  return options;
-}
-
-}  // namespace
 
 OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, MomentPairs& pairs,
                                  Newest newest)
@@ -31,7 +21,7 @@ OptionalOutputs::OptionalOutputs(ros::NodeHandle& private_node, Guard guard, Mom
              greetWith("parts", &OptionalOutputs::publishParts, newest_.published)),
       markers_(private_node, privateName(kMarkersTopic), kMarkersQueue,
                greetWith("markers", &OptionalOutputs::publishMarkers, newest_.current)),
-      worker_(workerOptions()) {}
+      worker_({"outputs", true}) {}
 
 /// A key of its own: no newer moment takes the place of a greeting.
 OutputTopic::OnSubscriber OptionalOutputs::greetWith(const char* topic, Publish publish,

@@ -71,14 +71,7 @@ PathService::PathService(ros::NodeHandle& private_node, const SceneCopier& scene
                          Worker& answering, PathTrees::Load load)
     : scenes_(scenes),
       trees_(std::move(load)),
-      paths_([this] {
-        Worker::Options options;
-        options.name = "requests for paths";
-        options.is_nice = true;
-        options.on_tick = [this] { return forgetIfUnused(); };
-        options.tick_period = kTick;
-        return options;
-      }()),
+      paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kTick}),
       queue_(answering, paths_) {
   ros::AdvertiseServiceOptions options;
   options.init<CheckPath::Request, CheckPath::Response>(privateName(kCheckPathService), {});

@@ -12,16 +12,6 @@
 #include "world/stopping/stopping_boxes.h"
 
 namespace link_bounds {
-namespace {
-
-Worker::Options options() {
-  Worker::Options result;
-  result.name = "stopping boxes";
-  result.is_nice = true;
-  return result;
-}
-
-}  // namespace
 
 StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node,
                                const Guard& guard, const SceneCopier& scenes)
@@ -33,23 +23,13 @@ StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node
       markers_(private_node, privateName(kStoppingMarkersTopic), kMarkersQueue,
                [this, guard](const auto&) { guard([this] { requestMarkers(); }); }),
       markers_output_(periodic, guard, [this] { requestMarkers(); }),
-      worker_(options()) {}
+      worker_({"stopping boxes", true}) {}
 
 void StoppingOutput::request() {
   if (areBoxesWanted()) post();
   if (markers_.hasSubscribers()) markers_output_.request();
   if (!areBoxesWanted() && !markers_.hasSubscribers() && !is_resting_.exchange(true))
-    worker_.post("boxes", [this] { rest(); });
-}
-
-std::string StoppingOutput::problem() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return problem_;
-}
-
-void StoppingOutput::setProblem(std::string problem) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  problem_ = std::move(problem);
+    worker_.post("boxes", [this] { scenes_.rest(); });
 }
 
 void StoppingOutput::requestMarkers() {
@@ -63,17 +43,12 @@ void StoppingOutput::post() {
   worker_.post("boxes", [this] { publish(); });
 }
 
-void StoppingOutput::rest() {
-  scenes_.rest();
-  setProblem("");
-}
-
 /// Without a robot there is nothing that stops.
 void StoppingOutput::publish() {
   const auto copy = scenes_.copy(worker_);
   if (!copy) return;
   const WayBoxes found = stoppingBoxes(*copy->scene, *copy->rules, copy->states);
-  setProblem(found.problem);
+  scenes_.setProblem(found.problem);
   fillBoxes(*found.moment, message_);
   boxes_.publish(message_);
   if (are_markers_due_.exchange(false)) markers_.publish(stoppingMarkers(message_));

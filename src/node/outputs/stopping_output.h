@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
@@ -40,21 +39,17 @@ class StoppingOutput {
 
   /// Why the first of its incomplete bodies is that, and how many more are; of the last boxes, ""
   /// if all are complete or nobody listens. For any thread.
-  std::string problem() const;
+  std::string problem() const { return scenes_.problem(); }
 
  private:
   bool areBoxesWanted() const { return boxes_.hasSubscribers() || overlaps_.hasSubscribers(); }
   void requestMarkers();
   void post();
   void publish();
-  void rest();
-  void setProblem(std::string problem);
 
   std::atomic<bool> are_markers_due_{false};  ///< at the next publish()
   std::atomic<bool> is_resting_{true};
-  mutable std::mutex mutex_;
-  std::string problem_;  ///< guarded by mutex_
-  WayScenes scenes_;     ///< this and what follows: of the thread
+  WayScenes scenes_;  ///< this and what follows: of the thread
   AxisAlignedBoxArray message_;
   BoxOverlapArray overlaps_message_;
   MomentPairs pairs_;

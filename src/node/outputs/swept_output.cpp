@@ -21,13 +21,6 @@ std::int64_t spanOf(const Parameters& parameters) {
   return static_cast<std::int64_t>(std::min(parameters.swept_span, kMaxSpan) * 1e9);
 }
 
-Worker::Options options() {
-  Worker::Options result;
-  result.name = "swept boxes";
-  result.is_nice = true;
-  return result;
-}
-
 }  // namespace
 
 SweptOutput::SweptOutput(Periodic& periodic, ros::NodeHandle& private_node, const Guard& guard,
@@ -38,7 +31,7 @@ SweptOutput::SweptOutput(Periodic& periodic, ros::NodeHandle& private_node, cons
       markers_(private_node, privateName(kSweptMarkersTopic), kMarkersQueue,
                [this, guard](const auto&) { guard([this] { requestMarkers(); }); }),
       markers_output_(periodic, guard, [this] { requestMarkers(); }),
-      worker_(options()) {}
+      worker_({"swept boxes", true}) {}
 
 void SweptOutput::adopt(const Parameters& parameters) {
   const bool ends = span_ > 0 && parameters.swept_span == 0;

@@ -28,4 +28,19 @@ std::optional<WayScenes::Copy> WayScenes::copy(Worker& worker) {
   return Copy{std::move(scene), &*rules_, states};
 }
 
+std::string WayScenes::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problem_;
+}
+
+void WayScenes::setProblem(std::string problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  problem_ = std::move(problem);
+}
+
+void WayScenes::rest() {
+  joint_states_.rest();
+  setProblem("");
+}
+
 }  // namespace link_bounds

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
 
 #include "node/inputs/joint_state_receiver.h"
 #include "node/outputs/scene_copier.h"
@@ -12,7 +14,7 @@
 
 namespace link_bounds {
 
-/// Of the thread of one worker.
+/// Of the thread of one worker, but for problem().
 class WayScenes {
  public:
   explicit WayScenes(const SceneCopier& scenes) : scenes_(scenes) {}
@@ -26,14 +28,20 @@ class WayScenes {
   /// Nothing if there is no robot, if the scene has no answer, or if the worker is stopping.
   std::optional<Copy> copy(Worker& worker);
 
+  /// Why a body of the last copy is incomplete; "" if none is, or after rest().
+  std::string problem() const;
+  void setProblem(std::string problem);
+
   /// To be called when nobody listens any more.
-  void rest() { joint_states_.rest(); }
+  void rest();
 
  private:
   const SceneCopier& scenes_;
   JointStateReceiver joint_states_;
   std::shared_ptr<const Model> model_;
   std::optional<StopRules> rules_;  ///< of the model
+  mutable std::mutex mutex_;
+  std::string problem_;  ///< guarded by mutex_
 };
 
 }  // namespace link_bounds

@@ -26,11 +26,11 @@ class Worker : public ros::CallbackQueueInterface {
   struct Options {
     std::string name;      ///< of the thread, for the error if it cannot be started
     bool is_nice = false;  ///< where cores are scarce, threads that are not nice go first
-    std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  ///< see post()
     /// Called on the thread at its start, after all that waits was done, and then every
     /// `tick_period` while it returns true.
     std::function<bool()> on_tick = [] { return false; };
     std::chrono::milliseconds tick_period{50};
+    std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  ///< see post()
   };
 
   /// Throws std::runtime_error if the thread cannot be started.
