@@ -104,7 +104,7 @@ class RobotTest(UrdfBoundsTest):
                     continue
                 rows = random_rows(robot, ROWS)
                 self.check_boxes(robot, urdf, rows, 'visual')
-                self.check_distances(robot, urdf, rows[:20], 'visual')
+                self.check_distances(robot, urdf, rows, 'visual')
 
     def test_reach(self):
         expected = json.loads(self.run_program(DEMO, '--reach', '--format', 'json',
@@ -200,6 +200,19 @@ class RobotTest(UrdfBoundsTest):
         folder = os.path.dirname(os.path.dirname(mesh))
         robot = link_bounds.Robot(urdf, packages={'models': folder})
         np.testing.assert_allclose(robot.boxes([])[0], [[0, 0, 0], [1, 2, 3]], atol=1e-12)
+
+    def test_errors_in_the_words_of_the_command_line(self):
+        lost = self.write('lost.urdf', urdf_bounds_testing.tree(
+            urdf_bounds_testing.mesh('a', 'file:///no/such.stl')))
+        text, arm = self.write('text.urdf', '<robot'), self.write('arm.urdf', ARM)
+        for urdf, joint in (('/no/such.urdf', None), (text, None), (lost, None), (arm, 'elbow')):
+            error = ValueError if joint else link_bounds.RobotError
+            with self.subTest(urdf), self.assertRaises(error) as raised:
+                link_bounds.Robot(urdf).boxes({joint: 0} if joint else {})
+            given = ['%s:=0' % joint] if joint else []
+            done = subprocess.run([urdf_bounds_testing.URDF_BOUNDS, urdf, *given], check=False,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8')
+            self.assertIn(str(raised.exception), done.stderr)
 
     def test_two_threads_at_once(self):
         robot = link_bounds.Robot(DEMO)

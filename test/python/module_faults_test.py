@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import threading
+import tracemalloc
 import unittest
 
 import numpy as np
@@ -18,6 +19,7 @@ from patience import PATIENCE
 from urdf_bounds_testing import ARM, UrdfBoundsTest, mesh, solid, tetrahedron, tree
 
 DEMO = str(pathlib.Path(__file__).parents[2] / 'launch/demo/demo.urdf')
+INIT = pathlib.Path(__file__).parents[2] / 'src/python/link_bounds/__init__.py'
 CALLS = 10**6
 INTERRUPTED = '''
 import sys, numpy, link_bounds
@@ -114,6 +116,14 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check('', link_bounds.Robot, '<robot', error=link_bounds.RobotError)
         self.check('geometry is "visaul".*collision', link_bounds.Robot, ARM, 'visaul')
 
+    def test_a_build_without_pybind11(self):
+        """Has the messages' package alone, and says so where a robot is asked for."""
+        folder = os.path.dirname(self.write('link_bounds/__init__.py', INIT.read_text('utf-8')))
+        code = 'import sys; sys.path.insert(0, sys.argv[1]); import link_bounds; link_bounds.Robot'
+        done = subprocess.run([sys.executable, '-c', code, os.path.dirname(folder)], check=False,
+                              stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertRegex(done.stderr, 'ImportError: .* built without pybind11; install pybind11-dev')
+
     def test_lost_geometry(self):
         urdf = tree(solid('a'), mesh('b', 'file:///no/such.stl'))
         self.check('link "b", visual 1 .*no/such.stl', link_bounds.Robot, urdf,
@@ -154,6 +164,18 @@ class RobotFaultsTest(UrdfBoundsTest):
                 late.cancel()
                 process.kill()
             self.assertRegex(out, r'interrupted \(\d+, 2, 3\)', call)
+
+    def test_large_arrays_are_not_copied(self):
+        robot = link_bounds.Robot(ARM)
+        rows = np.zeros((10**5, len(robot.joints)))
+        for given, copies in ((rows, 0), (np.asfortranarray(rows), 1), (rows.astype('f4'), 1)):
+            for call, result in ((robot.boxes, len(rows) * len(robot.links) * 48),
+                                 (lambda q: robot.distances(q, 0), 0)):
+                tracemalloc.start()
+                call(given)
+                peak = tracemalloc.get_traced_memory()[1]
+                tracemalloc.stop()
+                self.assertEqual(round((peak - result) / rows.nbytes), copies)
 
     def test_many_calls_keep_no_memory(self):
         robot = link_bounds.Robot(ARM)
