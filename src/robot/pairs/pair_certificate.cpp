@@ -3,8 +3,10 @@
 #include "robot/pairs/pair_certificate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -22,6 +24,35 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// A direction with fewer digits is as good, and shorter.
 constexpr double kDigits = 1e6;
 
+/// Half of a share of a motion that is not halved further.
+constexpr double kShortest = 1e-9;
+
+struct Shares {
+  double middle;
+  double half;
+};
+
+/// Writes a tree. `close` writes what closes a box, or is false; `halve` writes what is halved and
+/// gives the halves, that with smaller values first, or nothing.
+template <typename Box, typename Close, typename Halve>
+bool writeHalved(const Box& whole, const Close& close, const Halve& halve,
+                 const std::function<bool()>& is_over, std::ostream& out) {
+  std::vector<Box> open{whole};
+  for (std::size_t count = 0; !open.empty(); ++count) {
+    if (count > kMaxBoxes || is_over()) return false;
+    const Box box = std::move(open.back());
+    open.pop_back();
+    out << (count > 0 ? "," : "[");
+    if (close(box)) continue;
+    const std::optional<std::array<Box, 2>> parts = halve(box);
+    if (!parts) return false;
+    open.push_back(parts->back());
+    open.push_back(parts->front());
+  }
+  out << "]";
+  return true;
+}
+
 }  // namespace
 
 PairCertificate::PairCertificate(JointPath path, const PairBody& first, const PairBody& second,
@@ -37,22 +68,28 @@ PairCertificate::PairCertificate(JointPath path, const PairBody& first, const Pa
 }
 
 bool PairCertificate::writeTree(const std::function<bool()>& is_over, std::ostream& out) {
-  std::vector<JointBox> open{wholeBox(path_)};
-  for (std::size_t count = 0; !open.empty(); ++count) {
-    if (count > kMaxBoxes || is_over()) return false;
-    const JointBox box = std::move(open.back());
-    open.pop_back();
-    out << (count > 0 ? "," : "[");
-    if (writeClosing(box, out)) continue;
-    if (path_.variables.empty()) return false;
+  const auto close = [&](const JointBox& box) { return writeClosing(box, out); };
+  const auto halve = [&](const JointBox& box) -> std::optional<std::array<JointBox, 2>> {
+    if (path_.variables.empty()) return std::nullopt;
     const std::size_t widest = motion_.widestVariable();
     out << widest;
-    const auto [lower, upper] = halves(box, widest);
-    open.push_back(upper);
-    open.push_back(lower);
-  }
-  out << "]";
-  return true;
+    return halves(box, widest);
+  };
+  return writeHalved(wholeBox(path_), close, halve, is_over, out);
+}
+
+bool PairCertificate::writeTree(const BoxOfShares& box_of, const std::function<bool()>& is_over,
+                                std::ostream& out) {
+  const auto close = [&](const Shares& shares) {
+    return writeClosing(box_of(shares.middle, shares.half), out);
+  };
+  const auto halve = [&](const Shares& shares) -> std::optional<std::array<Shares, 2>> {
+    const double half = shares.half / 2;
+    if (path_.variables.empty() || half < kShortest) return std::nullopt;
+    out << 0;
+    return {{Shares{shares.middle - half, half}, Shares{shares.middle + half, half}}};
+  };
+  return writeHalved(Shares{0.5, 0.5}, close, halve, is_over, out);
 }
 
 /// False if the box must be halved.

@@ -18,6 +18,9 @@ struct PairClaim {
   double distance;
 };
 
+/// The values of a path's variables while a share of a motion is within `half` of `middle`.
+using BoxOfShares = std::function<JointBox(double middle, double half)>;
+
 /// Halves the box of all joint values until the claim is proven in each part. Refers to the bodies.
 class PairCertificate {
  public:
@@ -35,6 +38,10 @@ class PairCertificate {
   /// one of the second, each in the frame of its body. False, with a part of the tree, if there are
   /// too many boxes or `is_over` says so.
   bool writeTree(const std::function<bool()>& is_over, std::ostream& out);
+
+  /// The same of a motion. The one variable is its share, from 0 to 1.
+  bool writeTree(const BoxOfShares& box_of, const std::function<bool()>& is_over,
+                 std::ostream& out);
 
  private:
   bool writeClosing(const JointBox& box, std::ostream& out);

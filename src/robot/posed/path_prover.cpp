@@ -63,18 +63,6 @@ struct Node {
   }
 };
 
-std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits) {
-  const std::vector<Lead> leads = leadsOf(robot);
-  std::vector<JointRange> ranges;
-  for (const Lead& lead : leads) {
-    const Limits& leader = limits[lead.leader];
-    const auto [lower, upper] = std::minmax(
-        {lead.factor * leader.lower + lead.offset, lead.factor * leader.upper + lead.offset});
-    ranges.push_back({lower, upper, lead});
-  }
-  return ranges;
-}
-
 }  // namespace
 
 const char* toText(PathVerdict verdict) {
@@ -87,6 +75,18 @@ const char* toText(PathVerdict verdict) {
       break;
   }
   return "UNDECIDED";
+}
+
+std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits) {
+  const std::vector<Lead> leads = leadsOf(robot);
+  std::vector<JointRange> ranges;
+  for (const Lead& lead : leads) {
+    const Limits& leader = limits[lead.leader];
+    const auto [lower, upper] = std::minmax(
+        {lead.factor * leader.lower + lead.offset, lead.factor * leader.upper + lead.offset});
+    ranges.push_back({lower, upper, lead});
+  }
+  return ranges;
 }
 
 class PathProver::Search {

@@ -50,6 +50,9 @@ struct SegmentProof {
   double seconds = 0;  ///< that the search took
 };
 
+/// One per joint, of the ranges of those that mimic no other one.
+std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& limits);
+
 /// Proofs about the same bodies, one after the other. Each is as it would be alone. Not
 /// thread-safe.
 class PathProver {

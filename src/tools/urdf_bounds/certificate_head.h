@@ -10,7 +10,7 @@
 
 namespace link_bounds {
 
-/// `kind` is what it is about: pairs or reach.
+/// `kind` is what it is about: pairs, reach or path.
 void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, const Robot& robot,
                           std::ostream& out);
 

@@ -16,6 +16,7 @@
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/pair_words.h"
+#include "tools/urdf_bounds/path_certificate.h"
 #include "tools/urdf_bounds/path_table.h"
 #include "tools/urdf_bounds/srdf_check.h"
 
@@ -99,19 +100,15 @@ std::function<bool()> budgetOf(const UrdfBoundsOptions& options) {
   return [=] { return isInterrupted() || std::chrono::steady_clock::now() - start >= budget; };
 }
 
-std::vector<PathSegment> prove(const UrdfBoundsOptions& options, const Robot& simple,
-                               const PathBodies& bodies, const std::vector<JointMotion>& motions) {
+std::vector<SegmentProof> prove(const UrdfBoundsOptions& options, const Robot& simple,
+                                const PathBodies& bodies, const std::vector<JointMotion>& motions) {
   PathControl control{budgetOf(options), options.jobs.value_or(coreCount())};
   if (hasTerminal())
     control.progress = [&](std::size_t done) { drawBar(done, motions.size(), "segments"); };
-  const std::vector<SegmentProof> proofs =
+  std::vector<SegmentProof> proofs =
       provePath(simple, bodies, motions, {options.clearance.value_or(0)}, control);
   if (hasTerminal()) eraseBar();
-  std::vector<PathSegment> segments;
-  for (std::size_t i = 0; i < proofs.size(); ++i) {
-    segments.push_back({i + 1, i + 2, proofs[i], poseOf(simple, motions[i].at(proofs[i].share))});
-  }
-  return segments;
+  return proofs;
 }
 
 std::size_t countOf(const PathTable& table, PathVerdict verdict) {
@@ -137,7 +134,16 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   checkRows(options, table);
   const PathBodies bodies = bodiesOf(options, robot, bounded, objects);
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
-  result.segments = prove(options, withSimpleJoints(robot), bodies, motionsOf(table, given));
+  const Robot simple = withSimpleJoints(robot);
+  const std::vector<JointMotion> motions = motionsOf(table, given);
+  const std::vector<SegmentProof> proofs = prove(options, simple, bodies, motions);
+  for (std::size_t i = 0; i < proofs.size(); ++i)
+    result.segments.push_back(
+        {i + 1, i + 2, proofs[i], poseOf(simple, motions[i].at(proofs[i].share))});
+  std::size_t uncertified = 0;
+  if (options.certificate) {
+    uncertified = writePathCertificate(options, simple, bodies, motions, proofs, budgetOf(options));
+  }
   write(result, options.format, std::cout);
   if (options.verbose) reportTimes(result);
   Outcome outcome;
@@ -146,6 +152,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   if (bodies.pairs.empty()) outcome.open.emplace_back("no two bodies were compared");
   outcome.addOpen("incomplete names", result.incomplete.size());
   outcome.addOpen("UNDECIDED segments", countOf(result, PathVerdict::kUndecided));
+  outcome.addOpen("SAFE segments that are not in the certificate", uncertified);
   return outcome;
 }
 

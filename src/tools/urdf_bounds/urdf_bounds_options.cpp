@@ -161,8 +161,8 @@ void checkProof(const UrdfBoundsOptions& options) {
   need(options.has_fixed_base, has_reach || has_pairs, "--base", "--reach or --pairs");
   need(options.touching.has_value(), has_pairs, "--touching", "--pairs");
   need(options.srdf.has_value(), has_pairs || has_path, "--srdf", "--pairs or --path");
-  need(options.certificate.has_value(), has_reach || has_pairs, "--certificate",
-       "--reach or --pairs");
+  need(options.certificate.has_value(), has_reach || has_pairs || has_path, "--certificate",
+       "--reach, --pairs or --path");
   need(options.adjacent, has_pairs, "--adjacent", "--pairs");
   need(options.accept_sampled, options.as_srdf, "--accept-sampled", "--format srdf");
   need(options.as_srdf, has_pairs, "--format srdf", "--pairs");

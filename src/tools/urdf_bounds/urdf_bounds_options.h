@@ -41,7 +41,7 @@ struct UrdfBoundsOptions {
   std::optional<double> clearance;               ///< of kPairs and kPath [m], >= 0; none: 0
   std::optional<double> touching;                ///< of kPairs [m], >= 0; none: kDefaultTouching
   std::optional<std::string> srdf;               ///< of kPairs and kPath, a file
-  std::optional<std::string> certificate;        ///< of kReach and kPairs, a file to write
+  std::optional<std::string> certificate;        ///< of kReach, kPairs and kPath, a file to write
   bool adjacent = false;                         ///< of kPairs
   bool has_fixed_base = false;  ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;

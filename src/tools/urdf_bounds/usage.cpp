@@ -62,8 +62,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --adjacent          of --pairs: also examines links with one joint between them
   --srdf FILE         of --pairs: checks the disable_collisions of a SRDF;
                       of --path: leaves out the pairs that it disables
-  --certificate FILE  of --reach and --pairs: writes why the links never leave their boxes, or why
-                      each NEVER holds, for scripts/check_certificate
+  --certificate FILE  of --reach, --pairs and --path: writes why the links never leave their boxes, why
+                      each NEVER holds, or why each SAFE does, for scripts/check_certificate
   --accept-sampled    of --format srdf: also disables pairs that collided in all poses tried
   --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
                       without a range, nothing is proven of what depends on such a joint
