@@ -306,6 +306,15 @@ class CheckPathTest(unittest.TestCase):
         path.points = path.points * 10**6
         self.refuse("points, more than 20000|bytes, more than", path)
 
+    def test_a_request_of_too_many_bytes_is_refused(self):
+        self.refuse("the request has .* bytes, more than 33554432; send the trajectory in pieces",
+                    trajectory(["x" * (33 << 20)], [0], [1]))
+
+    def test_too_many_pairs_are_refused(self):
+        """Two links move among more than 5,000 posts."""
+        self.send_objects(*(post("far/%d" % i, 0.07 * i, 2) for i in range(5001)))
+        self.refuse("moves more than 10000 pairs of bodies; leave some out", turned(0, 1))
+
     def test_a_joint_that_tf_does_not_know(self):
         robot = BARS.replace('"lean"', '"lean2"').replace('"other"', '"other2"')
         load(NODE, robot)
