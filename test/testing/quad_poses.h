@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "link_bounds/geometry/shape/bounded_link.h"
@@ -91,29 +92,32 @@ inline Quad quadHalfExtent(const Shape& shape, const Quad (&row)[3]) {
   return 0;
 }
 
-/// Without padding.
-inline QuadBox quadBox(const BoundedLink& link, const QuadPose& pose) {
-  QuadBox result;
-  bool is_first = true;
-  for (const Shape& shape : link.shapes) {
-    const QuadPose placed = pose * quadPose(shape.link_from_shape);
-    const std::vector<Eigen::Vector3d> points =
-        shape.points ? shape.points->keptPoints()
-                     : std::vector<Eigen::Vector3d>{Eigen::Vector3d::Zero()};
-    for (const Eigen::Vector3d& point : points) {
-      for (int k = 0; k < 3; ++k) {
-        Quad center = placed.translation[k];
-        for (int j = 0; j < 3; ++j)
-          center += placed.linear[k][j] * static_cast<Quad>(point[j]);
-        const Quad half = quadHalfExtent(shape, placed.linear[k]);
-        const auto i = static_cast<std::size_t>(k);
-        result.min[i] = is_first ? center - half : std::min(result.min[i], center - half);
-        result.max[i] = is_first ? center + half : std::max(result.max[i], center + half);
-      }
-      is_first = false;
+/// Of no points.
+inline QuadBox emptyQuadBox() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+/// By the solid of a shape around each of these points.
+inline void extend(QuadBox& box, const Shape& shape, const QuadPose& placed,
+                   const std::vector<Eigen::Vector3d>& points) {
+  for (const Eigen::Vector3d& point : points) {
+    for (int k = 0; k < 3; ++k) {
+      Quad center = placed.translation[k];
+      for (int j = 0; j < 3; ++j)
+        center += placed.linear[k][j] * static_cast<Quad>(point[j]);
+      const Quad half = quadHalfExtent(shape, placed.linear[k]);
+      const auto i = static_cast<std::size_t>(k);
+      box.min[i] = std::min(box.min[i], center - half);
+      box.max[i] = std::max(box.max[i], center + half);
     }
   }
-  return result;
+}
+
+/// The points of a shape; of a solid alone its center.
+inline std::vector<Eigen::Vector3d> centersOf(const Shape& shape) {
+  if (!shape.points) return {Eigen::Vector3d::Zero()};
+  return shape.points->keptPoints();
 }
 
 }  // namespace link_bounds

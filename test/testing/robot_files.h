@@ -5,10 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace link_bounds {
+
+inline std::string textOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
 
 /// The URDF files below a folder, sorted; without the models of Stanford, which are no robots.
 inline std::vector<std::filesystem::path> robotFiles(const std::filesystem::path& folder) {

@@ -6,13 +6,10 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <limits>
-#include <mutex>
-#include <sstream>
 
-#include "robot/worker/mesh_import.h"
+#include "testing/import_alone.h"
 #include "testing/reach_testing.h"
 #include "testing/robot_files.h"
 #include "testing/sampled_links.h"
@@ -120,19 +117,6 @@ TEST(ReachPoses, RandomArmsStayInside) {
   EXPECT_GT(arms, 1);
   std::cout << arms << " arms, a box came within " << nearest << " m of a face; largest gap "
             << largest_gap << " m\n";
-}
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-/// Assimp serves one thread at a time.
-TriangleMesh importAlone(const MeshFile& mesh) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  return importMesh(mesh);
 }
 
 int samples() {
