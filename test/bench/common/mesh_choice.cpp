@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <set>
-#include <sstream>
 
 #include "bench/common/synthetic_meshes.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/robot.h"
 #include "robot/worker/mesh_import.h"
+#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -48,12 +47,6 @@ std::vector<fs::path> files(const fs::path& folder) {
   }
   std::sort(result.begin(), result.end());
   return result;
-}
-
-std::string textOf(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 /// Reads files that belong to one folder, which is that of packages and the one names start at.

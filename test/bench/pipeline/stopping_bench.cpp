@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What ~stopping and ~earliest cost per update, with all joints moving and tf at 100 Hz: on the
 // robots of LINK_BOUNDS_DATA, else on that of the demo. Distances are those of convex hulls.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <sstream>
 
 #include "bench/common/benchmark_main.h"
-#include "bench/common/result.h"
-#include "robot/worker/mesh_import.h"
+#include "bench/common/target.h"
+#include "bench/common/timing.h"
+#include "testing/import_alone.h"
 #include "testing/moving_robot.h"
 #include "testing/robot_files.h"
 
@@ -23,40 +23,24 @@ constexpr double kSlideSpeed = 0.1;  // m/s
 constexpr double kDeceleration = 2;  // rad/s^2 and m/s^2
 constexpr double kBase = 1;          // m/s and rad/s
 
-/// All times are medians [us].
+constexpr int kRounds = 5;
+
+/// A limit of ~stopping, and of ~earliest [us].
+struct Limit {
+  const char* robot;
+  double us;
+};
+constexpr Limit kLimits[] = {{"panda", 100}, {"gen3_robotiq_2f_85", 100}, {"pr2", 1000}};
+
+/// Times of an update [us], the median of each round.
 struct Row {
   std::string robot;
   std::size_t joints;
-  std::size_t links;  ///< with a box
-  double copying;     ///< what the update thread gives
-  double stopping;
-  double earliest;
+  std::size_t links;              ///< with a box
+  std::vector<double> copying{};  ///< what the update thread gives
+  std::vector<double> stopping{};
+  std::vector<double> earliest{};
 };
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-TriangleMesh importAlone(const MeshFile& mesh) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  return importMesh(mesh);
-}
-
-template <class Function>
-double medianUs(int repetitions, Function function) {
-  std::vector<double> times;
-  for (int i = 0; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    function();
-    times.push_back(
-        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
-            .count());
-  }
-  return median(times);
-}
 
 Row measureRobot(const std::filesystem::path& file, const PackagePath& package_path,
                  int repetitions) {
@@ -84,11 +68,16 @@ Row measureRobot(const std::filesystem::path& file, const PackagePath& package_p
   ContactTimes contacts({[](const auto&, const auto&) {}, [](const auto&) {}});
   const auto time = std::chrono::steady_clock::now();
   const auto scene = robot.copy();
-  Row row{file.stem().string(), moving, robot.model()->links.size(), 0, 0, 0};
-  row.copying = medianUs(repetitions, [&] { robot.copy(); });
-  row.stopping = medianUs(repetitions, [&] { stoppingBoxes(*scene, rules); });
-  row.earliest = medianUs(
-      repetitions, [&] { contacts.compute(*scene, rules, nullptr, time, [] { return false; }); });
+  Row row{file.stem().string(), moving, robot.model()->links.size()};
+  const auto measure = [repetitions](std::vector<double>& times, const auto& function) {
+    times.push_back(medianTime<std::micro>(repetitions, function));
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    measure(row.copying, [&] { robot.copy(); });
+    measure(row.stopping, [&] { stoppingBoxes(*scene, rules); });
+    measure(row.earliest,
+            [&] { contacts.compute(*scene, rules, nullptr, time, [] { return false; }); });
+  }
   return row;
 }
 
@@ -110,14 +99,31 @@ std::vector<Row> measureAll(int repetitions) {
   return rows;
 }
 
-void print(const std::vector<Row>& rows) {
+void printTable(const std::vector<Row>& rows) {
   std::cout
       << "us per update, median\n\n| robot | joints | links | copying, on the update thread | "
          "~stopping | ~earliest |\n|---|---:|---:|---:|---:|---:|\n"
       << std::fixed << std::setprecision(0);
   for (const Row& row : rows) {
     std::cout << "| " << row.robot << " | " << row.joints << " | " << row.links << " | "
-              << row.copying << " | " << row.stopping << " | " << row.earliest << " |\n";
+              << median(row.copying) << " | " << median(row.stopping) << " | "
+              << median(row.earliest) << " |\n";
+  }
+}
+
+void printTargets(const std::vector<Row>& rows) {
+  std::cout << "\nTargets, us per update\n";
+  for (const Limit& limit : kLimits) {
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&limit](const Row& each) { return each.robot == limit.robot; });
+    const std::string robot = limit.robot;
+    const bool is_there = row != rows.end();
+    print({"~stopping of " + robot, Wanted::kAtMost, limit.us,
+           is_there ? row->stopping : std::vector<double>()},
+          "run", "runs", std::cout);
+    print({"~earliest of " + robot, Wanted::kAtMost, limit.us,
+           is_there ? row->earliest : std::vector<double>()},
+          "run", "runs", std::cout);
   }
 }
 
@@ -126,15 +132,17 @@ void write(const std::vector<Row>& rows, std::ostream& json) {
   for (const Row& row : rows) {
     json << (&row == &rows.front() ? "" : ",") << "\n  {\"robot\": \"" << row.robot
          << "\", \"joints\": " << row.joints << ", \"links\": " << row.links
-         << ", \"copying_us\": " << row.copying << ", \"stopping_us\": " << row.stopping
-         << ", \"earliest_us\": " << row.earliest << "}";
+         << ", \"copying_us\": " << median(row.copying)
+         << ", \"stopping_us\": " << median(row.stopping)
+         << ", \"earliest_us\": " << median(row.earliest) << "}";
   }
   json << "\n]\n";
 }
 
 void measure(bool quick, std::ostream* json) {
-  const std::vector<Row> rows = measureAll(quick ? 20 : 200);
-  print(rows);
+  const std::vector<Row> rows = measureAll(quick ? 10 : 100);
+  printTable(rows);
+  printTargets(rows);
   if (json) write(rows, *json);
 }
 

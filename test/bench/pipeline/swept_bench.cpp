@@ -3,12 +3,11 @@
 // What the boxes of a motion cost: 50 links in five arms of ten joints, with transforms at 100 Hz,
 // beside the boxes of all poses at the stamps of these transforms, which prove nothing.
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 
 #include "bench/common/benchmark_main.h"
-#include "bench/common/result.h"
+#include "bench/common/timing.h"
 #include "testing/live_boxes_testing.h"
 #include "world/history/swept_box.h"
 
@@ -90,19 +89,6 @@ class Arms {
   std::int64_t end_ = 0;
 };
 
-template <class Function>
-double medianMs(int repetitions, Function function) {
-  std::vector<double> times;
-  for (int i = 0; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    function();
-    times.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count());
-  }
-  return median(times);
-}
-
 void print(const std::vector<Row>& rows) {
   std::cout << "50 links, 100 Hz\n\n| span [s] | swept boxes [ms] | per link [us] | boxes at the "
                "stamps alone [ms] |\n|---:|---:|---:|---:|\n"
@@ -127,8 +113,8 @@ void measure(bool quick, std::ostream* json) {
   std::vector<Row> rows;
   for (const double span : kSpans) {
     const int repetitions = quick || span > 1 ? 5 : 50;
-    rows.push_back({span, medianMs(repetitions, [&] { arms.sweepAll(span); }),
-                    medianMs(repetitions, [&] { arms.sampleAll(span); })});
+    rows.push_back({span, medianTime<std::milli>(repetitions, [&] { arms.sweepAll(span); }),
+                    medianTime<std::milli>(repetitions, [&] { arms.sampleAll(span); })});
   }
   print(rows);
   if (json) write(rows, *json);

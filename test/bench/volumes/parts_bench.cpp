@@ -4,12 +4,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <mutex>
 #include <set>
-#include <sstream>
 
 #include "bench/common/benchmark_main.h"
 #include "bench/common/machine.h"
@@ -17,6 +15,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
+#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -76,12 +75,6 @@ class RestingRobot {
   }
 
  private:
-  static std::string textOf(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
   BoundedRobot bounded(int level) {
     Selection selection;
     selection.parts_per_link = level;
