@@ -3,7 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How old ~boxes are when they come: with 200 links at 100 Hz and 300 objects while nobody else
 listens, and while every optional topic has a listener; and then at twice the rate that this machine
-can serve. overload.py [--quick] [--json FILE]
+can serve. overload.py [--stopping] [--quick] [--json FILE]
+
+With --stopping only what is ahead is heard: ~stopping, its markers and overlaps, and ~earliest, of
+links on slides.
 
 The age of a tf message is the time from sending it until boxes come that are as new. Both rows take
 turns, and the verdict is the median of their ratios: so neither the load nor the speed of the
@@ -15,8 +18,9 @@ import statistics
 import subprocess
 
 import rospy
+from bounds_testing import box_link
 from link_bounds.msg import AxisAlignedBoxArray
-from load_testing import description, touching_cubes
+from load_testing import LINK_SIZE, description, link_names, touching_cubes
 from node_process import PROGRAMS, Master, print_target, wait_for
 from raw_subscriber import Reader
 from visualization_msgs.msg import MarkerArray
@@ -33,13 +37,26 @@ HIGHEST = 12800  # Hz; load_driver sends no faster
 BISECTIONS = 3
 TRIALS = 3
 LIMIT_RATIO, LIMIT_MS = 1.5, 100
+AHEAD = ["stopping", "stopping_markers", "stopping_overlaps", "earliest"]
+LIMIT_RATIO_AHEAD = 1.1
 FIGURES = ["p50_ms", "p99_ms", "max_ms"]
 
 
-def start(master):
+def slides():
+    """The links that load_driver moves with --slides."""
+    joint = ('<joint name="to_%s" type="prismatic"><parent link="base"/><child link="%s"/>'
+             '<origin xyz="%g 0 0"/><axis xyz="0 1 0"/>'
+             '<limit lower="-0.05" upper="0.05" effort="1" velocity="0.5"/></joint>')
+    names = link_names(LINKS)
+    return '<robot name="slides">%s</robot>' % "".join(
+        [box_link(name, LINK_SIZE) for name in ["base"] + names] +
+        [joint % (name, name, 0.1 * i) for i, name in enumerate(names)])
+
+
+def start(master, robot, parameters):
     """The node with its scene."""
-    master.parameters.setParam("/ours/robot_description", description(LINKS))
-    for name, value in PARAMETERS.items():
+    master.parameters.setParam("/ours/robot_description", robot)
+    for name, value in parameters.items():
         master.parameters.setParam("%s/%s" % (NODE, name), value)
     master.start_node("link_bounds_publisher", "/ours")
     rospy.init_node("overload", disable_signals=True)
@@ -48,11 +65,11 @@ def start(master):
     objects.publish(MarkerArray(touching_cubes(OBJECTS)))
 
 
-def drive(hz, seconds):
+def drive(hz, seconds, *options):
     """What load_driver measures."""
     output = subprocess.run(
-        [os.path.join(PROGRAMS, "overload_driver"), str(LINKS), str(hz), str(seconds), NODE,
-         "/tf:=/ours/tf"], check=True, stdout=subprocess.PIPE).stdout
+        [os.path.join(PROGRAMS, "overload_driver"), *options, str(LINKS), str(hz), str(seconds),
+         NODE, "/tf:=/ours/tf"], check=True, stdout=subprocess.PIPE).stdout
     return json.loads(output)
 
 
@@ -60,10 +77,10 @@ def boxes_now():
     return len(rospy.wait_for_message(NODE + "/boxes", AxisAlignedBoxArray).boxes)
 
 
-def with_listeners(function):
-    """What it returns while every optional topic has a listener."""
-    listeners = [Reader(NODE, "%s/%s" % (NODE, topic)) for topic in OPTIONAL]
-    for topic, listener in zip(OPTIONAL, listeners):
+def with_listeners(function, topics=tuple(OPTIONAL)):
+    """What it returns while each of these topics has a listener."""
+    listeners = [Reader(NODE, "%s/%s" % (NODE, topic)) for topic in topics]
+    for topic, listener in zip(topics, listeners):
         wait_for(lambda listener=listener: listener.count, "message on ~" + topic)
     result = function()
     for listener in listeners:
@@ -101,7 +118,7 @@ def measure(repetitions, seconds):
     """{row: [figures of each repetition]}"""
     runs = {"nobody": [], "every topic": [], "every topic, overload": []}
     with Master() as master:
-        start(master)
+        start(master, description(LINKS), PARAMETERS)
         drive(HZ, 1)
         wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
         for repetition in range(repetitions):
@@ -114,6 +131,35 @@ def measure(repetitions, seconds):
                 with_listeners(lambda: drive(rate, seconds)))
         rospy.signal_shutdown("done")
     return runs
+
+
+def measure_ahead(repetitions, seconds):
+    """Likewise, of what is ahead."""
+    runs = {"nobody": [], "stopping topics": []}
+    parameters = {"timeout": 0.0, "deceleration": {"to_" + name: 2.0 for name in link_names(LINKS)}}
+    with Master() as master:
+        start(master, slides(), parameters)
+        drive(HZ, 1, "--slides")
+        wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
+        for repetition in range(repetitions):
+            runs["nobody"].append(drive(HZ, seconds, "--slides"))
+            runs["stopping topics"].append(
+                with_listeners(lambda: drive(HZ, seconds, "--slides"), AHEAD))
+            print("%d of %d" % (repetition + 1, repetitions), flush=True)
+        check_ahead()
+        rospy.signal_shutdown("done")
+    return runs
+
+
+def check_ahead():
+    """What was heard has all boxes."""
+    message = rospy.wait_for_message(NODE + "/stopping", AxisAlignedBoxArray)
+    assert len(message.boxes) == 1 + LINKS + OBJECTS and not message.incomplete, message.incomplete
+
+
+def ratios(runs, row):
+    """Of the p99 to that of the same repetition while nobody listens."""
+    return [heard["p99_ms"] / alone["p99_ms"] for heard, alone in zip(runs[row], runs["nobody"])]
 
 
 def row_of(listeners, runs):
@@ -136,17 +182,22 @@ def print_table(rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--stopping", action="store_true", help="only the topics of what is ahead")
     parser.add_argument("--quick", action="store_true", help="fewer and shorter repetitions")
     parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
-    runs = measure(*((3, 2) if options.quick else (11, 5)))
+    size = (3, 2) if options.quick else (11, 5)
+    runs = measure_ahead(*size) if options.stopping else measure(*size)
     rows = [row_of(*entry) for entry in runs.items()]
     print_table(rows)
-    print_target("p99 of the age, every optional topic heard / nobody", LIMIT_RATIO,
-                 [heard["p99_ms"] / alone["p99_ms"]
-                  for heard, alone in zip(runs["every topic"], runs["nobody"])])
-    print_target("ms, oldest boxes at twice the rate that can be served", LIMIT_MS,
-                 [run["max_ms"] for run in runs["every topic, overload"]])
+    if options.stopping:
+        print_target("p99 of the age, stopping topics heard / nobody", LIMIT_RATIO_AHEAD,
+                     ratios(runs, "stopping topics"))
+    else:
+        print_target("p99 of the age, every optional topic heard / nobody", LIMIT_RATIO,
+                     ratios(runs, "every topic"))
+        print_target("ms, oldest boxes at twice the rate that can be served", LIMIT_MS,
+                     [run["max_ms"] for run in runs["every topic, overload"]])
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
             json.dump(rows, file, indent=1)

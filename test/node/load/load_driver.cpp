@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sends tf at a rate and measures how old ~boxes of each node become:
-// load_driver LINKS HZ SECONDS NODE ...
+// load_driver [--slides] LINKS HZ SECONDS NODE ...
+// With --slides the links do not turn, as those of prismatic joints.
 // Waits until the last message is answered, and prints a line of JSON for each node.
 #include <ros/ros.h>
 
@@ -43,7 +44,15 @@ struct Task {
   std::size_t links;
   double hz;
   double seconds;
+  bool slides;
 };
+
+void stopTurning(tf2_msgs::TFMessage& message) {
+  for (geometry_msgs::TransformStamped& transform : message.transforms) {
+    transform.transform.rotation = geometry_msgs::Quaternion();
+    transform.transform.rotation.w = 1;
+  }
+}
 
 /// The ages of one node's boxes.
 struct Measured {
@@ -68,8 +77,8 @@ double send(const Task& task, const ros::Publisher& tf, Nodes& nodes) {
     const std::chrono::duration<double> due(static_cast<double>(i) / task.hz);
     std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(due));
     const ros::Time stamp = ros::Time::now();
-    const auto message =
-        swingingLinks(task.links, kPhasePerMessage * static_cast<double>(i), stamp);
+    auto message = swingingLinks(task.links, kPhasePerMessage * static_cast<double>(i), stamp);
+    if (task.slides) stopTurning(message);
     for (Measured& node : nodes)
       node.ages.send(stamp);
     tf.publish(message);
@@ -107,9 +116,12 @@ void drive(const Task& task, const std::vector<std::string>& names) {
 
 int main(int argc, char** argv) try {
   ros::init(argc, argv, "load_driver", ros::init_options::AnonymousName);
-  if (argc < 5) throw std::runtime_error("usage: load_driver LINKS HZ SECONDS NODE ...");
-  link_bounds::drive({std::stoul(argv[1]), std::stod(argv[2]), std::stod(argv[3])},
-                     {argv + 4, argv + argc});
+  const bool slides = argc > 1 && argv[1] == std::string("--slides");
+  char** const first = argv + (slides ? 2 : 1);
+  if (argv + argc - first < 4)
+    throw std::runtime_error("usage: load_driver [--slides] LINKS HZ SECONDS NODE ...");
+  link_bounds::drive({std::stoul(first[0]), std::stod(first[1]), std::stod(first[2]), slides},
+                     {first + 3, argv + argc});
 } catch (const std::exception& error) {
   std::cerr << "load_driver: " << error.what() << "\n";
   return 1;
