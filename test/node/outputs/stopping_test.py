@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """~stopping, its markers and its overlaps, and ~earliest: a slide that moves, an object in its way,
 and two robots that hear each other."""
+import random
 import time
 import unittest
 
@@ -32,6 +33,37 @@ WAY = SPEED * REACTION + SPEED ** 2 / (2 * DECELERATION)  # m until the cart sta
 START = 1.0  # m, where the cart is at the newest stamp
 RATE = 100  # Hz
 NEAR = 1e-6  # m
+
+
+def slide_joint(name, parent, child):
+    return ('<joint name="%s" type="prismatic"><parent link="%s"/><child link="%s"/><axis '
+            'xyz="1 0 0"/><limit lower="-9" upper="9" effort="1" velocity="%g"/></joint>'
+            % (name, parent, child, MAX_SPEED))
+
+
+TWO_SLIDES = ('<robot name="slides"><link name="rail"/><link name="lower"/>' +
+              box_link("cart", (0.2, 0.2, 0.2)) + slide_joint("first", "rail", "lower") +
+              slide_joint("second", "lower", "cart") + '</robot>')
+BURST = 8  # messages
+
+
+def two_slides(dice, begin, wall):
+    """The transforms of a motion in the order in which they come, and when the cart is at `wall`."""
+    step, dash = 0.01, 1.0  # s
+    values, now, contact, sent = [0.0, 0.0], begin, None, []
+    while contact is None or now < contact + 0.1:
+        for (parent, child), value in zip((("rail", "lower"), ("lower", "cart")), values):
+            if dice.random() < 0.7:
+                message = transform(parent, child, rospy.Time(now), (value, 0, 0))
+                sent.append((now + dice.uniform(0, 0.1), len(sent), message))
+        signs = [1 if now - begin > dash else -1 if value > 0.4 else 1 if value < -0.4
+                 else dice.choice((1, -1)) for value in values]
+        before = sum(values)
+        values = [value + sign * MAX_SPEED * step for value, sign in zip(values, signs)]
+        if contact is None and sum(values) >= wall:
+            contact = now + step * (wall - before) / (sum(values) - before)
+        now += step
+    return [message for _, _, message in sorted(sent, key=lambda entry: entry[:2])], contact
 
 
 class StoppingTest(unittest.TestCase):
@@ -124,6 +156,30 @@ class StoppingTest(unittest.TestCase):
         self.assertEqual(message.valid_until, contact.earliest)
         self.assertEqual(message.incomplete, [])
         self.assertAlmostEqual(contact.distance, 0.6, delta=1e-4)
+
+    def test_earliest_is_never_late_while_tf_is(self):
+        """A slide on a slide: both go to and fro as fast as they may, then to the wall. Their
+        transforms are delayed, lost and out of order, and come in bursts."""
+        load(NODE, TWO_SLIDES, distance_limit=5.0)
+        earliest = self.listen("/earliest", EarliestContactArray)
+        gap = 0.9
+        self.put_box(gap)
+        dice = random.Random(4)
+        type(self).now += 1
+        begin, wall = self.now, START + gap
+        messages, contact = two_slides(dice, begin, wall)
+        for first in range(0, len(messages), BURST):
+            seen = len(earliest.messages)
+            for message in messages[first:first + BURST]:
+                self.tf.send(message)
+            wait_for(lambda seen=seen: len(earliest.messages) > seen, "contacts after a burst")
+        type(self).now += 10
+        checked = [m for m in earliest.messages
+                   if not m.incomplete and begin < m.header.stamp.to_sec() < contact]
+        self.assertGreater(len(checked), 10)
+        latest = max(m.valid_until.to_sec() for m in checked)
+        self.assertLessEqual(latest, contact + NEAR)
+        self.assertGreater(latest, contact - 0.2)
 
     def test_joint_states(self):
         """tf is too slow for ~velocity_window; /joint_states is not."""
