@@ -117,6 +117,49 @@ TEST(StoppingBoxes, ARobotAtRestHasItsBoxes) {
     EXPECT_TRUE(body.box.isApprox(boxes.at(found.moment->name(body)), 1e-8));
 }
 
+std::map<std::string, Aabb> boxesOf(const WayBoxes& found) {
+  std::map<std::string, Aabb> result;
+  for (const Moment::Body& body : found.moment->bodies)
+    result.emplace(found.moment->name(body), body.box);
+  return result;
+}
+
+WayBoxes stoppingOf(Robotics& robot) {
+  robot.move(robot.values({}), robot.values({{"pan", 1.0}, {"roll", 1.5}}));
+  return robot.stopping();
+}
+
+TEST(StoppingBoxes, HavePaddingAndStampsOfTheBoxes) {
+  Robotics bare(goodParameters());
+  const auto without = boxesOf(stoppingOf(bare));
+  Parameters parameters = goodParameters();
+  parameters.padding = 0.05;
+  parameters.link_padding = {{"hand", 0.02}};
+  Robotics robot(parameters);
+  const WayBoxes found = stoppingOf(robot);
+  ASSERT_EQ(found.moment->bodies.size(), without.size());
+  for (const Moment::Body& body : found.moment->bodies) {
+    const std::string name(found.moment->name(body));
+    const double padding = name == "hand" ? 0.02 : 0.05;
+    EXPECT_TRUE(body.box.isApprox(padded(without.at(name), padding), 1e-9)) << name;
+    EXPECT_EQ(body.stamp, static_cast<std::int64_t>(kStamp * 1e9)) << name;
+  }
+}
+
+/// As large as the hand, and at its place.
+TEST(StoppingBoxes, AnObjectThatFollowsALinkMovesWithIt) {
+  Robotics robot(goodParameters());
+  ObjectContent content;
+  content.bounded.name = "held/1";
+  content.bounded.shapes = {{nullptr, Solid::kBox, {0.1, 0.1, 0.1}, Eigen::Affine3d::Identity()}};
+  content.frame = "hand";
+  robot.scene().objects.put({"held", 1}, content, ros::Time(kStamp));
+  const auto boxes = boxesOf(stoppingOf(robot));
+  ASSERT_EQ(boxes.count("held/1"), 1u);
+  EXPECT_TRUE(boxes.at("held/1").isApprox(boxes.at("hand"), 1e-9));
+  EXPECT_GT(boxes.at("hand").diagonal().norm(), 0.3);  // it moves
+}
+
 TEST(StoppingBoxes, AContinuousJointMayWrap) {
   Robotics robot(goodParameters());
   const Values values = robot.values({{"roll", M_PI + 0.01}});
