@@ -79,12 +79,13 @@ class ScannedRobot {
       casters_.emplace_back(body);
   }
 
-  /// Not needed for casting rays.
-  void makeGrids() {
+  /// Not needed for casting rays. Small grids are made faster and leave more points to the
+  /// distance.
+  void makeGrids(bool are_small = kIsSanitized) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       grids.push_back(std::make_shared<BodyGrid>(
           BodySurface(bodies[i]),
-          GridOptions{padding_, kMaxMotionError, (kIsSanitized ? 16 : 256) * 1024u}));
+          GridOptions{padding_, kMaxMotionError, (are_small ? 16 : 256) * 1024u}));
       links[i].box = grids[i]->box();
     }
   }
