@@ -17,6 +17,10 @@ packages_of() {
         libstd-srvs-dev libtf2-msgs-dev libtrajectory-msgs-dev libvisualization-msgs-dev \
         ros-diagnostic-msgs ros-geometry-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs \
         ros-tf2-msgs ros-trajectory-msgs ros-visualization-msgs ;;
+    nodelet)  # what cloud_filter is built with as a nodelet, where it exists
+      echo libnodeletlib-dev ;;
+    manager)  # what loads it
+      echo libnodeletlib-tools ;;
     run)  # what the launch files start, assert_box in a .test file, and the command line tools to
           # look at it; rosmsg reads the messages in ros-*-msgs and the manifests in lib*-msgs-dev
       echo python3 python3-numpy python3-rospkg python3-rospy python3-roslaunch python3-rosgraph python3-rostest \
@@ -93,13 +97,15 @@ install_named() {
 install_what_exists() {
   local name
   for name in $(missing_packages "$1"); do
-    if apt-cache show "$name" >/dev/null 2>&1; then
+    if exists "$name"; then
       install_named "$name"
     else
       say "There is no package $name here; it is left out"
     fi
   done
 }
+
+exists() { apt-cache show "$1" >/dev/null 2>&1; }
 
 missing_packages() {
   local group name

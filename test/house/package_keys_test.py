@@ -11,10 +11,11 @@ import sys
 from xml.etree import ElementTree
 
 # Debian's names for a key of rosdep, and a package whose name follows none of these forms.
-OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev',
+OTHER_NAMES = {'bzip2': 'libbz2-dev', 'eigen': 'libeigen3-dev', 'nodelet': 'libnodeletlib-tools',
+               'pluginlib': 'libnodeletlib-dev',
                'robot_state_publisher': 'ros-robot-state-publisher'}
 FORMS = ('{}', '{}-dev', 'lib{}-dev', 'libros-{}-dev', 'python3-{}', 'ros-{}')
-GROUPS = 'build run demo test display link'
+GROUPS = 'build nodelet manager run demo test display link'
 
 # Keys that are libraries, on which packages for apt depend by ${shlibs:Depends}; and all that rosmsg
 # and rossrv need: messages and manifest.

@@ -27,14 +27,14 @@ ros::Subscriber TfReceiver::subscribe(ros::NodeHandle& node, const TopicName& to
   options.initByFullCallbackType<const Event&>(
       topic.name, is_static ? kStaticQueue : kQueue,
       [on_message, is_static](const Event& event) { on_message(event, is_static); },
-      [&memory = is_static ? static_memory_ : memory_] { return memory.lend(); });
+      [memory = is_static ? static_memory_ : memory_] { return memory->lend(); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return node.subscribe(options);
 }
 
 void TfReceiver::freeSpareMemory() {
-  memory_.giveBack();
-  static_memory_.giveBack();
+  memory_->giveBack();
+  static_memory_->giveBack();
 }
 
 }  // namespace link_bounds

@@ -7,13 +7,13 @@
 #include <ros/node_handle.h>
 
 #include <functional>
+#include <memory>
 
 #include "node/interface/topics.h"
 #include "world/tf/tf_message.h"
 
 namespace link_bounds {
 
-/// Not copyable, because roscpp writes messages into its memory.
 class TfReceiver {
  public:
   using Event = ros::MessageEvent<const TfMessage>;
@@ -31,8 +31,9 @@ class TfReceiver {
   ros::Subscriber subscribe(ros::NodeHandle& node, const TopicName& topic, bool is_static,
                             const Callback& on_message);
 
-  TfMessageMemory memory_;
-  TfMessageMemory static_memory_;
+  // roscpp may write into it after this has gone, for another subscriber of this process.
+  std::shared_ptr<TfMessageMemory> memory_ = std::make_shared<TfMessageMemory>();
+  std::shared_ptr<TfMessageMemory> static_memory_ = std::make_shared<TfMessageMemory>();
   ros::Subscriber subscriber_;
   ros::Subscriber static_subscriber_;
 };

@@ -15,24 +15,40 @@ namespace {
 const ros::WallDuration kWarningPeriod(10.0);
 const std::string kName = "robot_description";
 
-std::string fullName() {
-  return ParameterServer::resolved(ros::this_node::getNamespace(), kName);
+/// That of a nodelet in the root is empty.
+std::string namespaceOf(const ros::NodeHandle& node) {
+  return node.getNamespace().empty() ? "/" : node.getNamespace();
 }
 
-bool isRemapped() {
-  return fullName() != ros::names::append(ros::this_node::getNamespace(), kName);
+/// `kName`, unless the node has a remapping that its process does not have.
+std::string nameFor(const ros::NodeHandle& node) {
+  const std::string remapped = node.resolveName(kName);
+  return remapped == ros::names::resolve(namespaceOf(node), kName) ? kName : remapped;
 }
 
 }  // namespace
+
+RobotDescription::RobotDescription(const ParameterServer& server)
+    : server_(server), ns_(ros::this_node::getNamespace()), name_(kName) {}
+
+RobotDescription::RobotDescription(const ParameterServer& server, const ros::NodeHandle& node)
+    : server_(server), ns_(namespaceOf(node)), name_(nameFor(node)) {}
+
+std::string RobotDescription::fullName() const {
+  return ParameterServer::resolved(ns_, name_);
+}
+
+bool RobotDescription::isRemapped() const {
+  return fullName() != ros::names::append(ns_, kName);
+}
 
 std::string RobotDescription::name() const {
   return kName + (isRemapped() ? " (remapped to " + fullName() + ")" : "");
 }
 
 XmlRpc::XmlRpcValue RobotDescription::read() const {
-  const std::string& ns = ros::this_node::getNamespace();
   try {
-    const auto found = server_.search(ns, kName);
+    const auto found = server_.search(ns_, name_);
     if (found) {
       if (const auto description = server_.get(*found)) return *description;
     }
@@ -41,7 +57,7 @@ XmlRpc::XmlRpcValue RobotDescription::read() const {
   }
   throw NoDescription(
       "parameter " + fullName() + " is not set" +
-      (isRemapped() || ns == "/" ? "" : ", nor one of that name in a namespace above") +
+      (isRemapped() || ns_ == "/" ? "" : ", nor one of that name in a namespace above") +
       "; load the URDF there");
 }
 

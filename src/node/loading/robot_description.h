@@ -3,6 +3,7 @@
 // The parameter robot_description.
 #pragma once
 
+#include <ros/node_handle.h>
 #include <ros/time.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
@@ -23,7 +24,11 @@ class NoDescription : public std::runtime_error {
 /// `server` must outlive this.
 class RobotDescription {
  public:
-  explicit RobotDescription(const ParameterServer& server) : server_(server) {}
+  /// For the node whose name is that of the process.
+  explicit RobotDescription(const ParameterServer& server);
+
+  /// For the node of `node`, whose own remappings apply, too: a nodelet has some.
+  RobotDescription(const ParameterServer& server, const ros::NodeHandle& node);
 
   /// "robot_description"; if it is remapped, with the full name that it has then.
   std::string name() const;
@@ -35,7 +40,12 @@ class RobotDescription {
   void warnOfWaiting(const std::string& reason);
 
  private:
+  std::string fullName() const;
+  bool isRemapped() const;
+
   const ParameterServer& server_;
+  std::string ns_;    ///< of the node
+  std::string name_;  ///< after the node's own remapping
   ros::SteadyTime last_warning_;
 };
 

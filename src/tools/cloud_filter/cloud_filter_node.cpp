@@ -79,7 +79,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
   RobotLoading::Handlers handlers;
   handlers.adopt = [this](auto robot) { adopt(std::move(robot)); };
   handlers.on_failure = std::move(on_failure);
-  loading_ = std::make_unique<RobotLoading>(private_node_, queue_, std::move(handlers));
+  loading_ = std::make_unique<RobotLoading>(node_, private_node_, queue_, std::move(handlers));
   held_ = std::make_unique<HeldObjects>(private_node_, tf_, loading_->worker(), queue_,
                                         [this] { listBodies(); });
 }
@@ -87,11 +87,13 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
 void CloudFilterNode::spin() {
   ros::SteadyTime next_status = ros::SteadyTime::now() + kStatusPeriod;
   ros::SteadyTime next_expiry = ros::SteadyTime::now();
+  bool has_more = false;
   while (ros::ok() && !is_stopping_) {
-    queue_.callAvailable(kTick);
+    queue_.callAvailable(has_more ? ros::WallDuration() : kTick);
+    has_more = false;
     guarded([&] {
       observeClock();
-      filterWaiting();
+      has_more = filterFirst();
     });
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (now >= next_expiry) {
@@ -182,19 +184,21 @@ void CloudFilterNode::add(Waiting waiting) {
   waiting_.push_back(std::move(waiting));
 }
 
-/// In the order of arrival, so that an output keeps the order of its input.
-void CloudFilterNode::filterWaiting() {
+/// In the order of arrival, so that an output keeps the order of its input. Only one, so that what
+/// arrives in the meantime is taken from roscpp, whose queues drop messages without a word. False
+/// if the first one has to wait, or if there is none.
+bool CloudFilterNode::filterFirst() {
+  if (waiting_.empty()) return false;
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
-  while (!waiting_.empty()) {
-    Waiting& waiting = waiting_.front();
-    const Outcome outcome = filter(waiting);
-    if (!outcome.is_done) {
-      const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
-      if (outcome.may_come && waited < max_wait) return;
-      giveUp(waiting, outcome.reason, outcome.may_come);
-    }
-    waiting_.pop_front();
+  Waiting& waiting = waiting_.front();
+  const Outcome outcome = filter(waiting);
+  if (!outcome.is_done) {
+    const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
+    if (outcome.may_come && waited < max_wait) return false;
+    giveUp(waiting, outcome.reason, outcome.may_come);
   }
+  waiting_.pop_front();
+  return true;
 }
 
 /// What cannot be read is never passed on.
@@ -202,10 +206,15 @@ void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, 
   const bool is_passed = is_late && robot_ && robot_->parameters.late == "pass";
   health_.addUnfiltered(waiting.topic(), reason, is_passed);
   if (!is_passed) return;
+  publish(waiting);
+}
+
+/// Subscribers of this process, other nodelets, share the message; so it must not change any more.
+void CloudFilterNode::publish(const Waiting& waiting) {
   if (waiting.cloud) {
-    output_.publish(static_cast<const sensor_msgs::PointCloud2&>(*waiting.cloud));
+    output_.publish(boost::shared_ptr<const sensor_msgs::PointCloud2>(waiting.cloud));
   } else {
-    scan_output_.publish(static_cast<const sensor_msgs::LaserScan&>(*waiting.scan));
+    scan_output_.publish(boost::shared_ptr<const sensor_msgs::LaserScan>(waiting.scan));
   }
 }
 
@@ -262,13 +271,12 @@ void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoi
 void CloudFilterNode::send(const Waiting& waiting, const std::vector<RobotPoint>& removed) {
   if (waiting.scan) {
     removePoints(removed, *waiting.scan);
-    scan_output_.publish(static_cast<const sensor_msgs::LaserScan&>(*waiting.scan));
-    return;
+  } else {
+    sensor_msgs::PointCloud2& cloud = *waiting.cloud;
+    if (robot_points_.getNumSubscribers() > 0) robot_points_.publish(onlyPoints(removed, cloud));
+    removePoints(removed, robot_->parameters.keep_organized, cloud);
   }
-  sensor_msgs::PointCloud2& cloud = *waiting.cloud;
-  if (robot_points_.getNumSubscribers() > 0) robot_points_.publish(onlyPoints(removed, cloud));
-  removePoints(removed, robot_->parameters.keep_organized, cloud);
-  output_.publish(cloud);
+  publish(waiting);
 }
 
 }  // namespace link_bounds

@@ -69,11 +69,12 @@ class CloudFilterNode {
   };
 
   void add(Waiting waiting);
-  void filterWaiting();
+  bool filterFirst();
   void giveUp(const Waiting& waiting, const std::string& reason, bool is_late);
   Outcome filter(Waiting& waiting);
   Outcome filter(Waiting& waiting, const CloudPoints& points);
   void send(const Waiting& waiting, const std::vector<RobotPoint>& removed);
+  void publish(const Waiting& waiting);
   void sendNearest(const std_msgs::Header& header, const CloudPoints& points,
                    const std::vector<RobotPoint>& removed);
   void adopt(std::shared_ptr<const FilteredRobot> robot);

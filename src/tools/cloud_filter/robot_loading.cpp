@@ -50,13 +50,13 @@ ReadFilterParameters readAndWarn(const ParameterServer& server, const std::strin
 
 }  // namespace
 
-RobotLoading::RobotLoading(const ros::NodeHandle& private_node, ros::CallbackQueueInterface& queue,
-                           Handlers handlers)
+RobotLoading::RobotLoading(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           ros::CallbackQueueInterface& queue, Handlers handlers)
     : name_(private_node.getNamespace()),
       queue_(queue),
       handlers_(std::move(handlers)),
       server_([this] { return worker_.isStopping(); }),
-      description_(server_),
+      description_(server_, node),
       worker_(options([this] { return onTick(); })) {
   ros::NodeHandle loader_node(private_node);
   loader_node.setCallbackQueue(&worker_);

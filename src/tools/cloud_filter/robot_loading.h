@@ -31,8 +31,8 @@ class RobotLoading {
     std::function<void()> on_failure;
   };
 
-  RobotLoading(const ros::NodeHandle& private_node, ros::CallbackQueueInterface& queue,
-               Handlers handlers);
+  RobotLoading(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+               ros::CallbackQueueInterface& queue, Handlers handlers);
   ~RobotLoading() { worker_.stop(); }
   RobotLoading(const RobotLoading&) = delete;
   RobotLoading& operator=(const RobotLoading&) = delete;

@@ -57,11 +57,13 @@ void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
 }
 
 boost::shared_ptr<TfMessage> TfMessageMemory::lend() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!message_ || !message_.unique()) message_ = boost::make_shared<TfMessage>();
   return message_;
 }
 
 void TfMessageMemory::giveBack() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (message_ && message_->capacity() > kLarge) message_.reset();
 }
 

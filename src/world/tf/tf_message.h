@@ -10,6 +10,7 @@
 
 #include <boost/shared_ptr.hpp>
 #include <cstdint>
+#include <mutex>
 #include <string_view>
 #include <vector>
 
@@ -50,7 +51,9 @@ struct TfMessage {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Memory that each message of a topic reuses.
+/// Memory that each message of a topic reuses. Where two nodelets of a process subscribe to a
+/// topic, roscpp reads each message once, on the thread of either: all functions may be called on
+/// any thread.
 class TfMessageMemory {
  public:
   /// The previous message, or a new one if somebody still holds that.
@@ -60,7 +63,8 @@ class TfMessageMemory {
   void giveBack();
 
  private:
-  boost::shared_ptr<TfMessage> message_;
+  std::mutex mutex_;
+  boost::shared_ptr<TfMessage> message_;  ///< guarded by mutex_
 };
 
 }  // namespace link_bounds
