@@ -9,32 +9,19 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "joint_motion.h"
+#include "soak_program.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr std::uint32_t kWidth = 640, kHeight = 480;
 constexpr double kCloudRate = 30, kTfRate = 100;  // Hz
-constexpr double kTimeout = 60;                   // s
 constexpr double kFirstMinute = 60;               // s; memory counts from its end
-
-/// Memory of a process in use [MB].
-double residentMegabytes(int pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("VmRSS:", 0) == 0) return std::atof(line.c_str() + 6) / 1024;
-  }
-  throw std::runtime_error("the filter is gone");
-}
 
 /// In the frame of the robot's root link: a wall beside the robot, and in each tenth row a sheet
 /// that waves through it.
@@ -109,37 +96,41 @@ class CloudSoak {
 
   /// Until the filter has loaded the robot and answers.
   void waitForFilter() {
-    const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kTimeout);
-    while (returned_.count() == 0) {
-      if (!ros::ok() || ros::SteadyTime::now() > end)
-        throw std::runtime_error("waited in vain for the first cloud");
-      sendTf();
-      if (clouds_.getNumSubscribers() > 0) sendCloud();
-      ros::WallDuration(0.5).sleep();
-      sendTf();
-    }
+    ros::SteadyTime next_cloud;
+    waitFor(
+        [&] {
+          sendTf();
+          const ros::SteadyTime now = ros::SteadyTime::now();
+          if (clouds_.getNumSubscribers() > 0 && now >= next_cloud) {
+            sendCloud();
+            next_cloud = now + ros::WallDuration(0.5);
+          }
+          return returned_.count() > 0;
+        },
+        "the first cloud comes back");
     ros::WallDuration(1).sleep();
   }
 
-  bool run(int minutes, int pid, double max_growth) {
+  bool run(const SoakArguments& arguments) {
     const int sent_before = sent_, returned_before = returned_.count();
     const ros::SteadyTime begin = ros::SteadyTime::now();
     double first = 0, largest = 0, next_cloud = 0;
     double next_report = kFirstMinute;
     ros::WallRate rate(kTfRate);
-    for (double now = 0; ros::ok() && now < 60 * minutes;
+    for (double now = 0; ros::ok() && now < 60 * arguments.minutes;
          now = (ros::SteadyTime::now() - begin).toSec()) {
       sendTf();
       if (now >= next_cloud) {
         sendCloud();
-        next_cloud += 1 / kCloudRate;
+        next_cloud =
+            std::max(next_cloud + 1 / kCloudRate, now);  // as cameras, which catch up nothing
       }
       if (now >= next_report) {
-        const double memory = residentMegabytes(pid);
+        const double memory = residentBytes(arguments.pid);
         if (first == 0) first = memory;
         largest = std::max(largest, memory);
         std::printf("%3.0f s: %d clouds sent, %d came back, %.1f MB\n", now, sent_ - sent_before,
-                    returned_.count() - returned_before, memory);
+                    returned_.count() - returned_before, memory / 1e6);
         std::fflush(stdout);
         next_report += 60;
       }
@@ -152,14 +143,14 @@ class CloudSoak {
     const int lost = (sent_ - sent_before) - (returned_.count() - returned_before);
     const double growth = largest - first;
     const std::vector<double> delays = returned_.delays();
-    const bool is_good = lost == 0 && growth < max_growth && returned_.hasRobotPoints();
+    const bool is_good = lost == 0 && growth < arguments.max_growth && returned_.hasRobotPoints();
     std::printf(
         "%s: %d of %d clouds lost (allowed: 0), memory %+.1f MB after the first minute "
         "(allowed: < %.1f), points of the robot %s\n  from stamp to output: median %.1f ms, "
         "99 %% %.1f ms, max %.1f ms\n",
-        is_good ? "passed" : "FAILED", lost, sent_ - sent_before, growth, max_growth,
-        returned_.hasRobotPoints() ? "removed" : "NOT removed", delays[delays.size() / 2],
-        delays[delays.size() * 99 / 100], delays.back());
+        is_good ? "passed" : "FAILED", lost, sent_ - sent_before, growth / 1e6,
+        arguments.max_growth / 1e6, returned_.hasRobotPoints() ? "removed" : "NOT removed",
+        delays[delays.size() / 2], delays[delays.size() * 99 / 100], delays.back());
     return is_good;
   }
 
@@ -179,34 +170,17 @@ class CloudSoak {
   int sent_ = 0;
 };
 
-bool soak(int minutes, int pid, double max_growth) {
+bool soak(const SoakArguments& arguments) {
   ros::NodeHandle node;
-  std::string description;
-  node.getParam("robot_description", description);
-  const Robot robot = parseRobot(description);
+  const Robot robot = describedRobot(node);
   CloudSoak soak(node, robot);
   soak.waitForFilter();
-  return soak.run(minutes, pid, max_growth);
+  return soak.run(arguments);
 }
 
 }  // namespace
 }  // namespace link_bounds
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "cloud_soak");
-  const int minutes = argc == 4 ? std::atoi(argv[1]) : 0;
-  const int pid = argc == 4 ? std::atoi(argv[2]) : 0;
-  const double max_growth = argc == 4 ? std::atof(argv[3]) : 0;
-  if (minutes < 1 || pid < 1 || !(max_growth > 0)) {
-    std::cerr << "usage: cloud_soak MINUTES PID_OF_THE_FILTER MAX_GROWTH_IN_MB\n";
-    return 2;
-  }
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  try {
-    return link_bounds::soak(minutes, pid, max_growth) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "cloud_soak: " << error.what() << "\n";
-    return 1;
-  }
+  return link_bounds::runSoak(argc, argv, "cloud_soak", link_bounds::soak);
 }

@@ -7,15 +7,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include "soak_listener.h"
 #include "soak_objects.h"
+#include "soak_program.h"
 #include "soak_sender.h"
 
 namespace link_bounds {
@@ -25,30 +22,10 @@ using Seconds = ros::WallDuration;
 
 const std::string kPublisher = "/link_bounds_publisher";
 const Seconds kPoll(0.01);
-const Seconds kTimeout(60);
 const Seconds kQuiet(3);  // three diagnostics without a change
 const Seconds kMinute(60);
 const Seconds kReloadPeriod(15);
 const Seconds kFirstReload(7);  // so that no reload runs when memory is measured
-
-/// Memory of a process in use [bytes].
-double residentBytes(int pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/status");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("VmRSS:", 0) == 0) return std::atof(line.c_str() + 6) * 1024;
-  }
-  throw std::runtime_error("the node is gone");
-}
-
-void waitFor(const std::function<bool()>& condition, const char* what) {
-  const ros::SteadyTime end = ros::SteadyTime::now() + kTimeout;
-  while (!condition()) {
-    if (!ros::ok() || ros::SteadyTime::now() > end) {
-      throw std::runtime_error(std::string("waited in vain until ") + what);
-    }
-    kPoll.sleep();
-  }
-}
 
 /// The counters of both sides at one moment.
 struct Counts {
@@ -155,12 +132,10 @@ bool verdict(double lost, const Growth& growth, double max_growth, double boxles
   return is_good;
 }
 
-/// Returns whether all went well. Memory may grow by `max_growth` bytes after the first minute.
-bool soak(int minutes, int pid, double max_growth) {
+/// Returns whether all went well.
+bool soak(const SoakArguments& arguments) {
   ros::NodeHandle node;
-  std::string description;
-  node.getParam("robot_description", description);
-  const Robot robot = parseRobot(description);
+  const Robot robot = describedRobot(node);
   SoakListener listener(node, kPublisher);
   SoakSender sender(node, robot);
   SoakObjects objects(node, kPublisher, {robot.links[robot.root].name, robot.links.back().name});
@@ -171,7 +146,7 @@ bool soak(int minutes, int pid, double max_growth) {
   const Counts before = settledCounts(listener);
   sender.start();
   objects.start();
-  const Growth growth = runFor(minutes, pid, sender, objects, listener);
+  const Growth growth = runFor(arguments.minutes, arguments.pid, sender, objects, listener);
   objects.stop();
   sender.stop();
   waitFor([&] { return listener.diagnostic("objects") == 0; }, "all objects are gone");
@@ -180,27 +155,12 @@ bool soak(int minutes, int pid, double max_growth) {
   std::printf("update: mean of the worst second %.3f ms, worst %.3f ms\n",
               listener.largest("time per tf message, mean of the last second [ms]"),
               listener.diagnostic("time per tf message, longest [ms]"));
-  return verdict(lost, growth, max_growth, links - listener.diagnostic("boxes"));
+  return verdict(lost, growth, arguments.max_growth, links - listener.diagnostic("boxes"));
 }
 
 }  // namespace
 }  // namespace link_bounds
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "soak");
-  const int minutes = argc == 4 ? std::atoi(argv[1]) : 0;
-  const int pid = argc == 4 ? std::atoi(argv[2]) : 0;
-  const double max_growth = argc == 4 ? std::atof(argv[3]) * 1e6 : 0;
-  if (minutes < 1 || pid < 1 || !(max_growth > 0)) {
-    std::cerr << "usage: soak MINUTES PID_OF_THE_NODE MAX_GROWTH_IN_MB\n";
-    return 2;
-  }
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  try {
-    return link_bounds::soak(minutes, pid, max_growth) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "soak: " << error.what() << "\n";
-    return 1;
-  }
+  return link_bounds::runSoak(argc, argv, "soak", link_bounds::soak);
 }
