@@ -30,11 +30,12 @@ configure_sanitized() {
 }
 
 # The build for memory and undefined behaviour, also of the fuzzers, by clang, which takes two thirds of
-# g++'s time. g++ itself defines the macro.
+# g++'s time, and for -O2 no longer than for -O1; tests then take a sixth less. g++ itself defines the
+# macro.
 configure_memory() {
   install_what_exists fuzz
   configure_sanitized "$BUILD/sanitized" \
-    "-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -D__SANITIZE_ADDRESS__" \
+    "-O2 -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -D__SANITIZE_ADDRESS__" \
     -DCMAKE_CXX_COMPILER="$(command -v clang++)" -DLINK_BOUNDS_FUZZERS=ON
 }
 
