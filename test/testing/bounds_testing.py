@@ -8,6 +8,7 @@ import time
 
 import roslib.packages
 import rospy
+import told_failures  # noqa: F401
 from geometry_msgs.msg import TransformStamped
 from link_bounds.msg import AxisAlignedBoxArray
 from patience import PATIENCE

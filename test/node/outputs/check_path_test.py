@@ -154,7 +154,8 @@ class CheckPathTest(unittest.TestCase):
         self.assertAlmostEqual(safe.nearest, expected, delta=0.001)
         self.assertAlmostEqual(safe.clearance, expected, delta=0.011)
         self.assertEqual(self.verdict(turned(90, 180), clearance=1.5), COLLIDES)
-        self.send_objects(post("post/1", 45, 1.2))
+        self.clear_objects()
+        self.send_objects(post("post/2", 45, 1.2))
         answer = self.check(turned(0, 90))
         self.assertEqual(answer.segments[0].verdict, SAFE)
         # The end of the bar is at 1 m, the post begins at 1.2 m less half its width.
@@ -196,6 +197,7 @@ class CheckPathTest(unittest.TestCase):
         load(NODE, attached={"bar": ["tool/*"]})
         self.send_robot()
         self.send_objects(tool)
+        self.send_robot()
         self.check_contact(turned(0, 90), "post/1", "tool/1")
 
     def test_boxes_of_a_neighbour(self):
