@@ -74,7 +74,8 @@ bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
     }
     if (code == ':') throw UsageError(std::string("option ") + argv[optind - 1] + " needs a value");
     if (code != 'h' && code < kFirstCode) throw UsageError(badOption(argv));
-    const std::string name = code == 'h' ? "help" : table[code - kFirstCode].name;
+    const std::string name =
+        code == 'h' ? "help" : table[static_cast<std::size_t>(code - kFirstCode)].name;
     const auto entry = std::find_if(options.begin(), options.end(),
                                     [&](const Option& known) { return known.name == name; });
     entry->take("--" + name, optarg ? optarg : "");
