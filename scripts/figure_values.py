@@ -65,7 +65,7 @@ def of_cold_pipeline(rows):
                    _='ns_per_link')
     names = ('percent', 'code_lines', 'data_lines')
     figures.update(flat(stages, 'cold/{links}/{stage}', **dict(zip(names, names))))
-    for links in {row['links'] for row in stages}:
+    for links in {row['links'] for row in stages if 'code_lines' in row}:
         figures.update(('cold/%d/%s' % (links, name), sum(
             row[name] for row in stages if row['links'] == links)) for name in names[1:])
     return figures
@@ -150,7 +150,9 @@ def of_volumes(rows):
 
 
 def of_bag(rows):
-    rows = [dict(row, reader=row['reader'].replace(' --', '_')) for row in rows]
+    """The other kinds of rows, of several bags or threads at once, only have targets."""
+    rows = [dict(row, reader=row['reader'].replace(' --', '_')) for row in rows
+            if row['kind'] in ('speed', 'memory')]
     rows = [dict(row, short=row['peaks_mb'][0], long=row['peaks_mb'][1]) if row['kind'] == 'memory'
             else dict(row, ratio=median(row['ratios']), speed=median(row['times_real_time']))
             for row in rows]
