@@ -19,7 +19,7 @@ import rospy
 import rostest
 from bounds_testing import (Recorder, TfSender, box_link, box_of, names_of, robot, transform,
                             visual, wait_for)
-from node_testing import Delays, Diagnostics, NodeProcess, Repeater, value_of
+from node_testing import SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, value_of
 from object_testing import ObjectSender, deletion, marker
 from patience import PATIENCE
 from std_srvs.srv import Trigger
@@ -31,7 +31,8 @@ MAX_CALLBACK = 50.0  # ms of the update thread's own time
 MAX_DELAY = 0.5  # wall seconds beyond what the machine takes
 LARGE = 400000  # triangles of a file that the node counts as large
 BALL = 1000000  # triangles; preparing it takes ten seconds and more, reading it one or two
-READS = 30.0 * PATIENCE  # s
+# s; a test waits so long, and reading takes hardly longer under a sanitizer.
+READS = 30.0 * (1 if SANITIZED else PATIENCE)
 PROMPT = 5.0  # s, for the end of a node
 ENDS = 10.0  # s; ten times what is promised
 
