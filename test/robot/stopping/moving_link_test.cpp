@@ -109,16 +109,26 @@ bool canMove(const Joint& joint) {
   return hasValue(joint.motion) && !joint.axis.isZero(0);
 }
 
+Limits limitsOf(const Joint& joint) {
+  return joint.limits.value_or(Limits{-3, 3});
+}
+
+/// How far a prismatic joint may be from zero, also while it stops beyond its limits [m].
+double farthestSlide(const Joint& joint) {
+  constexpr double kStop = 1;  // a stop from the speeds of randomStart() takes less
+  const Limits limits = limitsOf(joint);
+  return std::max(std::abs(limits.lower), std::abs(limits.upper)) + kStop;
+}
+
 /// Along the chain, as if it were stretched.
 std::vector<double> leversOf(const Robot& robot, const BoundedLink& link, std::size_t index) {
-  constexpr double kMostSlide = 4;  // m, beyond limits among it
   std::vector<double> result(robot.joints.size(), 0);
   double length = std::sqrt(3) * magnitude(link);
   for (const std::size_t above : jointsAbove(robot, index)) {
     const Joint& joint = robot.joints[above];
     const bool slides = joint.motion == Motion::kTranslation;
     if (canMove(joint)) result[above] = slides ? 1 : length;
-    length += joint.parent_from_joint.translation().norm() + (slides ? kMostSlide : 0);
+    length += joint.parent_from_joint.translation().norm() + (slides ? farthestSlide(joint) : 0);
   }
   return result;
 }
@@ -127,7 +137,7 @@ Start randomStart(const Robot& robot, Random& random) {
   Start start;
   start.reaction = {random.uniform(0, 0.2), random.sign() > 0};
   for (const Joint& joint : robot.joints) {
-    const Limits limits = joint.limits.value_or(Limits{-3, 3});
+    const Limits limits = limitsOf(joint);
     start.values.push_back(canMove(joint) ? random.uniform(limits.lower, limits.upper) : 0);
     const double top = joint.motion == Motion::kTranslation ? 0.3 : 1.5;
     start.speeds.push_back(canMove(joint) ? random.uniform(-top, top) : 0);
