@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -121,6 +122,49 @@ std::int64_t fromNumber(double value, std::int64_t stamp) {
   return stamp;
 }
 
+/// The smallest and the largest of the times that `read` gives, of points whose coordinates are
+/// finite. The first one is larger if there is no such point. A loop of its own for each type of
+/// coordinates and of times takes a third of the instructions.
+template <class Coordinate, class Read>
+auto timesOf(const CloudPoints& points, const Read& read) {
+  using Time = decltype(read(points.data));
+  std::pair<Time, Time> times{std::numeric_limits<Time>::max(),
+                              std::numeric_limits<Time>::lowest()};
+  points.forEach([&](std::size_t, const std::uint8_t* bytes) {
+    const Coordinate sum = CloudPoints::read<Coordinate>(bytes + points.x) +
+                           CloudPoints::read<Coordinate>(bytes + points.y) +
+                           CloudPoints::read<Coordinate>(bytes + points.z);
+    // A sum is finite only if all are; one too large for that is no place either.
+    if (!std::isfinite(sum)) return;
+    const Time time = read(bytes);
+    times.first = std::min(times.first, time);
+    times.second = std::max(times.second, time);
+  });
+  return times;
+}
+
+template <class Coordinate>
+std::optional<TimeSpan> spanOf(const CloudPoints& points) {
+  const auto spanBy = [&](std::int64_t base, const auto& read) -> std::optional<TimeSpan> {
+    const auto [first, last] = timesOf<Coordinate>(points, read);
+    if (first > last) return std::nullopt;
+    return TimeSpan{base + first, base + last};
+  };
+  const std::size_t offset = points.time->offset;
+  switch (points.time->type) {
+    case NumberType::kUint32:
+      return spanBy(points.stamp, [=](const std::uint8_t* bytes) {
+        return CloudPoints::read<std::uint32_t>(bytes + offset);
+      });
+    case NumberType::kInt32:
+      return spanBy(points.stamp, [=](const std::uint8_t* bytes) {
+        return CloudPoints::read<std::int32_t>(bytes + offset);
+      });
+    default:
+      return spanBy(0, [&](const std::uint8_t* bytes) { return points.timeOf(bytes); });
+  }
+}
+
 }  // namespace
 
 std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
@@ -162,16 +206,7 @@ CloudLayout layoutOf(const PointCloud2& cloud) {
 std::optional<TimeSpan> timeSpan(const CloudPoints& points) {
   if (points.size() == 0) return std::nullopt;
   if (!points.time) return TimeSpan{points.stamp, points.stamp};
-  TimeSpan span{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
-  points.forEach([&](std::size_t, const std::uint8_t* bytes) {
-    // A sum is finite only if all are; one too large for that is no place either.
-    if (!std::isfinite(points.position(bytes).sum())) return;
-    const std::int64_t time = points.timeOf(bytes);
-    span.begin = std::min(span.begin, time);
-    span.end = std::max(span.end, time);
-  });
-  if (span.begin > span.end) return std::nullopt;
-  return span;
+  return points.is_double ? spanOf<double>(points) : spanOf<float>(points);
 }
 
 }  // namespace link_bounds

@@ -64,7 +64,8 @@ class Labels {
       : query_(plan.query),
         cells_(plan.cells),
         shadow_links_(plan.shadow_links),
-        box_(query_.poses.box),
+        low_(query_.poses.box.min()),
+        high_(query_.poses.box.max()),
         min_squared_(query_.min_distance * query_.min_distance),
         cursor_(query_.poses) {}
 
@@ -88,21 +89,20 @@ class Labels {
   template <class Number>
   void scan(const std::uint8_t* bytes, std::size_t begin, std::size_t end) {
     const CloudPoints& points = query_.points;
-    const Eigen::Vector3d low = box_.isEmpty() ? Eigen::Vector3d::Constant(1) : box_.min();
-    const Eigen::Vector3d high = box_.isEmpty() ? Eigen::Vector3d::Constant(-1) : box_.max();
+    const bool looks_at_all = min_squared_ > 0 || !shadow_links_.empty();
+    // Rounding keeps the order of numbers, so no point of the box is left out.
+    const Eigen::Matrix<Number, 3, 1> low = low_.cast<Number>(), high = high_.cast<Number>();
     for (std::size_t i = begin; i < end; ++i, bytes += points.point_step) {
-      const double x = CloudPoints::read<Number>(bytes + points.x);
-      const double y = CloudPoints::read<Number>(bytes + points.y);
-      const double z = CloudPoints::read<Number>(bytes + points.z);
+      const auto x = CloudPoints::read<Number>(bytes + points.x);
+      const auto y = CloudPoints::read<Number>(bytes + points.y);
+      const auto z = CloudPoints::read<Number>(bytes + points.z);
       // Not short-circuited: one branch a point.
       const int is_candidate = int{x >= low.x()} & int{x <= high.x()} & int{y >= low.y()} &
                                int{y <= high.y()} & int{z >= low.z()} & int{z <= high.z()};
       if (is_candidate != 0) {
         look(i, {x, y, z}, bytes);
-      } else if (min_squared_ > 0 && x * x + y * y + z * z < min_squared_) {
-        found_.push_back({i, kTooNear});
-      } else if (!shadow_links_.empty()) {
-        lookForShadow(i, {x, y, z}, bytes);
+      } else if (looks_at_all) {
+        lookFurther(i, {x, y, z}, bytes);
       }
     }
   }
@@ -119,6 +119,11 @@ class Labels {
       last_ = link;
       return;
     }
+    lookFurther(index, point, bytes);
+  }
+
+  /// At a point of no link.
+  void lookFurther(std::size_t index, const Eigen::Vector3d& point, const std::uint8_t* bytes) {
     if (point.squaredNorm() < min_squared_) {
       found_.push_back({index, kTooNear});
     } else if (!shadow_links_.empty()) {
@@ -151,7 +156,7 @@ class Labels {
   const PointQuery& query_;
   const LinkCells& cells_;
   const std::vector<std::size_t>& shadow_links_;
-  const Aabb& box_;
+  Eigen::Vector3d low_, high_;  ///< of the box around all links
   double min_squared_;
   ScanCursor cursor_;
   std::size_t last_ = kTooNear;  ///< the link that was met last

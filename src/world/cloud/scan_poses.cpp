@@ -21,6 +21,30 @@ constexpr std::size_t kMaxMoments = 1000;
 constexpr double kRounding = 1e-12;
 constexpr double kFloor = 1e-9;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The box of the link in the sensor's frame in one pose, with what rounding may add.
+Aabb boxAt(const Aabb& link_box, const Eigen::Affine3d& link_from_sensor) {
+  const Eigen::Affine3d sensor_from_link = link_from_sensor.inverse(Eigen::Isometry);
+  const Eigen::Vector3d center = sensor_from_link * link_box.center();
+  const Eigen::Vector3d half = sensor_from_link.linear().cwiseAbs() * (link_box.sizes() / 2);
+  const double size =
+      link_from_sensor.translation().norm() + link_box.sizes().norm() + link_box.center().norm();
+  return padded(Aabb(center - half, center + half), kFloor + kRounding * size);
+}
+
+double largestNorm(const Aabb& box) {
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
+}
+
+/// How far a link, and a point that the sensor sees of it, leave the straight way between two
+/// times.
+struct Errors {
+  Bulge of_point;
+  Bulge of_link;   ///< in the sensor's frame
+  double stretch;  ///< of the link, at any time, because quaternions are not of length 1 [m]
+};
+
 /// A link that moves, or does not.
 class Mover {
  public:
@@ -29,12 +53,11 @@ class Mover {
       radius_ = std::max(radius_, corner.norm());
   }
 
-  void addMoments(TimeSpan span, std::vector<std::int64_t>& moments) const {
+  void addSamples(TimeSpan span, std::vector<std::int64_t>& times) const {
     forEachEdge(*this, [&](const EdgeMotion& edge) {
       if (!edge.isMoving()) return;
       for (const EdgeSample* sample : edge.samples()) {
-        if (sample->stamp > span.begin && sample->stamp < span.end)
-          moments.push_back(sample->stamp);
+        if (sample->stamp > span.begin && sample->stamp < span.end) times.push_back(sample->stamp);
       }
     });
   }
@@ -44,41 +67,40 @@ class Mover {
   }
 
   /// Between the samples that were sought.
-  Tf2Pose linkFromSensor(std::int64_t time) const {
+  Eigen::Affine3d linkFromSensor(std::int64_t time) const {
     Tf2Pose top_from_sensor, top_from_link;
     for (const EdgeMotion& edge : path_.from_source)
       top_from_sensor = edge.at(time) * top_from_sensor;
     for (const EdgeMotion& edge : path_.from_target)
       top_from_link = edge.at(time) * top_from_link;
-    return path_.from_target.empty() ? top_from_sensor : inverse(top_from_link) * top_from_sensor;
+    return MatrixPose(path_.from_target.empty() ? top_from_sensor
+                                                : inverse(top_from_link) * top_from_sensor)
+        .affine;
   }
 
-  /// How far the link, and a point that the sensor sees within `range`, leave the straight way in
-  /// `duration` after the samples that were sought.
-  struct Errors {
-    double smooth = 0;   ///< of the point; in n equal parts n^2 times smaller
-    double jump = 0;     ///< the same in any part
-    double link = 0;     ///< of the link in the sensor's frame
-    double stretch = 0;  ///< of the link, because quaternions are not of length 1
-  };
-  Errors errors(std::int64_t duration, double distance, double range) const {
-    PathSteps steps, back;
+  /// From `begin`, which was sought, to before the next sample. Also of points within `range` of
+  /// the sensor. `steps` is memory that is reused.
+  Errors errors(std::int64_t begin, std::int64_t end, double range, PathSteps& steps) const {
+    const Eigen::Affine3d from = linkFromSensor(begin), to = linkFromSensor(end);
+    const double distance = std::max(from.translation().norm(), to.translation().norm());
     double scale = 1, lengths = radius_;
     const auto fill = [&](const std::vector<EdgeMotion>& edges, std::vector<EdgeStep>& out) {
+      out.clear();
       for (const EdgeMotion& edge : edges) {
-        out.push_back(edge.stepIn(duration));
-        scale *= std::max(out.back().length2, 1 / out.back().min_length2);
-        lengths += out.back().distance;
+        const EdgeStep& step = out.emplace_back(edge.stepIn(end - begin));
+        scale *= std::max(step.length2, 1 / step.min_length2);
+        lengths += step.distance;
       }
     };
-    fill(path_.from_source, steps.from_link);
-    fill(path_.from_target, steps.from_target);
-    back.from_link = steps.from_target;
-    back.from_target = steps.from_link;
-    const Bulge of_point = bulge(steps, range, distance);
-    const Bulge of_link = bulge(back, radius_, distance);
-    return {of_point.smooth, of_point.jump, of_link.smooth + of_link.jump,
-            2 * std::max(scale - 1, 0.0) * scale * lengths};
+    fill(path_.from_target, steps.from_link);
+    fill(path_.from_source, steps.from_target);
+    const Bulge of_link = bulge(steps, radius_, distance);
+    const double stretch = 2 * std::max(scale - 1, 0.0) * scale * lengths;
+    // As far as the link's box at both ends, with its way between.
+    const double reach = largestNorm(boxAt(box_, from).merged(boxAt(box_, to))) + of_link.smooth +
+                         of_link.jump + stretch;
+    std::swap(steps.from_link, steps.from_target);
+    return {bulge(steps, std::max(reach, range), distance), of_link, stretch};
   }
 
   bool isMoving() const {
@@ -95,7 +117,6 @@ class Mover {
   }
 
   const Aabb& box() const { return box_; }
-  double radius() const { return radius_; }
 
  private:
   template <class Self, class Visit>
@@ -111,21 +132,6 @@ class Mover {
   double radius_ = 0;  ///< of the box, around the origin of the link
 };
 
-/// The box of the link in the sensor's frame in one pose, with what rounding may add.
-Aabb boxAt(const Aabb& link_box, const Eigen::Affine3d& link_from_sensor) {
-  const Eigen::Affine3d sensor_from_link = link_from_sensor.inverse(Eigen::Isometry);
-  Aabb box;
-  for (const Eigen::Vector3d& corner : corners(link_box))
-    box.extend(sensor_from_link * corner);
-  const double size =
-      link_from_sensor.translation().norm() + link_box.sizes().norm() + link_box.center().norm();
-  return padded(box, kFloor + kRounding * size);
-}
-
-double largestNorm(const Aabb& box) {
-  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
-}
-
 class Scan {
  public:
   Scan(const TransformBuffer& tf, TransformBuffer::Frame sensor, TimeSpan span, double range)
@@ -137,18 +143,14 @@ class Scan {
       return result_;
     }
     if (!findPaths(links)) return result_;
-    moments_ = {span_.begin, span_.end};
-    for (const Mover& mover : movers_)
-      mover.addMoments(span_, moments_);
-    sortMoments();
-    if (!divide()) return result_;
-    for (std::size_t i = 0; i < movers_.size(); ++i)
-      follow(i);
-    result_.moments = std::move(moments_);
-    for (const LinkMotion& link : result_.links) {
-      if (!link.box.isEmpty()) result_.box.extend(link.box);
+    const std::vector<std::int64_t> samples = timesOfSamples();
+    errors_.resize(movers_.size());
+    link_errors_.resize(movers_.size());
+    for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+      if (!follow(samples[k], samples[k + 1], samples.size() - k)) return result_;
     }
-    return result_;
+    finish(samples.size() == 1);
+    return std::move(result_);
   }
 
  private:
@@ -163,84 +165,101 @@ class Scan {
         return false;
       }
       movers_.emplace_back(std::move(path), links[i].box);
-      places_.push_back(i);
+      motions_.push_back(&result_.links[i]);
     }
     return true;
   }
 
-  void sortMoments() {
-    std::sort(moments_.begin(), moments_.end());
-    moments_.erase(std::unique(moments_.begin(), moments_.end()), moments_.end());
+  /// Of those within the span, and both ends of it; ascending.
+  std::vector<std::int64_t> timesOfSamples() const {
+    std::vector<std::int64_t> times{span_.begin, span_.end};
+    for (const Mover& mover : movers_)
+      mover.addSamples(span_, times);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
   }
 
-  /// Adds moments until the errors are small. False if there would be too many.
-  bool divide() {
-    std::vector<std::int64_t> more;
-    for (std::size_t k = 0; k + 1 < moments_.size(); ++k) {
-      double parts = 1;
-      for (Mover& mover : movers_)
-        parts = std::max(parts, partsOf(mover, moments_[k], moments_[k + 1]));
-      const std::int64_t duration = moments_[k + 1] - moments_[k];
-      // No point has a time between two nanoseconds.
-      if (std::isfinite(parts) || duration == 1)
-        parts = std::min(parts, static_cast<double>(duration));
-      if (!(parts + static_cast<double>(moments_.size() + more.size()) <= kMaxMoments)) {
-        result_.problem =
-            "the robot or the sensor moves so fast that a thousand poses are too few; look at tf";
-        return false;
-      }
-      const auto count = static_cast<std::int64_t>(parts);
-      for (std::int64_t i = 1; i < count; ++i)
-        more.push_back(moments_[k] + duration * i / count);
+  /// Adds moments from one sample to before the next one, so many that the errors are small. False
+  /// if there would be too many, with `left` more of them at least.
+  bool follow(std::int64_t begin, std::int64_t end, std::size_t left) {
+    const std::int64_t duration = end - begin;
+    double parts = partsBetween(begin, end);
+    // No point has a time between two nanoseconds.
+    if (std::isfinite(parts) || duration == 1)
+      parts = std::min(parts, static_cast<double>(duration));
+    if (!(parts + static_cast<double>(result_.moments.size() + left) <= kMaxMoments)) {
+      result_.problem =
+          "the robot or the sensor moves so fast that a thousand poses are too few; look at tf";
+      return false;
     }
-    moments_.insert(moments_.end(), more.begin(), more.end());
-    sortMoments();
+    const auto count = static_cast<std::int64_t>(parts);
+    for (std::int64_t i = 0; i < count; ++i)
+      addMoment(begin + duration * i / count);
+    keepErrors((duration + count - 1) / count, duration);
     return true;
   }
 
-  /// Of the time between two moments; infinite if no number helps.
-  double partsOf(Mover& mover, std::int64_t begin, std::int64_t end) const {
-    if (!mover.isMoving()) return 1;
-    mover.seek(begin);
-    if (mover.isAmbiguous()) return std::numeric_limits<double>::infinity();
-    const Mover::Errors errors = errorsBetween(mover, begin, end);
-    const double allowed = 0.9 * kMaxMotionError - errors.jump;
-    if (!(allowed > 0) || !std::isfinite(errors.smooth))
-      return std::numeric_limits<double>::infinity();
-    return std::max(std::ceil(std::sqrt(errors.smooth / allowed)), 1.0);
+  /// As many as this time has to be divided into; infinite if no number helps.
+  double partsBetween(std::int64_t begin, std::int64_t end) {
+    double parts = 1;
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+      Mover& mover = movers_[i];
+      if (!mover.isMoving() && !result_.moments.empty()) continue;
+      mover.seek(begin);
+      errors_[i] = mover.errors(begin, end, range_, steps_);
+      if (mover.isMoving())
+        parts = std::max(parts, mover.isAmbiguous() ? kInfinity : partsFor(errors_[i].of_point));
+    }
+    return parts;
   }
 
-  /// Between two samples. The range is that of the link's box at both ends, with its way between.
-  Mover::Errors errorsBetween(Mover& mover, std::int64_t begin, std::int64_t end) const {
-    const Eigen::Affine3d from = MatrixPose(mover.linkFromSensor(begin)).affine;
-    const Eigen::Affine3d to = MatrixPose(mover.linkFromSensor(end)).affine;
-    const double distance = std::max(from.translation().norm(), to.translation().norm());
-    const Mover::Errors of_link = mover.errors(end - begin, distance, 0);
-    Aabb box = boxAt(mover.box(), from).merged(boxAt(mover.box(), to));
-    const double range = largestNorm(box) + of_link.link + of_link.stretch;
-    return mover.errors(end - begin, distance, std::max(range, range_));
+  static double partsFor(const Bulge& error) {
+    const double allowed = 0.9 * kMaxMotionError - error.jump;
+    if (!(allowed > 0) || !std::isfinite(error.smooth)) return kInfinity;
+    return std::max(std::ceil(std::sqrt(error.smooth / allowed)), 1.0);
   }
 
-  /// The poses and the box of one link.
-  void follow(std::size_t index) {
-    Mover& mover = movers_[index];
-    LinkMotion& motion = result_.links[places_[index]];
-    const std::size_t count = mover.isMoving() ? moments_.size() : 1;
-    double link_error = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      mover.seek(moments_[k]);
-      const Eigen::Affine3d pose = MatrixPose(mover.linkFromSensor(moments_[k])).affine;
+  /// Between moments that are at most so far apart. A step of a nanosecond has no time between its
+  /// ends.
+  void keepErrors(std::int64_t step, std::int64_t duration) {
+    const bool has_time = step > 1;
+    const double part = has_time ? static_cast<double>(step) / static_cast<double>(duration) : 0;
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+      const Errors& errors = errors_[i];
+      link_errors_[i] = std::max(link_errors_[i], errors.of_link.in(part) + errors.stretch);
+      if (has_time && movers_[i].isMoving())
+        motions_[i]->error = std::max(motions_[i]->error, errors.of_point.in(part));
+    }
+  }
+
+  /// The movers were sought there.
+  void addMoment(std::int64_t time) {
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+      LinkMotion& motion = *motions_[i];
+      if (!movers_[i].isMoving() && !result_.moments.empty()) continue;
+      const Eigen::Affine3d pose = movers_[i].linkFromSensor(time);
       motion.link_from_sensor.push_back(pose.matrix().topRows<3>());
-      motion.box.extend(boxAt(mover.box(), pose));
-      // A step of a nanosecond has no time between its ends.
-      const bool has_time = k + 1 < count && moments_[k + 1] - moments_[k] > 1;
-      const Mover::Errors errors =
-          errorsBetween(mover, moments_[k], moments_[has_time ? k + 1 : k]);
-      if (has_time) motion.error = std::max(motion.error, errors.smooth + errors.jump);
-      link_error = std::max(link_error, errors.link + errors.stretch);
+      motion.box.extend(boxAt(movers_[i].box(), pose));
     }
-    motion.link_from_sensor.resize(moments_.size(), motion.link_from_sensor.back());
-    motion.box = padded(motion.box, link_error);
+    result_.moments.push_back(time);
+  }
+
+  /// Adds the last moment, which may be the only one.
+  void finish(bool is_only) {
+    if (is_only) {
+      partsBetween(span_.end, span_.end);
+      keepErrors(0, 1);
+    }
+    for (Mover& mover : movers_)
+      mover.seek(span_.end);
+    addMoment(span_.end);
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+      LinkMotion& motion = *motions_[i];
+      motion.link_from_sensor.resize(result_.moments.size(), motion.link_from_sensor.back());
+      motion.box = padded(motion.box, link_errors_[i]);
+      result_.box.extend(motion.box);
+    }
   }
 
   const TransformBuffer& tf_;
@@ -248,8 +267,10 @@ class Scan {
   TimeSpan span_;
   double range_;
   std::vector<Mover> movers_;
-  std::vector<std::size_t> places_;  ///< of each mover its index among the links
-  std::vector<std::int64_t> moments_;
+  std::vector<LinkMotion*> motions_;  ///< of each mover its result
+  std::vector<Errors> errors_;        ///< of each mover, between the two samples
+  std::vector<double> link_errors_;   ///< of each mover's box, the largest [m]
+  PathSteps steps_;
   ScanPoses result_;
 };
 

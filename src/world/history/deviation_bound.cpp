@@ -140,7 +140,8 @@ Bulge bulge(const PathSteps& path, double radius, double distance) {
       point = turned(point, *edge);
   }
   const auto edges = static_cast<double>(path.from_link.size() + path.from_target.size());
-  return {point.acceleration / 8 + kRounding * (edges + 2) * largest, point.jump};
+  const double rounding = kRounding * (edges + 2) * largest;
+  return {point.acceleration / 8 + rounding, point.jump, rounding};
 }
 
 }  // namespace link_bounds

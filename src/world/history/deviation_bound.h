@@ -83,8 +83,14 @@ struct PathSteps {
 
 /// How far the points of a link leave the hull of their places at both ends.
 struct Bulge {
-  double smooth;  ///< in n equal parts of the time it is n^2 times smaller, but for rounding [m]
-  double jump;    ///< J in 6 above, in any part of the time [m]
+  double smooth;    ///< in n equal parts of the time it is n^2 times smaller, but for rounding [m]
+  double jump;      ///< J in 6 above, in any part of the time [m]
+  double rounding;  ///< of `smooth`, in any part of the time [m]
+
+  /// In any part of the time that is no longer than this part of it.
+  double in(double part) const {
+    return (part > 0 ? part * part * (smooth - rounding) : 0) + rounding + jump;
+  }
 };
 
 /// `radius`: their distance from the origin of the link [m], at most.

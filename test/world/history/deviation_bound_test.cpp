@@ -26,6 +26,22 @@ TEST(DeviationBound, OfACircleIsItsAcceleration) {
   }
 }
 
+TEST(DeviationBound, OfAPartOfTheTimeHoldsThatOfItsSteps) {
+  const tf2::Quaternion longer = turnedBy(0.4, {0, 0, 0}).rotation() * (1 + 1e-4);
+  const EdgeStep turn = stepBetween(turnedBy(0.3, {1, 0, 0}), {longer, {1, 0.1, 0}});
+  const EdgeStep tiny = stepBetween(turnedBy(0, {0, 0, 0}), turnedBy(6e-8, {0, 0, 0}));
+  const Bulge whole = bulge({{turn, tiny}, {turn}}, 2, 3);
+  for (const double part : {1.0, 0.5, 0.1, 1e-3, 1e-9, 0.0}) {
+    const Bulge expected = bulge({{turn.in(part), tiny.in(part)}, {turn.in(part)}}, 2, 3);
+    EXPECT_GE(whole.in(part), (expected.smooth + expected.jump) * (1 - 1e-12)) << part;
+    EXPECT_NEAR(whole.in(part), expected.smooth + expected.jump, 0.01 * part * part) << part;
+  }
+  // What rounding adds does not become smaller.
+  const EdgeStep straight = stepBetween(turnedBy(1, {0, 0, 0}), turnedBy(1, {1e6, 0, 0}));
+  const Bulge rounding = bulge({{straight}, {}}, 1, 1e6);
+  EXPECT_EQ(rounding.in(1e-3), rounding.smooth);
+}
+
 TEST(DeviationBound, OfAStraightWayIsRounding) {
   const EdgeStep step = stepBetween(turnedBy(1, {0, 0, 0}), turnedBy(1, {10, 20, 30}));
   EXPECT_LT(bulge({{step, step}, {step}}, 1, 100).smooth, 1e-10);
