@@ -48,6 +48,8 @@ packages_of() {
       echo libbenchmark-dev libtf2-ros-dev ;;
     peers)  # what is measured beside us; not all of them exist on every system
       echo libbullet-dev libfcl-dev libgeometric-shapes-dev librosbag-storage-dev ;;
+    clouds)  # what filters clouds beside us: 1.3 GB with all that it depends on
+      echo libpcl-dev ;;
     count)  # what counts cache lines
       echo valgrind ;;
     fuzz)  # Debian 11 has libFuzzer in a package that clang depends on

@@ -107,6 +107,10 @@ std::vector<Row> measureScene(const CloudScene& scene, bool quick) {
   const LabelAll peer = geometricShapes(scene);
   add(measure(scene, "geometric_shapes", quick ? 2 : 10, nothing, peer));
 #endif
+#ifdef LINK_BOUNDS_WITH_PCL
+  const LabelAll crop = cropHull(scene);
+  add(measure(scene, "PCL's CropHull", quick ? 1 : 3, nothing, crop));
+#endif
   return rows;
 }
 
@@ -157,8 +161,10 @@ void printRatios(const std::vector<Row>& rows) {
     const Row* read = find(rows, row.scene, "plain read");
     std::cout << row.scene << ": " << std::setprecision(1) << row.at(0.5) / read->at(0.5)
               << " times the plain read";
-    if (const Row* peer = find(rows, row.scene, "geometric_shapes"))
-      std::cout << ", " << peer->at(0.5) / row.at(0.5) << " times as fast as geometric_shapes";
+    for (const char* method : {"geometric_shapes", "PCL's CropHull"}) {
+      if (const Row* peer = find(rows, row.scene, method))
+        std::cout << ", " << peer->at(0.5) / row.at(0.5) << " times as fast as " << method;
+    }
     std::cout << "\n";
   }
 }
@@ -169,6 +175,9 @@ void benchmarkClouds(bool quick, std::ostream* json) {
             << "\npadding: " << kPadding * 1e3 << " mm\n\n";
 #ifndef LINK_BOUNDS_WITH_GEOMETRIC_SHAPES
   std::cout << "left out, because this system lacks it: geometric_shapes\n";
+#endif
+#ifndef LINK_BOUNDS_WITH_PCL
+  std::cout << "left out, because this system lacks it, or geometric_shapes: PCL's CropHull\n";
 #endif
   namespace fs = std::filesystem;
   const char* const data = std::getenv("LINK_BOUNDS_DATA");

@@ -16,4 +16,7 @@ using LabelAll = std::function<std::size_t()>;
 /// link has no hull. The scene must outlive it.
 LabelAll geometricShapes(const CloudScene& scene);
 
+/// pcl::CropHull of the same hulls, of the points in the same bounding spheres.
+LabelAll cropHull(const CloudScene& scene);
+
 }  // namespace link_bounds::bench

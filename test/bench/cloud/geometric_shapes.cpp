@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // geometric_shapes, as robot_body_filter and MoveIt ask it: for each point, each body in whose
 // bounding sphere it is.
-#include <geometric_shapes/bodies.h>
 #include <geometric_shapes/mesh_operations.h>
 
 #include "bench/cloud/cloud_methods.h"
+#include "bench/cloud/posed_hulls.h"
 
 namespace link_bounds::bench {
 namespace {
-
-struct PosedBody {
-  std::shared_ptr<bodies::ConvexMesh> body;
-  bodies::BoundingSphere sphere;
-};
 
 EigenSTL::vector_Vector3d pointsOf(const Body& body) {
   EigenSTL::vector_Vector3d points;
@@ -32,8 +27,8 @@ EigenSTL::vector_Vector3d pointsOf(const Body& body) {
 
 }  // namespace
 
-LabelAll geometricShapes(const CloudScene& scene) {
-  std::vector<PosedBody> posed;
+std::vector<PosedHull> posedHulls(const CloudScene& scene) {
+  std::vector<PosedHull> posed;
   const auto stamp = static_cast<std::int64_t>(scene.cloud.header.stamp.toNSec());
   for (std::size_t i = 0; i < scene.robot->bodies.size(); ++i) {
     const EigenSTL::vector_Vector3d points = pointsOf(scene.robot->bodies[i]);
@@ -41,7 +36,7 @@ LabelAll geometricShapes(const CloudScene& scene) {
     for (unsigned int k = 0; k + 2 < points.size(); k += 3)
       triangles.insert(triangles.end(), {k, k + 1, k + 2});
     const std::unique_ptr<shapes::Mesh> mesh(shapes::createMeshFromVertices(points, triangles));
-    PosedBody body{std::make_shared<bodies::ConvexMesh>(mesh.get()), {}};
+    PosedHull body{std::make_shared<bodies::ConvexMesh>(mesh.get()), {}};
     if (body.body->getVertices().empty()) continue;
     body.body->setPadding(kPadding);
     const Eigen::Affine3d pose = scene.robot->linkFromSensor(i, stamp).inverse();
@@ -51,12 +46,16 @@ LabelAll geometricShapes(const CloudScene& scene) {
     body.body->computeBoundingSphere(body.sphere);
     posed.push_back(body);
   }
-  return [posed, &scene] {
+  return posed;
+}
+
+LabelAll geometricShapes(const CloudScene& scene) {
+  return [posed = posedHulls(scene), &scene] {
     const CloudPoints points = layoutOf(scene.cloud).points;
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d place = points.position(points.point(i));
-      for (const PosedBody& body : posed) {
+      for (const PosedHull& body : posed) {
         if (!((place - body.sphere.center).squaredNorm() <=
               body.sphere.radius * body.sphere.radius) ||
             !body.body->containsPoint(place))
