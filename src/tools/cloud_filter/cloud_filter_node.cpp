@@ -17,8 +17,12 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kQueue = 5;      // messages of one topic that roscpp keeps
 constexpr std::size_t kMaxWaiting = 32;  // messages that wait for tf
+
+/// roscpp drops without a word what its queues do not hold. Whenever that of an input is full, one
+/// message more waits than may, and that is told. An output takes at once all that waited.
+constexpr std::uint32_t kQueue = kMaxWaiting + 1;
+
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 const ros::WallDuration kTick(0.005);
 const ros::WallDuration kExpirePeriod(0.05);

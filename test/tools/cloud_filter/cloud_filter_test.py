@@ -89,7 +89,7 @@ class CloudFilter(unittest.TestCase):
 
     def setUp(self):
         for recorder in (self.output, self.compact, self.removed, self.scans, self.nearest,
-                         self.prefixed):
+                         self.prefixed, self.status):
             recorder.clear()
         self.stamp = self.next_stamp()
 
@@ -137,9 +137,32 @@ class CloudFilter(unittest.TestCase):
         # Which one waits for less than the other passes it on unfiltered.
         passed = self.compact.wait(lambda m: m.header.stamp == self.stamp, "the passed cloud")
         self.assertEqual(passed.width, 1)
+        self.status.clear()
         self.send_tf(0, 0.1)
         output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the cloud that waited")
         self.assertTrue(math.isnan(places_of(output)[0][0]))
+        # It waited for longer than the other filter does.
+        self.wait_status("/cloud_filter", lambda status: any(
+            value.key == "wait for tf, max [ms]" and float(value.value) > 50
+            for value in status.values), is_new=False)
+
+    def test_tf_that_ends(self):
+        self.send_tf(-0.1, 0)
+        self.clouds.publish(cloud(self.stamp + rospy.Duration(0.05), [(LEFT, 0)]))
+        self.wait_refused("does not cover the span")
+        self.assertEqual(self.output.messages, [])
+
+    def test_more_clouds_than_can_wait_are_told(self):
+        self.send_tf(-0.1, 0)
+        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 41)]
+        for stamp in stamps:
+            self.clouds.publish(cloud(stamp, [(LEFT, 0)]))
+        wait_for(lambda: self.refused("more clouds came than could be filtered") == 8,
+                 "those that cannot wait are counted")
+        self.send_tf(0, 0.1)
+        self.output.wait(lambda m: m.header.stamp == stamps[-1], "the last cloud")
+        # The newest ones are left, in their order.
+        self.assertEqual([m.header.stamp for m in self.output.messages], stamps[-32:])
 
     def test_the_nearest_point_of_what_remains(self):
         self.send_tf(-0.1, 0.1)
@@ -213,10 +236,15 @@ class CloudFilter(unittest.TestCase):
         self.assertEqual([math.isnan(place[0]) for place in places_of(output)],
                          IS_ROBOT[:-1] + [True])
 
+    def refused(self, words):
+        """How many clouds were not filtered for that reason, in all statuses of this test."""
+        return sum(int(value.value) for message in self.status.messages
+                   for status in message.status if status.name == "/cloud_filter: cloud filter"
+                   for value in status.values
+                   if value.key.startswith("not filtered") and words in value.key)
+
     def wait_refused(self, words):
-        self.wait_status("/cloud_filter", lambda status: any(
-            value.key.startswith("not filtered") and words in value.key
-            for value in status.values))
+        wait_for(lambda: self.refused(words) == 1, "one cloud is refused: " + words)
 
     def test_a_cloud_without_tf_is_dropped_and_counted(self):
         self.clouds.publish(cloud(self.stamp, [(LEFT, 0)], "nowhere"))
