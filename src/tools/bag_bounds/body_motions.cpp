@@ -19,7 +19,8 @@ BodyMotions::BodyMotions(Scene& scene, const TransformBuffer& tf, FrameView* vie
       ways_(tf, view ? view->frame() : *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
       fixed_frame_(*scene.frames.fixedFrame()),
-      timeout_(static_cast<std::int64_t>(scene.model()->parameters.timeout * 1e9)) {
+      timeout_(static_cast<std::int64_t>(scene.model()->parameters.timeout * 1e9)),
+      last_number_(scene.model()->links.size()) {
   for (const BoundedLink& link : scene.model()->links)
     radii_.push_back(radiusOf(link));
 }

@@ -26,6 +26,10 @@ struct BodyMotion {
   const Eigen::Affine3d* source_from_link;  ///< null: as they are
 };
 
+/// Tells bodies apart faster than their names: a link has its index, an object its own number for
+/// as long as it is there.
+using BodyNumber = std::uint64_t;
+
 /// All points of the shapes are at most so far from the origin of the motion's source [m].
 double radiusOf(const BodyMotion& motion);
 
@@ -37,8 +41,8 @@ class BodyMotions {
   /// `view` has the axes of another frame than the scene's fixed one; null: these.
   BodyMotions(Scene& scene, const TransformBuffer& tf, FrameView* view);
 
-  /// Calls visit(name, state, motion) as Scene::forEach; `motion` is null if there was none since
-  /// the last call.
+  /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
+  /// since the last call.
   template <class Visit>
   void forEach(Visit&& visit) {
     ++pass_;
@@ -47,7 +51,7 @@ class BodyMotions {
     last_links_.resize(states.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Content content{scene_.links.frame(i), &links[i], nullptr, nullptr, states[i].stamp};
-      visit(links[i].name, states[i], next(last_links_[i], states[i], content));
+      visit(i, links[i].name, states[i], next(last_links_[i], states[i], content));
     }
     for (const auto& [key, object] : scene_.objects.objects())
       visitObject(key, object, visit);
@@ -69,6 +73,7 @@ class BodyMotions {
     Aabb box;
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     std::uint64_t seen = 0;                       ///< pass
+    BodyNumber number = 0;                        ///< of an object; 0: it has none yet
   };
 
   template <class Visit>
@@ -87,7 +92,8 @@ class BodyMotions {
     }
     last.has_box = placed.state.box.has_value();
     last.seen = pass_;
-    visit(object.content->bounded.name, placed.state, motion);
+    if (last.number == 0) last.number = ++last_number_;
+    visit(last.number, object.content->bounded.name, placed.state, motion);
   }
 
   FrameView::Placed placedInScene(const LiveObject& object) const;
@@ -104,6 +110,7 @@ class BodyMotions {
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;
   std::uint64_t pass_ = 0;
+  BodyNumber last_number_;  ///< of the newest object
   BodyMotion motion_;
 };
 

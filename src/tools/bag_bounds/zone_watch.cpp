@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A name that is looked up is one that is in the zone, or a body beside it.
 #include "tools/bag_bounds/zone_watch.h"
 
 #include <algorithm>
@@ -63,12 +62,12 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
 
 void ZoneWatch::compare(Group& group, std::int64_t now) {
   ++comparisons_;
-  group.motions.forEach(
-      [&](const std::string& name, const BoxState& state, const BodyMotion* motion) {
-        if (!state.box) return;
-        for (Watched* watched : group.zones)
-          visit(*watched, name, state, motion, now);
-      });
+  group.motions.forEach([&](BodyNumber number, const std::string& name, const BoxState& state,
+                            const BodyMotion* motion) {
+    if (!state.box) return;
+    for (Watched* watched : group.zones)
+      visit(*watched, {number, name, state, motion}, now);
+  });
   for (Watched* watched : group.zones) {
     for (auto body = watched->inside.begin(); body != watched->inside.end();) {
       const auto next = std::next(body);
@@ -79,77 +78,74 @@ void ZoneWatch::compare(Group& group, std::int64_t now) {
   }
 }
 
-void ZoneWatch::visit(Watched& watched, const std::string& name, const BoxState& state,
-                      const BodyMotion* motion, std::int64_t now) {
-  const RecordTime moment{now, state.stamp};
-  const double distance = signedDistance(*state.box, watched.record.zone.box);
+void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
+  const RecordTime moment{now, body.state.stamp};
+  const double distance = signedDistance(*body.state.box, watched.record.zone.box);
   ZoneRecord& record = watched.record;
   if (!record.nearest || distance < record.nearest->distance)
-    record.nearest = {name, distance, moment};
+    record.nearest = {body.name, distance, moment};
   record.clearance = std::min(record.clearance, std::max(distance, 0.0));
   if (distance > 0) {
-    if (motion) lookBetween(watched, name, *motion, distance, now);
+    if (body.motion) lookBetween(watched, body, distance, now);
     if (watched.inside.empty()) return;
-    const auto body = watched.inside.find(name);
-    if (body != watched.inside.end()) end(watched, body, StayEnd::kLeft, moment);
+    const auto inside = watched.inside.find(body.number);
+    if (inside != watched.inside.end()) end(watched, inside, StayEnd::kLeft, moment);
     return;
   }
-  if (!watched.inside.count(name))
-    enter(watched, name, moment, motion ? std::optional(motion->span.begin) : std::nullopt);
-  Inside& inside = watched.inside[name];
-  inside.seen = comparisons_;
-  inside.stamp = state.stamp;
+  auto inside = watched.inside.find(body.number);
+  if (inside == watched.inside.end())
+    inside = enter(watched, body, moment,
+                   body.motion ? std::optional(body.motion->span.begin) : std::nullopt);
+  inside->second.seen = comparisons_;
+  inside->second.stamp = body.state.stamp;
 }
 
 /// Of a body that is outside now. The distance of two boxes changes by no more than sqrt(3) times
 /// what their points move, and a pose is half of the way from one of both ends, or nearer.
-void ZoneWatch::lookBetween(Watched& watched, const std::string& name, const BodyMotion& motion,
-                            double distance, std::int64_t now) {
+void ZoneWatch::lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now) {
   constexpr double kPerWay = 0.8661;  // sqrt(3) / 2, rounded up
   ZoneRecord& record = watched.record;
-  const double before = signedDistance(motion.before, record.zone.box);
+  const double before = signedDistance(body.motion->before, record.zone.box);
   if (before <= 0) return;
   const double wanted = std::max(record.nearest->distance - kZoneAccuracy, 0.0);
-  const double clearance = (before + distance) / 2 - kPerWay * motion.way;
+  const double clearance = (before + distance) / 2 - kPerWay * body.motion->way;
   if (clearance > wanted) {
     record.clearance = std::min(record.clearance, clearance);
   } else {
-    take(watched, name, searchZone(*tf_, motion, record.zone.box, wanted, timeout_, gives_up_),
-         motion, now);
+    take(watched, body,
+         searchZone(*tf_, *body.motion, record.zone.box, wanted, timeout_, gives_up_), now);
   }
 }
 
-void ZoneWatch::take(Watched& watched, const std::string& name, const ZoneSearch& found,
-                     const BodyMotion& motion, std::int64_t now) {
+void ZoneWatch::take(Watched& watched, const Seen& body, const ZoneSearch& found,
+                     std::int64_t now) {
   ZoneRecord& record = watched.record;
   const auto at = [&](std::int64_t stamp) {
-    return RecordTime{now - (motion.span.end - stamp), stamp};
+    return RecordTime{now - (body.motion->span.end - stamp), stamp};
   };
   if (found.nearest < record.nearest->distance)
-    record.nearest = {name, found.nearest, at(found.nearest_stamp)};
+    record.nearest = {body.name, found.nearest, at(found.nearest_stamp)};
   record.clearance = std::min(record.clearance, found.clearance);
   if (!found.undecided.empty() && record.undecided++ == 0)
-    record.first_undecided = name + ": " + found.undecided;
+    record.first_undecided = body.name + ": " + found.undecided;
   for (const ZoneSearch::Crossing& crossing : found.crossings) {
-    if (!watched.inside.count(name))
-      enter(watched, name, at(crossing.is_entry ? crossing.after : crossing.before),
-            crossing.is_entry ? std::optional(crossing.before) : std::nullopt);
-    watched.inside[name].stamp = crossing.is_entry ? crossing.after : crossing.before;
-    if (!crossing.is_entry)
-      end(watched, watched.inside.find(name), StayEnd::kLeft, at(crossing.after));
+    auto inside = watched.inside.find(body.number);
+    if (inside == watched.inside.end())
+      inside = enter(watched, body, at(crossing.is_entry ? crossing.after : crossing.before),
+                     crossing.is_entry ? std::optional(crossing.before) : std::nullopt);
+    inside->second.stamp = crossing.is_entry ? crossing.after : crossing.before;
+    if (!crossing.is_entry) end(watched, inside, StayEnd::kLeft, at(crossing.after));
   }
 }
 
-void ZoneWatch::enter(Watched& watched, const std::string& name, const RecordTime& now,
-                      std::optional<std::int64_t> outside_at) const {
+ZoneWatch::InsideBody ZoneWatch::enter(Watched& watched, const Seen& body, const RecordTime& now,
+                                       std::optional<std::int64_t> outside_at) const {
   ZoneRecord& record = watched.record;
   ++record.entries;
-  watched.inside[name] = {record.stays.size(), comparisons_, now.stamp};
-  if (record.stays.size() == kMaxStays) {
-    watched.inside[name].stay = kMaxStays;
-  } else {
-    record.stays.push_back({name, now, outside_at, StayEnd::kReportEnded, {}, {}});
-  }
+  const std::size_t stay = record.stays.size();
+  if (stay < kMaxStays)
+    record.stays.push_back({body.name, now, outside_at, StayEnd::kReportEnded, {}, {}});
+  return watched.inside.insert_or_assign(body.number, Inside{stay, comparisons_, now.stamp}).first;
 }
 
 void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const RecordTime& now) {
