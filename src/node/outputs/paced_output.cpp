@@ -14,22 +14,26 @@ constexpr double kMaxPeriod = 1e8;  // s
 
 }  // namespace
 
-PacedOutput::PacedOutput(Periodic& periodic, Guard guard, std::function<void()> emit)
+PacedOutput::PacedOutput(Periodic& periodic, Guard guard, std::function<void()> emit,
+                         double patience)
     : periodic_(periodic),
       guard_(std::move(guard)),
       emit_(std::move(emit)),
+      patience_(patience),
       alarm_(periodic.addAlarm([this] { guard_([this] { emitNow(); }); })) {}
 
 void PacedOutput::setRate(double rate) {
   period_ = ros::WallDuration(rate > 0 ? std::min(1 / rate, kMaxPeriod) : 0);
-  if (is_waiting_) periodic_.setAlarm(alarm_, *last_ + period_);
+  if (is_waiting_) setAlarm();
 }
 
 void PacedOutput::request() {
-  if (is_waiting_) return;
   if (!last_ || ros::SteadyTime::now() - *last_ >= period_) return emitNow();
-  is_waiting_ = true;
-  periodic_.setAlarm(alarm_, *last_ + period_);
+  if (!std::exchange(is_waiting_, true)) setAlarm();
+}
+
+void PacedOutput::setAlarm() {
+  periodic_.setAlarm(alarm_, *last_ + period_ * (1 + patience_));
 }
 
 void PacedOutput::emitNow() {

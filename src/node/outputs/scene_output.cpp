@@ -24,7 +24,8 @@ SceneOutput::SceneOutput(Periodic& periodic, ros::NodeHandle& private_node, cons
                    guard([&] { greetWithFootprint(*subscriber); });
                  }),
       boxes_output_(periodic, guard, [this] { publishBoxes(); }),
-      markers_output_(periodic, guard, [this] { giveMarkers(); }),
+      markers_output_(
+          periodic, guard, [this] { giveMarkers(); }, PacedOutput::kPatienceOfMarkers),
       optional_(private_node, guard, pairs_,
                 {[this] { return published(); }, [this] { return current(); }}),
       distances_(private_node, guard, std::move(requests), pairs_, [this] { giveDistances(); }) {}

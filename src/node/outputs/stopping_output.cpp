@@ -22,12 +22,13 @@ StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node
                 [this, guard](const auto&) { guard([this] { post(); }); }),
       markers_(private_node, privateName(kStoppingMarkersTopic), kMarkersQueue,
                [this, guard](const auto&) { guard([this] { requestMarkers(); }); }),
-      markers_output_(periodic, guard, [this] { requestMarkers(); }),
+      markers_output_(
+          periodic, guard, [this] { requestMarkers(); }, PacedOutput::kPatienceOfMarkers),
       worker_({"stopping boxes", true}) {}
 
 void StoppingOutput::request() {
-  if (areBoxesWanted()) post();
   if (markers_.hasSubscribers()) markers_output_.request();
+  if (areBoxesWanted()) post();
   if (!areBoxesWanted() && !markers_.hasSubscribers() && !is_resting_.exchange(true))
     worker_.post("boxes", [this] { scenes_.rest(); });
 }

@@ -30,7 +30,8 @@ SweptOutput::SweptOutput(Periodic& periodic, ros::NodeHandle& private_node, cons
              [this, guard](const auto&) { guard([this] { request(); }); }),
       markers_(private_node, privateName(kSweptMarkersTopic), kMarkersQueue,
                [this, guard](const auto&) { guard([this] { requestMarkers(); }); }),
-      markers_output_(periodic, guard, [this] { requestMarkers(); }),
+      markers_output_(
+          periodic, guard, [this] { requestMarkers(); }, PacedOutput::kPatienceOfMarkers),
       worker_({"swept boxes", true}) {}
 
 void SweptOutput::adopt(const Parameters& parameters) {
@@ -42,8 +43,8 @@ void SweptOutput::adopt(const Parameters& parameters) {
 
 void SweptOutput::request() {
   if (span_ == 0) return;
-  if (boxes_.hasSubscribers()) postBoxes();
   if (markers_.hasSubscribers()) markers_output_.request();
+  if (boxes_.hasSubscribers()) postBoxes();
 }
 
 void SweptOutput::requestMarkers() {
