@@ -27,14 +27,16 @@ bool isFarther(const BoxPair& a, const BoxPair& b) {
 
 /// Boxes decide in which order bodies are measured, and where a full list ends the search: no pair
 /// is nearer than its boxes, nor nearer than 0.
-std::optional<ComputedDistances> SceneDistances::compute(
-    const MomentPtr& moment, MomentPairs& pairs, TriangleTrees::Time now,
-    const std::function<bool()>& is_cancelled) {
+std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment,
+                                                         MomentPairs& pairs,
+                                                         TriangleTrees::Time now,
+                                                         const std::function<bool()>& is_cancelled,
+                                                         const Concerns& concerns) {
   const Parameters& parameters = moment->model->parameters;
   const double limit = parameters.distance_limit;
   bodies_.update(moment, now);
   bodies_.setGoal({parameters.distance_accuracy, limit, kMaxSteps});
-  if (!findCandidates(moment, pairs, is_cancelled)) return std::nullopt;
+  if (!findCandidates(moment, pairs, is_cancelled, concerns)) return std::nullopt;
   PairHeap nearest(static_cast<std::size_t>(parameters.max_pairs));
   left_out_ = 0;
   while (!candidates_.empty()) {
@@ -54,12 +56,16 @@ std::optional<ComputedDistances> SceneDistances::compute(
 
 /// Fills candidates_, a heap with the nearest boxes first. False if it was cancelled.
 bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
-                                    const std::function<bool()>& is_cancelled) {
+                                    const std::function<bool()>& is_cancelled,
+                                    const Concerns& concerns) {
   const double limit = moment->model->parameters.distance_limit;
+  const auto is_candidate = [&](const BoxPair& pair) {
+    return pair.distance <= limit && (!concerns || concerns(pair.first, pair.second));
+  };
   const auto read = [&](const NearPairs& near) {
     candidates_.clear();
     std::copy_if(near.compared.begin(), near.compared.end(), std::back_inserter(candidates_),
-                 [limit](const BoxPair& pair) { return pair.distance <= limit; });
+                 is_candidate);
     not_compared_ = near.left_out;
     are_pairs_listed_ = near.is_listed;
   };

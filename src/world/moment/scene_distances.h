@@ -29,11 +29,15 @@ class SceneDistances {
  public:
   explicit SceneDistances(TreeRequests requests) : bodies_(std::move(requests)) {}
 
+  using Concerns = std::function<bool(std::size_t first, std::size_t second)>;
+
   /// `pairs` may be shared with other users of the moment. Nothing if `is_cancelled` returns true
-  /// before the end; it is called for each pair.
+  /// before the end; it is called for each pair. Bodies of the moment that do not concern, if that
+  /// is given, are not measured, as if they were far apart.
   std::optional<ComputedDistances> compute(const MomentPtr& moment, MomentPairs& pairs,
                                            TriangleTrees::Time now,
-                                           const std::function<bool()>& is_cancelled);
+                                           const std::function<bool()>& is_cancelled,
+                                           const Concerns& concerns = {});
 
   TriangleTrees& trees() { return bodies_.trees(); }
 
@@ -42,7 +46,7 @@ class SceneDistances {
 
  private:
   bool findCandidates(const MomentPtr& moment, MomentPairs& pairs,
-                      const std::function<bool()>& is_cancelled);
+                      const std::function<bool()>& is_cancelled, const Concerns& concerns);
   void measure(const BoxPair& pair, double limit, PairHeap& nearest);
   void leaveOut(std::size_t first, std::size_t second);
   ComputedDistances result(const MomentPtr& moment, const std::vector<FoundPair>& pairs) const;

@@ -73,6 +73,10 @@ std::size_t sharedJoints(const ContactReach& a, const ContactReach& b) {
   return count;
 }
 
+bool canMeet(const ContactReach& a, const ContactReach& b) {
+  return std::max(a.steps_.size(), b.steps_.size()) > sharedJoints(a, b);
+}
+
 std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
                                             double distance, std::int64_t end) {
   const std::size_t shared = sharedJoints(a, b);
@@ -81,7 +85,7 @@ std::optional<std::int64_t> earliestContact(const ContactReach& a, const Contact
   };
   const bool a_moves = a.steps_.size() > shared;
   const bool b_moves = b.steps_.size() > shared;
-  if (!(a_moves || b_moves) || !can_touch(end)) return std::nullopt;
+  if (!canMeet(a, b) || !can_touch(end)) return std::nullopt;
   std::int64_t before = std::min(a_moves ? a.stamp_ : end, b_moves ? b.stamp_ : end);
   std::int64_t after = end;
   while (after - before > kResolution) {

@@ -35,6 +35,7 @@ class ContactReach {
   std::int64_t stamp() const { return stamp_; }
 
   friend std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
+  friend bool canMeet(const ContactReach& a, const ContactReach& b);
   friend std::optional<std::int64_t> earliestContact(const ContactReach& a, const ContactReach& b,
                                                      double distance, std::int64_t end);
 
@@ -57,6 +58,9 @@ class ContactReach {
 
 /// The number of joints at the root that both have, or 0 if their stamps differ.
 std::size_t sharedJoints(const ContactReach& a, const ContactReach& b);
+
+/// Whether a joint moves one of the two relative to the other.
+bool canMeet(const ContactReach& a, const ContactReach& b);
 
 /// Until when two bodies that are at least so far apart [m] cannot touch [ns]; nothing if they
 /// cannot before `end` either. It is rounded down to 1 us.

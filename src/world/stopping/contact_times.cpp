@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pairs within distance_limit have their measured distance. All others are farther apart, and no
 // nearer than their boxes: of these, only the ones count that can touch before all pairs so far.
+// Pairs that no joint moves are not even measured: a scene has most of its pairs among objects.
 #include "world/stopping/contact_times.h"
 
 #include <algorithm>
@@ -32,7 +33,12 @@ class Contacts {
     }
   }
 
-  /// A pair of ~distances.
+  /// Whether the distance of two bodies matters.
+  bool canMeet(std::size_t a, std::size_t b) const {
+    return link_bounds::canMeet(reaches_[a], reaches_[b]);
+  }
+
+  /// A pair that was measured.
   void add(const Distance& distance) {
     const std::size_t a = bodies_.at(distance.first);
     const std::size_t b = bodies_.at(distance.second);
@@ -64,6 +70,10 @@ class Contacts {
 
   /// Pairs by their boxes.
   void addOthers(std::vector<BoxPair> pairs) {
+    const auto cannot_meet = [this](const BoxPair& pair) {
+      return !canMeet(pair.first, pair.second);
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), cannot_meet), pairs.end());
     std::sort(pairs.begin(), pairs.end(), [](const BoxPair& a, const BoxPair& b) {
       return std::tie(a.distance, a.first, a.second) < std::tie(b.distance, b.first, b.second);
     });
@@ -125,11 +135,14 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
   const WayBoxes boxes = wayBoxes(scene, ways, [](const PastBody& body, const BodyWay& way) {
     return linkBox(*body.bounded, way.pose);
   });
-  const auto computed = distances_.compute(boxes.moment, pairs_, now, is_cancelled);
-  if (!computed) return std::nullopt;
   const ros::Time stamp = boxes.moment->header.stamp;
   const ros::Time start = stamp.isZero() ? scene.now : stamp;
   Contacts contacts(boxes, rules, static_cast<std::int64_t>(start.toNSec()) + kHorizon);
+  const auto can_meet = [&contacts](std::size_t a, std::size_t b) {
+    return contacts.canMeet(a, b);
+  };
+  const auto computed = distances_.compute(boxes.moment, pairs_, now, is_cancelled, can_meet);
+  if (!computed) return std::nullopt;
   contacts.setLimit(computed->array);
   for (const Distance& distance : computed->array.distances)
     contacts.add(distance);
