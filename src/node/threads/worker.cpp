@@ -32,6 +32,11 @@ constexpr std::chrono::milliseconds kPoll(20);  // how late await() notices a sh
 /// get-boxes`).
 constexpr std::chrono::microseconds kAwake(200);
 
+/// What was posted follows from boxes that were published just now, and the threads that pass these
+/// on need the processors: the 99th percentile of the boxes' age was 1.9 times as high with all
+/// topics of what is ahead heard, and with this 1.0 times (`scripts/bench overload --stopping`).
+constexpr std::chrono::milliseconds kHeadStart(1);
+
 /// What await() shares with the other thread.
 struct Awaited {
   std::mutex mutex;  ///< held while the piece is called
@@ -268,6 +273,7 @@ Worker::Next Worker::next() {
     } else {
       inbox_->wake.wait(lock, is_due);
     }
+    if (options_.is_nice && !inbox_->posted.empty()) giveHeadStart(lock);
   }
   if (inbox_->is_stopped) return todo;
   std::swap(todo.discarded, inbox_->discarded);
@@ -284,6 +290,12 @@ Worker::Next Worker::next() {
     inbox_->is_running_cancelled = false;
   }
   return todo;
+}
+
+/// To the threads that go first, unless something else is urgent.
+void Worker::giveHeadStart(std::unique_lock<std::mutex>& lock) {
+  inbox_->wake.wait_for(lock, kHeadStart,
+                        [this] { return inbox_->is_stopped || !inbox_->urgent.empty(); });
 }
 
 void Worker::doUrgent(Urgent urgent) {

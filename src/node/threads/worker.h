@@ -24,8 +24,10 @@ class Worker : public ros::CallbackQueueInterface {
   using Work = std::function<void()>;
 
   struct Options {
-    std::string name;      ///< of the thread, for the error if it cannot be started
-    bool is_nice = false;  ///< where cores are scarce, threads that are not nice go first
+    std::string name;  ///< of the thread, for the error if it cannot be started
+    /// Threads that are not nice go first, where cores are scarce. While nothing else waits, it
+    /// begins with what is posted 1 ms later.
+    bool is_nice = false;
     /// Called on the thread at its start, after all that waits was done, and then every
     /// `tick_period` while it returns true.
     std::function<bool()> on_tick = [] { return false; };
@@ -94,6 +96,7 @@ class Worker : public ros::CallbackQueueInterface {
   static void discard(Inbox& inbox, std::shared_ptr<const void> value);
   void run();
   Next next();
+  void giveHeadStart(std::unique_lock<std::mutex>& lock);
   void doUrgent(Urgent urgent);
   void doPosted(const Work& work);
 

@@ -13,6 +13,7 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "node/threads/queued_function.h"
@@ -73,6 +74,25 @@ TEST(Worker, DoesUrgentWorkFirst) {
   gate.open();
   drain(worker);
   EXPECT_EQ(done, (std::vector<int>{1, 2, 3}));
+}
+
+/// Whoever passes on the boxes from which the work follows goes first.
+TEST(Worker, BeginsLaterIfItIsNice) {
+  std::promise<void> idle;
+  Worker::Options nice = named("test");
+  nice.is_nice = true;
+  nice.on_tick = [&idle, is_first = true]() mutable {
+    if (std::exchange(is_first, false)) idle.set_value();
+    return false;
+  };
+  Worker worker(nice);
+  ASSERT_EQ(idle.get_future().wait_for(kDeadline), std::future_status::ready);
+  const auto posted = std::chrono::steady_clock::now();
+  std::promise<std::chrono::steady_clock::time_point> begun;
+  worker.post("a", [&begun] { begun.set_value(std::chrono::steady_clock::now()); });
+  auto begin = begun.get_future();
+  ASSERT_EQ(begin.wait_for(kDeadline), std::future_status::ready);
+  EXPECT_GE(begin.get() - posted, std::chrono::milliseconds(1));
 }
 
 TEST(Worker, RefusesWhatExceedsItsBytesUnlessNothingElseWaits) {
