@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Places each body once per pose, and keeps one memory per pair.
+// Places a body once per pose, and only where a search needs it. Keeps one memory per pair, with a
+// lease on what was found last. A lease ends with its bodies, at a pose that is not rigid, and
+// where what it carries along no longer reaches the goal: isCarried() decides all of that.
 #include "link_bounds/geometry/distance/body_distances.h"
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
+#include "geometry/distance/lease.h"
 #include "geometry/distance/placed_distance.h"
 
 namespace link_bounds {
@@ -16,13 +19,22 @@ class BodyDistances::Memories {
 
   void set(std::size_t index, std::shared_ptr<const Body> body) {
     if (index >= slots_.size()) slots_.resize(index + 1);
-    slots_[index] = {std::move(body), std::nullopt, ++last_version_};
-    if (!slots_[index].body) forget(index);
+    Slot& slot = slots_[index];
+    slot = Slot();
+    slot.body = std::move(body);
+    slot.version = ++last_version_;
+    if (slot.body) slot.ball = ballOf(*slot.body);
+    if (!slot.body) forget(index);
   }
 
   void move(std::size_t index, const Eigen::Affine3d& world_from_body) {
     if (index >= slots_.size() || !slots_[index].body) return;
-    slots_[index].placed = placedBody(*slots_[index].body, world_from_body);
+    Slot& slot = slots_[index];
+    if (slot.pose && slot.pose->matrix() == world_from_body.matrix()) return;
+    slot.pose = world_from_body;
+    slot.pose_version = ++last_version_;
+    slot.is_placed = false;
+    slot.rigid = slot.ball ? rigidBody(*slot.ball, world_from_body) : std::nullopt;
   }
 
   std::optional<BodyDistance> find(std::size_t first, std::size_t second) {
@@ -30,15 +42,27 @@ class BodyDistances::Memories {
     if (second >= slots_.size()) return std::nullopt;
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
-    if (!a.placed || !b.placed) return std::nullopt;
-    if (const auto far = distanceBeyond(goal.limit, *a.placed, *b.placed)) return far;
-    const auto entry = pairs_.try_emplace({first, second}).first;
-    Pair& pair = entry->second;
-    if (!pair.isOf(a, b)) pair = {PairMemory(), a.version, b.version};
-    pair.round = round_;
-    const BodyDistance result = placedDistance(*a.placed, *b.placed, goal, pair.memory);
-    if (!pair.memory.is_known) pairs_.erase(entry);
+    if (!a.placed() || !b.placed()) return std::nullopt;
+    if (const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed())) return far;
+    const auto entry = pairs_.try_emplace(keyOf(first, second)).first;
+    const BodyDistance result = search(entry->second, a, b);
+    if (!entry->second.memory.is_known) pairs_.erase(entry);
     return result;
+  }
+
+  std::optional<BodyDistance> follow(std::size_t first, std::size_t second) {
+    if (first > second) return swapped(follow(second, first));
+    if (second >= slots_.size()) return std::nullopt;
+    const Slot& a = slots_[first];
+    const Slot& b = slots_[second];
+    if (!a.pose || !b.pose) return std::nullopt;
+    const auto known = pairs_.find(keyOf(first, second));
+    if (known != pairs_.end() && isCarried(known->second, a, b)) return known->second.last;
+    if (!a.placed() || !b.placed()) return std::nullopt;
+    Pair& pair = known != pairs_.end() ? known->second : pairs_[keyOf(first, second)];
+    const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed());
+    begin(pair, far ? *far : search(pair, a, b), a, b);
+    return pair.last;
   }
 
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
@@ -46,10 +70,10 @@ class BodyDistances::Memories {
     if (second >= slots_.size()) return std::nullopt;
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
-    if (!a.placed || !b.placed) return std::nullopt;
-    if (const auto far = distanceBeyond(limit, *a.placed, *b.placed)) return far;
+    if (!a.placed() || !b.placed()) return std::nullopt;
+    if (const auto far = distanceBeyond(limit, *a.placed(), *b.placed())) return far;
     PairMemory memory;
-    return placedDistance(*a.placed, *b.placed, {goal.accuracy, limit, goal.max_steps}, memory);
+    return placedDistance(*a.placed(), *b.placed(), {goal.accuracy, limit, goal.max_steps}, memory);
   }
 
   void forgetUnused() {
@@ -63,29 +87,88 @@ class BodyDistances::Memories {
  private:
   struct Slot {
     std::shared_ptr<const Body> body;
-    std::optional<PlacedBody> placed;
-    std::uint64_t version = 0;  ///< of the body; no other body ever has it
+    std::optional<Ball> ball;
+    std::optional<Eigen::Affine3d> pose;
+    std::optional<RigidBody> rigid;  ///< at this pose
+    std::uint64_t version = 0;       ///< of the body; no other body or pose ever has it
+    std::uint64_t pose_version = 0;
+    mutable std::optional<PlacedBody> its_placed;
+    mutable bool is_placed = false;
+
+    /// Nothing without a usable pose.
+    const std::optional<PlacedBody>& placed() const {
+      if (pose && !is_placed) its_placed = placedBody(*body, *pose);
+      is_placed = pose.has_value();
+      return its_placed;
+    }
   };
   struct Pair {
     PairMemory memory;
     std::uint64_t first_version = 0;
     std::uint64_t second_version = 0;
-    std::uint64_t round = 0;  ///< in which it was searched
+    std::uint64_t round = 0;  ///< in which it was asked for
+    std::optional<Lease> lease;
+    BodyDistance last{};           ///< what follow() said
+    std::uint64_t first_pose = 0;  ///< the version of the pose of which it said that
+    std::uint64_t second_pose = 0;
 
     bool isOf(const Slot& first, const Slot& second) const {
       return first_version == first.version && second_version == second.version;
     }
   };
 
+  static std::uint64_t keyOf(std::size_t first, std::size_t second) {
+    return std::uint64_t{first} << 32 | std::uint64_t{second};
+  }
+
+  /// Ends what is known of bodies that were replaced.
+  void adopt(Pair& pair, const Slot& a, const Slot& b) const {
+    if (!pair.isOf(a, b)) {
+      pair = Pair();
+      pair.first_version = a.version;
+      pair.second_version = b.version;
+    }
+    pair.round = round_;
+  }
+
+  BodyDistance search(Pair& pair, const Slot& a, const Slot& b) const {
+    adopt(pair, a, b);
+    return placedDistance(*a.placed(), *b.placed(), goal, pair.memory);
+  }
+
+  void begin(Pair& pair, const BodyDistance& found, const Slot& a, const Slot& b) const {
+    adopt(pair, a, b);
+    pair.lease.reset();
+    if (a.rigid && b.rigid) pair.lease.emplace(found, *a.rigid, *b.rigid);
+    show(pair, found, a, b);
+  }
+
+  static void show(Pair& pair, const BodyDistance& distance, const Slot& a, const Slot& b) {
+    pair.last = distance;
+    pair.first_pose = a.pose_version;
+    pair.second_pose = b.pose_version;
+  }
+
+  /// Whether `last` of the pair is good enough at the poses of now.
+  bool isCarried(Pair& pair, const Slot& a, const Slot& b) const {
+    if (!pair.isOf(a, b) || pair.first_pose == 0) return false;
+    if (pair.first_pose != a.pose_version || pair.second_pose != b.pose_version) {
+      if (!pair.lease || !a.rigid || !b.rigid) return false;
+      show(pair, pair.lease->carried(*a.rigid, *b.rigid), a, b);
+    }
+    pair.round = round_;
+    return pair.last.lower > goal.limit || pair.last.upper - pair.last.lower <= goal.accuracy;
+  }
+
   void forget(std::size_t index) {
     for (auto pair = pairs_.begin(); pair != pairs_.end();) {
-      const bool is_of_it = pair->first.first == index || pair->first.second == index;
+      const bool is_of_it = pair->first >> 32 == index || (pair->first & 0xffffffff) == index;
       pair = is_of_it ? pairs_.erase(pair) : std::next(pair);
     }
   }
 
   std::vector<Slot> slots_;
-  std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
+  std::unordered_map<std::uint64_t, Pair> pairs_;  ///< by both indices
   std::uint64_t last_version_ = 0;
   std::uint64_t round_ = 0;  ///< ends with forgetUnused()
 };
@@ -110,6 +193,10 @@ void BodyDistances::setGoal(const DistanceGoal& goal) {
 
 std::optional<BodyDistance> BodyDistances::find(std::size_t first, std::size_t second) {
   return memories_->find(first, second);
+}
+
+std::optional<BodyDistance> BodyDistances::follow(std::size_t first, std::size_t second) {
+  return memories_->follow(first, second);
 }
 
 std::optional<BodyDistance> BodyDistances::findOnce(std::size_t first, std::size_t second,

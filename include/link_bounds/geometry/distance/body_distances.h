@@ -33,10 +33,16 @@ class BodyDistances {
   /// Nothing if one of the two is not there, has had no pose, or has no finite box in its last one.
   std::optional<BodyDistance> find(std::size_t first, std::size_t second);
 
+  /// As find(), but searches nothing where both bodies have moved so little, relative to each
+  /// other, that what the last follow() of the pair found is still good enough: its lower bound,
+  /// less that motion, and its points, carried along with the bodies. Both bounds are proven as
+  /// those of find(), and as near to each other. Poses that scale or mirror are searched each time.
+  std::optional<BodyDistance> follow(std::size_t first, std::size_t second);
+
   /// As find(), with another limit [m], and remembers nothing of the pair.
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const;
 
-  /// Forgets the pairs that find() has not searched since the last call.
+  /// Forgets the pairs that neither find() nor follow() was asked for since the last call.
   void forgetUnused();
 
  private:

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a carried bound is proven. A point p of one body is at A p + a, a point q of the other one at
+// B q + b, with |A'A - 1| <= e of A and as much of B, so that |A v| and |A'v| are |v| to within
+// e |v|. With M = A'B and m = A'(b - a), the vector v between the two points has
+//   A'v = M q + m - p, but for e |p|.
+// From one pair of poses to another one, the right side changes by
+//   (M1 - M0) q + m1 - m0,  which is at most  |(M1 - M0) c + m1 - m0| + |M1 - M0| r
+// for all q within r of c. So |v| of no two points shrinks by more than that, the motion of one
+// body as the other one sees it. What moves both together costs nothing. M differs from a rotation
+// by the two e, and the difference of two rotations stretches no vector by more than its Frobenius
+// norm over sqrt(2), which is the chord of the angle between them.
+//
+// Let D be the sum of the four e, each at least 64u, and S the sum of how far both bodies reach and
+// of the offsets of their origins, then and now. No length above exceeds 4 S. The e cost
+//   |v| to |A'v| and back, and e |p|                       at most 7 D S
+//   M against rotations                                    2.3 D S
+//   a point of the world to its body by A' and not A^-1    1.1 D S
+// and the rounding of all sums and products less than D S. kSlack is 16. A point is known in the
+// world, so its rounding there is added once. Along a normal that turns with the first body, the
+// gap shrinks by the same motion, so the normal of a level of boxes or hulls proves the bound as
+// before.
+#include "geometry/distance/lease.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "link_bounds/geometry/box/rounding.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kSlack = 16;
+constexpr double kLeastDefect = 64 * kUnitRoundoff;
+constexpr double kLargestDefect = 1e-9;  // that of poses of tf is below 1e-14
+constexpr double kLargest = 1e9;         // m; the square of nothing overflows
+
+}  // namespace
+
+std::optional<Ball> ballOf(const Body& body) {
+  Aabb box;
+  for (const BodyShape& body_shape : body.shapes) {
+    Shape shape = body_shape.shape;
+    const auto its_box = worldBox(shape, Eigen::Affine3d::Identity());
+    if (!its_box) return std::nullopt;
+    box.extend(*its_box);
+    if (body_shape.tip) box.extend(shape.link_from_shape * *body_shape.tip);
+  }
+  if (box.isEmpty()) return std::nullopt;
+  return Ball{box.center(), (box.max() - box.min()).norm() / 2 * (1 + 8 * kUnitRoundoff)};
+}
+
+std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body) {
+  const Eigen::Matrix3d axes = world_from_body.linear();
+  const Eigen::Vector3d origin = world_from_body.translation();
+  const Eigen::Matrix3d product = axes.transpose() * axes;
+  const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kLeastDefect;
+  const bool is_small = origin.norm() <= kLargest && ball.reach() <= kLargest;
+  if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;
+  return RigidBody{ball, axes, origin, defect};
+}
+
+Lease::Relative::Relative(const RigidBody& first, const RigidBody& second)
+    : mover(second.ball.radius <= first.ball.radius ? second : first) {
+  const RigidBody& other = &mover == &second ? first : second;
+  axes.noalias() = other.axes.transpose() * mover.axes;
+  origin.noalias() = other.axes.transpose() * (mover.origin - other.origin);
+}
+
+double Lease::sizeOf(const RigidBody& first, const RigidBody& second) {
+  return first.ball.reach() + second.ball.reach() + (second.origin - first.origin).norm();
+}
+
+Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second)
+    : lower_(found.lower),
+      level_(found.level),
+      on_first_(first.axes.transpose() * (found.on_first - first.origin)),
+      on_second_(second.axes.transpose() * (found.on_second - second.origin)),
+      normal_(first.axes.transpose() * found.normal),
+      defect_(first.defect + second.defect),
+      size_(sizeOf(first, second)),
+      rounding_(8 * kUnitRoundoff * (first.origin.norm() + second.origin.norm() + size_)) {
+  const Relative then(first, second);
+  axes_ = then.axes;
+  origin_ = then.origin;
+}
+
+double Lease::motion(const Relative& now) const {
+  const Eigen::Matrix3d turned = now.axes - axes_;
+  const Eigen::Vector3d shifted = turned * now.mover.ball.center + (now.origin - origin_);
+  return shifted.norm() + turned.norm() * M_SQRT1_2 * now.mover.ball.radius;
+}
+
+BodyDistance Lease::carried(const RigidBody& first, const RigidBody& second) const {
+  const double slack =
+      kSlack * (defect_ + first.defect + second.defect) * (size_ + sizeOf(first, second)) +
+      rounding_;
+  const Eigen::Vector3d from_first = first.axes * on_first_;
+  const Eigen::Vector3d from_second = second.axes * on_second_;
+  const Eigen::Vector3d between = (second.origin - first.origin) + (from_second - from_first);
+  const double upper = between.norm() + slack;
+  const double lower = std::max(0.0, lower_ - motion(Relative(first, second)) - slack);
+  BodyDistance result{std::min(lower, upper),    upper,
+                      first.origin + from_first, second.origin + from_second,
+                      Eigen::Vector3d::Zero(),   level_};
+  if (!(result.lower > 0)) return result;
+  result.normal = level_ == DistanceLevel::kMesh ? between.stableNormalized()
+                                                 : (first.axes * normal_).stableNormalized();
+  return result;
+}
+
+}  // namespace link_bounds

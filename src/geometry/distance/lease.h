@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A distance that was proven once, carried along while its two bodies move a little.
+#pragma once
+
+#include <optional>
+
+#include "link_bounds/geometry/distance/body_distance.h"
+
+namespace link_bounds {
+
+/// Holds a body, in its own frame.
+struct Ball {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;
+
+  /// No point of the body is farther from the origin of its frame.
+  double reach() const { return center.norm() + radius; }
+};
+
+/// Nothing if the body has no shape or no finite box.
+std::optional<Ball> ballOf(const Body& body);
+
+/// A body at a pose that keeps its form.
+struct RigidBody {
+  Ball ball;
+  Eigen::Matrix3d axes;
+  Eigen::Vector3d origin;
+  double defect;  ///< bounds |axes' axes - 1|, with the rounding of products
+};
+
+/// Nothing if the pose scales or mirrors, or if lengths are beyond 1e9 m.
+std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body);
+
+class Lease {
+ public:
+  /// `found` at these poses.
+  Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second);
+
+  /// The same two bodies at other poses: the bound less what they have moved relative to each other
+  /// since, and the points where the bodies have carried them. Both are proven.
+  BodyDistance carried(const RigidBody& first, const RigidBody& second) const;
+
+ private:
+  /// The body with the smaller ball, in the frame of the other one.
+  struct Relative {
+    Relative(const RigidBody& first, const RigidBody& second);
+    const RigidBody& mover;
+    Eigen::Matrix3d axes;
+    Eigen::Vector3d origin;
+  };
+  static double sizeOf(const RigidBody& first, const RigidBody& second);
+  double motion(const Relative& now) const;
+
+  double lower_;
+  DistanceLevel level_;
+  Eigen::Vector3d on_first_;  ///< in the frame of the first body
+  Eigen::Vector3d on_second_;
+  Eigen::Vector3d normal_;  ///< in the frame of the first body
+  Eigen::Matrix3d axes_;    ///< of the relative pose
+  Eigen::Vector3d origin_;
+  double defect_;
+  double size_;
+  double rounding_;
+};
+
+}  // namespace link_bounds

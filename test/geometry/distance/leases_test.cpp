@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances that are carried along, in random sequences, against a computation without memory.
+#include <gtest/gtest.h>
+
+#include "geometry/distance/lease.h"
+#include "link_bounds/geometry/distance/body_distances.h"
+#include "testing/distance_bodies.h"
+#include "testing/sanitized.h"
+
+namespace link_bounds {
+namespace {
+
+using brute_force::Random;
+
+constexpr std::size_t kBodies = 4;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Twin {
+  std::shared_ptr<const Body> body;
+  std::optional<Eigen::Affine3d> pose;
+};
+
+std::shared_ptr<const Body> anyBody(Random& random) {
+  auto body = std::make_shared<Body>();
+  const int shapes = static_cast<int>(random.uniform(1, 4));
+  for (int i = 0; i < shapes; ++i) {
+    MeshBody mesh;
+    mesh.add(anyMesh(random, 0.3), random.rigid(0.3));
+    body->shapes.push_back(mesh.body.shapes[0]);
+    if (random.sign() > 0) continue;
+    body->shapes.back() = {
+        {nullptr, Solid::kCylinder, random.vector(0.5).cwiseAbs(), random.rigid(0.3)}};
+    if (random.sign() > 0) body->shapes.back().tip = random.vector(0.5);
+  }
+  return body;
+}
+
+/// From tiny to large: most are small, so that leases last.
+Eigen::Affine3d step(Random& random) {
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  result.rotate(Eigen::AngleAxisd(random.magnitude(-9, -2), random.vector(1).normalized()));
+  result.translation() = random.vector(random.magnitude(-9, -2));
+  return result;
+}
+
+class Sequence {
+ public:
+  explicit Sequence(Random& random) : random_(random), twins_(kBodies) {
+    setGoal();
+    for (std::size_t i = 0; i < kBodies; ++i)
+      replace(i, anyBody(random_));
+  }
+
+  void change() {
+    if (random_.uniform(0, 30) < 1) setGoal();
+    if (random_.uniform(0, 3) < 1) moveAll();
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      if (random_.uniform(0, 3) < 1) change(i);
+    }
+  }
+
+  /// Both bounds are proven, so they must fit those of another proof.
+  void compare() {
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      for (std::size_t j = 0; j < kBodies; ++j)
+        compare(twins_[i], twins_[j], distances_.follow(i, j));
+    }
+  }
+
+ private:
+  void setGoal() {
+    goal_ = {random_.magnitude(-5, -1), random_.sign() > 0 ? kInfinity : random_.magnitude(-2, 0)};
+    distances_.setGoal(goal_);
+  }
+
+  void replace(std::size_t i, std::shared_ptr<const Body> body) {
+    twins_[i] = {std::move(body), std::nullopt};
+    distances_.set(i, twins_[i].body);
+    if (twins_[i].body) move(i, random_.rigid(0.7));
+  }
+
+  void move(std::size_t i, const Eigen::Affine3d& pose) {
+    twins_[i].pose = pose;
+    distances_.move(i, pose);
+  }
+
+  /// As on a base that moves.
+  void moveAll() {
+    Eigen::Affine3d base = random_.rigid(random_.magnitude(-3, 3));
+    if (random_.sign() > 0) base = step(random_);
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      if (twins_[i].body && isUsablePose(*twins_[i].pose)) move(i, base * *twins_[i].pose);
+    }
+  }
+
+  void change(std::size_t i) {
+    const int what = static_cast<int>(random_.uniform(0, 100));
+    if (what == 0 || !twins_[i].body) return replace(i, what == 0 ? nullptr : anyBody(random_));
+    if (what == 1) return replace(i, anyBody(random_));
+    const bool jumps = what < 10 || !isUsablePose(*twins_[i].pose);
+    Eigen::Affine3d pose = jumps ? random_.rigid(0.7) : *twins_[i].pose * step(random_);
+    if (what == 2) pose(0, 3) = random_.sign() * kInfinity;
+    if (what == 3) pose(1, 1) = std::nan("");
+    if (what == 4) pose(2, 3) = 1e300;
+    if (what == 5) pose.linear() *= random_.uniform(0.5, 2);
+    if (what == 6) pose.linear().col(0) *= -1;
+    if (what == 7) pose.linear() *= 1 + random_.magnitude(-15, -5);
+    move(i, pose);
+  }
+
+  void compare(const Twin& a, const Twin& b, const std::optional<BodyDistance>& found) const {
+    const bool is_known = a.body && b.body;
+    const auto fresh = is_known ? bodyDistance(*a.body, *a.pose, *b.body, *b.pose, goal_)
+                                : std::optional<BodyDistance>();
+    ASSERT_EQ(found.has_value(), fresh.has_value());
+    if (!found) return;
+    ASSERT_LE(found->lower, fresh->upper);
+    ASSERT_LE(fresh->lower, found->upper);
+    ASSERT_LE(found->lower, found->upper);
+    const double points = (found->on_second - found->on_first).norm();
+    const double far = a.pose->translation().norm() + b.pose->translation().norm() + 1;
+    ASSERT_LE(points, found->upper + 1e-12 * far);
+    ASSERT_LE(found->upper, points + 1e-6 * far);  // of poses that are hardly rigid
+    if (!(found->lower > goal_.limit)) {
+      ASSERT_TRUE(found->upper - found->lower <= goal_.accuracy ||
+                  fresh->upper - fresh->lower > goal_.accuracy);
+    }
+    const double normal = found->normal.norm();
+    ASSERT_NEAR(normal, found->lower > 0 ? 1 : 0, 1e-9);
+  }
+
+  Random& random_;
+  std::vector<Twin> twins_;
+  DistanceGoal goal_;
+  BodyDistances distances_;
+};
+
+TEST(Leases, holdInRandomSequences) {
+  Random random(34);
+  for (int sequence = 0; sequence < repetitions(20); ++sequence) {
+    Sequence bodies(random);
+    for (int i = 0; i < 200 && !HasFatalFailure(); ++i) {
+      bodies.change();
+      bodies.compare();
+    }
+  }
+}
+
+/// How far the two bodies of `body` are apart on `axis`, which no triangle decides.
+class Boxes {
+ public:
+  explicit Boxes(double limit) : distances_({1e-4, limit}) {
+    auto body = std::make_shared<Body>();
+    body->shapes.push_back({{nullptr, Solid::kBox, {1, 1, 1}, Eigen::Affine3d::Identity()}});
+    distances_.set(0, body);
+    distances_.set(1, body);
+  }
+
+  BodyDistance at(const Eigen::Affine3d& first, const Eigen::Affine3d& second) {
+    distances_.move(0, first);
+    distances_.move(1, second);
+    return *distances_.follow(0, 1);
+  }
+
+ private:
+  BodyDistances distances_;
+};
+
+Eigen::Affine3d along(double x) {
+  return Eigen::Affine3d(Eigen::Translation3d(x, 0, 0));
+}
+
+TEST(Leases, carryABoundThatBecomesSmallerByTheMotion) {
+  Boxes boxes(kInfinity);
+  const BodyDistance before = boxes.at(along(0), along(2));
+  EXPECT_NEAR(before.lower, 1, 1e-9);
+  const BodyDistance away = boxes.at(along(0), along(2 + 2e-5));
+  EXPECT_NEAR(away.lower, 1 - 2e-5, 1e-9);
+  EXPECT_NEAR(away.upper, 1 + 2e-5, 1e-9);
+  EXPECT_NEAR(away.on_second.x(), before.on_second.x() + 2e-5, 1e-12);
+  const BodyDistance searched = boxes.at(along(0), along(2 + 8e-5));
+  EXPECT_NEAR(searched.lower, 1 + 8e-5, 1e-9);
+}
+
+TEST(Leases, carryWhatIsBeyondTheLimitUntilItMayBeWithin) {
+  Boxes boxes(0.1);
+  EXPECT_NEAR(boxes.at(along(0), along(2)).lower, 1, 1e-9);
+  EXPECT_NEAR(boxes.at(along(0), along(2.5)).lower, 0.5, 1e-9);
+  EXPECT_NEAR(boxes.at(along(0), along(2.95)).lower, 1.95, 1e-9);
+  EXPECT_NEAR(boxes.at(along(0), along(1.2)).lower, 0.2, 1e-9);
+}
+
+TEST(Leases, costNothingOnOneBase) {
+  Boxes boxes(kInfinity);
+  Random random(3);
+  const Eigen::Affine3d second = along(2) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
+  const BodyDistance before = boxes.at(along(0), second);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Affine3d base = random.rigid(10);
+    const BodyDistance on_base = boxes.at(base, base * second);
+    ASSERT_NEAR(on_base.lower, before.lower, 1e-10);
+    ASSERT_LE((base * before.on_first - on_base.on_first).norm(), 1e-12);
+    ASSERT_LE((base * before.on_second - on_base.on_second).norm(), 1e-12);
+    ASSERT_LE((base.linear() * before.normal - on_base.normal).norm(), 1e-12);
+  }
+}
+
+TEST(Leases, areGivenToRigidPosesOnly) {
+  const Ball ball{{1, 2, 3}, 4};
+  Eigen::Affine3d pose(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE(rigidBody(ball, pose));
+  Eigen::Affine3d mirrored = pose;
+  mirrored.linear().col(1) *= -1;
+  EXPECT_FALSE(rigidBody(ball, mirrored));
+  Eigen::Affine3d scaled = pose;
+  scaled.linear() *= 1.001;
+  EXPECT_FALSE(rigidBody(ball, scaled));
+  pose.translation().x() = 1e10;
+  EXPECT_FALSE(rigidBody(ball, pose));
+  EXPECT_FALSE(rigidBody({{1e10, 0, 0}, 1}, Eigen::Affine3d::Identity()));
+}
+
+/// Of points of two balls, at poses whose axes are not quite orthogonal.
+TEST(Leases, boundEveryPairOfPoints) {
+  Random random(5);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d p = random.vector(1), q = random.vector(0.5);
+    const Ball first{random.vector(1), 0}, second{random.vector(0.5), 0};
+    const auto at = [&](Eigen::Affine3d pose) {
+      pose.linear() += Eigen::Matrix3d::Ones() * random.sign() * random.magnitude(-17, -11);
+      return pose;
+    };
+    const auto holding = [](Ball ball, const Eigen::Vector3d& point) {
+      ball.radius = (point - ball.center).norm() * (1 + 1e-15);
+      return ball;
+    };
+    const Eigen::Affine3d a0 = at(random.rigid(2)), b0 = at(random.rigid(2));
+    const Eigen::Affine3d a1 = at(a0 * step(random)), b1 = at(b0 * step(random));
+    const auto placed = [&](const Ball& ball, const Eigen::Vector3d& point,
+                            const Eigen::Affine3d& pose) {
+      return *rigidBody(holding(ball, point), pose);
+    };
+    const double then = (a0 * p - b0 * q).norm(), now = (a1 * p - b1 * q).norm();
+    const BodyDistance found{
+        then, then, a0 * p, b0 * q, (b0 * q - a0 * p) / then, DistanceLevel::kHull};
+    const Lease lease(found, placed(first, p, a0), placed(second, q, b0));
+    const BodyDistance carried = lease.carried(placed(first, p, a1), placed(second, q, b1));
+    ASSERT_LE(carried.lower, now);
+    ASSERT_GE(carried.upper, now);
+  }
+}
+
+}  // namespace
+}  // namespace link_bounds
