@@ -21,7 +21,7 @@ DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callba
     : pairs_(pairs),
       callbacks_(std::move(callbacks)),
       keep_(keep),
-      distances_(requests),
+      distances_(requests, true),
       requests_(std::move(requests)),
       worker_({"distances", true, [this] { return onTick(); }, kTick}) {}
 
@@ -99,7 +99,7 @@ void DistanceThread::forgetIfUnwanted() {
 }
 
 void DistanceThread::forget() {
-  distances_ = SceneDistances(requests_);
+  distances_ = SceneDistances(requests_, true);
   current_ = nullptr;
 }
 

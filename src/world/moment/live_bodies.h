@@ -27,6 +27,11 @@ class LiveBodies {
     return distances_.find(slots_of_bodies_[first], slots_of_bodies_[second]);
   }
 
+  /// As find(), but carries along what was found before where that is good enough.
+  std::optional<BodyDistance> follow(std::size_t first, std::size_t second) {
+    return distances_.follow(slots_of_bodies_[first], slots_of_bodies_[second]);
+  }
+
   /// The shapes of a body, given by its index in the last moment.
   const Body& body(std::size_t index) const { return *slots_[slots_of_bodies_[index]].body; }
 

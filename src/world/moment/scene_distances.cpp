@@ -77,10 +77,15 @@ bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
 }
 
 /// Of a pair that may push another one out, nothing is remembered: there may be very many.
+std::optional<BodyDistance> SceneDistances::distanceOf(const BoxPair& pair,
+                                                       const PairHeap& nearest) {
+  if (nearest.isFull()) return bodies_.findOnce(pair.first, pair.second, nearest.farthest());
+  if (are_carried_) return bodies_.follow(pair.first, pair.second);
+  return bodies_.find(pair.first, pair.second);
+}
+
 void SceneDistances::measure(const BoxPair& pair, double limit, PairHeap& nearest) {
-  const std::optional<BodyDistance> found =
-      nearest.isFull() ? bodies_.findOnce(pair.first, pair.second, nearest.farthest())
-                       : bodies_.find(pair.first, pair.second);
+  const std::optional<BodyDistance> found = distanceOf(pair, nearest);
   if (!found) {  // coordinates above 1e60 m
     is_incomplete_[pair.first] = true;
     is_incomplete_[pair.second] = true;

@@ -27,7 +27,10 @@ struct ComputedDistances {
 /// Not thread-safe; belongs to one thread.
 class SceneDistances {
  public:
-  explicit SceneDistances(TreeRequests requests) : bodies_(std::move(requests)) {}
+  /// Where `are_carried`, a pair of bodies that have moved little is not searched, see
+  /// BodyDistances::follow().
+  explicit SceneDistances(TreeRequests requests, bool are_carried = false)
+      : bodies_(std::move(requests)), are_carried_(are_carried) {}
 
   using Concerns = std::function<bool(std::size_t first, std::size_t second)>;
 
@@ -47,12 +50,14 @@ class SceneDistances {
  private:
   bool findCandidates(const MomentPtr& moment, MomentPairs& pairs,
                       const std::function<bool()>& is_cancelled, const Concerns& concerns);
+  std::optional<BodyDistance> distanceOf(const BoxPair& pair, const PairHeap& nearest);
   void measure(const BoxPair& pair, double limit, PairHeap& nearest);
   void leaveOut(std::size_t first, std::size_t second);
   ComputedDistances result(const MomentPtr& moment, const std::vector<FoundPair>& pairs) const;
   void addNames(const Moment& moment, DistanceArray& array) const;
 
   LiveBodies bodies_;
+  bool are_carried_;
   std::vector<BoxPair> candidates_;     ///< not measured yet
   std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs
   std::vector<bool> is_incomplete_;     ///< of the bodies, as the next two

@@ -28,7 +28,9 @@ const std::vector<int> kTypes{Marker::CUBE,         Marker::SPHERE,      Marker:
 /// Everything that SceneDistances may remember, kept a second time by plain means.
 class Sequence {
  public:
-  explicit Sequence(std::uint64_t seed) : random_(seed) { newModel(); }
+  Sequence(std::uint64_t seed, bool are_carried) : random_(seed), are_carried_(are_carried) {
+    newModel();
+  }
 
   void step() {
     const double kind = random_.uniform(0, 1);
@@ -261,6 +263,7 @@ class Sequence {
 
  private:
   brute_force::Random random_;
+  bool are_carried_;
   TriangleTrees::Time now_{};
   std::shared_ptr<const Model> model_;
   std::vector<Eigen::Affine3d> link_poses_;
@@ -280,13 +283,14 @@ class Sequence {
            const auto content = weak.lock();
            return content ? listTree(*content) : MadeTree();
          });
-       }}};
+       }},
+      are_carried_};
 };
 
 TEST(SceneDistancesTest, isAsWithoutMemory) {
   std::size_t pairs = 0;
   for (std::uint64_t seed = 0; seed < kSequences; ++seed) {
-    Sequence sequence(seed);
+    Sequence sequence(seed, seed % 2 == 0);
     for (int i = 0; i < kSteps && !testing::Test::HasFatalFailure(); ++i) {
       SCOPED_TRACE("sequence " + std::to_string(seed) + ", step " + std::to_string(i));
       sequence.step();
