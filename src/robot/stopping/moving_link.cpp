@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "link_bounds/geometry/box/rounding.h"
+#include "robot/stopping/turn_cuts.h"
 #include "robot/urdf/rounding.h"
 
 namespace link_bounds {
@@ -15,31 +16,11 @@ namespace {
 
 using Kind = MovingJoint::Kind;
 
-/// A turn is cut into pieces. For a set of radius r a piece of 2 p costs up to r (1 / cos(p) - 1);
-/// beyond this p it is worse than the ball around the set [rad].
-constexpr double kMaxHalfPiece = 1.2;
-
-/// Cuts that gain less are not worth their time [m].
-constexpr double kMinGain = 5e-4;
-
-/// How often the link is asked for a box. With 64, a 7-joint arm takes a quarter longer, and its
-/// faces are hardly nearer; with 16, half of those of a Gen3 are 24 mm too far out.
-constexpr std::size_t kMaxLeaves = 40;
-
 /// Supports along the three rows of a matrix, and against them [m].
 struct Supports {
   Eigen::Vector3d along;
   Eigen::Vector3d against;
 };
-
-struct Ball {
-  Eigen::Vector3d center;
-  double radius;
-};
-
-double chordOf(double angle) {
-  return 2 * std::sin(std::min(std::abs(angle), M_PI) / 2);
-}
 
 double distanceFrom(const MovingJoint& joint, const Eigen::Vector3d& point) {
   return (point - joint.origin).cross(joint.axis).norm();
@@ -53,36 +34,6 @@ Limits withinOneTurn(const Limits& range) {
   return range.upper - range.lower < 2 * M_PI ? range : Limits{-M_PI, M_PI};
 }
 
-/// One joint, with what is common to all directions.
-struct Step {
-  const MovingJoint* joint;
-  Limits offsets;
-  std::size_t cuts = 0;                     ///< angles at which a turn is examined; 0: it pads
-  std::vector<Eigen::Matrix3d> turns = {};  ///< by these angles
-  double cosine2 = 1;                       ///< of half a piece, squared
-  double sine2 = 0;                         ///< likewise
-};
-
-/// Fewest cuts that help: a piece must be less than half a turn.
-std::size_t nextCuts(const Step& step) {
-  const double width = step.offsets.upper - step.offsets.lower;
-  const auto fewest = static_cast<std::size_t>(std::floor(width / (2 * kMaxHalfPiece))) + 2;
-  return step.cuts == 0 ? fewest : step.cuts + 1;
-}
-
-void cut(Step& step) {
-  if (step.cuts == 0) return;
-  const auto pieces = static_cast<double>(step.cuts - 1);
-  const double piece = (step.offsets.upper - step.offsets.lower) / pieces;
-  for (std::size_t k = 0; k < step.cuts; ++k) {
-    const double angle = k + 1 < step.cuts ? step.offsets.lower + piece * static_cast<double>(k)
-                                           : step.offsets.upper;
-    step.turns.push_back(Eigen::AngleAxisd(angle, step.joint->axis).toRotationMatrix());
-  }
-  step.cosine2 = std::cos(piece / 2) * std::cos(piece / 2);
-  step.sine2 = std::sin(piece / 2) * std::sin(piece / 2);
-}
-
 class MovingBox {
  public:
   MovingBox(const BoundedLink& link, const Eigen::Affine3d& pose,
@@ -92,20 +43,23 @@ class MovingBox {
 
  private:
   bool placeBalls();
-  void chooseCuts();
   void findDirections();
   bool askLink();
   void fold(std::size_t index);
-  void foldTurn(const Step& step, const Ball& ball, const std::vector<Eigen::Matrix3d>& parents,
+  void foldTurn(const MovingStep& step, const Ball& ball,
+                const std::vector<Eigen::Matrix3d>& parents,
                 const std::vector<Eigen::Matrix3d>& children);
-  void slide(const Step& step, const std::vector<Eigen::Matrix3d>& directions);
-  void drive(const Step& step, const Ball& ball, const std::vector<Eigen::Matrix3d>& directions);
+  void swing(const MovingStep& step, const Ball& ball, const std::vector<Eigen::Matrix3d>& parents,
+             const std::vector<Eigen::Matrix3d>& children);
+  void slide(const MovingStep& step, const std::vector<Eigen::Matrix3d>& directions);
+  void drive(const MovingStep& step, const Ball& ball,
+             const std::vector<Eigen::Matrix3d>& directions);
   void pad(double length);
   void clip(const Ball& ball, const std::vector<Eigen::Matrix3d>& directions);
 
   const BoundedLink& link_;
   Eigen::Affine3d pose_;
-  std::vector<Step> steps_;
+  std::vector<MovingStep> steps_;
   std::vector<Ball> balls_;  ///< of S after each joint, and last of the link
   std::vector<std::vector<Eigen::Matrix3d>>
       directions_;  ///< before each joint, and last of the link
@@ -147,54 +101,17 @@ bool MovingBox::placeBalls() {
   return true;
 }
 
-/// What a turn adds at most to a face beyond what is attained, about [m].
-double lossOf(const Step& step, const Ball& ball, std::size_t pieces) {
-  const double lever = distanceFrom(*step.joint, ball.center) + ball.radius;
-  const double padding = chordOf(largest(step.offsets)) * lever;
-  const double width = step.offsets.upper - step.offsets.lower;
-  const double half = width / 2 / static_cast<double>(std::max<std::size_t>(pieces, 1));
-  if (pieces == 0 || half >= kMaxHalfPiece) return padding;
-  return std::min(padding, ball.radius * (1 / std::cos(half) - 1));
-}
-
-/// First what gains most for its share of the leaves.
-void MovingBox::chooseCuts() {
-  std::size_t leaves = 1;
-  for (;;) {
-    Step* best = nullptr;
-    double best_gain = 0;
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      Step& step = steps_[i];
-      if (step.joint->kind != Kind::kTurn) continue;
-      const std::size_t cuts = std::max<std::size_t>(step.cuts, 1);
-      const std::size_t next = nextCuts(step);
-      if (leaves / cuts * next > kMaxLeaves) continue;
-      const double loss = lossOf(step, balls_[i + 1], step.cuts == 0 ? 0 : step.cuts - 1);
-      const double gain = loss - lossOf(step, balls_[i + 1], next - 1);
-      const double rate = gain / std::log(static_cast<double>(next) / static_cast<double>(cuts));
-      if (gain < kMinGain || rate <= best_gain) continue;
-      best = &step;
-      best_gain = rate;
-    }
-    if (!best) break;
-    leaves = leaves / std::max<std::size_t>(best->cuts, 1) * nextCuts(*best);
-    best->cuts = nextCuts(*best);
-  }
-  for (Step& step : steps_)
-    cut(step);
-}
-
 /// A row m becomes Q(-q) m, which is the row m Q(q).
 void MovingBox::findDirections() {
   directions_.assign(1, {Eigen::Matrix3d::Identity()});
-  for (const Step& step : steps_) {
+  for (const MovingStep& step : steps_) {
     const std::vector<Eigen::Matrix3d> before = directions_.back();
     std::vector<Eigen::Matrix3d>& after = directions_.emplace_back();
-    if (step.cuts == 0) {
+    if (step.joint->kind != Kind::kTurn) {
       after = before;
       continue;
     }
-    after.reserve(before.size() * step.cuts);
+    after.reserve(before.size() * step.turns.size());
     for (const Eigen::Matrix3d& rows : before) {
       for (const Eigen::Matrix3d& turn : step.turns)
         after.push_back(rows * turn);
@@ -222,7 +139,7 @@ void MovingBox::pad(double length) {
   }
 }
 
-void MovingBox::slide(const Step& step, const std::vector<Eigen::Matrix3d>& directions) {
+void MovingBox::slide(const MovingStep& step, const std::vector<Eigen::Matrix3d>& directions) {
   const auto [lower, upper] = step.offsets;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Eigen::Vector3d along = directions[i] * step.joint->axis;
@@ -233,7 +150,7 @@ void MovingBox::slide(const Step& step, const std::vector<Eigen::Matrix3d>& dire
 
 /// The path ends in the hull of all points that are no farther away than its length, in directions
 /// that deviate by no more than its spread.
-void MovingBox::drive(const Step& step, const Ball& ball,
+void MovingBox::drive(const MovingStep& step, const Ball& ball,
                       const std::vector<Eigen::Matrix3d>& directions) {
   const MovingJoint& joint = *step.joint;
   const auto support = [&](double cosine) {
@@ -251,21 +168,37 @@ void MovingBox::drive(const Step& step, const Ball& ball,
 }
 
 /// The largest value between two angles: mean and half difference of the ends make the sinusoid.
-double highest(double first, double last, const Step& step) {
-  const double mean = (first + last) / 2;
-  const double half = (last - first) / 2;
-  double best = std::max(first, last);
-  if (std::abs(half) * step.cosine2 < mean * step.sine2)
-    best = std::max(best, std::sqrt(mean * mean / step.cosine2 + half * half / step.sine2));
-  return best;
+class Between {
+ public:
+  explicit Between(double half_piece)
+      : cosine2_(std::cos(half_piece) * std::cos(half_piece)),
+        sine2_(std::sin(half_piece) * std::sin(half_piece)) {}
+
+  double highest(double first, double last) const {
+    const double mean = (first + last) / 2;
+    const double half = (last - first) / 2;
+    double best = std::max(first, last);
+    if (std::abs(half) * cosine2_ < mean * sine2_)
+      best = std::max(best, std::sqrt(mean * mean / cosine2_ + half * half / sine2_));
+    return best;
+  }
+
+ private:
+  double cosine2_;
+  double sine2_;
+};
+
+/// Where an axis is nearest to the centre of the ball.
+Eigen::Vector3d nearestOnAxis(const MovingJoint& joint, const Ball& ball) {
+  return joint.origin + joint.axis * joint.axis.dot(ball.center - joint.origin);
 }
 
-void MovingBox::foldTurn(const Step& step, const Ball& ball,
+void MovingBox::foldTurn(const MovingStep& step, const Ball& ball,
                          const std::vector<Eigen::Matrix3d>& parents,
                          const std::vector<Eigen::Matrix3d>& children) {
   const Eigen::Vector3d& axis = step.joint->axis;
-  const Eigen::Vector3d origin =
-      step.joint->origin + axis * axis.dot(ball.center - step.joint->origin);
+  const Eigen::Vector3d origin = nearestOnAxis(*step.joint, ball);
+  const Between between(step.half_piece);
   std::vector<Supports> result(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const Eigen::Vector3d shared = ball.radius * (parents[i] * axis).cwiseAbs();
@@ -273,16 +206,16 @@ void MovingBox::foldTurn(const Step& step, const Ball& ball,
     result[i].along.setConstant(-std::numeric_limits<double>::infinity());
     result[i].against = result[i].along;
     Supports before{};
-    for (std::size_t k = 0; k < step.cuts; ++k) {
-      const std::size_t child = i * step.cuts + k;
+    for (std::size_t k = 0; k < step.turns.size(); ++k) {
+      const std::size_t child = i * step.turns.size() + k;
       const Eigen::Vector3d shift = children[child] * origin;
       const Supports bracket{supports_[child].along - shift + shared,
                              supports_[child].against + shift + shared};
       for (Eigen::Index row = 0; k > 0 && row < 3; ++row) {
         double& along = result[i].along[row];
         double& against = result[i].against[row];
-        along = std::max(along, highest(before.along[row], bracket.along[row], step));
-        against = std::max(against, highest(before.against[row], bracket.against[row], step));
+        along = std::max(along, between.highest(before.along[row], bracket.along[row]));
+        against = std::max(against, between.highest(before.against[row], bracket.against[row]));
       }
       before = bracket;
     }
@@ -292,15 +225,58 @@ void MovingBox::foldTurn(const Step& step, const Ball& ball,
   supports_ = std::move(result);
 }
 
+/// How much farther a point comes that turns by up to an angle to both sides, with the given sine
+/// and the cosine 1 - fall. A turn by x adds along (cos x - 1) + across sin x [m].
+double gainOfPoint(double along, double across, double sine, double fall) {
+  const double side = std::abs(across);
+  if (sine > 0 && along * sine >= side * (1 - fall)) return std::hypot(along, side) - along;
+  return side * sine - along * fall;
+}
+
+/// How much farther a set comes along directions up to an angle with the cosine 1 - fall away, if
+/// it is in a ball, and no higher than `height` above its centre in the middle of them [m].
+double gainOfCap(double height, double radius, double fall) {
+  if (radius * (1 - fall) <= height) return radius - height;
+  const double side = height > 0 ? std::sqrt((radius - height) * (radius + height)) : radius;
+  return side * std::sqrt(std::max(0.0, fall * (2 - fall))) - height * fall;
+}
+
+/// The middle alone: the centre of the ball turns as a point, and what is around it as a cap.
+void MovingBox::swing(const MovingStep& step, const Ball& ball,
+                      const std::vector<Eigen::Matrix3d>& parents,
+                      const std::vector<Eigen::Matrix3d>& children) {
+  const Eigen::Vector3d& axis = step.joint->axis;
+  const Eigen::Vector3d origin = nearestOnAxis(*step.joint, ball);
+  const Eigen::Vector3d lever = ball.center - origin;
+  const Eigen::Vector3d ahead = axis.cross(lever);
+  const double sine = std::sin(step.half_piece);
+  const double fall = chordOf(step.half_piece) * chordOf(step.half_piece) / 2;
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    const Eigen::Vector3d shift = (parents[i] - children[i]) * origin;
+    const Eigen::Vector3d center = children[i] * ball.center;
+    const Eigen::Vector3d along = children[i] * lever;
+    const Eigen::Vector3d across = children[i] * ahead;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const double share = children[i].row(k).cross(axis.transpose()).squaredNorm() * fall;
+      double& up = supports_[i].along[k];
+      double& down = supports_[i].against[k];
+      up += shift[k] + gainOfPoint(along[k], across[k], sine, fall) +
+            gainOfCap(up - center[k], ball.radius, share);
+      down += -shift[k] + gainOfPoint(-along[k], across[k], sine, fall) +
+              gainOfCap(down + center[k], ball.radius, share);
+    }
+  }
+}
+
 void MovingBox::fold(std::size_t index) {
-  const Step& step = steps_[index];
+  const MovingStep& step = steps_[index];
   const Ball& ball = balls_[index + 1];
   if (step.joint->kind == Kind::kSlide) {
     slide(step, directions_[index]);
   } else if (step.joint->kind == Kind::kFree) {
     drive(step, ball, directions_[index]);
-  } else if (step.cuts == 0) {
-    pad(chordOf(largest(step.offsets)) * (distanceFrom(*step.joint, ball.center) + ball.radius));
+  } else if (step.turns.size() == 1) {
+    swing(step, ball, directions_[index], directions_[index + 1]);
   } else {
     foldTurn(step, ball, directions_[index], directions_[index + 1]);
   }
@@ -318,7 +294,7 @@ void MovingBox::clip(const Ball& ball, const std::vector<Eigen::Matrix3d>& direc
 
 std::optional<Aabb> MovingBox::box() {
   if (!placeBalls()) return std::nullopt;
-  chooseCuts();
+  chooseCuts(steps_, balls_);
   findDirections();
   if (!askLink()) return std::nullopt;
   for (std::size_t i = steps_.size(); i-- > 0;)

@@ -20,8 +20,14 @@
 // of the sinusoid through both. The same holds with anything larger for g. For g(-c) that is
 // |n . m| r, if S is inside a ball of radius r around a point at the height of o. For a single
 // point of S all of it is exact. So each joint that turns asks for S along twice as many directions
-// (more if w is large), and the link is asked at the end. Where these get too many, a joint pads
-// all directions by how far it can move any point of S.
+// (more if w is large), and the link is asked at the end.
+//
+// Where these get too many, a joint asks for S along the direction d in the middle of its turn
+// only. A point p moves along d by (Q(-x) d - d) . (p - o) = f(x) + (Q(-x) d - d) . (p - c), where
+// c is the centre of a ball of radius r around S, and f(x) is how the point c moves, a sinusoid.
+// The rest is as if the ball turned: what is below k = h(d) - d . c comes no higher along a
+// direction at an angle t from d than k cos t + sqrt(r^2 - k^2) sin t, and no higher than r. So a
+// set that is small beside its distance from the axis is bounded nearly exactly.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// At which angles turns are examined, so that a few looks at the link give a tight box.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "robot/stopping/moving_link.h"
+
+namespace link_bounds {
+
+struct Ball {
+  Eigen::Vector3d center;
+  double radius;  ///< [m]
+};
+
+/// One joint, with what is common to all directions.
+struct MovingStep {
+  const MovingJoint* joint;
+  Limits offsets;                           ///< within one turn
+  std::vector<Eigen::Matrix3d> turns = {};  ///< by the angles at which a turn is examined
+  double half_piece = 0;                    ///< between two of these; of one: to both ends [rad]
+};
+
+/// How far a point at a distance of 1 m from the axis moves at most [m].
+inline double chordOf(double angle) {
+  return 2 * std::sin(std::min(std::abs(angle), M_PI) / 2);
+}
+
+/// Sets how the turns are examined. `balls` are around all places of the link while the joints from
+/// each one on move, and last around the link.
+void chooseCuts(std::vector<MovingStep>& steps, const std::vector<Ball>& balls);
+
+}  // namespace link_bounds
