@@ -14,7 +14,9 @@
 namespace link_bounds::bench {
 namespace {
 
-constexpr double kLimit = 0.1;  // m
+constexpr double kLimit = 0.1;       // m
+constexpr double kBaseStep = 0.005;  // m per update
+constexpr double kBaseTurn = 0.01;   // rad per update
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// The peers get the meshes in the frames of the links, where they are rounded to float.
@@ -113,6 +115,7 @@ class Measurement {
     auto next = cases.begin();
     for (std::size_t pose = 0; next != cases.end(); ++pose) {
       method->prepare(motion[pose]);
+      method->place();
       for (const auto& [first, second] : robot_.pairs) {
         const double ns = timeOf([&, i = first, j = second] { method->distance(i, j); });
         if (next == cases.end() || next->pose != pose || next->first != first ||
@@ -145,6 +148,23 @@ class Measurement {
   std::map<std::string, std::unique_ptr<DistanceMethod>> peers_;
 };
 
+/// Beside the motions of joints: all links together.
+std::map<std::string, std::vector<LinkPoses>> updateMotions(const DistanceRobot& robot) {
+  std::map<std::string, std::vector<LinkPoses>> result = robot.motions;
+  const std::vector<LinkPoses>& coherent = robot.motions.at("coherent");
+  std::vector<LinkPoses>& at_rest = result["at rest"];
+  at_rest.assign(coherent.size(), coherent.front());
+  std::vector<LinkPoses>& on_base = result["on a base"] = at_rest;
+  Eigen::Affine3d base = Eigen::Affine3d::Identity();
+  for (LinkPoses& poses : on_base) {
+    base = base * Eigen::Translation3d(kBaseStep, 0, 0) *
+           Eigen::AngleAxisd(kBaseTurn, Eigen::Vector3d::UnitZ());
+    for (Eigen::Affine3d& pose : poses)
+      pose = base * pose;
+  }
+  return result;
+}
+
 }  // namespace
 
 DistanceRows measurePairs(const DistanceRobot& robot,
@@ -156,7 +176,7 @@ DistanceRows measureUpdates(const DistanceRobot& robot) {
   std::vector<DistanceSetting> settings;
   addOurDistances(settings);
   DistanceRows result;
-  for (const auto& [name, motion] : robot.motions) {
+  for (const auto& [name, motion] : updateMotions(robot)) {
     for (const DistanceSetting& setting : settings) {
       const auto method = setting.make(robot, kLimit);
       DistanceRow row{robot.name, name, "ours", setting.level, "update", robot.pairs.size()};
@@ -164,7 +184,7 @@ DistanceRows measureUpdates(const DistanceRobot& robot) {
         row.ns.push_back(timeOf([&] {
           method->prepare(poses);
           for (const auto& [first, second] : robot.pairs)
-            method->distance(first, second);
+            method->follow(first, second);
         }));
       }
       row.ns.erase(row.ns.begin());

@@ -27,11 +27,19 @@ class DistanceMethod {
   /// Converts the poses. Not timed.
   virtual void prepare(const LinkPoses& poses) = 0;
 
+  /// Where bodies are placed only when a pair needs it: places all. Not timed.
+  virtual void place() {}
+
   /// Whether the method knows these links.
   virtual bool has(std::size_t first, std::size_t second) const = 0;
 
   /// Timed.
   virtual MeasuredDistance distance(std::size_t first, std::size_t second) = 0;
+
+  /// Timed. May rest on the last update.
+  virtual MeasuredDistance follow(std::size_t first, std::size_t second) {
+    return distance(first, second);
+  }
 };
 
 struct DistanceSetting {

@@ -50,11 +50,12 @@ std::vector<double> hullMicroseconds(const DistanceRows& rows, const std::string
       [](const DistanceRow& row) { return median(row.ns) / 1e3; });
 }
 
-std::vector<double> updateMicroseconds(const DistanceRows& rows, const std::string& robot) {
+std::vector<double> updateMicroseconds(const DistanceRows& rows, const std::string& robot,
+                                       const std::string& motion) {
   return valuesOf(
       rows,
       [&](const DistanceRow& row) {
-        return row.which == "update" && row.level == "mesh" && row.motion == "coherent" &&
+        return row.which == "update" && row.level == "mesh" && row.motion == motion &&
                row.robot == robot;
       },
       [](const DistanceRow& row) { return median(row.ns) / 1e3; });
@@ -82,7 +83,7 @@ std::vector<double> growth(const DistanceRows& rows) {
 void print(const DistanceRow& row, std::ostream& out) {
   std::string name = row.robot;
   if (row.triangles) name += ", " + std::to_string(*row.triangles) + " triangles";
-  out << std::left << std::setw(34) << name << std::setw(9) << row.motion << std::setw(10)
+  out << std::left << std::setw(34) << name << std::setw(11) << row.motion << std::setw(10)
       << row.which << std::setw(14) << row.method << std::setw(5) << row.level << std::right
       << std::fixed << std::setprecision(2) << std::setw(6) << row.pairs << " pairs"
       << (row.which == "update" ? " together" : "         ") << std::setw(10)
@@ -106,13 +107,17 @@ void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& b
         smallest(speedups(rows, "near"))});
   show({"us per pair, hull level, random motion", most, 1.5, hullMicroseconds(rows, "random")});
   show({"us per pair, hull level, coherent motion", most, 0.7, hullMicroseconds(rows, "coherent")});
-  for (const char* const purpose : {"collision", "visual"}) {
-    const std::string model = purpose;
-    show({"us per update, mesh level, all pairs of the panda, " + model, most, 100,
-          updateMicroseconds(rows, "panda " + model)});
-    show({"us per update, mesh level, all pairs of the pr2, " + model, most, 1000,
-          updateMicroseconds(rows, "pr2 " + model)});
-  }
+  const auto showUpdate = [&](const std::string& robot, const std::string& model, double moving,
+                              double at_rest) {
+    const std::string name = "us per update, mesh level, all pairs of the " + robot + ", " + model;
+    const std::string row = robot + " " + model;
+    show({name, most, moving, updateMicroseconds(rows, row, "coherent")});
+    show({name + ", at rest", most, at_rest, updateMicroseconds(rows, row, "at rest")});
+  };
+  showUpdate("panda", "collision", 40, 5);
+  showUpdate("pr2", "collision", 300, 20);
+  showUpdate("panda", "visual", 100, 5);
+  showUpdate("pr2", "visual", 1000, 20);
   show({"us per pair, hull level, longest / shortest of 1,000 to 200,000 triangles", most, 1.5,
         growth(rows)});
   show({"bytes per triangle of the trees", most, 64, bytes_per_triangle});

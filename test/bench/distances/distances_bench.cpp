@@ -34,6 +34,7 @@ void printHead() {
             << "\n\nnear: pairs within 0.1 m. all: every pair that no joint connects, without a "
                "limit.\nupdate: all pairs of a pose together, with a limit of 0.1 m.\n"
                "random: each pose is new. coherent: joints move by at most 0.01 rad.\n"
+               "at rest: no link moves. on a base: all links move together.\n"
                "us: median, and what 9 of 10 do not exceed\n\n"
             << std::flush;
 }

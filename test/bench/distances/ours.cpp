@@ -10,7 +10,7 @@ namespace {
 class OurDistances : public DistanceMethod {
  public:
   OurDistances(const DistanceRobot& robot, double limit, bool has_triangles)
-      : distances_({kAccuracy, limit}) {
+      : count_(robot.links.size()), distances_({kAccuracy, limit}) {
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       auto body = std::make_shared<Body>(robot.links[i].body);
       for (BodyShape& shape : body->shapes) {
@@ -25,6 +25,12 @@ class OurDistances : public DistanceMethod {
       distances_.move(i, poses[i]);
   }
 
+  /// No pair has a distance below 0, so nothing is searched.
+  void place() override {
+    for (std::size_t i = 0; i < count_; ++i)
+      distances_.findOnce(i, i, -1);
+  }
+
   bool has(std::size_t, std::size_t) const override { return true; }
 
   MeasuredDistance distance(std::size_t first, std::size_t second) override {
@@ -32,7 +38,13 @@ class OurDistances : public DistanceMethod {
     return {found.lower, found.upper};
   }
 
+  MeasuredDistance follow(std::size_t first, std::size_t second) override {
+    const BodyDistance found = distances_.follow(first, second).value();
+    return {found.lower, found.upper};
+  }
+
  private:
+  std::size_t count_;
   BodyDistances distances_;
 };
 
