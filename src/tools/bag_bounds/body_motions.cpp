@@ -13,10 +13,10 @@ double radiusOf(const BodyMotion& motion) {
   return moved.translation().norm() + moved.linear().norm() * radius;
 }
 
-BodyMotions::BodyMotions(Scene& scene, const TransformBuffer& tf, FrameView* view)
+BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
     : scene_(scene),
       view_(view),
-      ways_(tf, view ? view->frame() : *scene.frames.fixedFrame()),
+      ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
       fixed_frame_(*scene.frames.fixedFrame()),
       timeout_(static_cast<std::int64_t>(scene.model()->parameters.timeout * 1e9)),

@@ -38,8 +38,9 @@ double radiusOf(const BodyMotion& motion);
 /// clock jumped back, and where nothing was known of it for longer than `timeout`.
 class BodyMotions {
  public:
-  /// `view` has the axes of another frame than the scene's fixed one; null: these.
-  BodyMotions(Scene& scene, const TransformBuffer& tf, FrameView* view);
+  /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
+  /// this.
+  BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
   /// since the last call.

@@ -128,11 +128,12 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
     mover.end = !body.object || body.object->follows() ? body.stamp : 0;
     movers_.push_back(mover);
   }
+  if (!edges_) edges_.emplace(tf);
   if (!last_ || !fixed) return;
   std::map<std::pair<std::size_t, const ObjectContent*>, const Moment::Body*> before;
   for (const Moment::Body& body : last_->bodies)
     before[{body.link.value_or(0), body.object.get()}] = &body;
-  WayBound& ways = ways_.try_emplace(*fixed, tf, *fixed).first->second;
+  WayBound& ways = ways_.try_emplace(*fixed, *edges_, *fixed).first->second;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment->bodies[i];
     const auto found = before.find({body.link.value_or(0), body.object.get()});
@@ -181,7 +182,7 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
   const bool is_known = pass + 1 == pass_ && lease.stamp == span.begin;
   const double before = is_known ? lease.distance : -kInfinite;
   pass = pass_;
-  WayBound& ways = ways_.try_emplace(first.frame, tf, first.frame).first->second;
+  WayBound& ways = ways_.try_emplace(first.frame, *edges_, first.frame).first->second;
   const double way = ways.of(second.frame, second.radius, span);
   PairMotion motion{pair.first, pair.second, before - way, {}, 0, 0, ""};
   if (motion.clearance > *wanted) {

@@ -57,6 +57,7 @@ class PairMotions {
 
   /// Looks at all motions from the last moment to this one, of the pairs of the moment's model.
   /// They are over where a body was lost or replaced, and where nothing was known for `timeout`.
+  /// `tf` is the same one in all calls.
   void look(const MomentPtr& moment, MomentPairs& pairs, const LiveBodies& bodies,
             const TransformBuffer& tf, const Handlers& handlers);
 
@@ -93,6 +94,7 @@ class PairMotions {
   MomentPtr last_;
   std::vector<Mover> movers_;
   std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
+  std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                           ///< by target
   std::uint64_t pass_ = 0;
 };

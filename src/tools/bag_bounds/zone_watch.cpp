@@ -17,6 +17,7 @@ ZoneWatch::ZoneWatch(const std::vector<Zone>& zones, std::function<bool()> gives
 void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
   scene_ = &scene;
   tf_ = &tf;
+  edges_.emplace(tf);
   timeout_ = scene.model()->parameters.timeout;
   for (Watched& watched : zones_) {
     std::string& frame = watched.record.zone.frame;
@@ -26,7 +27,7 @@ void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
       view = &views_.try_emplace(frame, frame, scene, tf, now).first->second;
     auto group = groups_.find(frame);
     if (group == groups_.end())
-      group = groups_.emplace(frame, Group{view, BodyMotions(scene, tf, view), {}}).first;
+      group = groups_.emplace(frame, Group{view, BodyMotions(scene, *edges_, view), {}}).first;
     group->second.zones.push_back(&watched);
   }
 }

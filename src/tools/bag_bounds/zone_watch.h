@@ -126,6 +126,7 @@ class ZoneWatch {
 
   Scene* scene_ = nullptr;
   TransformBuffer* tf_ = nullptr;
+  std::optional<EdgeWays> edges_;  ///< which the zones of all frames share
   std::function<bool()> gives_up_;
   double timeout_ = 0;  ///< [s]
   std::vector<Watched> zones_;

@@ -3,8 +3,6 @@
 // From the inside out: each frame after the one that its edge leads to.
 #include "world/history/way_bound.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace link_bounds {
@@ -12,46 +10,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// pi/2 / sqrt(2), rounded up by more than lengths within kMaxLength2Error of 1 can add.
-constexpr double kAnglePerChord = 1.111;
-constexpr double kAngleError = 1e-7;       // rad, of tf2's arithmetic, as in deviation_bound.cpp
-constexpr double kMaxLength2Error = 1e-6;  // of squares of lengths of quaternions
-constexpr double kLengthError = 1e-14;     // of lengths of 1
-constexpr double kRounding = 1e-12;        // of all coordinates, as share of the largest
-
-struct Square {
-  double chord2;  ///< of two quaternions, of which one is negated if they are nearer then
-  double length2_error;
-  double length2_change;
-};
-
-Square squareOf(const Tf2Pose& a, const Tf2Pose& b) {
-  double dot = 0, a2 = 0, b2 = 0;
-  for (std::size_t i = 3; i < 7; ++i) {
-    dot += a.numbers[i] * b.numbers[i];
-    a2 += a.numbers[i] * a.numbers[i];
-    b2 += b.numbers[i] * b.numbers[i];
-  }
-  const double sign = dot < 0 ? -1 : 1;
-  double chord2 = 0;
-  for (std::size_t i = 3; i < 7; ++i) {
-    const double change = b.numbers[i] - sign * a.numbers[i];
-    chord2 += change * change;
-  }
-  return {chord2, std::max(std::abs(a2 - 1), std::abs(b2 - 1)), std::abs(a2 - b2)};
-}
-
-double length(const Tf2Pose& pose) {
-  const auto& n = pose.numbers;
-  return std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-}
-
-double shiftOf(const Tf2Pose& a, const Tf2Pose& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    sum += (b.numbers[i] - a.numbers[i]) * (b.numbers[i] - a.numbers[i]);
-  return std::sqrt(sum);
-}
+constexpr double kRounding = 1e-12;  // of all coordinates, as share of the largest
 
 }  // namespace
 
@@ -81,7 +40,7 @@ void WayBound::begin(MotionSpan span) {
     Node& node = nodes_[frame];
     if (node.run == run_) break;  // a loop
     node = {run_, true, heights_.size() - 1, Map()};
-    const std::optional<Edge> edge = edgeDuring(frame);
+    const std::optional<EdgeWay>& edge = edges_.during(frame, span_);
     if (!edge) break;
     const Height& below = heights_.back();
     Height next;
@@ -109,14 +68,14 @@ const WayBound::Node& WayBound::nodeOf(Frame source) {
     if (!tf_.hasParent(way_[i])) continue;
     const Node& above = nodes_[tf_.parent(way_[i])];
     if (!above.is_known) continue;
-    const std::optional<Edge> edge = edgeDuring(way_[i]);
+    const std::optional<EdgeWay>& edge = edges_.during(way_[i], span_);
     if (edge) nodes_[way_[i]] = {run_, true, above.height, behind(above.top_from_node, *edge)};
   }
   return nodes_[source];
 }
 
 /// The points of the edge's child, where `map` is of its parent.
-WayBound::Map WayBound::behind(const Map& map, const Edge& edge) {
+WayBound::Map WayBound::behind(const Map& map, const EdgeWay& edge) {
   return {map.scale * edge.scale,
           map.reach + map.scale * edge.distance,
           map.shift + map.turn * edge.distance + map.scale * edge.shift,
@@ -126,57 +85,13 @@ WayBound::Map WayBound::behind(const Map& map, const Edge& edge) {
 }
 
 /// The same points one frame further up.
-WayBound::Map WayBound::before(const Map& map, const Edge& edge) {
+WayBound::Map WayBound::before(const Map& map, const EdgeWay& edge) {
   return {edge.scale * map.scale,
           edge.distance + edge.scale * map.reach,
           edge.shift + edge.turn * map.reach + edge.scale * map.shift,
           edge.turn * map.scale + edge.scale * map.turn,
           map.stretch + edge.stretch,
           map.inverse * edge.inverse};
-}
-
-/// From the newest sample back to the last one that is not within the span.
-std::optional<WayBound::Edge> WayBound::edgeDuring(Frame child) const {
-  const EdgeHistory* const history = tf_.history(child);
-  if (!history || history->samples().isEmpty() || !tf_.hasParent(child)) return std::nullopt;
-  const SampleRing& samples = history->samples();
-  std::size_t i = samples.size() - 1;
-  Edge edge;
-  const auto take = [&](const Tf2Pose& pose) {
-    edge.distance = std::max(edge.distance, length(pose));
-  };
-  if (tf_.isStatic(child)) {
-    const EdgeSample& sample = samples[i];
-    const Square square = squareOf(sample.parent_from_child, sample.parent_from_child);
-    if (!(square.length2_error <= kMaxLength2Error)) return std::nullopt;
-    edge.scale = 1 + square.length2_error;
-    edge.inverse = 1 + 2 * square.length2_error;
-    take(sample.parent_from_child);
-    return edge;
-  }
-  if (samples[i].stamp < span_.end) return std::nullopt;
-  while (i > 0 && samples[i - 1].stamp >= span_.end)
-    --i;
-  take(samples[i].parent_from_child);
-  for (; samples[i].stamp > span_.begin; --i) {
-    if (i == 0 || samples[i - 1].stamp < history->oldestKept()) return std::nullopt;
-    const EdgeSample& older = samples[i - 1];
-    const EdgeSample& newer = samples[i];
-    if (older.parent != tf_.parent(child) || newer.parent != older.parent) return std::nullopt;
-    const Tf2Pose& from = older.parent_from_child;
-    const Tf2Pose& to = newer.parent_from_child;
-    const Square square = squareOf(from, to);
-    if (!(square.length2_error <= kMaxLength2Error)) return std::nullopt;
-    take(from);
-    edge.shift += shiftOf(from, to);
-    edge.scale = std::max(edge.scale, 1 + square.length2_error);
-    edge.inverse = std::max(edge.inverse, 1 + 2 * square.length2_error);
-    if (square.chord2 == 0) continue;
-    const double change = 0.51 * square.length2_change + kLengthError;
-    edge.turn += 2 * (kAnglePerChord * std::sqrt(square.chord2) + kAngleError + 1.6 * change);
-    edge.stretch += 20.1 * change;
-  }
-  return edge;
 }
 
 }  // namespace link_bounds

@@ -5,14 +5,13 @@
 //
 // It is step 3 of deviation_bound.h without accelerations: what an edge adds is its turn times the
 // distance of the point from the child's origin, and its shift. Both are linear in that distance,
-// so that one look at each edge serves all links behind it. The angle T of an edge comes from the
-// chord of its two quaternions: T <= 1.111 |q1 - q0| for all angles up to pi/2.
+// so that one look at each edge serves all links behind it.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "world/history/edge_ways.h"
 #include "world/history/motion_path.h"
 #include "world/tf/transform_buffer.h"
 
@@ -22,13 +21,12 @@ class WayBound {
  public:
   using Frame = TransformBuffer::Frame;
 
-  /// In that frame; `tf` must outlive this.
-  WayBound(const TransformBuffer& tf, Frame target) : tf_(tf), target_(target) {}
+  /// In that frame; `edges` and its tf must outlive this.
+  WayBound(EdgeWays& edges, Frame target) : edges_(edges), tf_(edges.tf()), target_(target) {}
 
   /// No point that is at most `radius` from the origin of `source` [m] has a longer way during the
-  /// span, as tf2 interpolates [m]. Infinite if that is not known in this cheap way: a history does
-  /// not cover the span, an edge changes its parent, or a quaternion is not of length 1. Between
-  /// two calls tf may have changed.
+  /// span, as tf2 interpolates [m]. Infinite if EdgeWays does not know an edge. Between two calls
+  /// tf may have changed.
   double of(Frame source, double radius, MotionSpan span);
 
  private:
@@ -41,16 +39,6 @@ class WayBound {
     double turn = 0;
     double stretch = 0;  ///< step 5 of deviation_bound.h: sum of e,
     double inverse = 1;  ///< and of the product of 1 / |q|^2, at most
-  };
-
-  /// An edge during the span, from the child to its parent.
-  struct Edge {
-    double scale = 1;     ///< largest |q|^2
-    double inverse = 1;   ///< largest 1 / |q|^2
-    double turn = 0;      ///< [rad], of the product, which turns by twice the angle of quaternions
-    double stretch = 0;   ///< e
-    double shift = 0;     ///< [m]
-    double distance = 0;  ///< of the child's origin from the parent's [m]
   };
 
   struct Node {
@@ -68,11 +56,11 @@ class WayBound {
   };
 
   void begin(MotionSpan span);
-  std::optional<Edge> edgeDuring(Frame child) const;
   const Node& nodeOf(Frame source);
-  static Map behind(const Map& map, const Edge& edge);
-  static Map before(const Map& map, const Edge& edge);
+  static Map behind(const Map& map, const EdgeWay& edge);
+  static Map before(const Map& map, const EdgeWay& edge);
 
+  EdgeWays& edges_;
   const TransformBuffer& tf_;
   Frame target_;
   MotionSpan span_{0, -1};

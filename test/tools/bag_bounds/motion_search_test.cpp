@@ -57,7 +57,8 @@ TEST(MotionSearch, NoPointHasALongerWay) {
   int known = 0, tight = 0;
   for (int seed = 1; seed <= repetitions(600); ++seed) {
     const Sampled sampled(static_cast<std::uint64_t>(seed));
-    WayBound ways(sampled.tf, sampled.target);
+    EdgeWays edges(sampled.tf);
+    WayBound ways(edges, sampled.target);
     const double radius = radiusOf(sampled.motion.link);
     const double bound = ways.of(sampled.source, radius, sampled.motion.span);
     EXPECT_EQ(ways.of(sampled.source, radius, sampled.motion.span), bound);
