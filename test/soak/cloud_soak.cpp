@@ -113,7 +113,8 @@ class FilterReport {
         if (value.key == "dropped") dropped_ = number;
         if (value.key.rfind(why, 0) != 0) continue;
         const std::lock_guard<std::mutex> lock(mutex_);
-        reasons_[value.key.substr(why.size())] += number;
+        const std::string reason = value.key.substr(why.size());
+        reasons_[reason.substr(0, reason.find(" from "))] += number;  // without stamps
       }
     }
   }
