@@ -59,6 +59,11 @@ class RawSubscriber:
         return self._socket.recv(limit)
 
     def end(self):
+        """Also wakes up a thread that reads, which would keep the connection open."""
+        try:
+            self._socket.shutdown(socket.SHUT_RDWR)
+        except OSError:
+            pass  # the node has closed it
         self._socket.close()
 
 
