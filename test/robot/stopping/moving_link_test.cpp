@@ -191,9 +191,8 @@ struct Findings {
   }
 };
 
-constexpr double kLooseness = 0.005;           // m, median over all robots
-constexpr double kLoosenessOfOneRobot = 0.01;  // m, likewise
-constexpr double kLargestLooseness = 0.2;      // m
+constexpr double kLooseness = 0.002;        // m, median of each robot
+constexpr double kLargestLooseness = 0.12;  // m
 
 /// Of the points of a shape, those that may be extreme along an axis: in double precision no other
 /// one is farther by more than a margin that its rounding does not come near.
@@ -514,7 +513,7 @@ TEST(MovingLink, StopsOfPublicRobotsStayInside) {
     return (robots / package).string();
   };
   const char* const only = std::getenv("LINK_BOUNDS_TEST_ROBOT");
-  Findings all;
+  int robots_tried = 0;
   for (const std::filesystem::path& file : robotFiles(robots)) {
     if (only && file.stem() != only) continue;
     const bool is_long = samples() >= 1000;
@@ -523,12 +522,12 @@ TEST(MovingLink, StopsOfPublicRobotsStayInside) {
     Findings findings = trySome(load(file, package_path), {}, states, stops);
     EXPECT_GE(findings.nearest, 0) << file;
     EXPECT_EQ(findings.beyond + findings.outside, 0u) << file;
-    EXPECT_LE(findings.median(), kLoosenessOfOneRobot) << file;
+    EXPECT_LE(findings.median(), kLooseness) << file;
+    EXPECT_LE(findings.looseness.back(), kLargestLooseness) << file;
     report(file.stem().string(), states * stops, findings);
-    all.looseness.insert(all.looseness.end(), findings.looseness.begin(), findings.looseness.end());
+    ++robots_tried;
   }
-  EXPECT_LE(all.median(), kLooseness);
-  EXPECT_LE(all.looseness.back(), kLargestLooseness);
+  EXPECT_GT(robots_tried, 0) << "of " << robots;
 }
 
 /// Links of all shapes, behind joints of any width up to more than a turn.
