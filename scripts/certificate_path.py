@@ -11,12 +11,14 @@ import csv
 import functools
 import itertools
 import math
+import random
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import numpy as np
 from certificate_intervals import Interval, Pose, dot, exact, rounded
-from certificate_robot import NotCovered, Refused, numbers, shape
+from certificate_pairs import Pair, leaves
+from certificate_robot import NotCovered, Refused, shape
 
 
 class Path:
@@ -137,8 +139,50 @@ def pairs(robot, objects, kinds):
     bodies = [link for link in robot.links if robot.body(link, kinds)]
     found = set()
     for first, second in itertools.combinations(bodies, 2):
-        kinds_of = [robot.motion(joint)[0] for joint, _ in robot.way(first, second)]
-        moving, resting = len(kinds_of) - kinds_of.count('fixed'), len(objects & {first, second})
+        moving = len({joint.get('part_of', joint.get('name'))
+                      for joint, _ in robot.way(first, second) if joint.get('type') != 'fixed'})
+        resting = len(objects & {first, second})
         if resting < 2 and moving + resting >= 2 and moving > 0:
             found.add(frozenset((first, second)))
     return found
+
+
+class Segments:
+    """The motion from row to row, and the pairs that must stay apart."""
+    def __init__(self, robot, given, kinds, options):
+        if not options.poses:
+            raise Refused('it is about a path, give its table, too: --poses FILE')
+        self.robot, self.kinds, self.made = robot, kinds, {}
+        objects = add_objects(options.objects, robot) if options.objects else set()
+        self.path = Path(options.poses, robot, given)
+        self.pairs = pairs(robot, objects, kinds)
+        self.exempt = self.pairs & disabled(options.srdf) if options.srdf else set()
+
+    def pair(self, entry):
+        names = entry['first'], entry['second']
+        if names not in self.made:
+            self.made[names] = Pair(self.robot, entry, self.kinds, lambda joint: None)
+        return self.made[names]
+
+    def check(self, entry, head, options):
+        """How many boxes there are, and how many were checked."""
+        number = entry['from'] - 1
+        if not (0 <= number < self.path.segments and entry['to'] == number + 2
+                and entry['distance'] > head['clearance'] >= 0):
+            raise Refused('there is no such segment')
+        names = [frozenset((each['first'], each['second'])) for each in entry['pairs']]
+        missing = self.pairs - self.exempt - set(names)
+        if missing or len(set(names)) < len(names):
+            raise Refused('a pair is missing or stands twice: %s' % sorted(map(sorted, missing)))
+        boxes = []
+        for each in entry['pairs']:
+            tree = {'variables': ['share'], 'tree': each['tree']}
+            boxes += [(each, leaf, box['share'])
+                      for leaf, box in leaves(tree, {'share': [0.0, 1.0]})]
+        chosen = boxes if options.all else random.sample(boxes, min(len(boxes), options.sample))
+        for each, leaf, share in chosen:
+            box = self.path.box(number, *share)
+            if not self.pair(each).check(leaf, box, entry['distance']):
+                raise Refused('%s and %s: not proven from %g to %g' % (
+                    each['first'], each['second'], *share))
+        return len(boxes), len(chosen)

@@ -10,7 +10,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
-from certificate_intervals import Interval, Pose, exact, length, rotation, rounded
+from certificate_intervals import Interval, Pose, cross, dot, exact, length, rotation, rounded
 
 
 class NotCovered(Exception):
@@ -26,6 +26,16 @@ def numbers(text, count=3):
     if len(values) != count or not np.isfinite(values).all():
         raise NotCovered('"%s" is not %d numbers' % (text, count))
     return values
+
+
+def unit(vector):
+    size = length(vector)
+    return vector * rounded(1 / size.hi, 1 / size.lo)
+
+
+def axis_of(joint):
+    axis = joint.find('axis')
+    return np.array([1.0, 0, 0]) if axis is None else numbers(axis.get('xyz'))
 
 
 def origin(element):
@@ -119,6 +129,40 @@ class Robot:
         self.links = {link.get('name'): link for link in tree.findall('link')}
         self.joints = {joint.get('name'): joint for joint in tree.findall('joint')}
         self.above = {joint.find('child').get('link'): joint for joint in self.joints.values()}
+        self.axes = {}  # of the parts of joints
+        for joint in list(self.joints.values()):
+            if joint.get('type') in ('floating', 'planar'):
+                self.split(joint)
+
+    def split(self, whole):
+        """A floating or planar joint is a chain of joints with one value each, its parts."""
+        if whole.get('type') == 'floating':
+            x, y, z = (Interval(axis) for axis in np.eye(3))
+            parts = {'x': x, 'y': y, 'z': z, 'yaw': z, 'pitch': y, 'roll': x}
+        else:  # the plane of x and y is square to the axis; x is near the frame's axis after it
+            normal = unit(Interval(axis_of(whole)))
+            x = Interval(np.eye(3)[(np.abs(axis_of(whole)).argmax() + 1) % 3])
+            x = unit(x - normal * dot(x, normal))
+            parts = {'x': x, 'y': cross(normal, x), 'yaw': normal}
+        parent, child = (whole.find(end).get('link') for end in ('parent', 'child'))
+        for part, axis in parts.items():
+            name = '%s.%s' % (whole.get('name'), part)
+            joint = ElementTree.Element('joint', name=name, part_of=whole.get('name'),
+                                        type='prismatic' if part in 'xyz' else 'continuous')
+            ElementTree.SubElement(joint, 'parent', link=parent)
+            joint.extend(whole.findall('origin') if part == 'x' else ())
+            parent = child if part == list(parts)[-1] else name
+            self.joints[name], self.above[parent], self.axes[name] = joint, joint, axis
+        del self.joints[whole.get('name')]
+
+    def fix_base(self):
+        """What is floating or planar at the root stays at 0."""
+        for name, joint in self.joints.items():
+            whole, link = joint.get('part_of'), joint.find('parent').get('link')
+            above = self.way(self.root(link), link)
+            if whole and all(each.get('type') == 'fixed' or each.get('part_of') == whole
+                             for each, _ in above):
+                self.given[name] = 0.0, 0.0
 
     def file_of(self, name):
         if not name.startswith('package://'):
@@ -157,12 +201,11 @@ class Robot:
 
     def motion(self, joint):
         """Its type, its unit axis, and what lead() gives."""
-        kind, axis = joint.get('type'), joint.find('axis')
+        kind, name = joint.get('type'), joint.get('name')
         if kind not in ('fixed', 'revolute', 'continuous', 'prismatic'):
             raise NotCovered('a %s joint is on the way' % kind)
-        axis = Interval([1.0, 0, 0] if axis is None else numbers(axis.get('xyz')))
-        size = length(axis)
-        return kind, axis * rounded(1 / size.hi, 1 / size.lo), self.lead(joint.get('name'))
+        axis = self.axes[name] if name in self.axes else unit(Interval(axis_of(joint)))
+        return kind, axis, self.lead(name)
 
     def lead(self, name):
         """Which joint this one follows, with factor and offset."""
@@ -178,7 +221,7 @@ class Robot:
         """Of a joint that follows none. One turn has all angles, unless others differ after it."""
         kind, limit = self.joints[name].get('type'), self.joints[name].find('limit')
         lower, upper = -math.inf, math.inf
-        if kind != 'continuous':
+        if kind != 'continuous' and limit is not None:
             lower, upper = (float(limit.get(end, 0)) for end in ('lower', 'upper'))
         lower, upper = self.given.get(name, (lower, upper))
         leads = [(joint, self.lead(other)) for other, joint in self.joints.items()]

@@ -17,7 +17,7 @@ void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, co
       << ", \"geometry\": \"" << geometry
       << "\", \"clearance\": " << exactNumber(options.clearance.value_or(0))
       << ", \"touching\": " << exactNumber(options.touching.value_or(kDefaultTouching))
-      << ", \"given\": {";
+      << ", \"base\": \"" << (options.has_fixed_base ? "fixed" : "free") << "\", \"given\": {";
   const char* separator = "";
   for (const auto& [joint, range] : options.joints) {
     out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "

@@ -39,7 +39,6 @@ class Certificate {
     std::ostringstream tree;
     std::string variables;
     for (const std::size_t joint : pair.path().variables) {
-      if (!robot_.joints[joint].part_of.empty()) return false;
       variables += (variables.empty() ? "" : ", ") + jsonString(robot_.joints[joint].name);
     }
     if (!pair.writeTree(is_over, tree)) return false;

@@ -48,8 +48,6 @@ class ReachCertificate {
     link.padding = 0;
     const JointPath chain = jointPath(robot_, ranges_, robot_.root, bounded_.indices[index]);
     if (chain.joints.size() > kMaxJoints) return false;
-    for (const std::size_t joint : chain.variables)
-      if (!robot_.joints[joint].part_of.empty()) return false;
     const double step = kStep * std::max(1.0, radii_[index]);
     for (int cells = kFirstCells;; cells *= 2) {
       ReachBound bound(chain, link, radii_[index], cells, is_over_);

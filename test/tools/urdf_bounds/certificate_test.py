@@ -4,7 +4,7 @@
 """scripts/check_certificate accepts what urdf_bounds --certificate writes with --pairs, --reach and
 --path, and nothing that is false.
 
-Run as: certificate_test.py PATH_OF_wrong_certificate PATH_OF_urdf_bounds
+Run as: certificate_test.py PATH_OF_wrong_urdf_bounds PATH_OF_urdf_bounds
 """
 import contextlib
 import importlib.machinery
@@ -36,6 +36,12 @@ PUBLIC = {'ur_description/urdf/ur5e.urdf': '20', 'franka_description/urdf/panda.
 if SANITIZED:
     del PUBLIC['franka_description/urdf/panda.urdf']
 
+# A planar and a floating joint, and ranges in which links stay apart for which these turn.
+MOBILE = os.path.join(PACKAGE, 'test/data/mobile_arm.urdf')
+BASE_RANGES = ('drive.x:=-0.5..0.1', 'drive.y:=-0.1..0.2', 'drive.yaw:=-0.4..0.4', 'lift:=-0.2..0.1',
+               'wrist:=-1..1', 'carry.x:=-0.6..-0.5', 'carry.y:=-0.1..0.2', 'carry.z:=-0.1..0.1',
+               'carry.yaw:=0.5..0.7', 'carry.pitch:=-0.3..-0.1', 'carry.roll:=-0.1..0.3')
+
 # Joints of the demo.
 STILL = ('forearm_roll', 'wrist_roll', 'elbow_bend') + (('wrist_bend',) if SANITIZED else ())
 REACH = ('--reach', '--accuracy', '0.05', '--budget', '1000', '--format', 'json')
@@ -66,6 +72,11 @@ def check(*arguments):
     with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text):
         code = CHECKER.main(list(arguments))
     return code, text.getvalue()
+
+
+def write_wrong(*arguments):
+    """By an engine whose bodies move too little."""
+    subprocess.run([WRONG, *arguments], check=True, stdout=subprocess.DEVNULL)
 
 
 def box(size, place='0 0 0', turn='0 0 0'):
@@ -139,6 +150,33 @@ class CertificateTest(UrdfBoundsTest):
             self.assertEqual(code, REFUSED)
             self.assertIn('elbow', text)
 
+    def test_floating_and_planar_joints(self):
+        """About a tilted axis, too."""
+        with open(MOBILE, encoding='utf-8') as file:
+            tilted = file.read().replace('<axis xyz="0 0 1"/>', '<axis xyz="-0.2 0.1 0.9"/>')
+        for urdf in (MOBILE, self.write('tilted.urdf', tilted)):
+            with self.subTest(urdf):
+                text = self.accept(urdf, '--all', given=(*BASE_RANGES, '--clearance', '0.15'))
+                self.assertRegex(text, r' 6 NEVER; ([1-9]\d+) of \1 boxes.*; drive.x:=-0.5..0.1; ')
+                # The same, but y and yaw of the plane are turned around.
+                other = self.write('other.urdf', tilted.replace('-0.2 0.1 0.9', '0 0 -1'))
+                code, found = check(os.path.join(self.folder, 'file.cert'), other, *BASE_RANGES, '--all')
+                self.assertEqual(code, REFUSED, found)
+
+    def test_a_base_that_is_fixed(self):
+        self.accept(MOBILE, '--all', '--base', 'fixed', given=('--base', 'fixed'))
+        code, text = check(os.path.join(self.folder, 'file.cert'), MOBILE)
+        self.assertEqual(code, REFUSED)
+        self.assertIn('see --base', text)
+        # What floats behind a joint is no base, so three pairs are open.
+        with open(MOBILE, encoding='utf-8') as file:
+            carried = file.read().replace('<parent link="world"/><child link="part"/>',
+                                          '<parent link="hand"/><child link="part"/>')
+        carried = self.write('carried.urdf', carried)
+        code, text = check(os.path.join(self.folder, 'file.cert'), carried, '--base', 'fixed')
+        self.assertEqual(code, INCOMPLETE, text)
+        self.assertEqual(text.count('joint carry.x has no range'), 3)
+
     def test_shapes_that_no_direction_tells_apart(self):
         """A ball inside of a ring: only single shapes or triangles show that they are apart."""
         places = [(0.3, 0), (-0.3, 0), (0, 0.3), (0, -0.3)]
@@ -202,7 +240,7 @@ class CertificateTest(UrdfBoundsTest):
         """By a tenth, at a clearance for which boxes are as large as they may be."""
         self.assertIn(' 6 NEVER', self.accept(self.urdf, '--all', given=('--clearance', NEAR)))
         file = os.path.join(self.folder, 'wrong.cert')
-        subprocess.run([WRONG, self.urdf, file, NEAR], check=True)
+        write_wrong(self.urdf, *COARSE, '--clearance', NEAR, '--certificate', file)
         code, text = check(file, self.urdf, '--all')
         self.assertEqual(code, REFUSED, text)
         self.assertIn('not proven around', text)
@@ -251,6 +289,20 @@ class ReachTest(UrdfBoundsTest):
         self.assertEqual(check(file, self.urdf, *given, '--all')[0], 0)
         self.assertEqual(check(file, self.urdf)[0], REFUSED)
 
+    def test_floating_and_planar_joints(self):
+        for given in (BASE_RANGES, ('--base', 'fixed')):
+            with self.subTest(given):
+                file, result = self.certificate(MOBILE, *given)
+                code, text = check(file, MOBILE, *given, '--sample', '100')
+                self.assertEqual(code, 0, text)
+                self.assertIn(': %d links; ' % len(result['reach']), text)
+                lines = lines_of(file)
+                part = next(line for line in lines if line.get('link') == 'part')
+                part['min'][2] += 1e-3
+                with open(file, 'w', encoding='utf-8') as out:
+                    out.writelines(json.dumps(line) + '\n' for line in lines)
+                self.assertEqual(check(file, MOBILE, *given)[0], REFUSED)
+
     def test_demo(self):
         file, _ = self.certificate(DEMO)
         code, text = check(file, DEMO)
@@ -272,7 +324,7 @@ class ReachTest(UrdfBoundsTest):
 
     def test_an_engine_whose_joints_turn_too_little(self):
         file = os.path.join(self.folder, 'wrong.cert')
-        subprocess.run([WRONG, self.urdf, file, 'reach'], check=True)
+        write_wrong(self.urdf, *REACH, '--certificate', file)
         code, text = check(file, self.urdf, '--sample', '100')
         self.assertEqual(code, REFUSED, text)
         self.assertIn('not proven before joint', text)
@@ -443,7 +495,7 @@ class ContactTest(UrdfBoundsTest):
         self.assertEqual(self.certificate()['large', 'small'], 'ALWAYS')
         code, text = check(self.file, self.urdf, '--all')
         self.assertEqual((code, ' 1 ALWAYS; 2 of 2 boxes' in text), (0, True), text)
-        subprocess.run([WRONG, self.urdf, self.file, '0'], check=True)
+        write_wrong(self.urdf, *COARSE, '--certificate', self.file)
         code, text = check(self.file, self.urdf, '--all')
         self.assertEqual(code, REFUSED, text)
 
@@ -489,6 +541,24 @@ class PathTest(UrdfBoundsTest):
                                    '--objects', self.objects)
                 self.assertIn('COLLIDES', out)
                 self.assertIn('not proven', self.check_table(fast, REFUSED))
+
+    def test_a_base_that_drives(self):
+        self.urdf = MOBILE
+        table = ('drive.x,drive.y,drive.yaw,lift,carry.x,carry.pitch\n-0.5,0,0,0,-0.5,0.2\n'
+                 '0,0.2,0.4,0.1,-0.6,-0.3\n0.2,0.1,-0.4,0,-0.6,0\n')
+        self.write_certificate(table)
+        self.check_table(table, 0)
+        self.assertIn('not proven', self.check_table(table.replace('\n0,', '\n0.9,'), REFUSED))
+
+    def test_an_engine_whose_bodies_move_too_little(self):
+        for table in self.FAST:
+            with self.subTest(table):
+                arguments = (self.urdf, '--poses', self.write('path.csv', table), '--path',
+                             '--objects', self.objects)
+                found = json.loads(run(*arguments, '--format', 'json')[1])
+                nearest = min(segment['clearance'] for segment in found['segments'])
+                write_wrong(*arguments, '--clearance', repr(0.999 * nearest), '--certificate', self.file)
+                self.assertIn('not proven', self.check_table(table, REFUSED))
 
     def test_damages(self):
         self.write_certificate(self.LINEAR)
