@@ -20,7 +20,7 @@ PacedOutput::PacedOutput(Periodic& periodic, Guard guard, std::function<void()> 
       guard_(std::move(guard)),
       emit_(std::move(emit)),
       patience_(patience),
-      alarm_(periodic.addAlarm([this] { guard_([this] { emitNow(); }); })) {}
+      alarm_(periodic.addAlarm([this] { guard_([this] { emitWaiting(); }); })) {}
 
 void PacedOutput::setRate(double rate) {
   period_ = ros::WallDuration(rate > 0 ? std::min(1 / rate, kMaxPeriod) : 0);
@@ -34,6 +34,10 @@ void PacedOutput::request() {
 
 void PacedOutput::setAlarm() {
   periodic_.setAlarm(alarm_, *last_ + period_ * (1 + patience_));
+}
+
+void PacedOutput::emitWaiting() {
+  if (is_waiting_) emitNow();
 }
 
 void PacedOutput::emitNow() {

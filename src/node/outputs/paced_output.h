@@ -43,6 +43,9 @@ class PacedOutput {
  private:
   void setAlarm();
 
+  /// Nothing waits any more where `guard` itself has led to a request, which was answered at once.
+  void emitWaiting();
+
   Periodic& periodic_;
   Guard guard_;
   std::function<void()> emit_;

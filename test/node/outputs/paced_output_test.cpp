@@ -18,9 +18,15 @@ constexpr double kPerHour = 1.0 / 3600;  // Hz
 struct Paced {
   explicit Paced(double patience)
       : output(
-            periodic, [](const auto& call) { call(); }, [this] { ++calls; }, patience) {}
+            periodic,
+            [this](const auto& call) {
+              before_alarm();
+              call();
+            },
+            [this] { ++calls; }, patience) {}
 
   Periodic periodic;
+  std::function<void()> before_alarm = [] {};
   int calls = 0;
   PacedOutput output;
 };
@@ -64,6 +70,25 @@ TEST(PacedOutput, WithPatienceCallsForTheFirstRequestAfterThePeriod) {
     paced.periodic.callDue();
   }
   EXPECT_GT(ros::SteadyTime::now() - first, ros::WallDuration(0.99 / kRate));
+}
+
+/// The node's guard updates the scene before an alarm, which requests an output of what is new.
+TEST(PacedOutput, ARequestBeforeTheAlarmIsAnsweredOnce) {
+  Paced paced(0);
+  paced.output.setRate(100);
+  int alarms = 0;
+  paced.before_alarm = [&] {
+    ++alarms;
+    paced.output.request();
+  };
+  paced.output.request();
+  paced.output.request();
+  const auto start = ros::SteadyTime::now();
+  while (alarms == 0) {
+    paced.periodic.callDue();
+    ASSERT_LT(ros::SteadyTime::now() - start, ros::WallDuration(30));
+  }
+  EXPECT_EQ(paced.calls, 2);
 }
 
 }  // namespace
