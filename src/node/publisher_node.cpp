@@ -7,6 +7,7 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
@@ -26,6 +27,10 @@ constexpr std::chrono::milliseconds kMaxWait(100);  // until a shutdown is notic
 /// Messages that wait for longer than this, or more of them, are taken together.
 constexpr std::chrono::milliseconds kMaxAge(20);
 constexpr std::size_t kMaxWaiting = 64;
+
+/// Of those that are taken together, /tf is skipped after this time but for the newest kMaxWaiting
+/// messages, so that boxes are not old where even taking it is too slow.
+constexpr std::chrono::milliseconds kMaxTaking(15);
 
 /// On the node's own queue.
 ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& queue) {
@@ -178,7 +183,10 @@ void PublisherNode::callWaiting() {
   queue_.callOne();
   for (std::size_t i = 1; is_behind && i < backlog.count && queue_.callOne(); ++i) {
     if (!ros::isShuttingDown()) periodic_.callDue();
+    const bool is_late = std::chrono::steady_clock::now() - begin > kMaxTaking;
+    tf_receiver_.skip(is_late && i + 1 + kMaxWaiting < backlog.count);
   }
+  tf_receiver_.skip(false);
   feed_.setJoining(false);
   if (is_behind) guard([] {});  // the update
   const auto delay = backlog.oldest + (std::chrono::steady_clock::now() - begin);
@@ -228,6 +236,10 @@ void PublisherNode::adopt(ModelLoader::ModelPtr model) {
 }
 
 void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static) {
+  if (event.getConstMessage()->is_skipped) {
+    ++skipped_;
+    return;
+  }
   feed_.onTransforms(
       event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },
       ros::Time::now());
@@ -287,6 +299,7 @@ void PublisherNode::publishDiagnostics() {
   health.updates = updates_;
   health.publications = output_.publications();
   health.joined = feed_.takeJoined();
+  health.skipped = std::exchange(skipped_, 0);
   health.lag_ms = output_.takeMaxLag();
   health.delay_ms = std::chrono::duration<double, std::milli>(max_delay_).count();
   max_delay_ = std::chrono::nanoseconds(0);

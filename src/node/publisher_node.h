@@ -88,6 +88,7 @@ class PublisherNode {
   ModelLoader::ModelPtr model_;
   CallbackTimes times_;
   std::uint64_t updates_ = 0;
+  std::size_t skipped_ = 0;                ///< messages of /tf, since the last status
   std::chrono::nanoseconds max_delay_{0};  ///< of a message in the node, since the last status
   Periodic periodic_;                      ///< before the outputs, which have alarms there
   SceneOutput output_;

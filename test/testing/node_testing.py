@@ -123,6 +123,7 @@ class Repeater:
 
 
 JOINED = "updates joined, last second"
+SKIPPED = "tf messages skipped, last second"
 
 
 class Diagnostics:
@@ -147,7 +148,19 @@ class Diagnostics:
 
     def joined(self, start):
         """How many messages were answered together with a newer one, by the statuses since then."""
-        return sum(float(value_of(status, JOINED) or 0) for _, status, _ in self.since(start))
+        return self.sum_of(JOINED, start)
+
+    def skipped(self, start):
+        """How many messages of /tf were not read, likewise."""
+        return self.sum_of(SKIPPED, start)
+
+    def not_alone(self, start):
+        """How many messages had no update of their own, likewise."""
+        return self.joined(start) + self.skipped(start)
+
+    def sum_of(self, key, start):
+        """Of the values of all statuses since then."""
+        return sum(float(value_of(status, key) or 0) for _, status, _ in self.since(start))
 
     def wait_for_new(self, condition, what, deadline=DEADLINE):
         """The first status received from now on for which condition(stamp, status) is true."""

@@ -6,9 +6,7 @@
 namespace link_bounds {
 namespace {
 
-/// Messages that may wait; then the oldest is dropped. A second at 1 kHz; tf2_ros has 100. It
-/// bounds how old boxes become where even taking messages into tf is too slow: at 16,000 Hz of 200
-/// links, 5,000 messages took 364 ms (`scripts/bench overload`).
+/// Messages that may wait; then the oldest is dropped. A second at 1 kHz; tf2_ros has 100.
 constexpr std::uint32_t kQueue = 1000;
 
 /// Static transforms are sent once: none may be dropped.

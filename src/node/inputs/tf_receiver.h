@@ -24,6 +24,9 @@ class TfReceiver {
   TfReceiver(const TfReceiver&) = delete;
   TfReceiver& operator=(const TfReceiver&) = delete;
 
+  /// Whether messages of /tf whose callback is called from now on are skipped; see TfMessage.
+  void skip(bool skips) { memory_->skip(skips); }
+
   /// To be called regularly: frees the memory that only a huge message needs.
   void freeSpareMemory();
 

@@ -207,6 +207,8 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (scene.model())
     warnOfDistance(health.distances, scene.model()->parameters.distance_warning, status);
   if (scene.model()) warnOfAge(health, scene.model()->parameters.max_rate, status);
+  if (health.skipped > 0)
+    raise(status, DiagnosticStatus::WARN, "tf comes faster than it can be read");
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (!health.late_publishers.empty())
     raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");
@@ -235,6 +237,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
       static_cast<double>(health.updates - std::exchange(last_updates_, health.updates));
   add(status, "updates per second", std::to_string(updates / seconds));
   add(status, "updates joined, last second", std::to_string(health.joined));
+  add(status, "tf messages skipped, last second", std::to_string(health.skipped));
   add(status, "longest delay of a message in the node [ms]", std::to_string(health.delay_ms));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");

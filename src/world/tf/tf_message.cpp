@@ -37,8 +37,9 @@ TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
 }
 
 void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
-  bytes.assign(data, data + size);
   transforms.clear();
+  if (is_skipped) return;
+  bytes.assign(data, data + size);
   IStream stream(bytes.data(), size);
   std::uint32_t count = 0;
   for (stream.next(count); count > 0; --count) {
@@ -59,7 +60,13 @@ void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {
 boost::shared_ptr<TfMessage> TfMessageMemory::lend() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!message_ || !message_.unique()) message_ = boost::make_shared<TfMessage>();
+  message_->is_skipped = skips_;
   return message_;
+}
+
+void TfMessageMemory::skip(bool skips) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  skips_ = skips;
 }
 
 void TfMessageMemory::giveBack() {

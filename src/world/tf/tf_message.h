@@ -39,7 +39,7 @@ struct TfMessage {
   TfMessage& operator=(const TfMessage&) = delete;
 
   /// Reads a serialised TFMessage into memory that is reused. Throws what ros::serialization throws
-  /// if it is too short.
+  /// if it is too short. What is skipped is not read and has no transforms.
   void read(const std::uint8_t* data, std::uint32_t size);
 
   /// Its memory [bytes].
@@ -47,6 +47,7 @@ struct TfMessage {
     return bytes.capacity() + transforms.capacity() * sizeof(TransformView);
   }
 
+  bool is_skipped = false;                ///< see TfMessageMemory::skip()
   std::vector<TransformView> transforms;  ///< into bytes
   std::vector<std::uint8_t> bytes;
 };
@@ -59,12 +60,16 @@ class TfMessageMemory {
   /// The previous message, or a new one if somebody still holds that.
   boost::shared_ptr<TfMessage> lend();
 
+  /// Whether messages that are lent from now on are skipped.
+  void skip(bool skips);
+
   /// To be called now and then: frees memory that only large messages need.
   void giveBack();
 
  private:
   std::mutex mutex_;
-  boost::shared_ptr<TfMessage> message_;  ///< guarded by mutex_
+  boost::shared_ptr<TfMessage> message_;  ///< guarded by mutex_, like skips_
+  bool skips_ = false;
 };
 
 }  // namespace link_bounds

@@ -8,17 +8,19 @@ import unittest
 
 import rospy
 from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
+from diagnostic_msgs.msg import DiagnosticStatus
 from load_testing import LoadTest, link_names, overlapping_cubes
-from node_testing import NODE
+from node_testing import NODE, SKIPPED, value_of
 from patience import PATIENCE
 
 HZ, SECONDS = 500, 10
 TIMEOUT = 1.0  # s, of the node
 LATE = 5 * PATIENCE  # s, that a busy machine may add to a second
 OBJECTS = 500  # far more than a node can answer at 500 Hz, with their overlaps
+MANY, SLOW = 3000, 250  # links, Hz: what comes of them in LONG_STOP cannot be read in time
 AGE = 1000 * PATIENCE  # ms; 100 are promised
 BURST = 500  # messages while the node is stopped
-STOP = 0.5  # s
+STOP, LONG_STOP = 0.5, 3.0  # s
 FEW = BURST / 2  # boxes that a burst may cause; one or two are usual
 
 
@@ -37,6 +39,7 @@ class Backlog(LoadTest):
         self.wait_for_statuses()
         self.assertEqual(result["unanswered"], 0)
         self.assertEqual(result["updates"] + self.statuses.joined(start), result["sent"])
+        self.assertEqual(self.statuses.skipped(start), 0)
         self.assertGreater(result["updates"], 0.9 * result["sent"])
 
     def test_a_listener_of_overlaps_makes_no_boxes_old(self):
@@ -76,7 +79,7 @@ class Backlog(LoadTest):
         count = len(boxes.messages)
         print("%d messages, %d boxes, %d joined" % (BURST, count, self.statuses.joined(start)))
         self.assertLess(count, FEW)
-        self.assertEqual(self.statuses.joined(start), BURST - count)
+        self.assertEqual(self.statuses.not_alone(start), BURST - count)
         self.assertEqual(len(names_of(boxes.messages[-1])), self.LINKS + 1)
 
     def send_while_stopped(self, tf):
@@ -91,6 +94,29 @@ class Backlog(LoadTest):
             time.sleep(0.01)  # the rest of the stop
         self.node.interrupt(signal.SIGCONT)
         return stamp
+
+    def test_what_cannot_be_read_in_time_is_skipped_and_told(self):
+        self.LINKS = MANY
+        self.start_node()
+        self.add([])
+        start = time.monotonic()
+        driver = self.start_drive(SLOW, SECONDS)
+        wait_for(lambda: self.statuses.newest("tf messages") > SLOW, "a second of tf")
+        self.node.interrupt(signal.SIGSTOP)
+        time.sleep(LONG_STOP)
+        self.node.interrupt(signal.SIGCONT)
+        result = self.end_drive(driver)[0]
+        self.wait_for_statuses()
+        skipped = self.statuses.skipped(start)
+        print("%d of %d messages skipped" % (skipped, result["sent"]))
+        self.assertGreater(skipped, 0)
+        self.assertEqual(result["unanswered"], 0, "the newest has boxes")
+        self.assertEqual(result["updates"] + self.statuses.not_alone(start), result["sent"])
+        self.assertTrue(any(status.level == DiagnosticStatus.WARN and "faster" in status.message
+                            for _, status, _ in self.statuses.since(start)))
+        calm = self.statuses.wait_for_new(
+            lambda _, status: value_of(status, SKIPPED) == "0", "nothing skipped")
+        self.assertNotIn("faster", calm.message)
 
 
 if __name__ == "__main__":

@@ -88,6 +88,22 @@ TEST(TfMessageMemory, IsUsedAgainUnlessSomebodyHoldsIt) {
   EXPECT_NE(memory.lend(), first);
 }
 
+TEST(TfMessageMemory, WhatIsSkippedHasNoTransforms) {
+  TfMessageMemory memory;
+  read(bytesOf(threeTransforms()), *memory.lend());
+  memory.skip(true);
+  const auto skipped = memory.lend();
+  read(bytesOf(threeTransforms()), *skipped);
+  EXPECT_TRUE(skipped->is_skipped);
+  EXPECT_TRUE(skipped->transforms.empty());
+  EXPECT_NO_THROW(read({255, 255, 255, 255}, *skipped)) << "it is not looked at";
+  memory.skip(false);
+  const auto next = memory.lend();
+  read(bytesOf(threeTransforms()), *next);
+  EXPECT_FALSE(next->is_skipped);
+  EXPECT_EQ(next->transforms.size(), 3u);
+}
+
 TEST(TfMessageMemory, OfALargeMessageIsGivenBack) {
   TfMessageMemory memory;
   read(bytesOf(manyTransforms(300000)), *memory.lend());
