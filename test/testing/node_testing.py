@@ -154,10 +154,6 @@ class Diagnostics:
         """How many messages of /tf were not read, likewise."""
         return self.sum_of(SKIPPED, start)
 
-    def not_alone(self, start):
-        """How many messages had no update of their own, likewise."""
-        return self.joined(start) + self.skipped(start)
-
     def sum_of(self, key, start):
         """Of the values of all statuses since then."""
         return sum(float(value_of(status, key) or 0) for _, status, _ in self.since(start))

@@ -234,7 +234,7 @@ class MeshFaults(unittest.TestCase):
         self.assertGreater(len(milliseconds), 100)
         status = statuses.wait_for_new(lambda *_: True, "a status")
         sent = milliseconds[-1] + 1 - milliseconds[0]
-        self.assertLessEqual(sent - len(milliseconds), statuses.not_alone(start))
+        self.assertLessEqual(sent - len(milliseconds), statuses.joined(start))
         self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
 
     def check_delays(self, delays, node, beside):
