@@ -95,17 +95,13 @@ bool RecordedScene::passTo(std::int64_t time) {
     tick(next_tick_);
     next_tick_ += std::max(kTick, (next_tick_ - begin) / kTicksPerGap);
   }
-  setTime(time);
+  passed_ = std::min(passed_ + std::max<std::int64_t>(time - begin, 0), kMaxTime);
+  now_ = time;
   return true;
 }
 
-void RecordedScene::setTime(std::int64_t time) {
-  passed_ = std::min(passed_ + std::max<std::int64_t>(time - now_, 0), kMaxTime);
-  now_ = time;
-}
-
 void RecordedScene::tick(std::int64_t time) {
-  setTime(time);
+  now_ = time;
   feed_.onTick(toRosTime(time));
   on_step_(time, true);
 }

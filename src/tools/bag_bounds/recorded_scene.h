@@ -63,7 +63,6 @@ class RecordedScene {
   std::uint64_t damaged() const { return damaged_; }
 
  private:
-  void setTime(std::int64_t time);
   void tick(std::int64_t time);
   void takeTransforms(const BagMessage& message, bool is_static);
   void takeJointState(const BagMessage& message);

@@ -173,7 +173,6 @@ bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now, double ti
   const ObjectContent& content = *object.content;
   const bool is_static = content.stamp == 0 && !content.bounded.shapes.empty();
   return content.is_neighbour && !is_static && frames_.timeout() > 0 &&
-         object.received < frames_.tf().recent() &&
          static_cast<double>(now - object.received) > timeouts * frames_.timeout() * 1e9;
 }
 

@@ -5,29 +5,18 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace link_bounds {
-namespace {
-
-/// Of steady time [s]. Whoever sent a transform or a box so recently, or in less than a quarter of
-/// the timeout, is not silent, however far the clock has jumped ahead.
-constexpr double kMoment = 0.1;
-
-}  // namespace
 
 SceneFeed::SceneFeed(Handlers handlers, std::function<ros::SteadyTime()> steady_now)
     : handlers_(std::move(handlers)),
       object_source_(scene_.objects, handlers_.request_mesh),
-      steady_now_(std::move(steady_now)),
-      clock_(steady_now_) {}
+      clock_(std::move(steady_now)) {}
 
 void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
   tf_.distrustStampsAhead(now);
   input_.forgetLog();
-  recent_.setMoment(ros::WallDuration(std::min(kMoment, model->parameters.timeout / 4)));
-  observeRecent(now);
   scene_.adopt(std::move(model), now);
   object_source_.reloadMeshes();
 }
@@ -88,13 +77,7 @@ void SceneFeed::onTick(ros::Time now) {
   if (is_changed) onNews();
 }
 
-void SceneFeed::observeRecent(ros::Time now) {
-  recent_.observe(now, steady_now_());
-  tf_.setRecent(recent_.since());
-}
-
 void SceneFeed::observeClock(ros::Time now) {
-  observeRecent(now);
   switch (clock_.observe(now)) {
     case ClockWatch::Event::kNone:
       return;

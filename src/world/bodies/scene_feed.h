@@ -15,7 +15,6 @@
 #include "world/bodies/scene.h"
 #include "world/log/repeat_log.h"
 #include "world/tf/clock_watch.h"
-#include "world/tf/recent_time.h"
 #include "world/tf/transform_input.h"
 
 namespace link_bounds {
@@ -82,7 +81,6 @@ class SceneFeed {
   void taken(bool is_changed, ros::Time now);
   void updatePoses(ros::Time now);
   void observeClock(ros::Time now);
-  void observeRecent(ros::Time now);
   void logJump();
   void onNews();
 
@@ -91,9 +89,7 @@ class SceneFeed {
   Scene scene_{tf_};
   TransformInput input_;
   ObjectSource object_source_;
-  std::function<ros::SteadyTime()> steady_now_;
   ClockWatch clock_;
-  RecentTime recent_;
   RepeatLog jump_log_;
   bool joins_ = false;
   bool has_new_transforms_ = false;  ///< this and the next two: since the last update

@@ -67,7 +67,7 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
 }
 
 void SceneCopy::begin(const Scene& scene, ros::Time now) {
-  past_ = std::make_unique<PastScene>(request_, scene.frames.staleBefore(now));
+  past_ = std::make_unique<PastScene>(request_, staleBefore(model_->parameters.timeout, now));
   past_->model = model_;
   past_->now = now;
   past_->unknown_names = std::move(unknown_names_);

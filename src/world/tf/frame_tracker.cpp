@@ -22,10 +22,6 @@ std::int64_t staleBefore(double timeout, ros::Time now) {
   return is_never ? kBeforeAllTimes : static_cast<std::int64_t>(before);
 }
 
-std::int64_t FrameTracker::staleBefore(ros::Time now) const {
-  return std::min(link_bounds::staleBefore(timeout_, now), tf_.recent());
-}
-
 FrameTracker::Node FrameTracker::rootNode() {
   Node node;
   node.has_pose = true;
@@ -62,7 +58,7 @@ void FrameTracker::release(Frame frame) {
 /// each.
 void FrameTracker::update(ros::Time now) {
   if (structure_ != tf_.structure() || unused_ > nodes_.size() / 2) return updateAll(now);
-  stale_before_ = staleBefore(now);
+  stale_before_ = staleBefore(timeout_, now);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     node.is_changed = node.has_moved = false;
@@ -75,7 +71,7 @@ void FrameTracker::update(ros::Time now) {
 
 /// A frame that is where it was has not moved.
 void FrameTracker::updateAll(ros::Time now) {
-  stale_before_ = staleBefore(now);
+  stale_before_ = staleBefore(timeout_, now);
   const std::vector<Node> old_nodes = std::move(nodes_);
   const std::vector<Place> places = takePlaces(old_nodes);
   build(places);
@@ -100,7 +96,7 @@ void FrameTracker::watch(Frame frame) {
 void FrameTracker::expire(ros::Time now) {
   for (const Frame frame : watched_)
     tf_.watch(frame);
-  stale_before_ = staleBefore(now);
+  stale_before_ = staleBefore(timeout_, now);
   for (Node& node : nodes_) {
     node.has_moved = false;
     node.is_changed = node.problem != TransformProblem::kStale && node.received < stale_before_;

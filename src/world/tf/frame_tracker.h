@@ -77,9 +77,6 @@ class FrameTracker {
   std::optional<Frame> fixedFrame() const { return fixed_frame_; }
   double timeout() const { return timeout_; }
 
-  /// What was received before this [ns of ROS time] is stale at `now`.
-  std::int64_t staleBefore(ros::Time now) const;
-
   /// The pose is there at once, if tf knows it.
   Handle follow(Frame frame);
   Handle follow(std::string_view name) { return follow(tf_.frame(name)); }

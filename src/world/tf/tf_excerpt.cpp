@@ -55,7 +55,6 @@ bool TfExcerpt::copy(const TransformBuffer& tf, std::chrono::nanoseconds budget)
     if (looks && complete_ < originals_.size() && Clock::now() >= end) return false;
   }
   buffer_->settled_ = tf.settled();
-  buffer_->recent_ = tf.recent();
   return true;
 }
 

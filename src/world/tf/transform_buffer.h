@@ -11,7 +11,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -141,11 +140,6 @@ class TransformBuffer {
   /// Edges received before the clock ran count as received now.
   void startClock(ros::Time now);
 
-  /// What was received from this time on is not stale, even if the timeout has passed because the
-  /// clock jumped ahead: see RecentTime. Without it, only timeouts count.
-  void setRecent(ros::Time since) { recent_ = static_cast<std::int64_t>(since.toNSec()); }
-  std::int64_t recent() const { return recent_; }
-
   const TfIntake& intake() const { return intake_; }
 
   /// True if a message had this edge after the buffer had that version.
@@ -244,7 +238,6 @@ class TransformBuffer {
   std::uint64_t structure_ = 1;
   std::uint64_t epoch_ = 1;
   std::int64_t settled_ = 0;
-  std::int64_t recent_ = std::numeric_limits<std::int64_t>::max();  ///< [ns]
   std::uint64_t pass_ = 1;           ///< over all frames: this and what follows is of forgetQuiet()
   Frame next_ = 0;                   ///< to be visited
   std::size_t kept_static_ = 0;      ///< edges that are kept because they are static

@@ -13,11 +13,7 @@
 namespace link_bounds {
 namespace {
 
-ros::SteadyTime steadyAt(ros::Time time) {
-  return {time.sec, time.nsec};
-}
-
-/// A feed with some links of a random tf, whose steady clock is ROS time.
+/// A feed with some links of a random tf.
 struct Fed {
   Fed(RandomTf& tf, bool joins_messages) : joins(joins_messages) {
     std::vector<BoundedLink> links;
@@ -35,8 +31,7 @@ struct Fed {
   bool joins;
   int news = 0;
   std::size_t joined = 0;
-  ros::Time clock;
-  SceneFeed feed{{[](const MeshUse&) {}, [this] { ++news; }}, [this] { return steadyAt(clock); }};
+  SceneFeed feed{{[](const MeshUse&) {}, [this] { ++news; }}};
 };
 
 /// Follows a frame, is replaced or removed. One with a stamp may have to wait for its transform and
@@ -67,66 +62,6 @@ std::vector<std::string> texts(const SceneFeed& feed) {
   return lines;
 }
 
-/// A link in the map with a timeout of a second.
-struct OneLink {
-  OneLink() {
-    auto model = std::make_shared<Model>(*modelOf("map", {meshLink("link", 1)}));
-    model->parameters.timeout = 1;
-    feed.adopt(model, ros::Time(100));
-  }
-
-  /// The link, received and sent at that ROS time; seconds of steady time have passed.
-  void send(double now, double passed) {
-    steady += ros::WallDuration(passed);
-    geometry_msgs::TransformStamped transform;
-    transform.header.frame_id = "map";
-    transform.child_frame_id = "link";
-    transform.header.stamp = ros::Time(now);
-    transform.transform.rotation.w = 1;
-    const std::vector<TransformView> views(1, TransformView(transform));
-    feed.onTransforms(
-        views, false, [] { return "/sender"; }, ros::Time(now));
-  }
-
-  bool isComplete(double now, double passed) {
-    steady += ros::WallDuration(passed);
-    feed.onTick(ros::Time(now));
-    return !feed.scene().links.states().front().incomplete;
-  }
-
-  ros::SteadyTime steady{1000};
-  SceneFeed feed{{[](const MeshUse&) {}, [] {}}, [this] { return steady; }};
-};
-
-TEST(SceneFeed, AJumpAheadMakesNobodySilentWhoGoesOn) {
-  OneLink link;
-  link.send(100, 0);
-  link.send(100.05, 0.05);
-  EXPECT_TRUE(link.isComplete(200, 0.01));
-  EXPECT_TRUE(link.isComplete(200.05, 0.05));
-  link.send(200.06, 0.01);
-  for (double now = 200.1; now < 201; now += 0.05)
-    EXPECT_TRUE(link.isComplete(now, 0.05)) << now;
-  EXPECT_FALSE(link.isComplete(201.1, 0.05));
-}
-
-TEST(SceneFeed, WhoIsSilentAfterAJumpAheadIsStaleSoon) {
-  OneLink link;
-  link.send(100, 0);
-  link.send(100.05, 0.05);
-  EXPECT_TRUE(link.isComplete(200, 0.01));
-  for (int i = 0; i < 5; ++i)
-    link.isComplete(200, 0.05);
-  EXPECT_FALSE(link.isComplete(200, 0.05));
-}
-
-TEST(SceneFeed, ATimeoutInTimeThatRunsIsNotLonger) {
-  OneLink link;
-  link.send(100, 0);
-  EXPECT_TRUE(link.isComplete(100.95, 0.95));
-  EXPECT_FALSE(link.isComplete(101.05, 0.1));
-}
-
 class JoinedMessages : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(JoinedMessages, GiveTheSameSceneAsOneUpdateEach) {
@@ -136,13 +71,11 @@ TEST_P(JoinedMessages, GiveTheSameSceneAsOneUpdateEach) {
   ros::Time now(1000);
   for (int i = 0; i < 400; ++i) {
     now += ros::Duration(0.001);
-    single.clock = several.clock = now;
     if (tf.pick(40) == 0) {
       several.update(now);
       updates += since_update > 0 ? 1 : 0;
       since_update = 0;
       now += ros::Duration(tf.pick(10) == 0 ? -2.0 : 1.5);
-      single.clock = several.clock = now;
       for (Fed* fed : {&single, &several})
         fed->feed.onTick(now);
     }
