@@ -79,6 +79,7 @@ int reloadUntil(ros::SteadyTime end, ros::SteadyTime& next_reload) {
 
 /// The growth of memory after the first minute [bytes].
 struct Growth {
+  int minutes = 0;  ///< that were compared with the first one
   double at_end = 0;
   double largest = 0;  ///< of all minutes
 };
@@ -95,7 +96,7 @@ Growth runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects&
     reloads += reloadUntil(start + kMinute * minute, next_reload);
     resident = residentBytes(pid);
     if (minute == 1) first = resident;
-    growth = {resident - first, std::max(growth.largest, resident - first)};
+    growth = {minute - 1, resident - first, std::max(growth.largest, resident - first)};
     std::printf(
         "minute %3d: %9llu tf messages in, %9llu boxes and %7llu markers out, %4d reloads, "
         "%3llu time jumps, %8llu objects, %.3f MB resident\n",
@@ -106,8 +107,6 @@ Growth runFor(int minutes, int pid, const SoakSender& sender, const SoakObjects&
         static_cast<unsigned long long>(objects.sent()), resident / 1e6);
     std::fflush(stdout);
   }
-  std::printf("memory: %.3f MB after the first minute, %.3f MB at the end, %+.3f MB\n", first / 1e6,
-              resident / 1e6, (resident - first) / 1e6);
   return growth;
 }
 
@@ -127,8 +126,13 @@ bool verdict(double lost, const Growth& growth, double max_growth, double boxles
   const bool is_good = lost == 0 && growth.at_end < max_growth && boxless_links == 0;
   std::printf("%s: %.0f messages lost (allowed: 0), %.0f links without a box (allowed: 0),\n",
               is_good ? "passed" : "FAILED", lost, boxless_links);
-  std::printf("  memory %+.3f MB at the end (allowed: < %.3f MB), %+.3f MB in the largest minute\n",
-              growth.at_end / 1e6, max_growth / 1e6, growth.largest / 1e6);
+  if (growth.minutes == 0) {
+    std::printf("  %s\n", kNoGrowth);
+  } else {
+    std::printf(
+        "  memory %+.3f MB at the end (allowed: < %.3f MB), %+.3f MB in the largest minute\n",
+        growth.at_end / 1e6, max_growth / 1e6, growth.largest / 1e6);
+  }
   return is_good;
 }
 

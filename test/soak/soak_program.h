@@ -18,6 +18,10 @@ struct SoakArguments {
   double max_growth;  ///< of its memory after the first minute [bytes]
 };
 
+/// Instead of a verdict about memory after a single minute.
+constexpr const char* kNoGrowth =
+    "memory was not compared, because it counts from the end of the first minute";
+
 /// Memory of a process in use [bytes]. Throws std::runtime_error if the process has ended.
 double residentBytes(int pid);
 
