@@ -58,10 +58,10 @@ double roundedUp(double distance, double rounding) {
   return (distance + rounding) * (1 + 8 * kUnitRoundoff);
 }
 
-class Search {
+class HullSearch {
  public:
-  Search(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
-         PairMemory& memory)
+  HullSearch(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
+             PairMemory& memory)
       : first_(first),
         second_(second),
         goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps},
@@ -269,7 +269,7 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory) {
-  return Search(first, second, goal, memory).run();
+  return HullSearch(first, second, goal, memory).run();
 }
 
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,

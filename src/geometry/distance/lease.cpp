@@ -33,7 +33,7 @@ namespace {
 constexpr double kSlack = 16;
 constexpr double kLeastDefect = 64 * kUnitRoundoff;
 constexpr double kLargestDefect = 1e-9;  // that of poses of tf is below 1e-14
-constexpr double kLargest = 1e9;         // m; the square of nothing overflows
+constexpr double kFarthest = 1e9;        // m; the square of nothing overflows
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   const Eigen::Vector3d origin = world_from_body.translation();
   const Eigen::Matrix3d product = axes.transpose() * axes;
   const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kLeastDefect;
-  const bool is_small = origin.norm() <= kLargest && ball.reach() <= kLargest;
+  const bool is_small = origin.norm() <= kFarthest && ball.reach() <= kFarthest;
   if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;
   return RigidBody{ball, axes, origin, defect};
 }

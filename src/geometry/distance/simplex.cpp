@@ -23,9 +23,9 @@ constexpr double kNoise = 4e-16;
 constexpr double kClose = 1e-8;
 
 /// The nearest point so far: a combination of the points whose bits are set.
-class Nearest {
+class NearestToOrigin {
  public:
-  explicit Nearest(double magnitude) : noise_(kNoise * magnitude) {}
+  explicit NearestToOrigin(double magnitude) : noise_(kNoise * magnitude) {}
 
   SimplexPoint found;
 
@@ -46,13 +46,13 @@ constexpr unsigned bit(std::size_t i) {
   return 1u << i;
 }
 
-void tryVertex(const Vectors& p, std::size_t i, Nearest& nearest) {
+void tryVertex(const Vectors& p, std::size_t i, NearestToOrigin& nearest) {
   std::array<double, 4> weights{};
   weights[i] = 1;
   nearest.offer(p[i], weights);
 }
 
-void tryEdge(const Vectors& p, std::size_t i, std::size_t j, Nearest& nearest) {
+void tryEdge(const Vectors& p, std::size_t i, std::size_t j, NearestToOrigin& nearest) {
   const Eigen::Vector3d edge = p[j] - p[i];
   const double along = -p[i].dot(edge);
   const double squared = edge.squaredNorm();
@@ -65,7 +65,8 @@ void tryEdge(const Vectors& p, std::size_t i, std::size_t j, Nearest& nearest) {
 }
 
 /// A second pass begins at the projection, where few digits cancel.
-void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k, Nearest& nearest) {
+void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k,
+             NearestToOrigin& nearest) {
   const Eigen::Vector3d a = p[j] - p[i];
   const Eigen::Vector3d b = p[k] - p[i];
   const double aa = a.squaredNorm();
@@ -94,7 +95,7 @@ void tryFace(const Vectors& p, std::size_t i, std::size_t j, std::size_t k, Near
 /// The origin is inside if its four barycentric coordinates, each a volume, are not negative.
 /// Rounding may give any coordinates to a flat tetrahedron, so the point that they stand for
 /// counts.
-void tryInside(const Vectors& p, Nearest& nearest) {
+void tryInside(const Vectors& p, NearestToOrigin& nearest) {
   const Eigen::Vector3d a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
   const double volume = a.dot(b.cross(c));
   const double w1 = -p[0].dot(b.cross(c)) / volume;
@@ -125,7 +126,7 @@ SimplexPoint Simplex::nearest(unsigned required) const {
   Vectors p;
   for (std::size_t i = 0; i < size_; ++i)
     p[i] = points_[i].difference;
-  Nearest nearest(p[size_ - 1].cwiseAbs().maxCoeff());
+  NearestToOrigin nearest(p[size_ - 1].cwiseAbs().maxCoeff());
   const auto isWanted = [required](unsigned bits) { return (bits & required) == required; };
   if (size_ == 4) tryInside(p, nearest);
   for (std::size_t i = 0; i < size_; ++i) {

@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kHullSteps = 8;  ///< then the pair counts as near
+constexpr int kNodeSteps = 8;  ///< then the pair counts as near
 
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
@@ -45,10 +45,10 @@ auto withNode(const BodyShape& shape, std::uint32_t node, const Use& use) {
   return shape.triangles ? use(shape.triangles->nodes[node].box()) : use(ShapeHull{shape});
 }
 
-class Search {
+class NodeSearch {
  public:
-  Search(const ShapePair& pair, const NearestOfHulls& hulls, const DistanceGoal& goal,
-         std::size_t& steps_left, Witness& witness)
+  NodeSearch(const ShapePair& pair, const NearestOfHulls& hulls, const DistanceGoal& goal,
+             std::size_t& steps_left, Witness& witness)
       : pair_(pair), hulls_(hulls), goal_(goal), steps_left_(steps_left), witness_(witness) {}
 
   double run(TreeMemory& memory) {
@@ -262,7 +262,7 @@ class Search {
   template <class First, class Second>
   void boundBy(const First& first, const Second& second, Separation& known) const {
     const double far_enough = farEnough();
-    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kHullSteps};
+    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kNodeSteps};
     Simplex simplex;
     const GjkResult result =
         gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
@@ -378,7 +378,7 @@ class Search {
 
 double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
                    const DistanceGoal& goal, std::size_t& steps_left, Witness& witness) {
-  return Search(pair, hulls, goal, steps_left, witness).run(memory);
+  return NodeSearch(pair, hulls, goal, steps_left, witness).run(memory);
 }
 
 }  // namespace link_bounds

@@ -19,9 +19,9 @@ constexpr double kThin = 1e-8;
 /// Two points count as nearest if the triangles are so much of the points' distance apart.
 constexpr double kProven = 1 - 1e-13;
 
-class Nearest {
+class NearestOfTriangles {
  public:
-  Nearest(const Triangle& first, const Triangle& second, double enough)
+  NearestOfTriangles(const Triangle& first, const Triangle& second, double enough)
       : first_(first), second_(second), enough_(enough) {}
 
   PointPair pair{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
@@ -89,7 +89,7 @@ struct Features {
 };
 
 void tryCorner(const Eigen::Vector3d& corner, const Features& other, bool swapped,
-               Nearest& nearest) {
+               NearestOfTriangles& nearest) {
   Eigen::Vector3d projection;
   if (other.project(corner, projection)) {
     nearest.offer(corner, projection, swapped);
@@ -104,7 +104,7 @@ void tryCorner(const Eigen::Vector3d& corner, const Features& other, bool swappe
 
 /// Where both points are inside their edges; the ends of edges are corners.
 void tryEdges(const Features& first, std::size_t i, const Features& second, std::size_t j,
-              Nearest& nearest) {
+              NearestOfTriangles& nearest) {
   const Eigen::Vector3d& d = first.edges[i];
   const Eigen::Vector3d& e = second.edges[j];
   const Eigen::Vector3d between = first.corners[i] - second.corners[j];
@@ -119,7 +119,8 @@ void tryEdges(const Features& first, std::size_t i, const Features& second, std:
 }
 
 /// A common point, where an edge crosses the plane of the other triangle inside that triangle.
-void tryPiercing(const Features& edges, const Features& other, bool swapped, Nearest& nearest) {
+void tryPiercing(const Features& edges, const Features& other, bool swapped,
+                 NearestOfTriangles& nearest) {
   const Eigen::Vector3d normal = other.edges[0].cross(other.edges[1]);
   double height[3];
   for (std::size_t i = 0; i < 3; ++i)
@@ -145,7 +146,7 @@ double gapAlong(const Eigen::Vector3d& normal, const Triangle& first, const Tria
 
 PointPair nearestPoints(const Triangle& first, const Triangle& second, double enough) {
   const Features a(first), b(second);
-  Nearest nearest(first, second, enough);
+  NearestOfTriangles nearest(first, second, enough);
   for (std::size_t i = 0; i < 3; ++i) {
     tryCorner(a.corners[i], b, false, nearest);
     if (nearest.isDone()) return nearest.pair;

@@ -14,8 +14,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kLooksPerItem = 10;  ///< of volumes, in those of a WorkMeter
-constexpr double kMinGain = 1e-9;          ///< of a volume; less is rounding
+constexpr std::size_t kLooksPerVolume = 10;  ///< of volumes, in those of a WorkMeter
+constexpr double kMinGain = 1e-9;            ///< of a volume; less is rounding
 
 /// A link moves. Parts that are tight only in the axes of the link would help little once it is
 /// turned, so their boxes are measured along several sets of axes.
@@ -115,7 +115,7 @@ std::vector<NodeVolumes> nodeVolumes(const PartTree& tree,
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const PartNode& node = tree.nodes[i];
     if (node.isLeaf()) {
-      meter.add(kLooksPerItem * (node.end - node.begin));
+      meter.add(kLooksPerVolume * (node.end - node.begin));
       for (std::size_t k = node.begin; k < node.end; ++k)
         extend(tree.items[k], boxes[i]);
     } else {

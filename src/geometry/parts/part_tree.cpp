@@ -18,7 +18,7 @@ namespace {
 /// smaller and take a quarter more instructions.
 constexpr std::size_t kBins = 32;
 
-constexpr std::size_t kLooksPerItem = 10;  ///< what a split costs, in those of a WorkMeter
+constexpr std::size_t kLooksPerSplit = 10;  ///< what a split costs, in those of a WorkMeter
 
 float surfaceOf(const Eigen::Vector3f& size) {
   return 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
@@ -191,7 +191,7 @@ PartTree growTree(const std::vector<DivisibleShape>& shapes, const Eigen::Affine
   for (std::size_t count = 1; count < max_leaves && !leaves.empty();) {
     const std::size_t index = leaves.top().second;
     leaves.pop();
-    meter.add(kLooksPerItem * (tree.nodes[index].end - tree.nodes[index].begin));
+    meter.add(kLooksPerSplit * (tree.nodes[index].end - tree.nodes[index].begin));
     if (!splitLeaf(tree, index)) continue;
     ++count;
     for (const std::size_t child : {tree.nodes[index].left, tree.nodes[index].right})

@@ -28,7 +28,7 @@ constexpr int kMaxSteps = 1000;      ///< typical are some tens
 
 /// Against rounding, relative to the link's magnitude. Each step of the computation is exact to
 /// some tens of roundoffs (1e-16). Points that a point set leaves out are outside by at most 2e-14.
-constexpr double kPad = 2e-13;
+constexpr double kSpherePad = 2e-13;
 
 /// An ellipsoid around each point. Lengths are in the unit of the link, see unitOf().
 struct SweptPoints {
@@ -209,7 +209,7 @@ std::optional<BoundingSphere> boundingSphere(const BoundedLink& link) {
   for (const Shape& shape : link.shapes)
     swept.push_back(sweptPoints(shape, unit));
   const BoundingSphere sphere = smallestSphere(swept, toCenterRadius(*box).center / unit);
-  const double radius = (sphere.radius + kPad) * unit;
+  const double radius = (sphere.radius + kSpherePad) * unit;
   return ifFinite({sphere.center * unit, addUp(radius, link.padding)});
 }
 

@@ -25,7 +25,8 @@ constexpr double kMinGain = 1e-6;    ///< of the volume; the header promises it
 constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
 constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
 
-constexpr double kPad = 256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
+constexpr double kTurnPad =
+    256 * kUnitRoundoff;  ///< of the magnitude; turning there and back rounds
 /// Of size and magnitude; two quaternions and a sum round by half of it.
 constexpr double kPlacedPad = 64 * kUnitRoundoff;
 
@@ -159,7 +160,8 @@ std::optional<OrientedBox> orientedBox(const BoundedLink& link) {
   refine(search, best);
   const std::optional<Aabb> turned_box = linkBox(link, boxFromLink(best.orientation));
   if (!turned_box) return ifFinite(at_rest);
-  const OrientedBox turned = toOrientedBox(*turned_box, best.orientation, kPad * magnitude(link));
+  const OrientedBox turned =
+      toOrientedBox(*turned_box, best.orientation, kTurnPad * magnitude(link));
   const bool is_better =
       search.volume(turned.size.array()) < (1 - kMinGain) * search.volume(at_rest.size.array());
   return ifFinite(is_better ? turned : at_rest);

@@ -10,7 +10,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kQueue = 1000;  // messages, a second at 1 kHz
+constexpr std::uint32_t kJointQueue = 1000;  // messages, a second at 1 kHz
 
 }  // namespace
 
@@ -21,7 +21,7 @@ JointStateReceiver::JointStateReceiver() {
 const JointStates& JointStateReceiver::read() {
   if (!subscriber_) {
     subscriber_ = node_.subscribe<Received<sensor_msgs::JointState>, const Event&>(
-        kJointStatesTopic.name, kQueue, [this](const Event& event) { take(event); }, {},
+        kJointStatesTopic.name, kJointQueue, [this](const Event& event) { take(event); }, {},
         ros::TransportHints().tcpNoDelay());
   }
   queue_.callAvailable();

@@ -9,6 +9,7 @@
 
 #include "node/interface/topics.h"
 #include "node/outputs/box_message.h"
+#include "node/outputs/request_limits.h"
 #include "world/history/past_boxes.h"
 #include "world/log/log_text.h"
 
@@ -17,20 +18,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// From the arrival of a request.
-constexpr std::chrono::seconds kDeadline(10);
-
-/// A span makes way for the next one after so long. A turn of roscpp costs some microseconds.
-constexpr std::chrono::milliseconds kTurn(5);
 constexpr std::chrono::hours kNoPause(1000);
 
 /// No further span is begun while the copies for those begun take so much. The largest copy, of 200
 /// edges at 1 kHz, takes 140 MB.
 constexpr std::size_t kMaxCopiedBytes = 32 << 20;
-
-constexpr const char* kStopping = "the node is shutting down";
-constexpr const char* kTooBusy =
-    "there was no time to begin within 10 s, because of other requests or much tf; ask again";
 
 /// tf's names have no slash at their beginning.
 std::string tfFrame(const std::string& name) {

@@ -23,7 +23,7 @@ constexpr double kLineWidth = 0.004;    ///< [m]
 constexpr double kNearestWidth = 0.01;  ///< told from the others without colors, too [m]
 constexpr double kTextHeight = 0.05;    ///< [m]
 
-bool isDrawable(const Distance& distance) {
+bool areDrawable(const Distance& distance) {
   const auto is_below = [](const geometry_msgs::Point& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxDrawable;
   };
@@ -82,11 +82,11 @@ visualization_msgs::MarkerArray distanceMarkers(const DistanceArray& distances,
   Marker lines = marker(distances.header, 0, Marker::LINE_LIST);
   lines.scale.x = kLineWidth;
   for (const Distance& distance : distances.distances)
-    if (isDrawable(distance)) addLine(distance, colorOf(distance.distance, red, limit), lines);
+    if (areDrawable(distance)) addLine(distance, colorOf(distance.distance, red, limit), lines);
   Marker text = marker(distances.header, 1, Marker::TEXT_VIEW_FACING);
   Marker line = marker(distances.header, 2, Marker::LINE_LIST);
   line.scale.x = kNearestWidth;
-  if (!nearest.first.empty() && isDrawable(nearest)) {
+  if (!nearest.first.empty() && areDrawable(nearest)) {
     addLine(nearest, colorOf(nearest.distance, red, limit), line);
     text.action = Marker::ADD;
     text.text = textOf(nearest.distance);

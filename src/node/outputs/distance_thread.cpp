@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
-constexpr std::chrono::milliseconds kTick(50);
+constexpr std::chrono::milliseconds kLookEvery(50);
 
 }  // namespace
 
@@ -23,7 +23,7 @@ DistanceThread::DistanceThread(TreeRequests requests, MomentPairs& pairs, Callba
       keep_(keep),
       distances_(requests, true),
       requests_(std::move(requests)),
-      worker_({"distances", true, [this] { return onTick(); }, kTick}) {}
+      worker_({"distances", true, [this] { return onTick(); }, kLookEvery}) {}
 
 /// Only taken over here; onTick() computes once for all that waits.
 void DistanceThread::give(MomentPtr moment) {

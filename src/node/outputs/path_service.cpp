@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "node/interface/topics.h"
+#include "node/outputs/request_limits.h"
 #include "world/log/log_text.h"
 #include "world/path/path_check.h"
 
@@ -17,14 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// From the arrival of a request. What is not proven by then is undecided.
-constexpr std::chrono::seconds kDeadline(10);
-
-/// Of which loading triangles may take so much.
+/// Of the deadline, loading triangles may take so much.
 constexpr std::chrono::seconds kLoading(7);
-
-/// A request makes way for the next one after so long, or after one segment.
-constexpr std::chrono::milliseconds kTurn(5);
 
 /// A pair of meshes may take 80 KiB while it is examined.
 constexpr std::size_t kMaxPairs = 10'000;
@@ -36,11 +31,7 @@ constexpr std::size_t kMaxRequestBytes = 32 << 20;
 
 /// Triangles are kept for so long, and it is looked at so often.
 constexpr std::chrono::seconds kKeep(10);
-constexpr std::chrono::milliseconds kTick(500);
-
-constexpr const char* kStopping = "the node is shutting down";
-constexpr const char* kTooBusy =
-    "there was no time to begin within 10 s, because of other requests or much tf; ask again";
+constexpr std::chrono::milliseconds kForgetEvery(500);
 
 }  // namespace
 
@@ -71,7 +62,7 @@ PathService::PathService(ros::NodeHandle& private_node, const SceneCopier& scene
                          Worker& answering, PathTrees::Load load)
     : scenes_(scenes),
       trees_(std::move(load)),
-      paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kTick}),
+      paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kForgetEvery}),
       queue_(answering, paths_) {
   ros::AdvertiseServiceOptions options;
   options.init<CheckPath::Request, CheckPath::Response>(privateName(kCheckPathService), {});

@@ -19,10 +19,10 @@ struct Look {
   float blue;
 };
 
-constexpr Look kSwept{"link_bounds/swept", 1, 0.5F, 0};
-constexpr Look kStopping{"link_bounds/stopping", 1, 0, 0.6F};
+constexpr Look kSweptLook{"link_bounds/swept", 1, 0.5F, 0};
+constexpr Look kStoppingLook{"link_bounds/stopping", 1, 0, 0.6F};
 
-constexpr double kEdgeWidth = 0.002;  ///< [m]
+constexpr double kSweptLineWidth = 0.002;  ///< [m]
 /// The robot and its boxes stay visible inside.
 constexpr float kFaceAlpha = 0.15F;
 constexpr float kEdgeAlpha = 0.6F;
@@ -62,7 +62,7 @@ visualization_msgs::MarkerArray motionMarkers(const AxisAlignedBoxArray& boxes, 
   Marker faces = marker(boxes.header, look, 0, Marker::TRIANGLE_LIST, kFaceAlpha);
   faces.scale.x = faces.scale.y = faces.scale.z = 1;
   Marker lines = marker(boxes.header, look, 1, Marker::LINE_LIST, kEdgeAlpha);
-  lines.scale.x = kEdgeWidth;
+  lines.scale.x = kSweptLineWidth;
   for (const AxisAlignedBox& message : boxes.boxes) {
     const Aabb box = toAabb(message);
     if (!isDrawable(box)) continue;
@@ -79,11 +79,11 @@ visualization_msgs::MarkerArray motionMarkers(const AxisAlignedBoxArray& boxes, 
 }  // namespace
 
 visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes) {
-  return motionMarkers(boxes, kSwept);
+  return motionMarkers(boxes, kSweptLook);
 }
 
 visualization_msgs::MarkerArray stoppingMarkers(const AxisAlignedBoxArray& boxes) {
-  return motionMarkers(boxes, kStopping);
+  return motionMarkers(boxes, kStoppingLook);
 }
 
 }  // namespace link_bounds

@@ -6,13 +6,6 @@
 #include <limits>
 
 namespace link_bounds {
-namespace {
-
-double width(const Limits& range) {
-  return range.upper - range.lower;
-}
-
-}  // namespace
 
 JointBox wholeBox(const JointPath& path) {
   JointBox all;

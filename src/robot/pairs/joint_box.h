@@ -16,6 +16,10 @@ struct JointBox {
   PathValues half_widths;
 };
 
+inline double width(const Limits& range) {
+  return range.upper - range.lower;
+}
+
 /// All values of the path.
 JointBox wholeBox(const JointPath& path);
 

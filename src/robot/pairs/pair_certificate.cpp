@@ -17,7 +17,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::size_t kMaxBoxes = 1'000'000;
-constexpr double kFinest = 1e-8;  // m
+constexpr double kFinestDistance = 1e-8;  // m
 constexpr double kMargin = 1e-8;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -118,7 +118,7 @@ bool PairCertificate::writeContact(std::ostream& out) {
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
   const double reach = claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
   distances_.move(1, first_from_second);
-  distances_.setGoal({kFinest, kFar, PairGoal::kMaxTreeSteps});
+  distances_.setGoal({kFinestDistance, kFar, PairGoal::kMaxTreeSteps});
   auto found = distances_.find(0, 1);
   if (!found || found->upper > reach)
     found = coreContact(first_, second_, first_from_second, reach);
@@ -175,7 +175,7 @@ Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHu
 
 /// Of distances in the box.
 double PairCertificate::accuracy() const {
-  return std::max(kFinest, PairGoal::kShareOfMotion * motion_.motion());
+  return std::max(kFinestDistance, PairGoal::kShareOfMotion * motion_.motion());
 }
 
 bool PairCertificate::areTrianglesApart() {

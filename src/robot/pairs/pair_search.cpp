@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/pairs/joint_box.h"
 #include "robot/pairs/pair_contact.h"
 #include "robot/pairs/swept_search.h"
 
@@ -56,10 +57,6 @@ constexpr double kLastStep = 1e-9;
 constexpr double kFinest = 1e-3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double width(const Limits& range) {
-  return range.upper - range.lower;
-}
 
 std::size_t bytesOf(const PathValues& values) {
   return sizeof(values) + values.size() * sizeof(double) + 16;  // 16: of malloc()

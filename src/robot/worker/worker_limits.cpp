@@ -31,15 +31,15 @@ constexpr std::uint64_t kMemoryPerByte = 32;
 constexpr rlim_t kOpenFiles = 32;
 
 /// For functions that return -1 and set errno.
-void check(int result) {
+void checkCall(int result) {
   if (result != 0) throw std::system_error(errno, std::system_category());
 }
 
 void limit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
-  check(getrlimit(resource, &now));
+  checkCall(getrlimit(resource, &now));
   const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
-  check(setrlimit(resource, &wanted));
+  checkCall(setrlimit(resource, &wanted));
 }
 
 /// Otherwise sockets of the node would stay open in its children.
@@ -62,9 +62,9 @@ std::uint64_t memoryLimit(std::uint64_t file_bytes) {
 }
 
 void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent) {
-  check(prctl(PR_SET_PDEATHSIG, SIGKILL));
+  checkCall(prctl(PR_SET_PDEATHSIG, SIGKILL));
   if (getppid() != parent) _exit(1);
-  check(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
+  checkCall(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
   closeInheritedFiles();
   const auto cpu = static_cast<rlim_t>(cpu_seconds);
   limit(RLIMIT_CPU, cpu, cpu + 1);
@@ -78,7 +78,7 @@ void limitThisProcess(const MemoryLimits& memory, long cpu_seconds, pid_t parent
 
 void raiseMemoryLimit(std::uint64_t bytes) {
   rlimit now{};
-  check(getrlimit(RLIMIT_AS, &now));
+  checkCall(getrlimit(RLIMIT_AS, &now));
   if (bytes > now.rlim_cur) limit(RLIMIT_AS, bytes, now.rlim_max);
 }
 

@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kMaxPoses = 5'000;            // of one motion: some 100 ms
+constexpr int kMaxPosesOfPair = 5'000;      // of one motion: some 100 ms
 constexpr std::size_t kMaxSteps = 100'000;  // as in scene_distances.cpp
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -35,7 +35,7 @@ std::optional<BodyDistance> measure(const PosedBody& first, const Eigen::Affine3
 }
 
 /// Halves the time until the way of a piece is shorter than the distances at its ends allow.
-class Search {
+class PairMotionSearch {
  public:
   struct Made {
     Eigen::Affine3d pose;
@@ -43,7 +43,7 @@ class Search {
   };
   using Placed = PlacedBody<Made>;
 
-  Search(const PosedBody& first, const PosedBody& second, double wanted)
+  PairMotionSearch(const PosedBody& first, const PosedBody& second, double wanted)
       : first_(first), second_(second), wanted_(wanted) {}
 
   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& first_from_second) {
@@ -70,7 +70,8 @@ class Search {
     const double wanted = std::min(wanted_, std::max(nearest_ - kPairAccuracy, 0.0));
     const bool is_clear = clearance > wanted;
     // In contact there is nothing more to find.
-    if (!is_clear && nearest_ > 0 && to.time - from.time > kTimeResolution && poses_ < kMaxPoses)
+    if (!is_clear && nearest_ > 0 && to.time - from.time > kTimeResolution &&
+        poses_ < kMaxPosesOfPair)
       return false;
     is_undecided_ |= !is_clear && nearest_ > 0;
     clearance_ = std::min(clearance_, std::max(clearance, 0.0));
@@ -217,8 +218,8 @@ void PairMotions::walk(const PosedBody& first, const PosedBody& second, MotionSp
   motion.clearance = 0;
   motion.undecided = path.problem;
   if (!path.problem.empty()) return;
-  Search search(first, second, wanted);
-  MotionWalk<Search> walk(path, span, second.radius, search, handlers.gives_up);
+  PairMotionSearch search(first, second, wanted);
+  MotionWalk<PairMotionSearch> walk(path, span, second.radius, search, handlers.gives_up);
   if (!walk.walk()) {
     motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";
     return;

@@ -22,8 +22,8 @@ constexpr std::int64_t kTick = static_cast<std::int64_t>(SceneFeed::kTick * 1e9)
 /// recorder whose clock was set by thirty years costs two thousand ticks.
 constexpr std::int64_t kTicksPerGap = 100;
 
-constexpr std::size_t kMarkersPerGlance = 256;   // at the interrupt flag
-constexpr std::int64_t kSecond = 1'000'000'000;  // ns
+constexpr std::size_t kMarkersPerGlance = 256;      // at the interrupt flag
+constexpr std::int64_t kFirstTime = 1'000'000'000;  // ns
 constexpr char kMarkerArray[] = "visualization_msgs/MarkerArray";
 constexpr char kBoxArray[] = "link_bounds/AxisAlignedBoxArray";
 
@@ -54,7 +54,7 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
              [this] { on_news_(now_); }},
             // Not 0, which stands for no jump.
             [this] {
-              return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kSecond + passed_));
+              return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kFirstTime + passed_));
             }) {}
 
 void RecordedScene::adopt(std::shared_ptr<const Model> model, std::int64_t now) {

@@ -11,10 +11,10 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kMaxPoses = 20'000;              // of one motion: 20 ms
+constexpr int kMaxPosesInZone = 20'000;        // of one motion: 20 ms
 constexpr std::int64_t kCrossing = 1'000'000;  // ns, of the interval of a crossing
 
-class Search {
+class StaySearch {
  public:
   struct Made {
     Aabb box;
@@ -22,7 +22,7 @@ class Search {
   };
   using Placed = PlacedBody<Made>;
 
-  Search(const BodyMotion& motion, const Aabb& zone, double wanted)
+  StaySearch(const BodyMotion& motion, const Aabb& zone, double wanted)
       : motion_(motion), zone_(zone), wanted_(wanted) {}
 
   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& target_from_source) {
@@ -44,7 +44,7 @@ class Search {
     const std::int64_t duration = to.time - from.time;
     if (was_inside && is_inside) return true;
     if (was_inside != is_inside) {
-      if (duration > kCrossing && poses_ < kMaxPoses) return false;
+      if (duration > kCrossing && poses_ < kMaxPosesInZone) return false;
       found_.crossings.push_back({is_inside, from.time, to.time});
       return true;
     }
@@ -52,7 +52,7 @@ class Search {
     const double clearance = signedDistance(bound, zone_);
     const bool is_clear =
         clearance > std::min(wanted_, std::max(found_.nearest - kZoneAccuracy, 0.0));
-    if (!is_clear && duration > kTimeResolution && poses_ < kMaxPoses) return false;
+    if (!is_clear && duration > kTimeResolution && poses_ < kMaxPosesInZone) return false;
     if (!is_clear && clearance <= 0) found_.undecided = "it came nearer than can be decided";
     found_.clearance = std::min(found_.clearance, std::max(clearance, 0.0));
     return true;
@@ -87,8 +87,8 @@ ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const
                       double wanted, double timeout, const std::function<bool()>& gives_up) {
   MotionPath path = pathBetween(tf, motion.target, motion.source, motion.span, timeout);
   if (!path.problem.empty()) return undecided(path.problem);
-  Search search(motion, zone, wanted);
-  MotionWalk<Search> walk(path, motion.span, radiusOf(motion), search, gives_up);
+  StaySearch search(motion, zone, wanted);
+  MotionWalk<StaySearch> walk(path, motion.span, radiusOf(motion), search, gives_up);
   if (walk.walk()) return search.take();
   return undecided(walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite");
 }

@@ -18,7 +18,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kQueue = 1000;  // messages, as for a burst of single markers
+constexpr std::uint32_t kObjectQueue = 1000;  // messages, as for a burst of single markers
 
 /// A publisher may invent names without end, and each grid takes up to 256 KiB, its triangles more.
 constexpr std::size_t kMaxHeld = 64;
@@ -49,7 +49,7 @@ HeldObjects::HeldObjects(ros::NodeHandle& private_node, TransformBuffer& tf, Wor
                          ros::CallbackQueueInterface& queue, std::function<void()> on_change)
     : worker_(worker), queue_(queue), on_change_(std::move(on_change)), frames_(tf) {
   subscriber_ = private_node.subscribe<Markers, const ros::MessageEvent<Markers>&>(
-      privateName(kHeldObjects), kQueue,
+      privateName(kHeldObjects), kObjectQueue,
       [this](const ros::MessageEvent<Markers>& event) { guarded([&] { onMarkers(event); }); }, {},
       ros::TransportHints().tcpNoDelay());
 }

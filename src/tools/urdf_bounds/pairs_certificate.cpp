@@ -16,14 +16,10 @@
 namespace link_bounds {
 namespace {
 
-/// Of the clearance that was proven. All of it would take a hundred times as many boxes, most of
-/// them near the nearest pose.
-constexpr double kClaimed = 0.5;
-
-class Certificate {
+class ProofCertificate {
  public:
-  Certificate(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
-              const std::vector<JointRange>& ranges)
+  ProofCertificate(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges)
       : options_(options), robot_(robot), bounded_(bounded), ranges_(ranges) {
     for (const Body& body : bounded.bodies)
       bodies_.push_back(pairBody(body));
@@ -89,7 +85,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
                              const std::vector<PairProof>& proofs,
                              const std::function<bool()>& is_over) {
   std::ofstream out(*options.certificate);
-  const Certificate certificate(options, robot, bounded, ranges);
+  const ProofCertificate certificate(options, robot, bounded, ranges);
   writeCertificateHead("pairs", options, robot, out);
   std::map<Verdict, std::size_t> left_out;
   std::size_t covered = 0;

@@ -13,7 +13,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kNames = 3;  ///< columns that are aligned left
+constexpr std::size_t kPairNames = 3;  ///< columns that are aligned left
 
 /// In which no pose was tried.
 bool isUnknown(const PairProof& proof) {
@@ -87,7 +87,7 @@ void writeTable(const PairsTable& table, std::ostream& out) {
       << (table.clearance > 0 ? "are nearer than " + shortestNumber(table.clearance) : "touch")
       << "\n\n";
   const Row head{"first", "second", "verdict", "clearance", "nearest"};
-  Alignment alignment(kNames);
+  Alignment alignment(kPairNames);
   alignment.fit(head);
   for (const PairProof& proof : table.rows)
     alignment.fit(cellsOf(proof, table.links));

@@ -15,12 +15,9 @@
 namespace link_bounds {
 namespace {
 
-/// Of the clearance that was proven: more of it would take more intervals.
-constexpr double kClaimed = 0.5;
-
-class Certificate {
+class SegmentCertificate {
  public:
-  Certificate(double goal, const Robot& robot, const PathBodies& bodies)
+  SegmentCertificate(double goal, const Robot& robot, const PathBodies& bodies)
       : goal_(goal), robot_(robot), bodies_(bodies) {
     for (const PathBody& body : bodies.bodies)
       shapes_.push_back(pairBody(body.body));
@@ -70,7 +67,7 @@ std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& 
                                  const std::vector<SegmentProof>& proofs,
                                  const std::function<bool()>& is_over) {
   std::ofstream out(*options.certificate);
-  const Certificate certificate(options.clearance.value_or(0), simple, bodies);
+  const SegmentCertificate certificate(options.clearance.value_or(0), simple, bodies);
   writeCertificateHead("path", options, simple, out);
   std::map<PathVerdict, std::size_t> left_out;
   std::size_t covered = 0;

@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kNames = 1;  ///< columns that are aligned left
+constexpr std::size_t kRowNames = 1;  ///< columns that are aligned left
 
 /// In which no pose was measured.
 bool isUnknown(const SegmentProof& proof) {
@@ -44,7 +44,7 @@ void writeTable(const PathTable& table, std::ostream& out) {
       << (table.clearance > 0 ? "are within " + shortestNumber(table.clearance) : "touch")
       << "    at: share of the segment\n\n";
   const Row head{"verdict", "from", "to", "clearance", "nearest", "at"};
-  Alignment alignment(kNames);
+  Alignment alignment(kRowNames);
   alignment.fit(head);
   for (const PathSegment& segment : table.segments)
     alignment.fit(cellsOf(segment));

@@ -39,20 +39,20 @@ void writeTable(const ReachTable& table, std::ostream& out) {
   writeIncomplete(table.incomplete, out);
 }
 
-void writeCsvRow(const std::string& name, const Reach& reach, std::ostream& out) {
+void writeReachRow(const std::string& name, const Reach& reach, std::ostream& out) {
   Numbers numbers = numbersOf(reach);
   for (const ReachFace& face : reach.faces)
     numbers.push_back(face.gap());
-  link_bounds::writeCsvRow(name, numbers, out);
+  writeCsvRow(name, numbers, out);
 }
 
 void writeCsv(const ReachTable& table, std::ostream& out) {
   out << "link,min_x,min_y,min_z,max_x,max_y,max_z,"
          "gap_min_x,gap_min_y,gap_min_z,gap_max_x,gap_max_y,gap_max_z\n";
   for (const auto& [name, reach] : table.links)
-    writeCsvRow(name, reach, out);
+    writeReachRow(name, reach, out);
   for (const auto& [name, reach] : table.groups)
-    writeCsvRow(kGroupPrefix + name, reach, out);
+    writeReachRow(kGroupPrefix + name, reach, out);
   writeCsvIncomplete(table.incomplete, 2 * kFaces, out);
 }
 

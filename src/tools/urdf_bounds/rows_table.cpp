@@ -100,7 +100,7 @@ std::string jsonRow(const std::optional<std::size_t>& row) {
   return row ? number(*row) : "null";
 }
 
-std::string toJson(const Aabb& box) {
+std::string boxJson(const Aabb& box) {
   return "{\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max()) + "}";
 }
 
@@ -109,8 +109,8 @@ void writeJson(const RowsTable& table, std::ostream& out) {
       << ", \"with_contact\": "
       << (table.limit ? std::to_string(table.with_contact) : std::string("null"))
       << ", \"first\": " << jsonRow(table.first) << ", \"worst\": " << jsonRow(table.worst) << "}"
-      << ",\n \"boxes\": " << jsonObject(linkBoxes(table), toJson)
-      << ",\n \"groups\": " << jsonObject(groupBoxes(table), toJson);
+      << ",\n \"boxes\": " << jsonObject(linkBoxes(table), boxJson)
+      << ",\n \"groups\": " << jsonObject(groupBoxes(table), boxJson);
   if (table.limit) {
     const auto to_json = [&](const auto& entry) {
       const auto& [pair, nearest] = entry;

@@ -5,24 +5,12 @@
 #include <cmath>
 
 #include "world/bodies/marker_shape.h"
+#include "world/bodies/number_limit.h"
 
 namespace link_bounds {
 namespace {
 
 using visualization_msgs::Marker;
-
-/// A pose may contain up to 1e30 [m]; a tenth of it leaves room for rotating and adding.
-constexpr double kMaxNumber = 1e29;
-
-/// False for NaN.
-bool isBelowLimit(double value) {
-  return std::abs(value) <= kMaxNumber;
-}
-
-template <class Vector>
-bool isBelowLimit(const Vector& v) {
-  return isBelowLimit(v.x) && isBelowLimit(v.y) && isBelowLimit(v.z);
-}
 
 bool isFinite(const geometry_msgs::Quaternion& q) {
   return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z) && std::isfinite(q.w);

@@ -7,19 +7,12 @@
 #include <utility>
 
 #include "link_bounds/geometry/box/rounding.h"
+#include "world/bodies/number_limit.h"
 #include "world/model/model.h"
 #include "world/model/object_key.h"
 
 namespace link_bounds {
 namespace {
-
-/// As for the numbers of markers.
-constexpr double kMaxNumber = 1e29;
-
-/// False for NaN.
-bool isBelowLimit(const geometry_msgs::Point& p) {
-  return std::abs(p.x) <= kMaxNumber && std::abs(p.y) <= kMaxNumber && std::abs(p.z) <= kMaxNumber;
-}
 
 /// Why the box cannot be used; "" if it can.
 std::string whyRefused(const AxisAlignedBox& box, const std::string& frame) {

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxMoments = 1000;
 constexpr double kRounding = 1e-12;
 constexpr double kFloor = 1e-9;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTooMany = std::numeric_limits<double>::infinity();
 
 /// The box of the link in the sensor's frame in one pose, with what rounding may add.
 Aabb boxAt(const Aabb& link_box, const Eigen::Affine3d& link_from_sensor) {
@@ -209,14 +209,14 @@ class Scan {
       mover.seek(begin);
       errors_[i] = mover.errors(begin, end, range_, steps_);
       if (mover.isMoving())
-        parts = std::max(parts, mover.isAmbiguous() ? kInfinity : partsFor(errors_[i].of_point));
+        parts = std::max(parts, mover.isAmbiguous() ? kTooMany : partsFor(errors_[i].of_point));
     }
     return parts;
   }
 
   static double partsFor(const Bulge& error) {
     const double allowed = 0.9 * kMaxMotionError - error.jump;
-    if (!(allowed > 0) || !std::isfinite(error.smooth)) return kInfinity;
+    if (!(allowed > 0) || !std::isfinite(error.smooth)) return kTooMany;
     return std::max(std::ceil(std::sqrt(error.smooth / allowed)), 1.0);
   }
 

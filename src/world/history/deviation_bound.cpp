@@ -6,14 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/history/tf2_rounding.h"
+
 namespace link_bounds {
 namespace {
-
-// What rounding can add. tf2 computes an angle from its cosine, which is wrong by a few 1e-16:
-// the angle is then wrong by less than 1e-7, and quaternions between the samples are longer than
-// they should be by less than 1e-14.
-constexpr double kAngleError = 1e-7;    // rad
-constexpr double kLengthError = 1e-14;  // of lengths of 1
 
 /// An angle that tf2 may take for zero is smaller than the error of an angle, and so computed here
 /// as smaller than two of them.

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/history/tf2_rounding.h"
+
 namespace link_bounds {
 namespace {
 
 /// pi/2 / sqrt(2), rounded up by more than lengths within kMaxLength2Error of 1 can add.
 constexpr double kAnglePerChord = 1.111;
-constexpr double kAngleError = 1e-7;       // rad, of tf2's arithmetic, as in deviation_bound.cpp
 constexpr double kMaxLength2Error = 1e-6;  // of squares of lengths of quaternions
-constexpr double kLengthError = 1e-14;     // of lengths of 1
 
 struct Square {
   double chord2;  ///< of two quaternions, of which one is negated if they are nearer then

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-constexpr double kRounding = 1e-12;  // of all coordinates, as share of the largest
+constexpr double kWayRounding = 1e-12;  // of all coordinates, as share of the largest
 
 }  // namespace
 
@@ -26,7 +26,7 @@ double WayBound::of(Frame source, double radius, MotionSpan span) {
   const double start_way = (link.stretch + target.stretch) * start;
   const double distance = link.reach + link.scale * start + target.reach;
   const double way = link.shift + link.turn * start + link.scale * start_way + target.shift;
-  return height.turned_turn * distance + height.turned_scale * way + kRounding * distance;
+  return height.turned_turn * distance + height.turned_scale * way + kWayRounding * distance;
 }
 
 /// The frames above the target come first: their nodes are where all ways end.

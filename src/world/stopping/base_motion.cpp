@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/stopping/seconds.h"
 #include "world/tf/frame_paths.h"
 
 namespace link_bounds {
@@ -13,9 +14,6 @@ namespace {
 
 /// Less is rounding of the poses [m and rad].
 constexpr double kStands = 1e-9;
-
-constexpr double kStampRounding = 1e-9;  // s
-constexpr double kSecond = 1e9;          // ns
 
 /// The motion between two poses.
 struct Piece {

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/stopping/seconds.h"
+
 namespace link_bounds {
 namespace {
 
 constexpr double kRounding = 1e-9;          // of a reach, much more than its arithmetic needs
 constexpr std::int64_t kResolution = 1000;  // ns, of times
-constexpr double kSecond = 1e9;             // ns
 
 double leverOf(const MovingJoint& joint, const Aabb& box) {
   if (joint.kind == MovingJoint::Kind::kSlide) return 0;

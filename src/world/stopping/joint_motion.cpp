@@ -8,15 +8,15 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "world/stopping/seconds.h"
+
 namespace link_bounds {
 namespace {
 
 constexpr double kMaxMisfit = 1e-3;       // m and rad
 constexpr double kMaxTurn = M_PI / 2;     // rad, between two transforms
 constexpr double kValueRounding = 1e-12;  // rad or m, of the difference of two values
-constexpr double kStampRounding = 1e-9;   // s, of the difference of two stamps
 constexpr double kLimitRounding = 1e-9;   // rad or m
-constexpr double kSecond = 1e9;           // ns
 
 /// How far a pose may be from a report of the same time, beyond what the joint moves meanwhile.
 constexpr double kMaxReportError = 1e-3;  // rad or m

@@ -158,19 +158,19 @@ std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
                          const IsInterrupted& is_interrupted) {
   constexpr char kOpField[] = "\x04\0\0\0op=";
   constexpr std::size_t kFieldSize = sizeof kOpField - 1;
-  constexpr std::size_t kBlockSize = 64 << 10;
+  constexpr std::size_t kPieceSize = 64 << 10;
   constexpr std::uint64_t kMaxFieldsBefore = 64;  // bytes
   Record record;
   std::uint64_t position = offset;
   while (position + kFieldSize <= bytes.size()) {
     if (is_interrupted(position)) return position;
-    const std::size_t size = std::min<std::uint64_t>(kBlockSize, bytes.size() - position);
+    const std::size_t size = std::min<std::uint64_t>(kPieceSize, bytes.size() - position);
     const std::uint8_t* const block = bytes.at(position, size);
     if (!block) break;
     const void* const found = memmem(block, size, kOpField, kFieldSize);
     if (!found) {
       position += size - std::min(size, kFieldSize - 1);
-      if (size < kBlockSize) break;
+      if (size < kPieceSize) break;
       continue;
     }
     position += static_cast<std::uint64_t>(static_cast<const std::uint8_t*>(found) - block);

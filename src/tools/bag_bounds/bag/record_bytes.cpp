@@ -5,9 +5,9 @@
 namespace link_bounds {
 
 std::string timeBytes(std::int64_t time) {
-  constexpr std::int64_t kNanoseconds = 1000000000;
-  return bytesOf(static_cast<std::uint32_t>(time / kNanoseconds)) +
-         bytesOf(static_cast<std::uint32_t>(time % kNanoseconds));
+  constexpr std::int64_t kPerSecond = 1000000000;
+  return bytesOf(static_cast<std::uint32_t>(time / kPerSecond)) +
+         bytesOf(static_cast<std::uint32_t>(time % kPerSecond));
 }
 
 std::string withSize(const std::string& bytes) {
