@@ -242,7 +242,7 @@ void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static)
   }
   feed_.onTransforms(
       event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },
-      ros::Time::now());
+      ros::Time::now(), queue_.arrival());
 }
 
 void PublisherNode::onTick() {

@@ -12,7 +12,8 @@ namespace link_bounds {
 TimedQueue::Backlog TimedQueue::backlog() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (entries_.empty()) return {};
-  return {entries_.size(), Clock::now() - entries_.front().arrival};
+  const ros::WallDuration oldest = ros::SteadyTime::now() - entries_.front().arrival;
+  return {entries_.size(), std::chrono::nanoseconds(oldest.toNSec())};
 }
 
 void TimedQueue::wait(std::chrono::nanoseconds longest) {
@@ -23,6 +24,7 @@ void TimedQueue::wait(std::chrono::nanoseconds longest) {
 bool TimedQueue::callOne() {
   Entry entry;
   if (!takeOne(entry)) return false;
+  called_ = entry.arrival;
   if (entry.callback->call() != ros::CallbackInterface::TryAgain) entry.callback.reset();
   endCall(std::move(entry));
   return true;
@@ -52,7 +54,7 @@ void TimedQueue::endCall(Entry entry) {
 void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    entries_.push_back({callback, owner, Clock::now()});
+    entries_.push_back({callback, owner, ros::SteadyTime::now()});
   }
   arrival_.notify_one();
 }

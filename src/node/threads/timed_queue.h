@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A callback queue that tells how many callbacks wait and for how long; ros::CallbackQueue does
-// not.
+// A callback queue that tells how many callbacks wait and since when; ros::CallbackQueue does not.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
+#include <ros/time.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -32,22 +32,24 @@ class TimedQueue : public ros::CallbackQueueInterface {
   /// Calls the one that waits longest; false if none waits.
   bool callOne();
 
+  /// In a callback: when it was added.
+  ros::SteadyTime arrival() const { return called_; }
+
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner = 0) override;
   /// Waits while a callback of that owner runs on another thread.
   void removeByID(std::uint64_t owner) override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   struct Entry {
     ros::CallbackInterfacePtr callback;
     std::uint64_t owner;
-    Clock::time_point arrival;
+    ros::SteadyTime arrival;
   };
 
   bool takeOne(Entry& entry);
   void endCall(Entry entry);
 
+  ros::SteadyTime called_;    ///< arrival of the callback that runs; of the calling thread
   mutable std::mutex mutex_;  ///< of everything below
   std::condition_variable arrival_;
   std::condition_variable rest_;  ///< a callback has returned

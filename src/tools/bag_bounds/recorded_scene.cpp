@@ -52,10 +52,12 @@ RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
       on_step_(std::move(on_step)),
       feed_({[this](const MeshUse& use) { wanted_meshes_.push_back(*use); },
              [this] { on_news_(now_); }},
-            // Not 0, which stands for no jump.
-            [this] {
-              return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kFirstTime + passed_));
-            }) {}
+            [this] { return passed(); }) {}
+
+/// Not 0, which stands for no jump.
+ros::SteadyTime RecordedScene::passed() const {
+  return ros::SteadyTime().fromNSec(static_cast<std::uint64_t>(kFirstTime + passed_));
+}
 
 void RecordedScene::adopt(std::shared_ptr<const Model> model, std::int64_t now) {
   now_ = now;
@@ -118,7 +120,7 @@ void RecordedScene::takeJoints(const std::string& topic, JointTransforms& joints
   joints_topic_ = topic;
   joints_ = &joints;
   feed_.onTransforms(
-      joints.fixed(), true, [] { return std::string(); }, toRosTime(now_));
+      joints.fixed(), true, [] { return std::string(); }, toRosTime(now_), passed());
 }
 
 /// Where a driver gives no stamp, that of the recording serves.
@@ -129,15 +131,15 @@ void RecordedScene::takeJointState(const BagMessage& message) {
   const ros::Time now = toRosTime(now_);
   const ros::Time stamp = state.header.stamp.isZero() ? now : state.header.stamp;
   feed_.onTransforms(
-      joints_->of(state, stamp), false, [&message] { return *message.publisher; }, now);
+      joints_->of(state, stamp), false, [&message] { return *message.publisher; }, now, passed());
 }
 
 void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
   checkType(message, {"tf2_msgs/TFMessage", "tf/tfMessage", ""});
   tf_message_.read(message.data, message.size);
   feed_.onTransforms(
-      tf_message_.transforms, is_static, [&message] { return *message.publisher; },
-      toRosTime(now_));
+      tf_message_.transforms, is_static, [&message] { return *message.publisher; }, toRosTime(now_),
+      passed());
 }
 
 /// Boxes are those of a neighbour, as for the node.

@@ -63,6 +63,7 @@ class RecordedScene {
   std::uint64_t damaged() const { return damaged_; }
 
  private:
+  ros::SteadyTime passed() const;
   void tick(std::int64_t time);
   void takeTransforms(const BagMessage& message, bool is_static);
   void takeJointState(const BagMessage& message);

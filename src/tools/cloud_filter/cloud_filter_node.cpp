@@ -24,7 +24,7 @@ constexpr std::size_t kMaxWaiting = 32;  // messages that wait for tf
 constexpr std::uint32_t kQueue = kMaxWaiting + 1;
 
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
-const ros::WallDuration kTick(0.005);
+constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
 const ros::WallDuration kStatusPeriod(1.0);
 
@@ -93,7 +93,9 @@ void CloudFilterNode::spin() {
   ros::SteadyTime next_expiry = ros::SteadyTime::now();
   bool has_more = false;
   while (ros::ok() && !is_stopping_) {
-    queue_.callAvailable(has_more ? ros::WallDuration() : kTick);
+    if (!has_more) queue_.wait(kTick);
+    for (std::size_t waiting = queue_.backlog().count; waiting > 0; --waiting)
+      queue_.callOne();
     has_more = false;
     guarded([&] {
       observeClock();
@@ -155,7 +157,7 @@ void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_stati
   observeClock();
   tf_input_.add(
       event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },
-      clock_, ros::Time::now(), tf_);
+      clock_, ros::Time::now(), queue_.arrival(), tf_);
 }
 
 /// After a jump back, what waits is from a time that tf has forgotten.

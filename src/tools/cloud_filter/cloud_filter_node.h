@@ -3,7 +3,6 @@
 // From clouds and tf to clouds without the robot. Messages wait here until tf reaches their time.
 #pragma once
 
-#include <ros/callback_queue.h>
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
@@ -19,6 +18,7 @@
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/inputs/tf_receiver.h"
+#include "node/threads/timed_queue.h"
 #include "tools/cloud_filter/filter_health.h"
 #include "tools/cloud_filter/held_objects.h"
 #include "tools/cloud_filter/robot_loading.h"
@@ -85,7 +85,7 @@ class CloudFilterNode {
   void onTransforms(const TfReceiver::Event& event, bool is_static);
   void observeClock();
 
-  ros::CallbackQueue queue_;  ///< first: what follows posts into it
+  TimedQueue queue_;  ///< first: what follows posts into it
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   TransformBuffer tf_;

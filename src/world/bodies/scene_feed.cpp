@@ -22,9 +22,10 @@ void SceneFeed::adopt(std::shared_ptr<const Model> model, ros::Time now) {
 }
 
 void SceneFeed::onTransforms(const std::vector<TransformView>& transforms, bool is_static,
-                             const TransformInput::Publisher& publisher, ros::Time now) {
+                             const TransformInput::Publisher& publisher, ros::Time now,
+                             ros::SteadyTime arrival) {
   observeClock(now);
-  input_.add(transforms, is_static, publisher, clock_, now, tf_);
+  input_.add(transforms, is_static, publisher, clock_, now, arrival, tf_);
   has_new_transforms_ = true;
   taken(false, now);
 }

@@ -49,8 +49,10 @@ class SceneFeed {
   /// Messages that led to no news of their own because they were joined, since the last call.
   std::size_t takeJoined() { return std::exchange(joined_, 0); }
 
+  /// See TransformInput.
   void onTransforms(const std::vector<TransformView>& transforms, bool is_static,
-                    const TransformInput::Publisher& publisher, ros::Time now);
+                    const TransformInput::Publisher& publisher, ros::Time now,
+                    ros::SteadyTime arrival);
 
   /// The markers of one message, which are moved from.
   void onMarkers(visualization_msgs::Marker* markers, std::size_t count,

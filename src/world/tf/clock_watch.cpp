@@ -40,9 +40,9 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
   return Event::kJumpedBack;
 }
 
-bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now) const {
+bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now, ros::SteadyTime arrival) const {
   if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
-  return steady_now_() - jump_ <= kLateArrivals;
+  return arrival - jump_ <= kLateArrivals;
 }
 
 bool ClockWatch::hasJustJumped() const {

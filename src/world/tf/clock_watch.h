@@ -20,9 +20,10 @@ class ClockWatch {
   /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump.
   Event observe(ros::Time now);
 
-  /// True for stamps more than 0.5 s ahead of ROS time, during half a second of steady time after
-  /// a jump: such transforms were sent before the jump.
-  bool isFromBeforeJump(ros::Time stamp, ros::Time now) const;
+  /// True for stamps more than 0.5 s ahead of ROS time in a message that arrived less than half a
+  /// second of steady time after a jump, however long it has waited since: such transforms were
+  /// sent before the jump.
+  bool isFromBeforeJump(ros::Time stamp, ros::Time now, ros::SteadyTime arrival) const;
 
   /// Jumps back since construction.
   std::uint64_t jumps() const { return jumps_; }

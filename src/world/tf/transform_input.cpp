@@ -21,9 +21,9 @@ std::string reasonOf(const Refusal& refusal) {
 
 void TransformInput::add(const std::vector<TransformView>& transforms, bool is_static,
                          const Publisher& publisher, const ClockWatch& clock, ros::Time now,
-                         TransformBuffer& tf) {
+                         ros::SteadyTime arrival, TransformBuffer& tf) {
   const auto is_late = [&](const TransformView& transform) {
-    return clock.isFromBeforeJump(transform.stamp, now);
+    return clock.isFromBeforeJump(transform.stamp, now, arrival);
   };
   if (is_static || std::none_of(transforms.begin(), transforms.end(), is_late)) {
     return addAll(transforms, is_static, publisher, now, tf);

@@ -20,10 +20,10 @@ class TransformInput {
   /// The name of the node that sent the message; called at most once for each message.
   using Publisher = std::function<std::string()>;
 
-  /// Adds the transforms of a message that arrived at `now`, without those that were sent before
-  /// the clock jumped back. Logs what tf refuses, and who sends late.
+  /// Adds the transforms of a message that is taken at `now`, without those that were sent before
+  /// the clock jumped back: see ClockWatch of `arrival`. Logs what tf refuses, and who sends late.
   void add(const std::vector<TransformView>& transforms, bool is_static, const Publisher& publisher,
-           const ClockWatch& clock, ros::Time now, TransformBuffer& tf);
+           const ClockWatch& clock, ros::Time now, ros::SteadyTime arrival, TransformBuffer& tf);
 
   /// Who sends stamps behind the newest ones; see LatePublishers.
   LatePublishers::Texts takeLatePublishers() {

@@ -50,6 +50,25 @@ TEST(TimedQueue, TellsForHowLongTheFirstOneWaits) {
   EXPECT_LT(queue.backlog().oldest, std::chrono::steady_clock::now() - after);
 }
 
+TEST(TimedQueue, ACallbackKnowsWhenItWasAdded) {
+  TimedQueue queue;
+  const ros::SteadyTime before = ros::SteadyTime::now();
+  ros::SteadyTime first, second;
+  add(queue, [&] {
+    first = queue.arrival();
+    add(queue, [&] { second = queue.arrival(); });
+  });
+  const ros::SteadyTime after = ros::SteadyTime::now();
+  while (ros::SteadyTime::now() == after) {
+  }
+  const ros::SteadyTime called = ros::SteadyTime::now();
+  while (queue.callOne()) {
+  }
+  EXPECT_GE(first, before);
+  EXPECT_LE(first, after);
+  EXPECT_GE(second, called);
+}
+
 TEST(TimedQueue, WaitEndsWithACallback) {
   TimedQueue queue;
   queue.wait(std::chrono::nanoseconds(0));

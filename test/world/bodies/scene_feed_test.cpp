@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <optional>
 #include <sstream>
 
 #include "testing/live_boxes_testing.h"
@@ -90,7 +92,7 @@ TEST_P(JoinedMessages, GiveTheSameSceneAsOneUpdateEach) {
       const std::vector<TransformView> views(message.transforms.begin(), message.transforms.end());
       for (Fed* fed : {&single, &several})
         fed->feed.onTransforms(
-            views, message.is_static, [] { return "/sender"; }, now);
+            views, message.is_static, [] { return "/sender"; }, now, ros::SteadyTime::now());
     }
     ++messages;
     ++since_update;
@@ -110,6 +112,33 @@ TEST_P(JoinedMessages, GiveTheSameSceneAsOneUpdateEach) {
   single.update(now);
   EXPECT_EQ(single.joined, 0u);
   EXPECT_LT(several.news, single.news);
+}
+
+/// A busy node takes them long after the jump that it has seen.
+TEST(SceneFeed, WhatWaitedSinceBeforeAJumpIsDropped) {
+  ros::SteadyTime steady(1000);
+  SceneFeed feed({[](const MeshUse&) {}, [] {}}, [&steady] { return steady; });
+  feed.adopt(modelOf("base", {meshLink("link", 1)}), ros::Time(100));
+  const auto take = [&](double stamp, double now, ros::SteadyTime arrival) {
+    const std::vector<geometry_msgs::TransformStamped> transforms{
+        edge("base", "link", stamp, Eigen::Quaterniond::Identity(), {stamp, 0, 0})};
+    feed.onTransforms(
+        {transforms.begin(), transforms.end()}, false, [] { return "/sender"; }, ros::Time(now),
+        arrival);
+    std::optional<std::int64_t> box;  // its stamp [ms]
+    feed.scene().forEach([&](const std::string&, const BoxState& state) {
+      if (state.box) box = state.stamp / 1000000;
+    });
+    return box;
+  };
+  EXPECT_EQ(take(107, 107, steady), 107000);
+  const ros::SteadyTime before = steady;
+  steady += ros::WallDuration(3);
+  feed.onTick(ros::Time(100));
+  steady += ros::WallDuration(2);
+  EXPECT_EQ(take(107.27, 101, before), std::nullopt);
+  EXPECT_EQ(take(100.5, 101, before + ros::WallDuration(3)), 100500);
+  EXPECT_EQ(take(101, 101, steady), 101000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, JoinedMessages, testing::Range<std::uint64_t>(1, 101));

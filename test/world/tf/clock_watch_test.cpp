@@ -10,6 +10,8 @@ namespace {
 
 using Event = ClockWatch::Event;
 
+const ros::SteadyTime kStart(1000);
+
 TEST(ClockWatch, TellsStartAndJumps) {
   ClockWatch clock;
   EXPECT_EQ(clock.observe(ros::Time(0)), Event::kNone);
@@ -30,21 +32,38 @@ TEST(ClockWatch, SmallStepsBackAreNoJumpUntilTheyAddUp) {
 }
 
 TEST(ClockWatch, DoubtsStampsAheadOnlyAfterAJump) {
-  ClockWatch clock;
+  ClockWatch clock([] { return kStart; });
   clock.observe(ros::Time(100));
-  EXPECT_FALSE(clock.isFromBeforeJump(ros::Time(103), ros::Time(100)));
+  EXPECT_FALSE(clock.isFromBeforeJump(ros::Time(103), ros::Time(100), kStart));
   clock.observe(ros::Time(90));
-  EXPECT_TRUE(clock.isFromBeforeJump(ros::Time(99), ros::Time(90)));
-  EXPECT_FALSE(clock.isFromBeforeJump(ros::Time(90.4), ros::Time(90)));
+  EXPECT_TRUE(clock.isFromBeforeJump(ros::Time(99), ros::Time(90), kStart));
+  EXPECT_FALSE(clock.isFromBeforeJump(ros::Time(90.4), ros::Time(90), kStart));
+}
+
+TEST(ClockWatch, AMessageIsOldHoweverLongItWaitsAfterTheJump) {
+  ros::SteadyTime now = kStart;
+  ClockWatch clock([&now] { return now; });
+  clock.observe(ros::Time(100));
+  const ros::SteadyTime before = now;
+  now += ros::WallDuration(3);
+  clock.observe(ros::Time(90));
+  const ros::SteadyTime jump = now;
+  now += ros::WallDuration(100);
+  clock.observe(ros::Time(92));
+  EXPECT_TRUE(clock.isFromBeforeJump(ros::Time(97.27), ros::Time(92), before));
+  EXPECT_TRUE(
+      clock.isFromBeforeJump(ros::Time(97.27), ros::Time(92), jump + ros::WallDuration(0.49)));
+  EXPECT_FALSE(
+      clock.isFromBeforeJump(ros::Time(97.27), ros::Time(92), jump + ros::WallDuration(0.51)));
 }
 
 TEST(ClockWatch, TheEndsOfTimeAreTimesLikeOthers) {
-  ClockWatch clock;
+  ClockWatch clock([] { return kStart; });
   EXPECT_EQ(clock.observe(ros::Time(1)), Event::kStarted);
   EXPECT_EQ(clock.observe(ros::TIME_MAX), Event::kNone);
-  EXPECT_FALSE(clock.isFromBeforeJump(ros::TIME_MAX, ros::TIME_MAX));
+  EXPECT_FALSE(clock.isFromBeforeJump(ros::TIME_MAX, ros::TIME_MAX, kStart));
   EXPECT_EQ(clock.observe(ros::Time(1)), Event::kJumpedBack);
-  EXPECT_TRUE(clock.isFromBeforeJump(ros::TIME_MAX, ros::Time(1)));
+  EXPECT_TRUE(clock.isFromBeforeJump(ros::TIME_MAX, ros::Time(1), kStart));
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ class TransformInputTest : public testing::Test {
       ++asked;
       return publisher;
     };
-    input_.add({transforms.begin(), transforms.end()}, false, name, clock_, ros::Time(1000), tf_);
+    input_.add({transforms.begin(), transforms.end()}, false, name, clock_, ros::Time(1000),
+               ros::SteadyTime::now(), tf_);
     return asked;
   }
 
