@@ -26,6 +26,9 @@ class StormAnswers {
   /// bounds of a distance must have a common value.
   std::string differenceTo(const StormAnswers& other) const;
 
+  /// Once there is a message.
+  std::size_t countBoxes() const { return boxes_->boxes.size(); }
+
   std::string counts() const;
 
  private:

@@ -7,6 +7,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -198,7 +199,9 @@ class Storm {
     }
   }
 
-  /// How the node differs from one that saw nothing of the storm; empty: not at all.
+  /// How the node differs from one that saw nothing of the storm; empty: not at all. At the first
+  /// common moment the fresh node may have got the objects after the moment's tf, so that its
+  /// outputs are of different objects; at the next one all are of what it has by then.
   std::string compare() {
     boxes_.shutdown();
     StormAnswers stormed(node_, task_.node);
@@ -206,11 +209,14 @@ class Storm {
     waitFor([this] { return fresh_objects_.getNumSubscribers() > 0; }, "the fresh node listens");
     fresh_objects_.publish(scene_.everything());
     const auto end = Clock::now() + kPatience;
+    bool had_all = false;
     while (ros::ok() && Clock::now() < end) {
-      if (areBothOf(stormed, fresh, sender_.step())) {
+      if (!areBothOf(stormed, fresh, sender_.step())) continue;
+      if (had_all) {
         std::cerr << stormed.counts() << "\n" << fresh.counts() << "\n";
         return stormed.differenceTo(fresh);
       }
+      had_all = stormed.countBoxes() == fresh.countBoxes();
     }
     return "no common moment: " + stormed.counts() + "; " + fresh.counts();
   }
@@ -260,6 +266,8 @@ int main(int argc, char** argv) try {
     throw std::runtime_error(
         "usage: storm_driver NODE PID FRESH_NODE LINKS SECONDS CSV MESH_URI ...");
   }
+  // A call of a service that is not answered waits without limit: then the signal ends it.
+  alarm(static_cast<unsigned>(std::stod(argv[5]) + 2 * link_bounds::kPatience.count()));
   link_bounds::Storm({argv[1],
                       std::stoi(argv[2]),
                       argv[3],

@@ -10,6 +10,7 @@ import argparse
 import json
 import os
 import random
+import socket
 import struct
 import subprocess
 import tempfile
@@ -83,8 +84,8 @@ def blow(seconds, csv, folder):
     for seed, path in enumerate(meshes):
         write_mesh(path, seed)
     with start_node(NODE) as node:
-        wait_for(lambda: "%s/boxes" % NODE in dict(rospy.get_published_topics()) or
-                 not node.is_running, "boxes")
+        wait_for(lambda: {"%s/%s" % (NODE, topic) for topic in TOPICS} <=
+                 set(dict(rospy.get_published_topics())) or not node.is_running, "all topics")
         if not node.is_running:
             raise AssertionError("the node does not start: " + node.output)
         # Those that never read, and those that read slowly.
@@ -112,6 +113,7 @@ def main():
     parser.add_argument("--seconds", type=int, default=SANITIZED_SECONDS if SANITIZED else SECONDS)
     parser.add_argument("--csv", default=os.devnull, help="the age of boxes over time")
     options = parser.parse_args()
+    socket.setdefaulttimeout(PATIENT)  # of calls of a node or a master
     master = OwnMaster()
     rospy.set_param("/use_sim_time", True)
     rospy.set_param("/robot_description", description(LINKS))
