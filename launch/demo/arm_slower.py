@@ -17,19 +17,22 @@ from std_msgs.msg import Float64
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
 
-SLOWER, FASTER = 0.8, 0.02  # times and plus, with each message: the boxes shrink with the speed
+SLOWER = 0.8  # times, with each message: the boxes shrink with the speed
+FASTER, LONGEST = 1.0, 0.2  # plus in a second, but for at most that many seconds between messages
 
 
 class Slower:
     def __init__(self):
-        self.speed = 1.0
+        self.speed, self.stamp = 1.0, rospy.Time()
         self.publisher = rospy.Publisher('joint_mover/speed', Float64, queue_size=1)
         rospy.Subscriber('link_bounds_publisher/stopping_overlaps', BoxOverlapArray, self.take,
                          queue_size=1, tcp_nodelay=True)
 
     def take(self, message):
         meets = any(('/' in pair.first) != ('/' in pair.second) for pair in message.overlaps)
-        self.speed = self.speed * SLOWER if meets else min(1.0, self.speed + FASTER)
+        seconds = max(0.0, min((message.header.stamp - self.stamp).to_sec(), LONGEST))
+        self.stamp = message.header.stamp
+        self.speed = self.speed * SLOWER if meets else min(1.0, self.speed + FASTER * seconds)
         self.publisher.publish(self.speed)
 
 
