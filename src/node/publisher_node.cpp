@@ -300,6 +300,7 @@ void PublisherNode::publishDiagnostics() {
   health.publications = output_.publications();
   health.joined = feed_.takeJoined();
   health.skipped = std::exchange(skipped_, 0);
+  health.most_waiting = queue_.takeMostWaiting();
   health.lag_ms = output_.takeMaxLag();
   health.delay_ms = std::chrono::duration<double, std::milli>(max_delay_).count();
   max_delay_ = std::chrono::nanoseconds(0);

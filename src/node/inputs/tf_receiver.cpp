@@ -6,9 +6,6 @@
 namespace link_bounds {
 namespace {
 
-/// Messages that may wait; then the oldest is dropped. A second at 1 kHz; tf2_ros has 100.
-constexpr std::uint32_t kTfQueue = 1000;
-
 /// Static transforms are sent once: none may be dropped.
 constexpr std::uint32_t kStaticQueue = 5000;
 
@@ -23,7 +20,7 @@ ros::Subscriber TfReceiver::subscribe(ros::NodeHandle& node, const TopicName& to
                                       const Callback& on_message) {
   ros::SubscribeOptions options;
   options.initByFullCallbackType<const Event&>(
-      topic.name, is_static ? kStaticQueue : kTfQueue,
+      topic.name, is_static ? kStaticQueue : kQueue,
       [on_message, is_static](const Event& event) { on_message(event, is_static); },
       [memory = is_static ? static_memory_ : memory_] { return memory->lend(); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();

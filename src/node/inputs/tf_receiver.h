@@ -6,6 +6,7 @@
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -18,6 +19,10 @@ class TfReceiver {
  public:
   using Event = ros::MessageEvent<const TfMessage>;
   using Callback = std::function<void(const Event& event, bool is_static)>;
+
+  /// Messages of /tf that may wait; if more come, roscpp drops the oldest, and tells nobody. A
+  /// second at 1 kHz; tf2_ros has 100.
+  static constexpr std::uint32_t kQueue = 1000;
 
   /// `on_message` is called for each message.
   TfReceiver(ros::NodeHandle& node, const Callback& on_message);

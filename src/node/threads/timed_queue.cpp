@@ -16,6 +16,11 @@ TimedQueue::Backlog TimedQueue::backlog() const {
   return {entries_.size(), std::chrono::nanoseconds(oldest.toNSec())};
 }
 
+std::size_t TimedQueue::takeMostWaiting() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(most_waiting_, entries_.size());
+}
+
 void TimedQueue::wait(std::chrono::nanoseconds longest) {
   std::unique_lock<std::mutex> lock(mutex_);
   arrival_.wait_for(lock, longest, [this] { return !entries_.empty(); });
@@ -55,6 +60,7 @@ void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     entries_.push_back({callback, owner, ros::SteadyTime::now()});
+    most_waiting_ = std::max(most_waiting_, entries_.size());
   }
   arrival_.notify_one();
 }

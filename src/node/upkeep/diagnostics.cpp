@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "node/inputs/tf_receiver.h"
 #include "node/interface/topics.h"
 #include "world/log/log_text.h"
 
@@ -209,6 +210,8 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (scene.model()) warnOfAge(health, scene.model()->parameters.max_rate, status);
   if (health.skipped > 0)
     raise(status, DiagnosticStatus::WARN, "tf comes faster than it can be read");
+  if (health.most_waiting >= TfReceiver::kQueue)
+    raise(status, DiagnosticStatus::WARN, "messages of /tf may have been dropped");
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (!health.late_publishers.empty())
     raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");
@@ -238,6 +241,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "updates per second", std::to_string(updates / seconds));
   add(status, "updates joined, last second", std::to_string(health.joined));
   add(status, "tf messages skipped, last second", std::to_string(health.skipped));
+  add(status, "most messages that waited, last second", std::to_string(health.most_waiting));
   add(status, "longest delay of a message in the node [ms]", std::to_string(health.delay_ms));
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a status WARN although all boxes are there.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+#include "node/inputs/tf_receiver.h"
+#include "node/upkeep/diagnostics.h"
+#include "testing/live_boxes_testing.h"
+#include "testing/own_master.h"
+
+namespace link_bounds {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+class DiagnosticsLevels : public testing::Test {
+ protected:
+  DiagnosticsLevels() {
+    scene_.adopt(modelOf("base", {meshLink("base", 1)}), ros::Time(1));
+    subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+          status_ = array->status.front();
+          has_status_ = true;
+        });
+  }
+
+  /// The status of a node whose health a function changes.
+  DiagnosticStatus statusWith(const std::function<void(Health&)>& change) {
+    Health health;
+    change(health);
+    has_status_ = false;
+    while (subscriber_.getNumPublishers() == 0)
+      std::this_thread::yield();
+    diagnostics_.publish(scene_, health, times_);
+    while (!has_status_)
+      ros::spinOnce();
+    return status_;
+  }
+
+  OwnMaster master_{"diagnostics_levels_test"};
+  ros::NodeHandle node_;
+  Diagnostics diagnostics_{node_};
+  TransformBuffer tf_;
+  Scene scene_{tf_};
+  CallbackTimes times_;
+  ros::Subscriber subscriber_;
+  DiagnosticStatus status_;
+  bool has_status_ = false;
+};
+
+/// In one test: a process has one master.
+TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
+  const DiagnosticStatus calm =
+      statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue - 1; });
+  EXPECT_EQ(calm.level, DiagnosticStatus::OK) << calm.message;
+  const DiagnosticStatus full =
+      statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue; });
+  EXPECT_EQ(full.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(full.message, "messages of /tf may have been dropped");
+  const DiagnosticStatus skipped = statusWith([](Health& health) { health.skipped = 1; });
+  EXPECT_EQ(skipped.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(skipped.message, "tf comes faster than it can be read");
+}
+
+}  // namespace
+}  // namespace link_bounds
