@@ -33,11 +33,13 @@ configure_sanitized() {
 # g++'s time. Only the geometry library is optimised more: what is checked is larger, so clang would call
 # each of Eigen's small functions; with a higher limit the grids of a cloud filter take a third of the
 # time. Everything else would take half as much time again to compile. The module for Python is left out,
-# because no test loads it below a sanitizer. g++ itself defines the macro.
+# because no test loads it below a sanitizer; the coverage of the tests, because no fuzzer links them. g++
+# itself defines the macro.
 configure_memory() {
   install_what_exists fuzz
   configure_sanitized "$BUILD/sanitized" \
     "-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -D__SANITIZE_ADDRESS__" \
+    -DLINK_BOUNDS_TEST_FLAGS=-fno-sanitize=undefined,float-cast-overflow,fuzzer-no-link \
     -DLINK_BOUNDS_GEOMETRY_FLAGS="-O2;SHELL:-mllvm -inline-threshold=1000" -DPYBIND11_INCLUDE=OFF \
     -DCMAKE_CXX_COMPILER="$(command -v clang++)" -DLINK_BOUNDS_FUZZERS=ON
 }

@@ -90,7 +90,8 @@ TEST(PartLimits, OnlyAsManyPartsAsHelp) {
 }
 
 TEST(PartLimits, TheMemoryOfTheParts) {
-  const TriangleMesh meshes[] = {kIsSanitized ? hook(60, 12) : hook(200, 40), ball(60, 120),
+  const TriangleMesh meshes[] = {kIsSanitized ? hook(30, 12) : hook(200, 40),
+                                 kIsSanitized ? ball(20, 40) : ball(60, 120),
                                  soup(repetitions(5000), 2)};
   for (const TriangleMesh& mesh : meshes) {
     const DivisibleShape shape = divisible(mesh);
@@ -195,7 +196,7 @@ TEST(PartLimits, AnInterruptEndsTheWork) {
 }
 
 TEST(PartLimits, ManyTrianglesInReasonableTime) {
-  TriangleMesh mesh = kIsSanitized ? hook(200, 100) : hook(1000, 500);
+  TriangleMesh mesh = kIsSanitized ? hook(100, 50) : hook(1000, 500);
   brute_force::Random random(3);
   for (Eigen::Vector3f& vertex : mesh.vertices)
     vertex += random.vector(0.01).cast<float>();

@@ -19,7 +19,7 @@ namespace {
 
 using brute_force::Random;
 
-constexpr int kSequences = kIsSanitized ? 5'000 : 100'000;  // of each kind of shape
+constexpr int kSequences = kIsSanitized ? 2'000 : 100'000;  // of each kind of shape
 constexpr int kSteps = 5;
 constexpr int kMaxLinks = 40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

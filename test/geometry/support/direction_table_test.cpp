@@ -120,16 +120,16 @@ TEST(DirectionTable, Sphere) {
 
 /// More points than are examined one by one.
 TEST(DirectionTable, FineSphere) {
-  const Points points = onSphere(kIsSanitized ? 20000 : 140000);
+  const Points points = onSphere(kIsSanitized ? 8000 : 140000);
   expectExact(points, 11, 100);
   EXPECT_LT(PointSet(points).bytes(), 64 * points.size());
 }
 
 /// The first part of the points is the ball, so the plate is examined as coarsely as that.
 TEST(DirectionTable, AFinePlateAfterABall) {
-  const int ball = kIsSanitized ? 20000 : 70000;
+  const int ball = kIsSanitized ? 8000 : 70000;
   Points points = onSphere(ball);
-  const int side = kIsSanitized ? 150 : 450;
+  const int side = kIsSanitized ? 90 : 450;
   for (int i = 0; i < side * side; ++i) {
     const auto x = static_cast<float>(i / side), y = static_cast<float>(i % side);
     points.emplace_back(0.01f * x, 0.01f * y, 2.0f);

@@ -11,6 +11,7 @@
 
 #include "testing/live_boxes_testing.h"
 #include "testing/random_tf.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -141,7 +142,8 @@ TEST(SceneFeed, WhatWaitedSinceBeforeAJumpIsDropped) {
   EXPECT_EQ(take(101, 101, steady), 101000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, JoinedMessages, testing::Range<std::uint64_t>(1, 101));
+INSTANTIATE_TEST_SUITE_P(Seeds, JoinedMessages,
+                         testing::Range<std::uint64_t>(1, 1 + repetitions(100)));
 
 }  // namespace
 }  // namespace link_bounds

@@ -9,11 +9,12 @@
 
 #include "testing/live_boxes_testing.h"
 #include "testing/replaced_new.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr int kStrangers = 1000000;
+constexpr int kStrangers = repetitions(1000000);
 constexpr std::size_t kMaxBytes = 4096;  // in one request for memory
 constexpr long kMaxAllocations = 50;     // a name is copied by at most 3
 constexpr std::chrono::nanoseconds kStep(0);
