@@ -86,6 +86,9 @@ void SceneFeed::observeClock(ros::Time now) {
       tf_.startClock(now);
       if (scene_.restart(now)) onNews();
       return;
+    case ClockWatch::Event::kJumpedAhead:
+      if (tf_.jumpAhead(now) && scene_.update(now)) onNews();
+      return;
     case ClockWatch::Event::kJumpedBack:
       logJump();
       tf_.clear();

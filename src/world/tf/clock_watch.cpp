@@ -10,8 +10,9 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kMinJump = 0.1;   // s
-constexpr double kFarAhead = 0.5;  // s
+constexpr double kMinJump = 0.1;       // s
+constexpr double kMinJumpAhead = 2.0;  // s
+constexpr double kFarAhead = 0.5;      // s
 const ros::WallDuration kLateArrivals(0.5);
 const ros::WallDuration kReportJump(5.0);
 const ros::WallDuration kClockTimeout(5.0);
@@ -32,7 +33,8 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
   // `last_` keeps its value in a small step back, so that many such steps add up to a jump.
   if (since(now, last) <= kMinJump) {
     last_ = std::max(last, now);
-    return last.isZero() && !now.isZero() ? Event::kStarted : Event::kNone;
+    if (last.isZero()) return now.isZero() ? Event::kNone : Event::kStarted;
+    return since(last, now) > kMinJumpAhead ? Event::kJumpedAhead : Event::kNone;
   }
   last_ = now;
   jump_ = steady_now_();

@@ -12,12 +12,13 @@ namespace link_bounds {
 
 class ClockWatch {
  public:
-  enum class Event { kNone, kStarted, kJumpedBack };
+  enum class Event { kNone, kStarted, kJumpedAhead, kJumpedBack };
 
   /// `steady_now` never goes back: wall time, or the recorded time of a bag that has passed.
   explicit ClockWatch(std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
 
-  /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump.
+  /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump, nor are steps
+  /// ahead of up to 2 s.
   Event observe(ros::Time now);
 
   /// True for stamps more than 0.5 s ahead of ROS time in a message that arrived less than half a
@@ -36,7 +37,7 @@ class ClockWatch {
 
  private:
   std::function<ros::SteadyTime()> steady_now_;
-  ros::Time last_;  ///< the newest time since the last jump
+  ros::Time last_;  ///< the newest time since the last jump back
   ros::SteadyTime start_;
   ros::SteadyTime jump_;  ///< zero if there was none
   std::uint64_t jumps_ = 0;

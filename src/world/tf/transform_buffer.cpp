@@ -17,6 +17,8 @@ constexpr std::size_t kSlice = 1000;  // edges and samples to look at in one go:
 /// Publishers of one frame may differ by so much, and the frame may be without a newer stamp for so
 /// long, without a warning [ns].
 constexpr std::int64_t kTolerance = 1000000000;
+
+constexpr std::int64_t kAtClock = 500000000;  // ns that a stamp may differ from the clock
 constexpr const char* kOwnParent = "the frame is its own parent; correct one of the names";
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
@@ -188,6 +190,18 @@ void TransformBuffer::startClock(ros::Time now) {
   for (Edge& edge : edges_) {
     if (edge.received == 0) edge.received = nanoseconds(now);
   }
+}
+
+bool TransformBuffer::jumpAhead(ros::Time now) {
+  bool is_any = false;
+  for (Edge& edge : edges_) {
+    if (std::abs(edge.newest - nanoseconds(now)) > kAtClock) continue;
+    if (!is_any) ++message_;
+    is_any = true;
+    edge.message = message_;
+    edge.received = nanoseconds(now);
+  }
+  return is_any;
 }
 
 /// In passes over all frames. A quiet frame that nobody needs loses its edge. Static edges are

@@ -140,6 +140,11 @@ class TransformBuffer {
   /// Edges received before the clock ran count as received now.
   void startClock(ros::Time now);
 
+  /// The clock jumped ahead, see ClockWatch. A transform from after the jump may have come before
+  /// the new time did: an edge whose newest stamp is within half a second of it counts as received
+  /// now. True if there is one.
+  bool jumpAhead(ros::Time now);
+
   const TfIntake& intake() const { return intake_; }
 
   /// True if a message had this edge after the buffer had that version.

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
-#include <optional>
+#include <map>
 #include <sstream>
 
 #include "testing/live_boxes_testing.h"
@@ -115,31 +114,81 @@ TEST_P(JoinedMessages, GiveTheSameSceneAsOneUpdateEach) {
   EXPECT_LT(several.news, single.news);
 }
 
-/// A busy node takes them long after the jump that it has seen.
-TEST(SceneFeed, WhatWaitedSinceBeforeAJumpIsDropped) {
-  ros::SteadyTime steady(1000);
-  SceneFeed feed({[](const MeshUse&) {}, [] {}}, [&steady] { return steady; });
-  feed.adopt(modelOf("base", {meshLink("link", 1)}), ros::Time(100));
-  const auto take = [&](double stamp, double now, ros::SteadyTime arrival) {
+/// Two links of the fixed frame, and the time.
+class SceneFeedTest : public testing::Test {
+ protected:
+  SceneFeedTest() {
+    auto model = std::make_shared<Model>(*modelOf("base", {meshLink("a", 1), meshLink("b", 2)}));
+    model->parameters.timeout = 1;
+    feed_.adopt(model, ros::Time(100));
+  }
+
+  void send(const std::string& link, double stamp, double now) { send(link, stamp, now, steady_); }
+  void send(const std::string& link, double stamp, double now, ros::SteadyTime arrival) {
     const std::vector<geometry_msgs::TransformStamped> transforms{
-        edge("base", "link", stamp, Eigen::Quaterniond::Identity(), {stamp, 0, 0})};
-    feed.onTransforms(
+        edge("base", link, stamp, Eigen::Quaterniond::Identity(), {stamp, 0, 0})};
+    feed_.onTransforms(
         {transforms.begin(), transforms.end()}, false, [] { return "/sender"; }, ros::Time(now),
         arrival);
-    std::optional<std::int64_t> box;  // its stamp [ms]
-    feed.scene().forEach([&](const std::string&, const BoxState& state) {
-      if (state.box) box = state.stamp / 1000000;
+  }
+
+  /// Names of the links with a box, and its stamp.
+  std::map<std::string, double> boxes() {
+    std::map<std::string, double> result;
+    feed_.scene().forEach([&](const std::string& name, const BoxState& state) {
+      if (state.box) result[name] = static_cast<double>(state.stamp / 1000000) / 1000;
     });
-    return box;
-  };
-  EXPECT_EQ(take(107, 107, steady), 107000);
-  const ros::SteadyTime before = steady;
-  steady += ros::WallDuration(3);
-  feed.onTick(ros::Time(100));
-  steady += ros::WallDuration(2);
-  EXPECT_EQ(take(107.27, 101, before), std::nullopt);
-  EXPECT_EQ(take(100.5, 101, before + ros::WallDuration(3)), 100500);
-  EXPECT_EQ(take(101, 101, steady), 101000);
+    return result;
+  }
+
+  using Boxes = std::map<std::string, double>;
+
+  ros::SteadyTime steady_{1000};
+  SceneFeed feed_{{[](const MeshUse&) {}, [] {}}, [this] { return steady_; }};
+};
+
+/// A busy node takes them long after the jump that it has seen.
+TEST_F(SceneFeedTest, WhatWaitedSinceBeforeAJumpBackIsDropped) {
+  send("a", 107, 107);
+  EXPECT_EQ(boxes(), (Boxes{{"a", 107}}));
+  const ros::SteadyTime before = steady_;
+  steady_ += ros::WallDuration(3);
+  feed_.onTick(ros::Time(100));
+  steady_ += ros::WallDuration(2);
+  send("a", 107.25, 101, before);
+  EXPECT_EQ(boxes(), Boxes());
+  send("a", 100.5, 101, before + ros::WallDuration(3));
+  EXPECT_EQ(boxes(), (Boxes{{"a", 100.5}}));
+  send("a", 101, 101);
+  EXPECT_EQ(boxes(), (Boxes{{"a", 101}}));
+}
+
+/// The sender has the new clock, and the node has not.
+TEST_F(SceneFeedTest, WhatComesFromAfterAJumpAheadIsNotStale) {
+  send("a", 100, 100);
+  send("b", 100, 100);
+  send("a", 200, 100);
+  feed_.onTick(ros::Time(200.1));
+  EXPECT_EQ(boxes(), (Boxes{{"a", 200}}));
+  feed_.onTick(ros::Time(201));
+  EXPECT_EQ(boxes(), (Boxes{{"a", 200}}));
+  feed_.onTick(ros::Time(201.2));
+  EXPECT_EQ(boxes(), Boxes());
+}
+
+/// Its stamp is not that of the new clock.
+TEST_F(SceneFeedTest, AStampFarAheadIsStaleAfterAJumpAheadToAnotherTime) {
+  send("a", 200, 100);
+  send("b", 101.9, 100);
+  feed_.onTick(ros::Time(102.5));
+  EXPECT_EQ(boxes(), Boxes());
+}
+
+/// A clock that is slow to go on has not jumped.
+TEST_F(SceneFeedTest, AStampAheadIsStaleAfterAStepOfTheClock) {
+  send("a", 101.5, 100);
+  feed_.onTick(ros::Time(101.5));
+  EXPECT_EQ(boxes(), Boxes());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, JoinedMessages,

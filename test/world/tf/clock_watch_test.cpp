@@ -16,11 +16,13 @@ TEST(ClockWatch, TellsStartAndJumps) {
   ClockWatch clock;
   EXPECT_EQ(clock.observe(ros::Time(0)), Event::kNone);
   EXPECT_EQ(clock.observe(ros::Time(100)), Event::kStarted);
-  EXPECT_EQ(clock.observe(ros::Time(101)), Event::kNone);
+  EXPECT_EQ(clock.observe(ros::Time(100.5)), Event::kNone);
   EXPECT_FALSE(clock.hasJustJumped());
   EXPECT_EQ(clock.observe(ros::Time(95)), Event::kJumpedBack);
   EXPECT_TRUE(clock.hasJustJumped());
   EXPECT_EQ(clock.observe(ros::Time(95.5)), Event::kNone);
+  EXPECT_EQ(clock.observe(ros::Time(97.5)), Event::kNone);
+  EXPECT_EQ(clock.observe(ros::Time(99.6)), Event::kJumpedAhead);
 }
 
 TEST(ClockWatch, SmallStepsBackAreNoJumpUntilTheyAddUp) {
@@ -60,7 +62,7 @@ TEST(ClockWatch, AMessageIsOldHoweverLongItWaitsAfterTheJump) {
 TEST(ClockWatch, TheEndsOfTimeAreTimesLikeOthers) {
   ClockWatch clock([] { return kStart; });
   EXPECT_EQ(clock.observe(ros::Time(1)), Event::kStarted);
-  EXPECT_EQ(clock.observe(ros::TIME_MAX), Event::kNone);
+  EXPECT_EQ(clock.observe(ros::TIME_MAX), Event::kJumpedAhead);
   EXPECT_FALSE(clock.isFromBeforeJump(ros::TIME_MAX, ros::TIME_MAX, kStart));
   EXPECT_EQ(clock.observe(ros::Time(1)), Event::kJumpedBack);
   EXPECT_TRUE(clock.isFromBeforeJump(ros::TIME_MAX, ros::Time(1), kStart));
