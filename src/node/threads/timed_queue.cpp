@@ -60,7 +60,7 @@ void TimedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uin
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     entries_.push_back({callback, owner, ros::SteadyTime::now()});
-    most_waiting_ = std::max(most_waiting_, entries_.size());
+    most_waiting_ = std::max(most_waiting_, entries_.size() + (is_calling_ ? 1 : 0));
   }
   arrival_.notify_one();
 }

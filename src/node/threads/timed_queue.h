@@ -26,7 +26,7 @@ class TimedQueue : public ros::CallbackQueueInterface {
 
   Backlog backlog() const;
 
-  /// The most callbacks that waited at once since the last call.
+  /// The most callbacks that waited or ran at once since the last call.
   std::size_t takeMostWaiting();
 
   /// Returns when a callback waits, or after that time.

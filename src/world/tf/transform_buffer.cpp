@@ -4,6 +4,7 @@
 #include "world/tf/transform_buffer.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "world/tf/transform_refusal.h"
 
