@@ -4,8 +4,6 @@
 #include "robot/pairs/pair_queue.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <future>
 #include <thread>
 #include <tuple>
@@ -13,8 +11,8 @@
 namespace link_bounds {
 namespace {
 
-/// The first turn of a pair [s]. Most pairs need one.
-constexpr double kFirstTurn = 0.02;
+/// Slices of work in the first turn of a pair. Most pairs need one turn.
+constexpr std::size_t kFirstTurn = 24;
 
 }  // namespace
 
@@ -69,13 +67,12 @@ PairQueue::Task* PairQueue::take() {
 
 /// Until the turn is over or the pair is decided, which ends a search that has found a collision.
 void PairQueue::advance(Task& task) const {
-  const std::chrono::duration<double> turn(std::ldexp(kFirstTurn, task.turns));
-  const auto start = std::chrono::steady_clock::now();
   PairSearch& search = *task.search;
+  const std::size_t end = search.slices() + (kFirstTurn << task.turns);
   do {
     search.advance();
   } while (!search.isDone() && (task.is_decided || !search.isDecided() || search.collides()) &&
-           std::chrono::steady_clock::now() - start < turn && !control_.is_over());
+           search.slices() < end && !control_.is_over());
   ++task.turns;
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The searches of many pairs, in turns, within bounded memory.
 //
-// A search is made when its turn comes. Each turn of a pair takes twice as long as the one before.
-// Between two turns a search is kept where memory allows; otherwise it is stored and begins again
-// with the next turn, which costs at most as much as all turns before.
+// A search is made when its turn comes. Each turn of a pair has twice as many slices of work as
+// the one before, however long they take. Between two turns a search is kept where memory allows;
+// otherwise it is stored and begins again with the next turn, which costs at most as much as all
+// turns before.
 #pragma once
 
 #include <functional>

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <sstream>
+#include <thread>
 
 #include "testing/distance_bodies.h"
 #include "testing/pair_proofs_testing.h"
@@ -412,6 +414,37 @@ TEST(PairProofs, EndsWhenItIsOver) {
   EXPECT_EQ(proofs[0].clearance, 0);
   EXPECT_EQ(proofs[0].poses, 0U);
   EXPECT_TRUE(std::isinf(proofs[0].nearest));
+}
+
+/// With one thread, which waits before each slice of work.
+std::vector<PairProof> proveSlowly(const Model& model, int slices,
+                                   std::chrono::milliseconds before_each) {
+  ProofControl control;
+  control.threads = 1;
+  control.is_over = [&slices, before_each] {
+    std::this_thread::sleep_for(before_each);
+    return --slices < 0;
+  };
+  return provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
+}
+
+TEST(PairProofs, ASlowMachineDoesTheSameWorkForEachPair) {
+  Chain chain;
+  for (int i = 0; i < 6; ++i)
+    chain.shape(ball(0.06)).joint("revolute", "0.13 0 0", "0 1 0.3", limits(-2, 2));
+  const Model model = chain.shape(ball(0.06)).model();
+  constexpr int kSlices = 40;  // too few for all pairs
+  const auto fast = proveSlowly(model, kSlices, std::chrono::milliseconds(0));
+  const auto slow = proveSlowly(model, kSlices, std::chrono::milliseconds(3));
+  ASSERT_EQ(fast.size(), slow.size());
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    EXPECT_EQ(fast[i].verdict, slow[i].verdict) << i;
+    EXPECT_EQ(fast[i].poses, slow[i].poses) << i;
+    EXPECT_EQ(fast[i].clearance, slow[i].clearance) << i;
+  }
+  const auto tried = [](const PairProof& proof) { return proof.poses > 0; };
+  EXPECT_GT(std::count_if(fast.begin(), fast.end(), tried), 3);
+  EXPECT_EQ(std::count_if(fast.begin(), fast.end(), tried), 6);  // of 15
 }
 
 }  // namespace
