@@ -112,7 +112,8 @@ class HullSearch {
   ShapePair shapePair(const Candidate& pair) const {
     const PlacedShape& a = first_.shapes[pair.first];
     const PlacedShape& b = second_.shapes[pair.second];
-    ShapePair result{*a.shape, *b.shape, a.from_body_origin, b.from_body_origin, rounding_};
+    ShapePair result{*a.shape,           *b.shape,  a.from_body_origin,
+                     b.from_body_origin, rounding_, memory_.moved};
     result.second_at.translation += second_.origin - first_.origin;
     return result;
   }
@@ -147,7 +148,7 @@ class HullSearch {
     }
     decide(lower, level, normal, candidate);
     if (witness_.distance < distance_before || !memory_.is_known)
-      memory_ = {true, candidate.first, candidate.second, simplex, std::move(trees)};
+      memory_ = {true, candidate.first, candidate.second, simplex, std::move(trees), memory_.moved};
   }
 
   /// A direction to begin with.

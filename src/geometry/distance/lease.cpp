@@ -60,24 +60,19 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   return RigidBody{ball, axes, origin, defect};
 }
 
-Lease::Relative::Relative(const RigidBody& first, const RigidBody& second)
+PosePair::Relative::Relative(const RigidBody& first, const RigidBody& second)
     : mover(second.ball.radius <= first.ball.radius ? second : first) {
   const RigidBody& other = &mover == &second ? first : second;
   axes.noalias() = other.axes.transpose() * mover.axes;
   origin.noalias() = other.axes.transpose() * (mover.origin - other.origin);
 }
 
-double Lease::sizeOf(const RigidBody& first, const RigidBody& second) {
+double PosePair::sizeOf(const RigidBody& first, const RigidBody& second) {
   return first.ball.reach() + second.ball.reach() + (second.origin - first.origin).norm();
 }
 
-Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second)
-    : lower_(found.lower),
-      level_(found.level),
-      on_first_(first.axes.transpose() * (found.on_first - first.origin)),
-      on_second_(second.axes.transpose() * (found.on_second - second.origin)),
-      normal_(first.axes.transpose() * found.normal),
-      defect_(first.defect + second.defect),
+PosePair::PosePair(const RigidBody& first, const RigidBody& second)
+    : defect_(first.defect + second.defect),
       size_(sizeOf(first, second)),
       rounding_(8 * kUnitRoundoff * (first.origin.norm() + second.origin.norm() + size_)) {
   const Relative then(first, second);
@@ -85,21 +80,32 @@ Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody&
   origin_ = then.origin;
 }
 
-double Lease::motion(const Relative& now) const {
+double PosePair::approach(const RigidBody& first, const RigidBody& second) const {
+  const Relative now(first, second);
   const Eigen::Matrix3d turned = now.axes - axes_;
   const Eigen::Vector3d shifted = turned * now.mover.ball.center + (now.origin - origin_);
-  return shifted.norm() + turned.norm() * M_SQRT1_2 * now.mover.ball.radius;
+  return shifted.norm() + turned.norm() * M_SQRT1_2 * now.mover.ball.radius + slack(first, second);
 }
 
+double PosePair::slack(const RigidBody& first, const RigidBody& second) const {
+  return kSlack * (defect_ + first.defect + second.defect) * (size_ + sizeOf(first, second)) +
+         rounding_;
+}
+
+Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second)
+    : then_(first, second),
+      lower_(found.lower),
+      level_(found.level),
+      on_first_(first.axes.transpose() * (found.on_first - first.origin)),
+      on_second_(second.axes.transpose() * (found.on_second - second.origin)),
+      normal_(first.axes.transpose() * found.normal) {}
+
 BodyDistance Lease::carried(const RigidBody& first, const RigidBody& second) const {
-  const double slack =
-      kSlack * (defect_ + first.defect + second.defect) * (size_ + sizeOf(first, second)) +
-      rounding_;
   const Eigen::Vector3d from_first = first.axes * on_first_;
   const Eigen::Vector3d from_second = second.axes * on_second_;
   const Eigen::Vector3d between = (second.origin - first.origin) + (from_second - from_first);
-  const double upper = between.norm() + slack;
-  const double lower = std::max(0.0, lower_ - motion(Relative(first, second)) - slack);
+  const double upper = between.norm() + then_.slack(first, second);
+  const double lower = std::max(0.0, lower_ - then_.approach(first, second));
   BodyDistance result{std::min(lower, upper),    upper,
                       first.origin + from_first, second.origin + from_second,
                       Eigen::Vector3d::Zero(),   level_};

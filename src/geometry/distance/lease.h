@@ -32,14 +32,16 @@ struct RigidBody {
 /// Nothing if the pose scales or mirrors, or if lengths are beyond 1e9 m.
 std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body);
 
-class Lease {
+/// Two bodies at one time.
+class PosePair {
  public:
-  /// `found` at these poses.
-  Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second);
+  PosePair(const RigidBody& first, const RigidBody& second);
 
-  /// The same two bodies at other poses: the bound less what they have moved relative to each other
-  /// since, and the points where the bodies have carried them. Both are proven.
-  BodyDistance carried(const RigidBody& first, const RigidBody& second) const;
+  /// At other poses: no two points of the bodies are nearer to each other by more than that [m].
+  double approach(const RigidBody& first, const RigidBody& second) const;
+
+  /// At other poses: what points that the bodies have carried there are wrong by [m].
+  double slack(const RigidBody& first, const RigidBody& second) const;
 
  private:
   /// The body with the smaller ball, in the frame of the other one.
@@ -50,18 +52,30 @@ class Lease {
     Eigen::Vector3d origin;
   };
   static double sizeOf(const RigidBody& first, const RigidBody& second);
-  double motion(const Relative& now) const;
 
+  Eigen::Matrix3d axes_;  ///< of the relative pose
+  Eigen::Vector3d origin_;
+  double defect_;
+  double size_;
+  double rounding_;
+};
+
+class Lease {
+ public:
+  /// `found` at these poses.
+  Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second);
+
+  /// The same two bodies at other poses: the bound less what they have moved relative to each other
+  /// since, and the points where the bodies have carried them. Both are proven.
+  BodyDistance carried(const RigidBody& first, const RigidBody& second) const;
+
+ private:
+  PosePair then_;
   double lower_;
   DistanceLevel level_;
   Eigen::Vector3d on_first_;  ///< in the frame of the first body
   Eigen::Vector3d on_second_;
   Eigen::Vector3d normal_;  ///< in the frame of the first body
-  Eigen::Matrix3d axes_;    ///< of the relative pose
-  Eigen::Vector3d origin_;
-  double defect_;
-  double size_;
-  double rounding_;
 };
 
 }  // namespace link_bounds

@@ -17,6 +17,12 @@ struct PairMemory {
   std::uint32_t second_shape = 0;
   Simplex simplex;  ///< of the hulls of these shapes
   TreeMemory trees;
+  double moved = 0;  ///< of CarriedBound
+
+  void forgetBounds() {
+    trees.front = Front();
+    moved = 0;
+  }
 };
 
 /// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most

@@ -93,12 +93,18 @@ class NodeSearch {
     }
   }
 
-  /// Most pairs of the last front are still proven to be far enough apart by the direction that did
-  /// it then; the others are looked at. False, and nothing is done, if three quarters are not:
-  /// then the front is of another time.
+  /// Most pairs of the last front are still proven to be far enough apart, by what was proven then
+  /// or by the direction that did it then; the others are looked at. False, and nothing is done, if
+  /// three quarters are not: then the front is of another time.
   bool goOn(const Front& last) {
     std::vector<NodePair> near;
     for (const FrontPair& known : last.pairs()) {
+      const double carried = std::max(hulls_.lower, known.bound.at(pair_.moved));
+      if (carried >= farEnough()) {
+        lower_ = std::min(lower_, carried);
+        front_.push_back(known);
+        continue;
+      }
       const Eigen::Vector3d normal =
           (pair_.first_at.linear * known.normal.cast<double>()).stableNormalized();
       NodePair pair{known.first, known.second, {hulls_.lower, 0, normal}};
@@ -161,8 +167,10 @@ class NodeSearch {
   /// Of a pair that cannot change the result, or that no steps are left for.
   void drop(const NodePair& pair) {
     lower_ = std::min(lower_, pair.separation.lower);
-    front_.push_back(
-        {pair.first, pair.second, pair_.first_at.toShape(pair.separation.normal).cast<float>()});
+    front_.push_back({pair.first,
+                      pair.second,
+                      pair_.first_at.toShape(pair.separation.normal).cast<float>(),
+                      {pair.separation.lower, pair_.moved}});
   }
 
   void guess(const LeafPair& leaves) {

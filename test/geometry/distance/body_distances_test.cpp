@@ -131,9 +131,14 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
     pose.rotate(Eigen::AngleAxisd(random.magnitude(-4, -1.5), axis));
     pose.translation() += random.vector(random.magnitude(-5, -2.5));
     if (step % 60 == 59) pose.linear() = random.rotation();
+    const Eigen::Matrix3d normal = pose.linear();
+    if (step % 10 == 3) pose.linear() *= random.uniform(1.1, 1.3);
+    if (step % 5 == 0) twins[0].pose->rotate(Eigen::AngleAxisd(random.magnitude(-4, -2), axis));
     for (std::size_t i = 0; i < 2; ++i)
       distances.move(i, *twins[i].pose);
-    expectSame(distances.find(0, 1), twins[0], twins[1], goal);
+    const auto found = random.sign() > 0 ? distances.find(0, 1) : distances.follow(0, 1);
+    expectSame(found, twins[0], twins[1], goal);
+    pose.linear() = normal;
     if (step != 50) continue;
     const auto exact = distance_oracle::distance(a.placed(*twins[0].pose), b.placed(pose));
     ASSERT_LE(distances.find(0, 1)->lower, exact);

@@ -3,6 +3,7 @@
 // Distances that are carried along, in random sequences, against a computation without memory.
 #include <gtest/gtest.h>
 
+#include "geometry/distance/carried_bound.h"
 #include "geometry/distance/lease.h"
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "testing/distance_bodies.h"
@@ -219,6 +220,20 @@ TEST(Leases, areGivenToRigidPosesOnly) {
   pose.translation().x() = 1e10;
   EXPECT_FALSE(rigidBody(ball, pose));
   EXPECT_FALSE(rigidBody({{1e10, 0, 0}, 1}, Eigen::Affine3d::Identity()));
+}
+
+TEST(Leases, carryNoBoundThatIsTooLarge) {
+  Random random(6);
+  for (int i = 0; i < 100000; ++i) {
+    const double lower = random.magnitude(-9, 9), moved = random.magnitude(-12, 1);
+    const double more = moved + random.magnitude(-12, 1);
+    const double bound = CarriedBound(lower, moved).at(more);
+    const long double expected = static_cast<long double>(lower) + moved - more;
+    ASSERT_LE(bound, std::max(0.0L, expected));
+    ASSERT_GE(bound, expected - 2e-7L * (static_cast<long double>(lower) + more));
+  }
+  EXPECT_LE(CarriedBound(1e300, 0).at(0), 1e300);
+  EXPECT_EQ(CarriedBound().at(0), 0);
 }
 
 /// Of points of two balls, at poses whose axes are not quite orthogonal.
