@@ -52,8 +52,11 @@ class BodyDistances::Memories {
     if (!a.placed() || !b.placed()) return std::nullopt;
     if (const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed())) return far;
     const auto entry = pairs_.try_emplace(keyOf(first, second)).first;
-    const BodyDistance result = search(entry->second, a, b);
-    if (!entry->second.memory.is_known) pairs_.erase(entry);
+    Pair& pair = entry->second;
+    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) show(pair, search(pair, a, b), a, b);
+    pair.round = round_;
+    const BodyDistance result = pair.last;
+    if (!pair.memory.is_known) pairs_.erase(entry);
     return result;
   }
 
@@ -116,7 +119,7 @@ class BodyDistances::Memories {
     std::uint64_t round = 0;           ///< in which it was asked for
     std::optional<PosePair> searched;  ///< the poses of the last search
     std::optional<Lease> lease;
-    BodyDistance last{};           ///< what follow() said
+    BodyDistance last{};           ///< what was said last
     std::uint64_t first_pose = 0;  ///< the version of the pose of which it said that
     std::uint64_t second_pose = 0;
 
@@ -169,15 +172,24 @@ class BodyDistances::Memories {
     pair.second_pose = b.pose_version;
   }
 
+  /// Whether `last` of the pair is of the poses of now.
+  static bool isLastOf(const Pair& pair, const Slot& a, const Slot& b) {
+    return pair.isOf(a, b) && pair.first_pose == a.pose_version &&
+           pair.second_pose == b.pose_version;
+  }
+
+  bool reachesGoal(const BodyDistance& distance) const {
+    return distance.lower > goal.limit || distance.upper - distance.lower <= goal.accuracy;
+  }
+
   /// Whether `last` of the pair is good enough at the poses of now.
   bool isCarried(Pair& pair, const Slot& a, const Slot& b) const {
-    if (!pair.isOf(a, b) || pair.first_pose == 0) return false;
-    if (pair.first_pose != a.pose_version || pair.second_pose != b.pose_version) {
-      if (!pair.lease || !a.rigid || !b.rigid) return false;
+    if (!isLastOf(pair, a, b)) {
+      if (!pair.isOf(a, b) || !pair.lease || !a.rigid || !b.rigid) return false;
       show(pair, pair.lease->carried(*a.rigid, *b.rigid), a, b);
     }
     pair.round = round_;
-    return pair.last.lower > goal.limit || pair.last.upper - pair.last.lower <= goal.accuracy;
+    return reachesGoal(pair.last);
   }
 
   void forget(std::size_t index) {

@@ -138,6 +138,9 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
       distances.move(i, *twins[i].pose);
     const auto found = random.sign() > 0 ? distances.find(0, 1) : distances.follow(0, 1);
     expectSame(found, twins[0], twins[1], goal);
+    const auto again = distances.find(0, 1);
+    const bool reaches = found->lower > goal.limit || found->upper - found->lower <= goal.accuracy;
+    ASSERT_TRUE(again->lower == found->lower || !reaches);
     pose.linear() = normal;
     if (step != 50) continue;
     const auto exact = distance_oracle::distance(a.placed(*twins[0].pose), b.placed(pose));
