@@ -4,7 +4,7 @@
 """Slows the demo's arm while a stopping box of one of its links meets an object.
 
 Subscribes to stopping_overlaps of link_bounds_publisher; publishes joint_mover/speed
-(std_msgs/Float64), a factor from 0 to 1. For the demo alone: nothing here is made for safety.
+(std_msgs/Float64), a factor from 0.1 to 1. For the demo alone: nothing here is made for safety.
 """
 
 import os
@@ -19,6 +19,7 @@ from demo_arguments import check_arguments  # noqa: E402
 
 SLOWER = 0.8  # times, with each message: the boxes shrink with the speed
 FASTER, LONGEST = 1.0, 0.2  # plus in a second, but for at most that many seconds between messages
+SLOWEST = 0.1  # the arm comes out of an object that does not go away
 
 
 class Slower:
@@ -32,7 +33,8 @@ class Slower:
         meets = any(('/' in pair.first) != ('/' in pair.second) for pair in message.overlaps)
         seconds = max(0.0, min((message.header.stamp - self.stamp).to_sec(), LONGEST))
         self.stamp = message.header.stamp
-        self.speed = self.speed * SLOWER if meets else min(1.0, self.speed + FASTER * seconds)
+        self.speed = self.speed * SLOWER if meets else self.speed + FASTER * seconds
+        self.speed = min(1.0, max(SLOWEST, self.speed))
         self.publisher.publish(self.speed)
 
 
