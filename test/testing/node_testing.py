@@ -154,6 +154,11 @@ class Diagnostics:
         """How many messages of /tf were not read, likewise."""
         return self.sum_of(SKIPPED, start)
 
+    def wait_until_counted(self):
+        """Until a status counts all that was joined so far, and none of it is in a later one."""
+        start = time.monotonic()
+        wait_for(lambda: self.since(start)[1:], "two more diagnostics")
+
     def sum_of(self, key, start):
         """Of the values of all statuses since then."""
         return sum(float(value_of(status, key) or 0) for _, status, _ in self.since(start))

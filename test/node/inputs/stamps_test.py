@@ -127,8 +127,12 @@ class StampsTest(unittest.TestCase):
     def test_new_stamp_alone_is_news(self):
         base, a, _, _ = self.load_chain("stampnews_")
         times = [1100, 1200, 1300]
-        found = self.published_from_now(
-            base, a, lambda: [self.fast.send(edge(base, a, time)) for time in times])
+
+        def send():
+            for time in times:  # one by one: messages that wait are answered together
+                self.fast.send(edge(base, a, time))
+                self.newest(self.boxes, base, time)
+        found = self.published_from_now(base, a, send)
         self.assertEqual([m.header.stamp for m in found], [at(time) for time in times])
 
     def test_one_publication_per_message_of_many_links(self):
@@ -139,6 +143,8 @@ class StampsTest(unittest.TestCase):
         def send():
             for milliseconds in (1000, 1100):
                 self.fast.send(*[edge(*pair, milliseconds) for pair in chain])
+                self.boxes.wait(lambda m, stamp=at(milliseconds): len(m.boxes) == MANY + 1 and
+                                m.header.stamp == stamp, "all boxes")
         found = self.published_from_now("many_base", "many_0", send)
         self.assertEqual([len(m.boxes) for m in found], [MANY + 1, MANY + 1])
         self.assertEqual([m.incomplete for m in found], [[], []])

@@ -26,18 +26,13 @@ FEW = BURST / 2  # boxes that a burst may cause; one or two are usual
 
 
 class Backlog(LoadTest):
-    def wait_for_statuses(self):
-        """Until a status counts all that was joined so far, and none of it is in a later one."""
-        start = time.monotonic()
-        wait_for(lambda: self.statuses.since(start)[1:], "two more diagnostics")
-
     def test_each_message_has_its_boxes_while_the_node_keeps_up(self):
         self.start_node()
         self.add([])
-        self.wait_for_statuses()
+        self.statuses.wait_until_counted()
         start = time.monotonic()
         result = self.drive(100, 5)
-        self.wait_for_statuses()
+        self.statuses.wait_until_counted()
         self.assertEqual(result["unanswered"], 0)
         self.assertEqual(result["updates"] + self.statuses.joined(start), result["sent"])
         self.assertEqual(self.statuses.skipped(start), 0)
@@ -72,11 +67,11 @@ class Backlog(LoadTest):
         self.addCleanup(boxes.subscriber.unregister)
         boxes.wait_newest(lambda message: message.boxes, "boxes")
         boxes.clear()
-        self.wait_for_statuses()
+        self.statuses.wait_until_counted()
         start = time.monotonic()
         last = self.send_while_stopped(tf)
         boxes.wait(lambda message: message.header.stamp == last, "the newest")
-        self.wait_for_statuses()
+        self.statuses.wait_until_counted()
         count = len(boxes.messages)
         print("%d messages, %d boxes, %d joined" % (BURST, count, self.statuses.joined(start)))
         self.assertLess(count, FEW)
@@ -107,7 +102,7 @@ class Backlog(LoadTest):
         time.sleep(LONG_STOP)
         self.node.interrupt(signal.SIGCONT)
         result = self.end_drive(driver)[0]
-        self.wait_for_statuses()
+        self.statuses.wait_until_counted()
         skipped = self.statuses.skipped(start)
         self.assertGreater(skipped, 0)
         self.assertEqual(result["unanswered"], 0, "the newest has boxes")
