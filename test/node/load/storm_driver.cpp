@@ -171,9 +171,11 @@ class Storm {
   }
 
   void requestSpan() {
+    if (!get_boxes_.isValid())
+      get_boxes_ = ros::service::createClient<GetBoxes>(task_.node + "/get_boxes", true);
     GetBoxes span;
     span.request.span = ros::Duration(kSpan);
-    const bool is_answered = ros::service::call(task_.node + "/get_boxes", span);
+    const bool is_answered = get_boxes_.call(span) && span.response.success;
     ++(is_answered ? seen_.spans : seen_.failed_spans);
   }
 
@@ -252,6 +254,9 @@ class Storm {
   ros::Publisher fresh_objects_;
   ros::Subscriber boxes_;
   ros::Subscriber diagnostics_;
+  /// Persistent, because roscpp may close another connection before it has read the answer
+  /// (https://github.com/ros/ros_comm/issues/1976).
+  ros::ServiceClient get_boxes_;
   std::atomic<Clock::time_point> diagnosed_{Clock::time_point()};
   Seen seen_;
   std::string storm_ages_;
