@@ -128,6 +128,8 @@ class BodyDistances::Memories {
     }
   };
 
+  static_assert(sizeof(Pair) < 1000);  // body_distances.h says so
+
   static std::uint64_t keyOf(std::size_t first, std::size_t second) {
     return std::uint64_t{first} << 32 | std::uint64_t{second};
   }

@@ -10,8 +10,8 @@
 
 namespace link_bounds {
 
-/// In four bytes, of which a search keeps thousands. Each search knows how far the bodies may have
-/// come nearer to each other since the memory began, with the sum of all motions before [m].
+/// In four bytes, as a search keeps thousands. `moved` is how much nearer the bodies may have come
+/// since the memory began, the sum over all searches [m].
 class CarriedBound {
  public:
   CarriedBound() = default;  ///< 0

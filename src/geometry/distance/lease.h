@@ -37,10 +37,10 @@ class PosePair {
  public:
   PosePair(const RigidBody& first, const RigidBody& second);
 
-  /// At other poses: no two points of the bodies are nearer to each other by more than that [m].
+  /// How much nearer to each other two points of the bodies may be at other poses [m].
   double approach(const RigidBody& first, const RigidBody& second) const;
 
-  /// At other poses: what points that the bodies have carried there are wrong by [m].
+  /// How wrong a point may be that a body has carried to its other pose [m].
   double slack(const RigidBody& first, const RigidBody& second) const;
 
  private:

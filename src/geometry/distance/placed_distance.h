@@ -17,7 +17,7 @@ struct PairMemory {
   std::uint32_t second_shape = 0;
   Simplex simplex;  ///< of the hulls of these shapes
   TreeMemory trees;
-  double moved = 0;  ///< of CarriedBound
+  double moved = 0;  ///< how much nearer the bodies may have come since the bounds began [m]
 
   void forgetBounds() {
     trees.front = Front();

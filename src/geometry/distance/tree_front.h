@@ -55,6 +55,7 @@ class Front {
   static constexpr std::size_t kSmallest = 32;
   static constexpr std::size_t kLargest = 4096;  ///< 96 KiB
   static constexpr int kSearches = 16;
+  static_assert(kLargest * sizeof(FrontPair) <= 96 * 1024);
 
   std::vector<FrontPair> pairs_;
   std::size_t largest_ = 0;

@@ -131,7 +131,7 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
     pose.rotate(Eigen::AngleAxisd(random.magnitude(-4, -1.5), axis));
     pose.translation() += random.vector(random.magnitude(-5, -2.5));
     if (step % 60 == 59) pose.linear() = random.rotation();
-    const Eigen::Matrix3d normal = pose.linear();
+    const Eigen::Matrix3d rigid = pose.linear();
     if (step % 10 == 3) pose.linear() *= random.uniform(1.1, 1.3);
     if (step % 5 == 0) twins[0].pose->rotate(Eigen::AngleAxisd(random.magnitude(-4, -2), axis));
     for (std::size_t i = 0; i < 2; ++i)
@@ -141,7 +141,7 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
     const auto again = distances.find(0, 1);
     const bool reaches = found->lower > goal.limit || found->upper - found->lower <= goal.accuracy;
     ASSERT_TRUE(again->lower == found->lower || !reaches);
-    pose.linear() = normal;
+    pose.linear() = rigid;
     if (step != 50) continue;
     const auto exact = distance_oracle::distance(a.placed(*twins[0].pose), b.placed(pose));
     ASSERT_LE(distances.find(0, 1)->lower, exact);

@@ -18,7 +18,7 @@ from visualization_msgs.msg import MarkerArray
 
 LINKS = ["base", "shoulder", "upper_arm", "elbow", "forearm", "wrist", "flange", "gripper",
          "finger_left", "finger_right"]
-SLOW, FASTER = 0.5, 0.3  # of the full speed; FASTER is a difference
+SLOW, FASTER, SLOWEST = 0.5, 0.3, 0.1  # of the full speed; FASTER is a difference
 MEET = 120.0  # wall seconds within which the arm meets an object, and is free again
 LAUNCH = rospkg.RosPack().get_path("link_bounds") + "/launch/"
 DISPLAYS = LAUNCH + "stopping_demo.rviz"
@@ -55,6 +55,7 @@ class StoppingDemo(unittest.TestCase):
         slow = factors.wait(lambda m: m.data < SLOW, "slow", MEET)
         factors.clear()
         factors.wait(lambda m: m.data > slow.data + FASTER, "faster again", MEET)
+        self.assertGreaterEqual(min(m.data for m in factors.messages), SLOWEST)
         end = rospy.Time.now() + rospy.Duration(1)  # on a busy machine joints come seldom
         joints.wait(lambda m: m.header.stamp > end, "joints at that speed")
         speeds = speeds_of(joints.messages[::EVERY])

@@ -443,7 +443,6 @@ TEST(PairProofs, ASlowMachineDoesTheSameWorkForEachPair) {
     EXPECT_EQ(fast[i].clearance, slow[i].clearance) << i;
   }
   const auto tried = [](const PairProof& proof) { return proof.poses > 0; };
-  EXPECT_GT(std::count_if(fast.begin(), fast.end(), tried), 3);
   EXPECT_EQ(std::count_if(fast.begin(), fast.end(), tried), 6);  // of 15
 }
 
