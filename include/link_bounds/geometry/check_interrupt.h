@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// How long work is ended early.
+/// Ends work that takes long.
 #pragma once
 
 #include <cstddef>

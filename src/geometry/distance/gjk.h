@@ -54,7 +54,8 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
   Simplex best;  // while the simplex is a worse one
   bool is_worse = false;
   int stalls = 0;
-  for (int step = 0; step < goal.max_steps; ++step) {
+  // Four points around the origin: the sets meet, but for rounding.
+  for (int step = 0; step < goal.max_steps && simplex.size() < 4; ++step) {
     const double length = nearest.norm();
     if (!(length > kShortest)) break;
     const Eigen::Vector3d normal = simplex.acrossEdges(nearest / -length, length);
@@ -84,7 +85,7 @@ GjkResult gjk(const First& first, const Placement& first_at, const Second& secon
     is_worse = !(now < result.upper);
     if (!is_worse) result.upper = now;
     simplex.keep(found);
-    if (result.upper <= goal.too_near || simplex.size() == 4) break;
+    if (result.upper <= goal.too_near) break;
   }
   if (is_worse) simplex = best;
   return result;

@@ -17,9 +17,10 @@
 //   M against rotations                                    2.3 D S
 //   a point of the world to its body by A' and not A^-1    1.1 D S
 // and the rounding of all sums and products less than D S. kSlack is 16. A point is known in the
-// world, so its rounding there is added once. Along a normal that turns with the first body, the
-// gap shrinks by the same motion, so the normal of a level of boxes or hulls proves the bound as
-// before.
+// world, so its rounding there is added once. Along a normal that turns with the body of A, the gap
+// shrinks by the same motion, so the normal of a level of boxes or hulls proves the bound as
+// before. Turned with the other body it would not: where a small body turns, that tilts the normal
+// against the large one.
 #include "geometry/distance/lease.h"
 
 #include <algorithm>
@@ -60,9 +61,13 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   return RigidBody{ball, axes, origin, defect};
 }
 
+const RigidBody& resting(const RigidBody& first, const RigidBody& second) {
+  return second.ball.radius <= first.ball.radius ? first : second;
+}
+
 PosePair::Relative::Relative(const RigidBody& first, const RigidBody& second)
-    : mover(second.ball.radius <= first.ball.radius ? second : first) {
-  const RigidBody& other = &mover == &second ? first : second;
+    : mover(&resting(first, second) == &first ? second : first) {
+  const RigidBody& other = resting(first, second);
   axes.noalias() = other.axes.transpose() * mover.axes;
   origin.noalias() = other.axes.transpose() * (mover.origin - other.origin);
 }
@@ -98,7 +103,7 @@ Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody&
       level_(found.level),
       on_first_(first.axes.transpose() * (found.on_first - first.origin)),
       on_second_(second.axes.transpose() * (found.on_second - second.origin)),
-      normal_(first.axes.transpose() * found.normal) {}
+      normal_(resting(first, second).axes.transpose() * found.normal) {}
 
 BodyDistance Lease::carried(const RigidBody& first, const RigidBody& second) const {
   const Eigen::Vector3d from_first = first.axes * on_first_;
@@ -110,8 +115,9 @@ BodyDistance Lease::carried(const RigidBody& first, const RigidBody& second) con
                       first.origin + from_first, second.origin + from_second,
                       Eigen::Vector3d::Zero(),   level_};
   if (!(result.lower > 0)) return result;
-  result.normal = level_ == DistanceLevel::kMesh ? between.stableNormalized()
-                                                 : (first.axes * normal_).stableNormalized();
+  result.normal = level_ == DistanceLevel::kMesh
+                      ? between.stableNormalized()
+                      : (resting(first, second).axes * normal_).stableNormalized();
   return result;
 }
 

@@ -32,6 +32,9 @@ struct RigidBody {
 /// Nothing if the pose scales or mirrors, or if lengths are beyond 1e9 m.
 std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body);
 
+/// Of two bodies, the one with the larger ball rests: the other one moves as seen from it.
+const RigidBody& resting(const RigidBody& first, const RigidBody& second);
+
 /// Two bodies at one time.
 class PosePair {
  public:
@@ -44,7 +47,7 @@ class PosePair {
   double slack(const RigidBody& first, const RigidBody& second) const;
 
  private:
-  /// The body with the smaller ball, in the frame of the other one.
+  /// The mover in the frame of the other body.
   struct Relative {
     Relative(const RigidBody& first, const RigidBody& second);
     const RigidBody& mover;
@@ -75,7 +78,7 @@ class Lease {
   DistanceLevel level_;
   Eigen::Vector3d on_first_;  ///< in the frame of the first body
   Eigen::Vector3d on_second_;
-  Eigen::Vector3d normal_;  ///< in the frame of the first body
+  Eigen::Vector3d normal_;  ///< in the frame of the resting body
 };
 
 }  // namespace link_bounds

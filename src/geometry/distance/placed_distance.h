@@ -10,7 +10,9 @@ namespace link_bounds {
 
 /// What was nearest in a search. The next search of the same two bodies begins with it, which saves
 /// time where they have not moved far. All of it is in the coordinates of the shapes, where no
-/// motion changes it, and it only says where to look first: no bound rests on it.
+/// motion changes it. No bound rests on what says where to look first; but `trees.front` has proven
+/// bounds. Between two searches `moved` must grow by what the bodies may have come nearer, or
+/// forgetBounds() must be called.
 struct PairMemory {
   bool is_known = false;
   std::uint32_t first_shape = 0;
@@ -30,7 +32,8 @@ struct PairMemory {
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second);
 
-/// Only shapes of the bodies that `memory` was made with may be given, in any poses.
+/// Only shapes of the bodies that `memory` was made with may be given, in any poses that
+/// `memory.moved` covers.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory);
 

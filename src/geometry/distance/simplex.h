@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 
 namespace link_bounds {
 
@@ -35,7 +36,10 @@ class Simplex {
   bool contains(const Eigen::Vector3d& difference) const;
 
   /// There must be fewer than four points.
-  void add(const DifferencePoint& point) { points_[size_++] = point; }
+  void add(const DifferencePoint& point) {
+    assert(size_ < points_.size());
+    points_[size_++] = point;
+  }
 
   /// Takes back add().
   void removeLast() { --size_; }

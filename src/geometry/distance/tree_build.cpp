@@ -101,7 +101,7 @@ class Builder {
     return solver.info() == Eigen::Success ? Axes(solver.eigenvectors()) : Axes::Identity();
   }
 
-  /// Along the longest edge of the first triangle, and across its plane.
+  /// Along the longest edge of the triangle, and across its plane.
   Axes triangleAxes(std::uint32_t triangle) const {
     const Triangle p = tree_.corners(triangle);
     std::array<Eigen::Vector3d, 3> edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};

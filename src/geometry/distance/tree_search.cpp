@@ -32,7 +32,8 @@ bool isLeaf(const BodyShape& shape, std::uint32_t node) {
   return !shape.triangles || shape.triangles->nodes[node].isLeaf();
 }
 
-double radius(const BodyShape& shape, std::uint32_t node) {
+/// Of the longest edge of a node's box.
+double squaredRadius(const BodyShape& shape, std::uint32_t node) {
   double result = 0;
   for (const Eigen::Vector3f& edge : shape.triangles->nodes[node].edges)
     result = std::max(result, static_cast<double>(edge.squaredNorm()));
@@ -105,8 +106,9 @@ class NodeSearch {
         front_.push_back(known);
         continue;
       }
-      const Eigen::Vector3d normal =
+      Eigen::Vector3d normal =
           (pair_.first_at.linear * known.normal.cast<double>()).stableNormalized();
+      if (!(normal.squaredNorm() > 0)) normal = hulls_.normal;  // a flat body has lost it
       NodePair pair{known.first, known.second, {hulls_.lower, 0, normal}};
       const double lower = lowerAlong(pair, normal);
       if (lower > pair.separation.lower) pair.separation.lower = lower;
@@ -198,7 +200,7 @@ class NodeSearch {
   bool dividesFirst(const NodePair& pair) const {
     if (isLeaf(pair_.first, pair.first)) return false;
     if (isLeaf(pair_.second, pair.second)) return true;
-    return radius(pair_.first, pair.first) >= radius(pair_.second, pair.second);
+    return squaredRadius(pair_.first, pair.first) >= squaredRadius(pair_.second, pair.second);
   }
 
   void divide(const NodePair& pair) {

@@ -14,7 +14,7 @@ namespace link_bounds {
 namespace {
 
 /// The squared sine of an angle.
-constexpr double kThin = 1e-8;
+constexpr double kThin = 1e-6;
 
 /// Two points count as nearest if the triangles are so much of the points' distance apart.
 constexpr double kProven = 1 - 1e-13;
@@ -71,14 +71,28 @@ struct Features {
 
   /// Projects `point` on the plane; false if the projection is not inside the triangle.
   bool project(const Eigen::Vector3d& point, Eigen::Vector3d& projection) const {
-    // The plane is spanned by edges[0] and -edges[2] from corner 0.
-    const Eigen::Vector3d from = point - corners[0];
-    const double pa = from.dot(edges[0]), pb = -from.dot(edges[2]);
-    const double s = squared_edges[2] * pa + ab * pb;
-    const double t = squared_edges[0] * pb + ab * pa;
-    if (!(s > 0 && t > 0 && s + t < determinant)) return false;
-    projection = corners[0] + (s / determinant) * edges[0] - (t / determinant) * edges[2];
+    double s = 0, t = 0;
+    addProjected(point - corners[0], s, t);
+    if (!isInside(s, t)) return false;
+    projection = placed(s, t);
+    if (!isThin()) return true;
+    // A small determinant has few digits. What is left of the way has nearly as many as the point.
+    addProjected(point - projection, s, t);
+    if (isInside(s, t)) projection = placed(s, t);
     return true;
+  }
+
+  /// The plane is spanned by edges[0] and -edges[2] from corner 0.
+  void addProjected(const Eigen::Vector3d& from, double& s, double& t) const {
+    const double pa = from.dot(edges[0]), pb = -from.dot(edges[2]);
+    s += squared_edges[2] * pa + ab * pb;
+    t += squared_edges[0] * pb + ab * pa;
+  }
+
+  /// `s` and `t` are in parts of the determinant.
+  bool isInside(double s, double t) const { return s > 0 && t > 0 && s + t < determinant; }
+  Eigen::Vector3d placed(double s, double t) const {
+    return corners[0] + (s / determinant) * edges[0] - (t / determinant) * edges[2];
   }
 
   Triangle corners;

@@ -17,8 +17,8 @@ struct TreeNode {
   std::uint32_t first;  ///< triangle; those of a node follow each other
   std::uint32_t count;  ///< of triangles
   std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
-  /// Of the vertices of all its triangles, which follow each other, in the largest nodes that are
-  /// small; in all others there is no such list, and the count is 0.
+  /// Where the vertices of all its triangles begin, which follow each other. Only the largest of
+  /// the small nodes have such a list; in all others the count is 0.
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
 

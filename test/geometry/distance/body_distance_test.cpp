@@ -201,6 +201,31 @@ TEST(BodyDistance, OfParallelPlates) {
   }
 }
 
+/// Of a triangle of a metre by 0.01 to 1 mm, whose plane rounding leaves few digits of.
+TEST(BodyDistance, OfNeedlesIsAsAccurateAsOfOthers) {
+  brute_force::Random random(11);
+  for (int i = 0; i < repetitions(20000); ++i) {
+    const double width = random.magnitude(-5, -3);
+    const Eigen::Matrix3d axes = random.rigid(0).linear();
+    const Eigen::Vector3d along = axes.col(0), across = axes.col(1), off = axes.col(2);
+    const Eigen::Vector3d begin = random.vector(1);
+    const Eigen::Vector3d beside = begin + along * random.uniform(0.1, 0.9) + across * 0.3 * width +
+                                   off * random.magnitude(-4, -2);
+    const auto toFloat = [](const Eigen::Vector3d& point) { return point.cast<float>().eval(); };
+    MeshBody needle, other;
+    needle.add(meshOf({toFloat(begin), toFloat(begin + along),
+                       toFloat(begin + along * random.uniform(0.1, 0.9) + across * width)}));
+    other.add(meshOf({toFloat(beside), toFloat(beside + random.vector(0.01) + 0.02 * off),
+                      toFloat(beside + random.vector(0.01) + 0.02 * off), toFloat(begin - off),
+                      toFloat(begin - off + random.vector(0.1)),
+                      toFloat(begin - off + random.vector(0.1))}));
+    const auto found = bodyDistance(needle.body, Eigen::Affine3d::Identity(), other.body,
+                                    Eigen::Affine3d::Identity());
+    ASSERT_TRUE(found);
+    ASSERT_LE(found->upper - found->lower, DistanceGoal().accuracy + 1e-8) << i;
+  }
+}
+
 TEST(BodyDistance, EndsAtTheLimit) {
   Random random(10);
   for (int i = 0; i < repetitions(2000); ++i) {

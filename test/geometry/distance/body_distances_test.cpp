@@ -168,6 +168,85 @@ TEST(BodyDistances, AgreeInTheCoherentMotionOfMeshesWithBumps) {
   }
 }
 
+/// A full simplex is left where two bodies meet. Rounding may put its nearest point farther from
+/// the origin than the accuracy.
+TEST(BodyDistances, HoldWhereHugeBodiesMeet) {
+  Random random(5);
+  const std::vector<Eigen::Vector3d> sizes{{1e11, 1e11, 1e11}, {1e15, 1e15, 1e15}, {1e5, 1e5, 0.1},
+                                           {1e4, 1e4, 1e-3},   {1e12, 1, 1},       {1, 1, 1}};
+  int meetings = 0, tried = 0;
+  for (const Eigen::Vector3d& size : sizes) {
+    for (const Solid solid : {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder}) {
+      for (const double accuracy : {1e-4, 1e-15}) {
+        BodyDistances distances({accuracy});
+        auto huge = std::make_shared<Body>(), small = std::make_shared<Body>();
+        huge->shapes.push_back({{nullptr, solid, size, Eigen::Affine3d::Identity()}});
+        small->shapes.push_back(
+            {{nullptr, Solid::kBox, Eigen::Vector3d(0.3, 0.2, 0.1), random.rigid(0.5)}});
+        distances.set(0, huge);
+        distances.set(1, small);
+        distances.move(0, random.rigid(0.1));
+        for (int i = 0; i < repetitions(300); ++i) {
+          distances.move(1, random.rigid(1));
+          const auto found = distances.follow(0, 1);
+          ASSERT_TRUE(found && found->lower >= 0 && found->lower <= found->upper);
+          meetings += found->lower == 0;
+          ++tried;
+        }
+      }
+    }
+  }
+  EXPECT_GT(meetings, tried / 10);
+}
+
+/// Its pose maps the direction across it to nothing.
+TEST(BodyDistances, FollowAFlatMeshBetweenManyBodies) {
+  Random random(6);
+  TriangleMesh wave;
+  constexpr std::uint32_t kCells = 20;
+  for (std::uint32_t i = 0; i <= kCells; ++i) {
+    for (std::uint32_t j = 0; j <= kCells; ++j) {
+      const auto x = static_cast<float>(i), y = static_cast<float>(j);
+      wave.vertices.emplace_back(0.1f * x - 1, 0.1f * y - 1, 0.1f * std::sin(3 * x));
+      const std::uint32_t at = i * (kCells + 1) + j;
+      if (i == kCells || j == kCells) continue;
+      wave.triangles.push_back({at, at + kCells + 1, at + 1});
+      wave.triangles.push_back({at + 1, at + kCells + 1, at + kCells + 2});
+    }
+  }
+  MeshBody plate;
+  plate.add(wave, Eigen::Affine3d(Eigen::Scaling(1.0, 1.0, 0.0)));
+  // Cubes on both sides, each a point that a box sweeps.
+  std::vector<Eigen::Vector3d> centers;
+  std::vector<std::array<std::uint32_t, 3>> points;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const Eigen::Vector3d across(0, 0, random.sign() * random.uniform(0.2, 0.4));
+    const double x = random.uniform(-0.9, 0.9), y = random.uniform(-0.9, 0.9);
+    centers.push_back((across + Eigen::Vector3d(x, y, 0)).cast<float>().cast<double>());
+    points.push_back({i, i, i});
+  }
+  std::vector<Eigen::Vector3f> corners;
+  for (const Eigen::Vector3d& center : centers)
+    corners.push_back(center.cast<float>());
+  const Eigen::Vector3d size(0.05, 0.05, 0.05);
+  const Shape swept{std::make_shared<const PointSet>(corners), Solid::kBox, size,
+                    Eigen::Affine3d::Identity()};
+  const Body cubes{{{swept, triangleTree(centers, points, Solid::kBox, size)}}};
+  for (const std::size_t is_plate : {0u, 1u}) {
+    const DistanceGoal goal{1e-4};
+    BodyDistances distances(goal);
+    distances.set(is_plate, std::make_shared<Body>(plate.body));
+    distances.set(1 - is_plate, std::make_shared<Body>(cubes));
+    distances.move(is_plate, Eigen::Affine3d::Identity());
+    for (int i = 0; i < 20; ++i) {
+      distances.move(1 - is_plate, Eigen::Affine3d(Eigen::Translation3d(1e-3 * i, 0, 1e-4 * i)));
+      const auto found = distances.find(0, 1);
+      ASSERT_TRUE(found);
+      EXPECT_LE(found->upper - found->lower, goal.accuracy + 1e-10) << i;
+    }
+  }
+}
+
 TEST(BodyDistances, ForgetABodyThatIsReplaced) {
   MeshBody near, far;
   near.add(boxMesh({1, 1, 1}));

@@ -270,5 +270,48 @@ TEST(Leases, boundEveryPairOfPoints) {
   }
 }
 
+/// Of a box with its center in the origin of its frame.
+double support(const Eigen::Vector3d& size, const Eigen::Affine3d& pose, const Eigen::Vector3d& n) {
+  return n.dot(pose.translation()) + (pose.linear().transpose() * n).cwiseAbs().dot(size) / 2;
+}
+
+/// Of a small body at a large one, as a tool at a floor: where one of the two turns.
+TEST(Leases, TheNormalProvesWhatIsCarried) {
+  Random random(3);
+  const std::array<Eigen::Vector3d, 2> sizes{Eigen::Vector3d(0.01, 0.02, 0.01),
+                                             Eigen::Vector3d(30, 30, 0.1)};
+  int carried = 0, tried = 0;
+  for (int sequence = 0; sequence < repetitions(200); ++sequence) {
+    const std::size_t small = random.sign() > 0 ? 0 : 1;
+    BodyDistances distances({1e-3});
+    std::array<Eigen::Vector3d, 2> size;
+    std::array<Eigen::Affine3d, 2> pose;
+    for (const std::size_t i : {small, 1 - small}) {
+      size[i] = sizes[i == small ? 0 : 1];
+      pose[i] = random.rigid(0);
+      auto body = std::make_shared<Body>();
+      body->shapes.push_back({{nullptr, Solid::kBox, size[i], Eigen::Affine3d::Identity()}});
+      distances.set(i, body);
+    }
+    pose[small].translation() = pose[1 - small].linear() * Eigen::Vector3d(0, 0, 0.2);
+    for (int i = 0; i < 20; ++i) {
+      const std::size_t moved = random.uniform(0, 10) < 1 ? 1 - small : small;
+      pose[moved].rotate(Eigen::AngleAxisd(random.magnitude(-5, moved == small ? -2 : -5),
+                                           random.vector(1).normalized()));
+      for (const std::size_t k : {0u, 1u})
+        distances.move(k, pose[k]);
+      const auto fresh = distances.findOnce(0, 1, kInfinity);
+      const auto found = distances.follow(0, 1);
+      ASSERT_TRUE(found && found->lower > 0);
+      const Eigen::Vector3d n = found->normal;
+      const double gap = -support(size[1], pose[1], -n) - support(size[0], pose[0], n);
+      EXPECT_GE(gap, found->lower - 1e-12);
+      carried += found->lower != fresh->lower;
+      ++tried;
+    }
+  }
+  EXPECT_GT(carried, tried / 4);
+}
+
 }  // namespace
 }  // namespace link_bounds

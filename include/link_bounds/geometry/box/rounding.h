@@ -23,8 +23,8 @@ inline double nextDown(double value) {
 }
 
 /// a + b rounded to nearest, or one ulp above where that is below the real sum.
-/// Not inline: a compiler that contracts products and sums, as for ARM and for x86 with FMA, could
-/// give a product that the caller passes a different value in each step of the computation.
+/// Not inline: the compiler could fuse a product of the caller into one of the additions here, as
+/// for ARM and for x86 with FMA, and the steps would then disagree about its value.
 double addUp(double a, double b);
 
 /// As addUp, but not above the real sum.

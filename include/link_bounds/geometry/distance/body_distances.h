@@ -31,7 +31,8 @@ class BodyDistances {
   void setGoal(const DistanceGoal& goal);
 
   /// Nothing if one of the two is not there, has had no pose, or has no finite box in its last one.
-  /// While neither body moves, what reaches the goal stays the same.
+  /// While neither body moves, what reaches the goal stays the same, unless the boxes of the bodies
+  /// alone prove the limit.
   std::optional<BodyDistance> find(std::size_t first, std::size_t second);
 
   /// As find(), but searches nothing where both bodies have moved so little, relative to each
