@@ -40,7 +40,7 @@ class Pair:
         self.steps, self.ranges = [], {}
         for joint, is_up in robot.way(*links):
             kind, axis, lead = robot.motion(joint)
-            if kind != 'fixed':
+            if kind != 'fixed' and lead[1] != 0:
                 self.ranges[lead[0]] = (range_of or robot.range)(lead[0])
             self.steps.append((kind, origin(joint), is_up, axis, lead))
 
@@ -50,9 +50,10 @@ class Pair:
         for kind, place, is_up, axis, (name, factor, offset) in self.steps:
             pose = pose if is_up else pose * place
             if kind != 'fixed':
-                value = (-1 if is_up else 1) * (factor * sum(box[name]) / 2 + offset)
-                half = abs(factor) * (box[name][1] - box[name][0]) / 2 * (1 + 1e-9)
-                half += 1e-15 * (abs(value) + abs(offset) + abs(factor * box[name][0]))
+                lower, upper = box[name] if factor != 0 else (0.0, 0.0)
+                value = (-1 if is_up else 1) * (factor * (lower + upper) / 2 + offset)
+                half = abs(factor) * (upper - lower) / 2 * (1 + 1e-9)
+                half += 1e-15 * (abs(value) + abs(offset) + abs(factor * lower))
                 is_straight = kind == 'prismatic'
                 self.axes.append((is_straight, pose.place, pose.turn(axis), half))
                 pose *= Pose(place=axis * exact(value)) if is_straight else rotation(axis, value)
@@ -141,15 +142,26 @@ def apart(n, shapes, least):
 
 
 def direction(first, second, least):
-    """Mostly one along which the hulls of two sets are that far apart; None if they are nearer."""
-    v = second.mean(0) - first.mean(0)
+    """Mostly one along which the hulls of two sets are that far apart; None if they are nearer.
+    The nearest point of the hull of differences, by Wolfe's algorithm (1976)."""
+    points, weights = second.mean(0)[None] - first.mean(0), np.ones(1)
     for _ in range(200):
-        nearest = second[np.argmin(second @ v)] - first[np.argmax(first @ v)]
+        v = weights @ points
         size = math.sqrt(v @ v)
-        if size < least or nearest @ v >= (least + 1e-12) * size:
+        nearest = second[np.argmin(second @ v)] - first[np.argmax(first @ v)]
+        if not size >= least or not nearest @ v < (least + 1e-12) * size:
             break
-        step = v - nearest
-        v = v - step * min(1, max(0, (step @ v) / (step @ step)))
+        points, weights = np.vstack((points, nearest)), np.append(weights, 0.0)
+        while len(points) > 1:
+            rest = np.linalg.lstsq((points[1:] - points[0]).T, -points[0], rcond=None)[0]
+            flat = np.append(1 - rest.sum(), rest)  # the nearest point of their plane
+            leaving = flat <= 1e-14
+            share = min([1.0, *(weights / np.maximum(weights - flat, 1e-300))[leaving]])
+            weights = weights + share * (flat - weights)
+            stays = ~leaving | (weights > 1e-14)
+            points, weights = points[stays], weights[stays] / weights[stays].sum()
+            if stays.all():
+                break
     return v if size >= least and size > 0 else None
 
 

@@ -24,7 +24,7 @@ from certificate_robot import NotCovered, Refused, shape
 class Path:
     """A csv file whose first line names its columns; other joints stay where `given` says."""
     def __init__(self, file, robot, given):
-        with open(file, encoding='utf-8', newline='') as text:
+        with open(file, encoding='utf-8-sig', newline='') as text:
             lines = [line for line in csv.reader(text, skipinitialspace=True) if line]
         names = [name.strip() for name in lines[0]]
         self.rows = [dict(zip(names, map(Fraction, map(float, line)))) for line in lines[1:]]
@@ -127,11 +127,13 @@ def quaternion(values):
                            for end in ('lo', 'hi'))))
 
 
-def disabled(file):
+def disabled(file, links):
     """The pairs of links that a SRDF exempts."""
     root = ElementTree.parse(file).getroot()
-    return {frozenset((each.get('link1'), each.get('link2')))
-            for each in root.iter('disable_collisions')}
+    off, on = ({frozenset((each.get('link1'), each.get('link2'))) for each in root.iter(tag)}
+               for tag in ('disable_collisions', 'enable_collisions'))
+    return off | {frozenset((each.get('link'), other)) for other in links
+                  for each in root.iter('disable_default_collisions')} - on
 
 
 def pairs(robot, objects, kinds):
@@ -153,10 +155,11 @@ class Segments:
         if not options.poses:
             raise Refused('it is about a path, give its table, too: --poses FILE')
         self.robot, self.kinds, self.made = robot, kinds, {}
+        links = list(robot.links)
         objects = add_objects(options.objects, robot) if options.objects else set()
         self.path = Path(options.poses, robot, given)
         self.pairs = pairs(robot, objects, kinds)
-        self.exempt = self.pairs & disabled(options.srdf) if options.srdf else set()
+        self.exempt = self.pairs & disabled(options.srdf, links) if options.srdf else set()
 
     def pair(self, entry):
         names = entry['first'], entry['second']

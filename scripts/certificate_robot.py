@@ -13,6 +13,9 @@ import numpy as np
 from certificate_intervals import Interval, Pose, cross, dot, exact, length, rotation, rounded
 
 
+SIDES = 512  # of the prism around a cylinder, which is wider by 2e-5 of its radius
+
+
 class NotCovered(Exception):
     """This program cannot read it."""
 
@@ -68,9 +71,9 @@ def shape(element, file_of):
     elif solid.tag == 'sphere':
         points, radius = np.zeros((1, 3)), numbers(solid.get('radius'), 1)[0]
     elif solid.tag == 'cylinder':  # in a prism
-        outer = numbers(solid.get('radius'), 1)[0] / math.cos(math.pi / 64) * (1 + 1e-9)
+        outer = numbers(solid.get('radius'), 1)[0] / math.cos(math.pi / SIDES) * (1 + 1e-9)
         half = numbers(solid.get('length'), 1)[0] / 2
-        angles = np.arange(64) * (math.pi / 32)
+        angles = np.arange(SIDES) * (2 * math.pi / SIDES)
         points = np.array([(outer * math.cos(angle), outer * math.sin(angle), z)
                            for angle in angles for z in (-half, half)])
     elif solid.tag == 'mesh':
@@ -233,6 +236,10 @@ class Robot:
         if not lower <= upper or math.isinf(upper - lower):
             raise NotCovered('joint %s has no range' % name)
         return [lower, upper]
+
+    def bounded(self, kinds):
+        """The links that have geometry."""
+        return [name for name, link in self.links.items() if any(e.tag in kinds for e in link)]
 
     def root(self, link):
         while link in self.above:

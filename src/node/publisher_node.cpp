@@ -111,7 +111,8 @@ PublisherNode::~PublisherNode() {
   earliest_output_.stop();
 }
 
-/// Called on the thread of distances, which works only after a model has come from the loader.
+/// Called on the threads of distances and contacts, which work only after a model has come from
+/// the loader.
 TreeRequests PublisherNode::treeRequests() {
   TreeRequests requests;
   requests.mesh = [this](const auto& uri, const auto& points) {
@@ -248,9 +249,14 @@ void PublisherNode::onTransforms(const TfReceiver::Event& event, bool is_static)
 void PublisherNode::onTick() {
   feed_.onTick(ros::Time::now());
   feed_.forgetQuietFrames(ros::SteadyTime::now());
+  stopping_output_.restIfUnheard();
+  earliest_output_.restIfUnheard();
   freeMemory();
   if (feed_.clock().isMissing()) {
-    ROS_WARN_STREAM_ONCE("use_sim_time is set but nobody publishes /clock; waiting for it");
+    ROS_WARN_STREAM_ONCE(
+        "use_sim_time is set, but /clock has told no time yet: nobody publishes it, or it stands "
+        "at "
+        "0; waiting for it");
   }
 }
 
@@ -302,6 +308,10 @@ void PublisherNode::publishDiagnostics() {
   health.skipped = std::exchange(skipped_, 0);
   health.most_waiting = queue_.takeMostWaiting();
   health.lag_ms = output_.takeMaxLag();
+  if (const auto lag = feed_.tf().takeMaxLag()) {
+    const double lag_ms = static_cast<double>(*lag) / 1e6;
+    health.lag_ms = std::max(lag_ms, health.lag_ms.value_or(lag_ms));
+  }
   health.delay_ms = std::chrono::duration<double, std::milli>(max_delay_).count();
   max_delay_ = std::chrono::nanoseconds(0);
   health.footprint = output_.footprintState();

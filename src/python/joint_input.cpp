@@ -92,7 +92,16 @@ std::string shapeOf(const py::array& array) {
   return reprOf(array.attr("shape"));
 }
 
+/// The values below the mask are no values.
+bool isMasked(const py::handle& q) {
+  const auto module = py::getattr(py::type::handle_of(q), "__module__", py::str(""));
+  return py::cast<std::string>(py::str(module)).rfind("numpy.ma", 0) == 0;
+}
+
 JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q, const std::string& name) {
+  if (isMasked(q))
+    throw py::value_error(name + kWhatRows + ", but it is a masked array; fill it, or leave out " +
+                          "what is masked");
   const py::array any = py::array::ensure(q);
   if (!any) {
     PyErr_Clear();

@@ -53,6 +53,7 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.check('q must be a dict', call, None)
             self.check('q must be a dict', call, ['a', 'b'])
             self.check('q must be a dict', call, np.array([1j, 0]))
+            self.check('masked array; fill it', call, np.ma.array([0.0, 9.0], mask=[False, True]))
             self.check('joint "push" in q is nan', call, [0, float('nan')])
             self.check('joint "turn" in q is inf', call, {'turn': float('inf')})
             self.check(r'joint "turn" in q\[2\] is nan', call, [[0, 0], [0, 0], [np.nan, 0]])

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Subscribes to /joint_states while somebody needs it.
+// Subscribes to joint_states while somebody needs it.
 #pragma once
 
 #include <ros/callback_queue.h>

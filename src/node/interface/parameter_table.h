@@ -155,15 +155,14 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("overlap_margin", p.overlap_margin, rules::length,
         "metres, 0 to 1e6; pairs of boxes with distance <= it are in ~overlaps");
   visit("ignore_pairs", p.ignore_pairs, rules::ignorePairs,
-        "\"a b\": links or objects NS/ID that are never a pair in ~overlaps and ~distances; * in a "
-        "name is any "
-        "text without a slash, as in NS/*: all objects of a namespace");
+        "\"a b\": links or objects NS/ID that are never a pair, in any topic or answer; * in a "
+        "name is any text without a slash, as in NS/*: all objects of a namespace");
   visit("attached", p.attached, rules::attached,
         "objects NS/ID or NS/* that are part of that link's rigid body in every pair of ~overlaps "
         "and ~distances, as a tool would be");
   visit("adjacent_joints", p.adjacent_joints, rules::notNegativeInt,
-        "links with this many movable joints between them, or fewer, are never a pair in "
-        "~overlaps and ~distances; >= 0");
+        "links with this many movable joints between them, or fewer, are never a pair, in "
+        "any topic or answer; >= 0");
   visit("max_pairs", p.max_pairs, rules::positiveInt,
         "pairs, > 0, in one message of ~distances: the nearest ones; incomplete names who has "
         "others, /diagnostics counts those");
@@ -192,7 +191,7 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
   visit("velocity_window", p.velocity_window, rules::positive,
         "seconds, > 0, of transforms from which speeds come; no two may be farther apart");
   visit("joint_states", p.joint_states, rules::any<bool>,
-        "speeds of joints come from /joint_states, where it has them");
+        "speeds of joints come from the topic joint_states, where it has them");
   visit("parts_per_link", p.parts_per_link, rules::partCount,
         "max number of boxes per link on ~parts, 1 to 256");
   visit("mesh_timeout", p.mesh_timeout, rules::positive, "wall seconds for one mesh file, > 0");

@@ -37,8 +37,9 @@ class MeshReaders {
   void stop();
 
  private:
-  std::vector<std::unique_ptr<Worker>> small_;  ///< a key always goes to the same one
   Worker large_;
+  std::vector<std::unique_ptr<Worker>> small_;  ///< a key always goes to the same one; last: their
+                                                ///< work uses large_
 };
 
 }  // namespace link_bounds

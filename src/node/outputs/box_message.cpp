@@ -63,7 +63,7 @@ void BoxFiller::addIncomplete(const std::string& name) {
 
 void fillBoxes(const Scene& scene, AxisAlignedBoxArray& message) {
   BoxFiller filler(message, scene.model()->fixed_frame);
-  scene.forEach([&](const std::string& name, const BoxState& state) { filler.add(name, state); });
+  scene.forEach([&](const SceneBody& body) { filler.add(body.name, body.state); });
   filler.finish();
 }
 

@@ -3,7 +3,6 @@
 // From a request to what is computed of it, and back to messages.
 #include "node/outputs/box_service.h"
 
-#include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -65,19 +64,6 @@ std::string messageOf(const PastBoxes& boxes) {
 
 }  // namespace
 
-/// Leaves it to BoxService when the request is read.
-class BoxService::Handler : public ros::ServiceCallbackHelper {
- public:
-  explicit Handler(BoxService& service) : service_(service) {}
-  bool call(ros::ServiceCallbackHelperCallParams& params) override {
-    service_.onTurn(TurnQueue::current(), params);
-    return true;
-  }
-
- private:
-  BoxService& service_;
-};
-
 /// What was computed until the next turn.
 struct BoxService::Job {
   Job(BoxRequest box_request, std::unique_ptr<PastScene> copy, std::atomic<std::size_t>& bytes)
@@ -101,13 +87,9 @@ BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
     : scenes_(scenes),
       moments_({"requests for boxes"}),
       spans_({"requests for spans", true}),
-      queue_(moments_, spans_) {
-  ros::AdvertiseServiceOptions options;
-  options.init<GetBoxes::Request, GetBoxes::Response>(privateName(kGetBoxesService), {});
-  options.helper = boost::make_shared<Handler>(*this);
-  options.callback_queue = &queue_;
-  server_ = private_node.advertiseService(options);
-}
+      queue_(moments_, spans_),
+      service_(private_node, kGetBoxesService, queue_,
+               [this](Call& call, Params& params) { onTurn(call, params); }) {}
 
 /// A request may wait for the update thread, which calls this.
 BoxService::~BoxService() {
@@ -115,7 +97,7 @@ BoxService::~BoxService() {
   spans_.stop();
 }
 
-void BoxService::onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params) {
+void BoxService::onTurn(Call& call, Params& params) {
   if (!call.state && !call.is_long && hasSpan(params.request)) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
@@ -133,8 +115,7 @@ void BoxService::onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params
 
 /// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
 /// for requests at one time, which is not nice.
-void BoxService::answer(Call& call, const ros::ServiceCallbackHelperCallParams& params,
-                        GetBoxes::Response& response) {
+void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& response) {
   Worker& worker = call.is_long ? spans_ : moments_;
   if (!call.state) call.state = begin(worker, call, params);
   Job& job = *std::static_pointer_cast<Job>(call.state);
@@ -150,26 +131,14 @@ void BoxService::answer(Call& call, const ros::ServiceCallbackHelperCallParams& 
   response.message = messageOf(boxes);
 }
 
-/// Throws if the request announces more than there is.
-void BoxService::checkComplete(const Received<GetBoxes::Request>& request,
-                               const ros::ServiceCallbackHelperCallParams& params) {
-  const auto caller = params.connection_header->find("callerid");
-  const std::string name = caller == params.connection_header->end() ? "" : caller->second;
-  const std::lock_guard<std::mutex> lock(log_mutex_);
-  if (!incomplete_messages_.accept(request, kGetBoxesService.name, name))
-    throw std::runtime_error(std::string("the request is refused: ") + kIncompleteMessage);
-}
-
 /// Throws why there is no answer, or NextTurn while there is no room for another span.
-std::shared_ptr<BoxService::Job> BoxService::begin(
-    Worker& worker, const Call& call, const ros::ServiceCallbackHelperCallParams& params) {
+std::shared_ptr<BoxService::Job> BoxService::begin(Worker& worker, const Call& call,
+                                                   const Params& params) {
   const auto deadline = call.arrival + kDeadline;
   const bool is_late = Clock::now() >= deadline;
   if (call.is_long && copied_bytes_ >= kMaxCopiedBytes && !is_late) throw TurnQueue::NextTurn();
   if (is_late) throw std::runtime_error(kTooBusy);
-  Received<GetBoxes::Request> message;
-  ros::serialization::deserializeMessage(params.request, message);
-  checkComplete(message, params);
+  Received<GetBoxes::Request> message = service_.read(params);
   BoxRequest box_request = toRequest(message);
   if (!scenes_.model()) {
     throw std::runtime_error(

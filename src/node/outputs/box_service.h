@@ -6,12 +6,10 @@
 #include <ros/node_handle.h>
 
 #include <atomic>
-#include <mutex>
 
 #include "link_bounds/GetBoxes.h"
-#include "node/inputs/incomplete_messages.h"
 #include "node/outputs/scene_copier.h"
-#include "node/threads/turn_queue.h"
+#include "node/outputs/turn_service.h"
 
 namespace link_bounds {
 
@@ -27,26 +25,20 @@ class BoxService {
   Worker& answering() { return moments_; }
 
  private:
-  class Handler;
   struct Job;
   using Call = TurnQueue::Call;
+  using Params = TurnService<GetBoxes>::Params;
 
-  void onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params);
-  void answer(Call& call, const ros::ServiceCallbackHelperCallParams& params,
-              GetBoxes::Response& response);
-  std::shared_ptr<Job> begin(Worker& worker, const Call& call,
-                             const ros::ServiceCallbackHelperCallParams& params);
-  void checkComplete(const Received<GetBoxes::Request>& request,
-                     const ros::ServiceCallbackHelperCallParams& params);
+  void onTurn(Call& call, Params& params);
+  void answer(Call& call, const Params& params, GetBoxes::Response& response);
+  std::shared_ptr<Job> begin(Worker& worker, const Call& call, const Params& params);
 
   const SceneCopier& scenes_;
-  std::mutex log_mutex_;
-  IncompleteMessages incomplete_messages_;    ///< guarded by log_mutex_
   std::atomic<std::size_t> copied_bytes_{0};  ///< of the spans that were begun
   Worker moments_;
   Worker spans_;
   TurnQueue queue_;
-  ros::ServiceServer server_;
+  TurnService<GetBoxes> service_;
 };
 
 }  // namespace link_bounds

@@ -38,9 +38,10 @@ class DistanceThread {
   DistanceThread(TreeRequests requests, MomentPairs& pairs, Callbacks callbacks,
                  std::chrono::milliseconds keep = std::chrono::seconds(10));
 
-  /// The functions below may be called from any thread and return at once, but for stop().
+  /// The functions below may be called from any thread, where they do not say otherwise, and return
+  /// at once, but for stop().
 
-  /// Replaces a moment whose computation has not begun.
+  /// Replaces a moment whose computation has not begun. For one thread only.
   void give(MomentPtr moment);
 
   /// A tree that was requested. Distances are computed again with it.

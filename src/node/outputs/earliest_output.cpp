@@ -23,9 +23,12 @@ void EarliestOutput::request() {
   if (output_.hasSubscribers()) {
     is_forgotten_ = false;
     worker_.post("contacts", [this] { publish(); });
-  } else if (!is_forgotten_.exchange(true)) {
-    worker_.post("contacts", [this] { forget(); });
   }
+}
+
+void EarliestOutput::restIfUnheard() {
+  if (!output_.hasSubscribers() && !is_forgotten_.exchange(true))
+    worker_.post("contacts", [this] { forget(); });
 }
 
 /// It is used from the next ~boxes on.

@@ -29,6 +29,9 @@ class EarliestOutput {
   /// To be called with each ~boxes.
   void request();
 
+  /// To be called every tick: ~boxes may have ended with the last listener.
+  void restIfUnheard();
+
   /// A tree that was requested. For any thread, also after stop().
   void give(MadeTree tree);
 

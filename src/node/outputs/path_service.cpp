@@ -3,7 +3,6 @@
 // From a request to proofs about its segments, and back to a message.
 #include "node/outputs/path_service.h"
 
-#include <boost/make_shared.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -35,19 +34,6 @@ constexpr std::chrono::milliseconds kForgetEvery(500);
 
 }  // namespace
 
-/// Leaves it to PathService when the request is read.
-class PathService::Handler : public ros::ServiceCallbackHelper {
- public:
-  explicit Handler(PathService& service) : service_(service) {}
-  bool call(ros::ServiceCallbackHelperCallParams& params) override {
-    service_.onTurn(TurnQueue::current(), params);
-    return true;
-  }
-
- private:
-  PathService& service_;
-};
-
 /// What was proven until the next turn.
 struct PathService::Job {
   Job(std::unique_ptr<PastScene> copy, CheckPath::Request& request, const PathBodyMaker& maker,
@@ -63,13 +49,9 @@ PathService::PathService(ros::NodeHandle& private_node, const SceneCopier& scene
     : scenes_(scenes),
       trees_(std::move(load)),
       paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kForgetEvery}),
-      queue_(answering, paths_) {
-  ros::AdvertiseServiceOptions options;
-  options.init<CheckPath::Request, CheckPath::Response>(privateName(kCheckPathService), {});
-  options.helper = boost::make_shared<Handler>(*this);
-  options.callback_queue = &queue_;
-  server_ = private_node.advertiseService(options);
-}
+      queue_(answering, paths_),
+      service_(private_node, kCheckPathService, queue_,
+               [this](Call& call, Params& params) { onTurn(call, params); }) {}
 
 bool PathService::forgetIfUnused() {
   if (begun_ > 0 || Clock::now() - last_used_ < kKeep) return true;
@@ -77,7 +59,7 @@ bool PathService::forgetIfUnused() {
   return false;
 }
 
-void PathService::onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params) {
+void PathService::onTurn(Call& call, Params& params) {
   if (!call.state && !call.is_long) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
@@ -92,8 +74,7 @@ void PathService::onTurn(Call& call, ros::ServiceCallbackHelperCallParams& param
 }
 
 /// Throws why there is no answer, or NextTurn. The answer is sent by the thread that is not nice.
-CheckPath::Response PathService::answer(Call& call,
-                                        const ros::ServiceCallbackHelperCallParams& params) {
+CheckPath::Response PathService::answer(Call& call, const Params& params) {
   if (!call.is_long) return std::move(*std::static_pointer_cast<CheckPath::Response>(call.state));
   last_used_ = Clock::now();
   if (!call.state) call.state = begin(call, params);
@@ -113,17 +94,12 @@ CheckPath::Response PathService::answer(Call& call,
 }
 
 /// Throws if the request is too large, or announces more than there is.
-void PathService::read(const ros::ServiceCallbackHelperCallParams& params,
-                       Received<CheckPath::Request>& request) {
+Received<CheckPath::Request> PathService::read(const Params& params) {
   if (params.request.num_bytes > kMaxRequestBytes)
     throw std::runtime_error("the request has " + std::to_string(params.request.num_bytes) +
                              " bytes, more than " + std::to_string(kMaxRequestBytes) +
                              "; send the trajectory in pieces");
-  ros::serialization::deserializeMessage(params.request, request);
-  const auto caller = params.connection_header->find("callerid");
-  const std::string name = caller == params.connection_header->end() ? "" : caller->second;
-  if (!incomplete_messages_.accept(request, kCheckPathService.name, name))
-    throw std::runtime_error(std::string("the request is refused: ") + kIncompleteMessage);
+  Received<CheckPath::Request> request = service_.read(params);
   if (request.trajectory.points.size() > kMaxPoints)
     throw std::runtime_error("the trajectory has " +
                              std::to_string(request.trajectory.points.size()) +
@@ -132,16 +108,15 @@ void PathService::read(const ros::ServiceCallbackHelperCallParams& params,
   if (!(std::isfinite(request.clearance) && request.clearance >= 0))
     throw std::runtime_error("clearance is " + std::to_string(request.clearance) +
                              " m; it must be 0 or more");
+  return request;
 }
 
 /// Throws why there is no answer, or NextTurn while there is no room for another request.
-std::shared_ptr<PathService::Job> PathService::begin(
-    const Call& call, const ros::ServiceCallbackHelperCallParams& params) {
+std::shared_ptr<PathService::Job> PathService::begin(const Call& call, const Params& params) {
   const auto deadline = call.arrival + kDeadline;
   if (Clock::now() >= deadline) throw std::runtime_error(kTooBusy);
   if (begun_ >= kMaxBegun) throw TurnQueue::NextTurn();
-  Received<CheckPath::Request> request;
-  read(params, request);
+  Received<CheckPath::Request> request = read(params);
   const std::shared_ptr<const Model> model = scenes_.model();
   if (!model || !model->robot)
     throw std::runtime_error("no robot was loaded; ask again after the first ~boxes of its links");

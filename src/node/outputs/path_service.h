@@ -9,10 +9,9 @@
 #include <memory>
 
 #include "link_bounds/CheckPath.h"
-#include "node/inputs/incomplete_messages.h"
 #include "node/outputs/path_trees.h"
 #include "node/outputs/scene_copier.h"
-#include "node/threads/turn_queue.h"
+#include "node/outputs/turn_service.h"
 
 namespace link_bounds {
 
@@ -30,26 +29,24 @@ class PathService {
   void stop() { paths_.stop(); }
 
  private:
-  class Handler;
   struct Job;
   using Call = TurnQueue::Call;
+  using Params = TurnService<CheckPath>::Params;
   using Time = std::chrono::steady_clock::time_point;
 
-  void onTurn(Call& call, ros::ServiceCallbackHelperCallParams& params);
-  CheckPath::Response answer(Call& call, const ros::ServiceCallbackHelperCallParams& params);
-  std::shared_ptr<Job> begin(const Call& call, const ros::ServiceCallbackHelperCallParams& params);
-  void read(const ros::ServiceCallbackHelperCallParams& params,
-            Received<CheckPath::Request>& request);
+  void onTurn(Call& call, Params& params);
+  CheckPath::Response answer(Call& call, const Params& params);
+  std::shared_ptr<Job> begin(const Call& call, const Params& params);
+  Received<CheckPath::Request> read(const Params& params);
   bool forgetIfUnused();
 
   const SceneCopier& scenes_;
-  IncompleteMessages incomplete_messages_;  ///< this and the next two: of the thread alone
-  PathTrees trees_;
+  PathTrees trees_;  ///< this and the next one: of the thread alone
   Time last_used_;
   std::atomic<std::size_t> begun_{0};  ///< jobs
   Worker paths_;
   TurnQueue queue_;
-  ros::ServiceServer server_;
+  TurnService<CheckPath> service_;
 };
 
 }  // namespace link_bounds

@@ -29,6 +29,9 @@ StoppingOutput::StoppingOutput(Periodic& periodic, ros::NodeHandle& private_node
 void StoppingOutput::request() {
   if (markers_.hasSubscribers()) markers_output_.request();
   if (areBoxesWanted()) post();
+}
+
+void StoppingOutput::restIfUnheard() {
   if (!areBoxesWanted() && !markers_.hasSubscribers() && !is_resting_.exchange(true))
     worker_.post("boxes", [this] { scenes_.rest(); });
 }

@@ -37,6 +37,9 @@ class StoppingOutput {
   /// To be called with each ~boxes.
   void request();
 
+  /// To be called every tick: ~boxes may have ended with the last listener.
+  void restIfUnheard();
+
   /// Why the first of its incomplete bodies is that, and how many more are; of the last boxes, ""
   /// if all are complete or nobody listens. For any thread.
   std::string problem() const { return scenes_.problem(); }

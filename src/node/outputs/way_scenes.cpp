@@ -40,6 +40,8 @@ void WayScenes::setProblem(std::string problem) {
 
 void WayScenes::rest() {
   joint_states_.rest();
+  rules_.reset();
+  model_.reset();
   setProblem("");
 }
 

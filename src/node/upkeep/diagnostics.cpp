@@ -13,6 +13,7 @@
 
 #include "node/inputs/tf_receiver.h"
 #include "node/interface/topics.h"
+#include "node/upkeep/status.h"
 #include "world/log/log_text.h"
 
 namespace link_bounds {
@@ -24,55 +25,33 @@ constexpr std::size_t kMaxObjectLines = 100;  // all are counted
 constexpr std::size_t kMaxPublisherLines = 100;
 constexpr double kMaxAge = 100;  // of boxes when they are sent [ms]
 
-void raise(DiagnosticStatus& status, std::int8_t level, const std::string& text) {
-  status.level = std::max<std::int8_t>(status.level, level);
-  status.message += (status.message.empty() ? "" : "; ") + text;
+struct BodyCounts {
+  std::size_t boxes = 0;
+  std::size_t boxes_of_links = 0;
+  std::size_t incomplete_links = 0;
+  std::size_t incomplete_objects = 0;
+};
+
+BodyCounts countBodies(const Scene& scene) {
+  BodyCounts counts;
+  scene.forEach([&counts](const SceneBody& body) {
+    const std::size_t has_box = body.state.box ? 1 : 0;
+    counts.boxes += has_box;
+    if (body.link) counts.boxes_of_links += has_box;
+    std::size_t& incomplete = body.link ? counts.incomplete_links : counts.incomplete_objects;
+    incomplete += body.state.incomplete ? 1 : 0;
+  });
+  return counts;
 }
 
-void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
-  diagnostic_msgs::KeyValue pair;
-  pair.key = logText(key);
-  pair.value = logText(value);
-  status.values.push_back(pair);
-}
-
-std::size_t countBoxes(const Scene& scene) {
-  std::size_t count = 0;
-  scene.forEach(
-      [&count](const std::string&, const BoxState& state) { count += state.box ? 1 : 0; });
-  return count;
-}
-
-bool hasLinkBox(const LiveBoxes& links) {
-  return std::any_of(links.states().begin(), links.states().end(),
-                     [](const BoxState& state) { return state.box.has_value(); });
-}
-
-void addIncomplete(const std::string& name, const std::string& reason, DiagnosticStatus& status) {
-  add(status, "incomplete: " + name, reason);
-}
-
-/// Adds an entry per incomplete link; returns their number.
-std::size_t addIncomplete(const LiveBoxes& links, DiagnosticStatus& status) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < links.states().size(); ++i) {
-    if (!links.states()[i].incomplete) continue;
-    addIncomplete(links.model()->links[i].name, links.reason(i), status);
-    ++count;
-  }
-  return count;
-}
-
-/// The same for objects, but at most kMaxObjectLines entries.
-std::size_t addIncomplete(const LiveObjects& objects, DiagnosticStatus& status) {
-  std::size_t count = 0;
-  for (const auto& [key, object] : objects.objects()) {
-    if (!object.state.incomplete) continue;
-    if (count < kMaxObjectLines)
-      addIncomplete(object.content->bounded.name, objects.reason(object), status);
-    ++count;
-  }
-  return count;
+/// An entry per incomplete body, but of objects at most kMaxObjectLines.
+void addIncomplete(const Scene& scene, DiagnosticStatus& status) {
+  std::size_t objects = 0;
+  scene.forEach([&](const SceneBody& body) {
+    if (!body.state.incomplete) return;
+    if (body.object && ++objects > kMaxObjectLines) return;
+    add(status, "incomplete: " + body.name, scene.reason(body));
+  });
 }
 
 void addMeshes(const Model& model, DiagnosticStatus& status) {
@@ -90,19 +69,19 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   add(status, "fixed frame", model.fixed_frame);
   add(status, "bounded links", std::to_string(model.links.size()));
   add(status, "objects", std::to_string(scene.objects.objects().size()));
-  add(status, "boxes", std::to_string(countBoxes(scene)));
+  const BodyCounts counts = countBodies(scene);
+  add(status, "boxes", std::to_string(counts.boxes));
   addMeshes(model, status);
-  const std::size_t links = addIncomplete(scene.links, status);
-  const std::size_t objects = addIncomplete(scene.objects, status);
+  addIncomplete(scene, status);
   if (model.links.empty() && health.awaited_description.empty()) {
     raise(status, DiagnosticStatus::WARN, "no link is bounded");
-  } else if (!hasLinkBox(scene.links) && !model.links.empty()) {
+  } else if (counts.boxes_of_links == 0 && !model.links.empty()) {
     raise(status, DiagnosticStatus::ERROR, "not one link has a box");
   }
+  const std::size_t links = counts.incomplete_links, objects = counts.incomplete_objects;
   if (links > 0) raise(status, DiagnosticStatus::WARN, std::to_string(links) + " links incomplete");
-  if (objects > 0) {
+  if (objects > 0)
     raise(status, DiagnosticStatus::WARN, std::to_string(objects) + " objects incomplete");
-  }
 }
 
 std::string nearestText(const Distance& nearest) {
@@ -114,6 +93,7 @@ void addIntake(const TfIntake& intake, DiagnosticStatus& status) {
   add(status, "transforms taken", std::to_string(intake.accepted));
   add(status, "of those late", std::to_string(intake.late));
   add(status, "transforms refused, stamp repeated", std::to_string(intake.repeated));
+  add(status, "of those with another pose", std::to_string(intake.other));
   add(status, "transforms refused, too old", std::to_string(intake.too_old));
   add(status, "transforms refused, unusable", std::to_string(intake.unusable));
   add(status, "transforms dropped after a clock jump", std::to_string(intake.dropped));

@@ -45,10 +45,8 @@ class Diagnostics {
  public:
   explicit Diagnostics(ros::NodeHandle& node);
 
-  /// Publishes one status named "<node name>: boxes". ERROR: there is no model, or links are
-  /// bounded but none has a box. WARN: something is incomplete or waited for, no link is bounded,
-  /// a publisher's stamps run behind, the clock jumped, or boxes were older than 100 ms when they
-  /// were sent. Else OK. `times` begins a new period.
+  /// Publishes one status named "<node name>: boxes". Its levels are those of doc/deployment.md.
+  /// `times` begins a new period.
   void publish(const Scene& scene, const Health& health, CallbackTimes& times);
 
  private:

@@ -47,6 +47,9 @@ class PathBuilder {
     if (joint.motion == Motion::kTranslation)
       path_.length += std::max(std::abs(range.lower), std::abs(range.upper));
     if (!range.isFree()) {
+      const Lead& lead = range.lead;
+      const double value = ranges_[lead.leader].lower;
+      if (lead.factor != 0 && value != 0) path_.resting[lead.leader] = value;
       fixed_ = fixed_ * jointMotion(joint, sign * range.lower);
       return;
     }

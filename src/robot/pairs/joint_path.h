@@ -4,6 +4,7 @@
 // the two are to each other.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "link_bounds/robot/urdf/robot.h"
@@ -38,7 +39,9 @@ struct JointPath {
   std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
   std::vector<Limits> ranges;          ///< one per variable
   std::vector<std::size_t> unknown;    ///< joints of the robot on the way, without known ranges
-  std::vector<PathJoint> joints;       ///< from the first link to the second
+  /// Joints of the robot on which the way depends and whose range is one value, but 0 [rad or m].
+  std::map<std::size_t, double> resting;
+  std::vector<PathJoint> joints;                            ///< from the first link to the second
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second
   double length = 0;      ///< of all links of the chain and all prismatic ranges [m]
   std::size_t count = 0;  ///< of joints of any kind

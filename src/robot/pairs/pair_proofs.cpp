@@ -83,6 +83,9 @@ class Prover {
       const Joint& joint = robot_.joints[search.path().variables[i]];
       proof.pose[joint.name] = search.nearest().values[i];
     }
+    proof.can_move = !search.path().variables.empty();
+    for (const auto& [joint, value] : search.path().resting)
+      proof.pose[robot_.joints[joint].name] = value;
     proof.has_free_pose = search.hasFreePose();
     proof.poses = search.poses();
   }

@@ -39,9 +39,10 @@ struct PairProof {
   double clearance = 0;  ///< proven: in no pose the links are nearer [m]
   /// At most this far are the links apart in `pose` [m]; infinite if no pose was tried.
   double nearest = std::numeric_limits<double>::infinity();
-  /// A pose that collides, or the nearest one that was found: the joints between the links [rad,
-  /// m].
+  /// A pose that collides, or the nearest one that was found: the joints between the links that
+  /// move, or rest at another value than 0 [rad, m].
   std::map<std::string, double> pose;
+  bool can_move = false;       ///< a joint between the links does
   bool has_free_pose = false;  ///< a pose was found that does not collide
   std::string reason;          ///< why nothing is known about the pair; mostly empty
   std::size_t poses = 0;       ///< that were tried

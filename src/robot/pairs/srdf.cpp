@@ -6,11 +6,21 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace link_bounds {
 namespace {
 
 constexpr char kElement[] = "disable_collisions";
+constexpr char kOfLink[] = "disable_default_collisions";
+constexpr char kException[] = "enable_collisions";
+
+/// Whether it says which pairs need no check.
+bool isOfPairs(const tinyxml2::XMLElement& element) {
+  const std::string name = element.Name();
+  return name == kElement || name == kOfLink || name == kException;
+}
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& reason) {
   throw SrdfError("the SRDF \"" + file + "\"" +
@@ -22,7 +32,7 @@ std::string linkOf(const tinyxml2::XMLElement& element, const char* attribute, c
   const char* name = element.Attribute(attribute);
   if (!name) {
     refuse(file, element.GetLineNum(),
-           std::string("<") + kElement + "> has no " + attribute + "; name a link there");
+           std::string("<") + element.Name() + "> has no " + attribute + "; name a link there");
   }
   const auto is_it = [name](const Link& link) { return link.name == name; };
   if (std::none_of(robot.links.begin(), robot.links.end(), is_it)) {
@@ -68,6 +78,8 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                ", not <robot>; give a SRDF");
   }
   std::vector<DisabledPair> pairs;
+  std::set<std::pair<std::string, std::string>> enabled;
+  std::vector<std::string> by_default;
   for (const auto* child = root->FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string name = child->Name();
     if (name.rfind("xacro:", 0) == 0) {
@@ -75,10 +87,19 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
              "it is a xacro file, with an element <" + name +
                  ">; expand it by xacro FILE > robot.srdf");
     }
-    if (name != kElement) continue;
+    if (name == kOfLink) by_default.push_back(linkOf(*child, "link", robot, file));
+    if (name != kElement && name != kException) continue;
+    const std::string first = linkOf(*child, "link1", robot, file);
+    const std::string second = linkOf(*child, "link2", robot, file);
     const char* reason = child->Attribute("reason");
-    pairs.push_back({linkOf(*child, "link1", robot, file), linkOf(*child, "link2", robot, file),
-                     reason ? reason : ""});
+    if (name == kElement) pairs.push_back({first, second, reason ? reason : ""});
+    if (name == kException) enabled.insert({{first, second}, {second, first}});
+  }
+  for (const std::string& link : by_default) {
+    for (const Link& other : robot.links) {
+      if (other.name != link && enabled.count({link, other.name}) == 0)
+        pairs.push_back({link, other.name, kByDefault});
+    }
   }
   return pairs;
 }
@@ -101,17 +122,17 @@ std::string mergedSrdf(const std::string& text, const std::vector<SrdfLine>& lin
   tinyxml2::XMLDocument document;
   document.Parse(text.c_str(), text.size());
   tinyxml2::XMLElement* root = document.RootElement();
-  tinyxml2::XMLElement* old = root->FirstChildElement(kElement);
-  tinyxml2::XMLNode* last = old ? old->PreviousSibling() : root->LastChild();
+  std::vector<tinyxml2::XMLElement*> old;
+  for (auto* child = root->FirstChildElement(); child; child = child->NextSiblingElement()) {
+    if (isOfPairs(*child)) old.push_back(child);
+  }
+  tinyxml2::XMLNode* last = old.empty() ? root->LastChild() : old.front()->PreviousSibling();
   for (const SrdfLine& line : lines) {
     for (tinyxml2::XMLNode* node : nodesOf(line, document))
       last = last ? root->InsertAfterChild(last, node) : root->InsertFirstChild(node);
   }
-  while (old) {
-    tinyxml2::XMLElement* next = old->NextSiblingElement(kElement);
-    root->DeleteChild(old);
-    old = next;
-  }
+  for (tinyxml2::XMLElement* element : old)
+    root->DeleteChild(element);
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   return printer.CStr();

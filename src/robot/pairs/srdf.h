@@ -18,15 +18,20 @@ class SrdfError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A <disable_collisions> element.
+/// Two links that need no check, by a <disable_collisions> element or by default.
 struct DisabledPair {
   std::string first;
   std::string second;
-  std::string reason;  ///< as written; may be empty
+  std::string reason;  ///< as written; may be empty; kByDefault
 };
 
-/// In the order of the text; all other elements are left out. `file` is named in errors. Throws
-/// SrdfError for a text that is no SRDF, and for names that are no link of the robot.
+/// The reason of the pairs of a link with <disable_default_collisions>: those with all other links,
+/// but for the pairs of <enable_collisions>.
+constexpr char kByDefault[] = "Default";
+
+/// In the order of the text, then those by default; all other elements are left out. `file` is
+/// named in errors. Throws SrdfError for a text that is no SRDF, and for names that are no link of
+/// the robot.
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
 
@@ -39,8 +44,8 @@ struct SrdfLine {
 /// XML.
 std::string toSrdf(const SrdfLine& line);
 
-/// The SRDF `text`, which parseSrdf() has accepted, with these lines in place of its
-/// <disable_collisions> elements. All others stay, and so do comments.
+/// The SRDF `text`, which parseSrdf() has accepted, with these lines in place of its elements of
+/// disabled pairs and defaults. All others stay, and so do comments.
 std::string mergedSrdf(const std::string& text, const std::vector<SrdfLine>& lines);
 
 }  // namespace link_bounds

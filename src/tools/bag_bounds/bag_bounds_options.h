@@ -35,7 +35,7 @@ struct BagBoundsOptions {
   double timeout = 2;
   std::vector<std::string> ignore_pairs;
   std::string static_from;       ///< a bag whose static transforms are taken first; "": none
-  double min_coverage = 0.99;    ///< of each link, see Coverage
+  double min_coverage = 0.99;    ///< of each link, see Coverage, and of each zone
   std::optional<unsigned> jobs;  ///< threads, or bags at once; > 0; none: one per core
   Demand demand;
   bool each = false;                                      ///< a line per bag, instead of one report

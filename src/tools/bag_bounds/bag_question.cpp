@@ -3,7 +3,6 @@
 // Standard input and pipes can be read only once, so texts are kept.
 #include "tools/bag_bounds/bag_question.h"
 
-#include <filesystem>
 #include <set>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
@@ -29,22 +28,11 @@ Parameters parametersOf(const BagBoundsOptions& options) {
   return parameters;
 }
 
-/// Refuses to overwrite what is read. One file may have several names: links, and paths that begin
-/// elsewhere. Standard input has none after it has been read.
 const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   std::vector<std::string> inputs = options.bags;
-  inputs.push_back(options.urdf == "-" ? "/dev/stdin" : options.urdf);
-  inputs.push_back(options.zones);
-  inputs.push_back(options.static_from);
-  const auto check = [&inputs](const std::string& option_name, const std::string& output) {
-    for (const std::string& input : inputs) {
-      std::error_code ignored;
-      if (std::filesystem::equivalent(input, output, ignored))
-        throw UsageError(option_name + " is " + input + ", which is read; name another file");
-    }
-  };
-  check("--out", options.out);
-  check("--series", options.series);
+  inputs.insert(inputs.end(), {options.urdf, options.zones, options.static_from});
+  checkOutput("--out", options.out, inputs);
+  checkOutput("--series", options.series, inputs);
   if (!options.series.empty() && options.series == options.out)
     throw UsageError("--series is the file of --out; name another file");
   return options;

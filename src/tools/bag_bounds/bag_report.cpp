@@ -222,6 +222,14 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
          " s in all, first at " + shortSeconds(box.first_gap, report.begin) + " s: " + box.reason;
 }
 
+std::string lossOf(const ZoneRecord& record, const BagReport& report) {
+  return "compared in " + shortRow("", {record.coverage})[1] +
+         " of the time in which links had boxes, less than " +
+         shortRow("", {report.min_coverage})[1] +
+         " of --min-coverage: tf did not connect its frame \"" + record.zone.frame +
+         "\" with all of them; record what connects it";
+}
+
 }  // namespace
 
 std::string withRemedy(const BoxRecord& box) {
@@ -241,6 +249,10 @@ Reasons incompleteOf(const BagReport& report) {
   }
   for (const BoxAt& found : report.boxes_at) {
     if (!found.problem.empty()) reasons.emplace_back(found.name, found.problem);
+  }
+  for (const ZoneRecord& record : report.zones) {
+    if (record.coverage < report.min_coverage)
+      reasons.emplace_back("zone " + record.zone.name, lossOf(record, report));
   }
   return reasons;
 }

@@ -155,6 +155,7 @@ class JsonWriter {
     }
     return "\"nearest\": " + nearest +
            ", \"clearance\": " + (record.nearest ? exactNumber(record.clearance) : "null") +
+           ", \"coverage\": " + exactNumber(record.coverage) +
            ", \"undecided\": " + std::to_string(record.undecided) +
            ", \"entries\": " + std::to_string(record.entries);
   }

@@ -49,13 +49,28 @@ std::int64_t after(std::int64_t begin, double seconds) {
   return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
 }
 
+/// Transforms that boxes needed, and that none was made of. Repeated ones say nothing new, unless
+/// they contradict.
+void addRefusals(const TfIntake& before, const TfIntake& after, std::vector<std::string>& losses) {
+  const auto add = [&](std::uint64_t TfIntake::*what, const std::string& why) {
+    const std::uint64_t count = after.*what - before.*what;
+    if (count > 0)
+      losses.push_back(std::to_string(count) + (count == 1 ? " transform" : " transforms") +
+                       " left out, " + why);
+  };
+  add(&TfIntake::unusable, "which tf2 refuses, too; a warning names a frame");
+  add(&TfIntake::too_old, "more than 10 s older than others of their frame; record them in time");
+  add(&TfIntake::other,
+      "because another pose of the same frame and stamp came first; end one of the publishers");
+  add(&TfIntake::dropped, "of the time before a jump of the clock");
+}
+
 }  // namespace
 
 BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress)
     : options_(options),
       question_(question),
       on_progress_(std::move(on_progress)),
-      zones_(question.zones(), isInterrupted),
       reader_(
           options.bags, topicsOf(options), [this] { return glance(); },
           options.jobs.value_or(coreCount())),
@@ -63,6 +78,7 @@ BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgres
       scene_([this](const std::string& uri) { return question_.loadMesh(uri); },
              [this](std::int64_t now) { onNews(now); },
              [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
+      zones_(question.zones(), isInterrupted),
       unused_topics_(options.objects) {
   if (options.distances)
     pairs_.emplace([this](const std::string& uri) { return question_.loadTree(uri); });
@@ -177,7 +193,10 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
   if (++steps_ % kStepsPerGlance == 0) on_progress_(reader_.progress());
   zones_.onStep(now, is_tick, isReported(now));
   if (boxes_at_) boxes_at_->look(scene_.scene(), scene_.tf(), now);
-  if (!isReported(now)) return;
+  if (!isReported(now)) {
+    if (!has_recorded_) intake_before_ = scene_.tf().followedIntake();
+    return;
+  }
   last_ = now;
   if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
   if (has_recorded_) return;
@@ -222,6 +241,7 @@ BagReport BagRun::report() const {
                             (is_one ? " message is" : " messages are") +
                             " too short and left out; the bag is damaged, record it again");
   }
+  addRefusals(intake_before_, scene_.tf().followedIntake(), report.losses);
   if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
   return report;
 }

@@ -56,11 +56,11 @@ class BagRun {
   const BagBoundsOptions& options_;
   BagQuestion& question_;
   OnProgress on_progress_;
-  ZoneWatch zones_;
   BagReader reader_;
   std::unique_ptr<JointTransforms> joints_;
   const std::shared_ptr<const Model> model_;
   RecordedScene scene_;
+  ZoneWatch zones_;  ///< after the scene, whose frames it holds
   BoxRecords boxes_;
   Coverage coverage_;
   std::optional<BoxesAt> boxes_at_;
@@ -78,6 +78,7 @@ class BagRun {
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from
+  TfIntake intake_before_;                  ///< of frames that were followed, before the report
 };
 
 }  // namespace link_bounds

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/bag_bounds/body_motions.h"
 
+#include <utility>
+
 #include "world/history/swept_box.h"
 
 namespace link_bounds {
@@ -18,36 +20,46 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
       view_(view),
       ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
-      fixed_frame_(*scene.frames.fixedFrame()),
       timeout_(static_cast<std::int64_t>(scene.model()->parameters.timeout * 1e9)),
-      last_number_(scene.model()->links.size()) {
-  for (const BoundedLink& link : scene.model()->links)
-    radii_.push_back(radiusOf(link));
-}
-
-/// In the scene's own frame an object that was placed once stands.
-FrameView::Placed BodyMotions::placedInScene(const LiveObject& object) const {
-  const bool follows = object.state.box && object.boxed.content->follows() && object.header;
-  return {object.state, follows ? object.header.pose().stamp : 0};
-}
-
-const BodyMotion* BodyMotions::next(Last& last, const BoxState& state, const Content& content) {
-  const bool is_same = last.has_box && state.box && last.object.get() == content.object;
-  const std::int64_t passed = content.stamp - last.stamp;
-  const bool has_moved =
-      is_same && last.stamp != 0 && passed > 0 && (timeout_ == 0 || passed <= timeout_);
-  if (has_moved) {
-    motion_ = {{last.stamp, content.stamp}, last.box, 0, target_, content.source, content.link,
-               content.source_from_link};
-    const double radius =
-        content.object
-            ? radiusOf(motion_)
-            : radii_[static_cast<std::size_t>(content.link - scene_.model()->links.data())];
-    motion_.way = ways_.of(content.source, radius, motion_.span);
+      last_links_(scene.model()->links.size()),
+      last_number_(last_links_.size()) {
+  for (std::size_t i = 0; i < last_links_.size(); ++i) {
+    radii_.push_back(radiusOf(scene.model()->links[i]));
+    last_links_[i].number = i;
   }
-  last.has_box = state.box.has_value();
-  last.stamp = content.stamp;
-  if (state.box) last.box = *state.box;
+}
+
+/// In the scene's own frame a body that does not follow another one stands.
+FrameView::Placed BodyMotions::placedInScene(const SceneBody& body) const {
+  if (body.link) return {body.state, body.state.stamp};
+  const bool moves = body.state.box && !scene_.boxSource(body).frame_from_body;
+  return {body.state, moves ? body.object->header.pose().stamp : 0};
+}
+
+BodyMotions::Last& BodyMotions::lastOf(const ObjectKey& key) {
+  const auto [entry, is_new] = last_objects_.try_emplace(key);
+  if (is_new) entry->second.number = ++last_number_;
+  entry->second.seen = pass_;
+  return entry->second;
+}
+
+const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
+                                    const FrameView::Placed& placed) {
+  const bool had_box = std::exchange(last.has_box, placed.state.box.has_value());
+  if (!last.has_box) return nullptr;
+  const BoxSource source = scene_.boxSource(body);
+  const std::int64_t passed = placed.pose_stamp - last.stamp;
+  const bool has_moved = had_box && last.object == source.object && last.stamp != 0 && passed > 0 &&
+                         (timeout_ == 0 || passed <= timeout_);
+  if (has_moved) {
+    motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
+               source.frame_from_body};
+    const double radius = body.link ? radii_[*body.link] : radiusOf(motion_);
+    motion_.way = ways_.of(source.frame, radius, motion_.span);
+  }
+  last.stamp = placed.pose_stamp;
+  last.box = *placed.state.box;
+  last.object = source.object;
   return has_moved ? &motion_ : nullptr;
 }
 

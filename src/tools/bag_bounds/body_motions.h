@@ -47,71 +47,40 @@ class BodyMotions {
   template <class Visit>
   void forEach(Visit&& visit) {
     ++pass_;
-    const std::vector<BoundedLink>& links = scene_.model()->links;
-    const std::vector<BoxState>& states = view_ ? view_->links().states() : scene_.links.states();
-    last_links_.resize(states.size());
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const Content content{scene_.links.frame(i), &links[i], nullptr, nullptr, states[i].stamp};
-      visit(i, links[i].name, states[i], next(last_links_[i], states[i], content));
-    }
-    for (const auto& [key, object] : scene_.objects.objects())
-      visitObject(key, object, visit);
+    scene_.forEach([&](const SceneBody& body) {
+      const FrameView::Placed placed = view_ ? view_->placed(body) : placedInScene(body);
+      Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      const BodyMotion* motion = next(last, body, placed);
+      visit(last.number, body.name, placed.state, motion);
+    });
     forgetObjects();
   }
 
  private:
-  struct Content {
-    TransformBuffer::Frame source;
-    const BoundedLink* link;
-    const Eigen::Affine3d* source_from_link;
-    const ObjectContent* object;  ///< null for links
-    std::int64_t stamp;           ///< of the pose; 0: does not move
-  };
-
   struct Last {
     bool has_box = false;
-    std::int64_t stamp = 0;
+    std::int64_t stamp = 0;  ///< of the pose; 0: does not move
     Aabb box;
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
-    std::uint64_t seen = 0;                       ///< pass
-    BodyNumber number = 0;                        ///< of an object; 0: it has none yet
+    BodyNumber number = 0;
+    std::uint64_t seen = 0;  ///< pass
   };
 
-  template <class Visit>
-  void visitObject(const ObjectKey& key, const LiveObject& object, Visit& visit) {
-    const FrameView::Placed placed = view_ ? view_->placed(object) : placedInScene(object);
-    Last& last = last_objects_[key];
-    const BodyMotion* motion = nullptr;
-    if (placed.state.box) {
-      const ObjectContent& content = *object.boxed.content;
-      const bool follows = content.follows();
-      motion =
-          next(last, placed.state,
-               {follows ? object.frame : fixed_frame_, &content.bounded,
-                follows ? nullptr : &object.boxed.fixed_from_header, &content, placed.pose_stamp});
-      last.object = object.boxed.content;
-    }
-    last.has_box = placed.state.box.has_value();
-    last.seen = pass_;
-    if (last.number == 0) last.number = ++last_number_;
-    visit(last.number, object.content->bounded.name, placed.state, motion);
-  }
-
-  FrameView::Placed placedInScene(const LiveObject& object) const;
-  const BodyMotion* next(Last& last, const BoxState& state, const Content& content);
+  FrameView::Placed placedInScene(const SceneBody& body) const;
+  Last& lastOf(const ObjectKey& key);
+  const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
   void forgetObjects();
 
   Scene& scene_;
   FrameView* view_;
   WayBound ways_;
   TransformBuffer::Frame target_;
-  TransformBuffer::Frame fixed_frame_;
   std::int64_t timeout_;       ///< [ns]; 0: never
   std::vector<double> radii_;  ///< of the links
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;
   std::uint64_t pass_ = 0;
-  BodyNumber last_number_;  ///< of the newest object
+  BodyNumber last_number_;  ///< of the newest body
   BodyMotion motion_;
 };
 

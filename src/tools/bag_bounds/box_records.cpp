@@ -69,28 +69,26 @@ std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, con
 bool BoxRecords::add(const Scene& scene, std::int64_t now) {
   const double timeout = scene.model()->parameters.timeout;
   bool has_changed = false;
-  const std::vector<BoxState>& states = scene.links.states();
-  links_.resize(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (links_[i].name.empty()) links_[i].name = scene.model()->links[i].name;
-    const bool had_box = links_[i].has_box && !links_[i].gap;
-    has_changed |= had_box != states[i].box.has_value();
-    link_bounds::add(links_[i], states[i], now, timeout, [&] { return scene.links.reason(i); });
-  }
-  for (const auto& [key, object] : scene.objects.objects()) {
-    auto found = objects_.find(key);
-    if (found == objects_.end()) {
-      if (objects_.size() == kMaxObjects) {
-        ++left_out_;
-        continue;
-      }
-      found = objects_.emplace(key, BoxRecord()).first;
-      found->second.name = object.content->bounded.name;
-    }
-    link_bounds::add(found->second, object.state, now, timeout,
-                     [&scene, &live = object] { return scene.objects.reason(live); });
-  }
+  links_.resize(scene.model()->links.size());
+  scene.forEach([&](const SceneBody& body) {
+    BoxRecord* record = recordOf(body);
+    if (!record) return;
+    if (record->name.empty()) record->name = body.name;
+    const bool had_box = record->has_box && !record->gap;
+    has_changed |= body.link && had_box != body.state.box.has_value();
+    link_bounds::add(*record, body.state, now, timeout, [&] { return scene.reason(body); });
+  });
   return has_changed;
+}
+
+/// Null if the record has no place.
+BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
+  if (body.link) return &links_[*body.link];
+  const auto found = objects_.find(*body.key);
+  if (found != objects_.end()) return &found->second;
+  if (objects_.size() < kMaxObjects) return &objects_[*body.key];
+  ++left_out_;
+  return nullptr;
 }
 
 void BoxRecords::finish(std::int64_t now) {

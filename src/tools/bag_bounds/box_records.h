@@ -65,6 +65,8 @@ class BoxRecords {
   std::uint64_t objectsLeftOut() const { return left_out_; }
 
  private:
+  BoxRecord* recordOf(const SceneBody& body);
+
   std::vector<BoxRecord> links_;
   std::map<ObjectKey, BoxRecord> objects_;
   std::uint64_t left_out_ = 0;  ///< boxes of objects

@@ -14,31 +14,26 @@ void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t n
   const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
   for (Body& body : bodies_) {
     if (body.box) continue;
-    const std::optional<Tf2Pose> pose = tf.pose(fixed, body.frame, stamp_);
+    const std::optional<TransformBuffer::Frame> frame = tf.find(body.frame);
+    const auto pose = frame ? tf.pose(fixed, *frame, stamp_) : std::nullopt;
     if (!pose) continue;
     body.box = linkBox(*body.link, MatrixPose(*pose).affine * body.frame_from_body);
-    body.stamp = isStaticPath(tf, fixed, body.frame) ? 0 : stamp_;
+    body.stamp = isStaticPath(tf, fixed, *frame) ? 0 : stamp_;
     if (body.box) --missing_;
   }
 }
 
 void BoxesAt::begin(const Scene& scene) {
   has_begun_ = true;
-  const std::vector<BoundedLink>& links = scene.model()->links;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (!links[i].shapes.empty())
-      bodies_.push_back({links[i].name, &links[i], nullptr, scene.links.frame(i),
-                         Eigen::Affine3d::Identity(), std::nullopt, 0});
-  }
-  for (const auto& [key, object] : scene.objects.objects()) {
-    if (!object.state.box) continue;
-    const auto& content = object.boxed.content;
-    const bool follows = content->follows();
-    bodies_.push_back({content->bounded.name, &content->bounded, content,
-                       follows ? object.frame : *scene.frames.fixedFrame(),
-                       follows ? Eigen::Affine3d::Identity() : object.boxed.fixed_from_header,
-                       std::nullopt, 0});
-  }
+  scene.forEach([&](const SceneBody& body) {
+    if (body.object && !body.state.box) return;
+    const BoxSource source = scene.boxSource(body);
+    if (source.bounded.shapes.empty()) return;
+    bodies_.push_back(
+        {body.name, &source.bounded, source.object, scene.frames.tf().name(source.frame),
+         source.frame_from_body ? *source.frame_from_body : Eigen::Affine3d::Identity(),
+         std::nullopt, 0});
+  });
   missing_ = bodies_.size();
 }
 

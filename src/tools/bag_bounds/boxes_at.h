@@ -38,7 +38,7 @@ class BoxesAt {
     std::string name;
     const BoundedLink* link;
     std::shared_ptr<const ObjectContent> object;  ///< null for links
-    TransformBuffer::Frame frame;
+    std::string frame;  ///< its number may pass to another one before the pose is known
     Eigen::Affine3d frame_from_body;
     std::optional<Aabb> box;
     std::int64_t stamp;

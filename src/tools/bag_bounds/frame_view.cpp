@@ -36,19 +36,23 @@ const FramePose& FrameView::poseOf(const std::string& frame) {
   return found->second.pose();
 }
 
-FrameView::Placed FrameView::placed(const LiveObject& object) {
+FrameView::Placed FrameView::placed(const SceneBody& body) {
+  if (body.link) {
+    const BoxState& state = links_.states()[*body.link];
+    return {state, state.stamp};
+  }
   Placed result;
   BoxState& state = result.state;
-  if (!object.state.box) return result;
-  const ObjectContent& content = *object.boxed.content;
-  const FramePose& pose = poseOf(content.follows() ? content.frame : scene_.model()->fixed_frame);
+  if (!body.state.box) return result;
+  const BoxSource source = scene_.boxSource(body);
+  const FramePose& pose = poseOf(frames_.tf().name(source.frame));
   if (pose.problem != TransformProblem::kNone) return result;
   result.pose_stamp = pose.stamp;
-  state.box = linkBox(content.bounded, content.follows() ? pose.fixed_from_frame.affine
-                                                         : pose.fixed_from_frame.affine *
-                                                               object.boxed.fixed_from_header);
-  state.stamp = std::max(pose.stamp, object.state.stamp);
-  state.incomplete = object.state.incomplete || !state.box;
+  const Eigen::Affine3d& frame_pose = pose.fixed_from_frame.affine;
+  state.box = linkBox(source.bounded,
+                      source.frame_from_body ? frame_pose * *source.frame_from_body : frame_pose);
+  state.stamp = std::max(pose.stamp, body.state.stamp);
+  state.incomplete = body.state.incomplete || !state.box;
   return result;
 }
 

@@ -26,24 +26,13 @@ class FrameView {
 
   TransformBuffer::Frame frame() const { return *frames_.fixedFrame(); }
 
-  const LiveBoxes& links() const { return links_; }
-
   struct Placed {
     BoxState state;
     std::int64_t pose_stamp = 0;  ///< [ns], if there is a box; 0: it does not move
   };
 
-  /// An object of the scene.
-  Placed placed(const LiveObject& object);
-
-  /// Calls visit(name, state) as Scene::forEach.
-  template <class Visit>
-  void forEach(Visit&& visit) {
-    for (std::size_t i = 0; i < links_.states().size(); ++i)
-      visit(links_.model()->links[i].name, links_.states()[i]);
-    for (const auto& [key, object] : scene_.objects.objects())
-      visit(object.content->bounded.name, placed(object).state);
-  }
+  /// A body of the scene.
+  Placed placed(const SceneBody& body);
 
  private:
   const FramePose& poseOf(const std::string& frame);

@@ -16,6 +16,11 @@ namespace {
 constexpr TriangleTrees::Time kNow{};
 constexpr TriangleTrees::Time kSettled = kNow + std::chrono::hours(1);
 
+/// A contact is one for any limit.
+bool isFinding(const Distance& distance, double limit) {
+  return distance.distance < limit || distance.distance == 0;
+}
+
 struct Interrupted {};
 
 void throwIfInterrupted() {
@@ -58,7 +63,7 @@ void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64
   const double limit = scene.model()->parameters.distance_limit;
   latest_ = array.distances;
   for (const Distance& distance : latest_) {
-    was_undercut_ |= distance.distance < limit;
+    was_undercut_ |= isFinding(distance, limit);
     keep(distance, {now, static_cast<std::int64_t>(distance.stamp.toNSec())});
   }
   lookBetween(computed->moment, tf, now);
@@ -85,7 +90,7 @@ void NearestPairs::take(const Moment& moment, const PairMotion& motion, std::int
   if (motion.nearest && motion.nearest->lower <= limit) {
     Distance distance = toMessage(moment, FoundPair{motion.first, motion.second, *motion.nearest});
     distance.stamp.fromNSec(static_cast<std::uint64_t>(motion.stamp));
-    was_undercut_ |= distance.distance < limit;
+    was_undercut_ |= isFinding(distance, limit);
     keep(distance, {now - motion.duration, motion.stamp});
   }
   const auto& first = moment.name(moment.bodies[motion.first]);

@@ -18,11 +18,6 @@ constexpr int kMaxPosesOfPair = 5'000;      // of one motion: some 100 ms
 constexpr std::size_t kMaxSteps = 100'000;  // as in scene_distances.cpp
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The earlier of two stamps, where 0 stands for always.
-std::int64_t common(std::int64_t a, std::int64_t b) {
-  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
-}
-
 Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset) {
   return offset ? pose * *offset : pose;
 }
@@ -41,7 +36,7 @@ class PairMotionSearch {
     Eigen::Affine3d pose;
     double distance;
   };
-  using Placed = PlacedBody<Made>;
+  using Placed = BodyAtTime<Made>;
 
   PairMotionSearch(const PosedBody& first, const PosedBody& second, double wanted)
       : first_(first), second_(second), wanted_(wanted) {}
@@ -174,7 +169,7 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
   const Mover& first = movers_[pair.first];
   const Mover& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
-  const MotionSpan span{common(first.begin, second.begin), common(first.end, second.end)};
+  const MotionSpan span{olderStamp(first.begin, second.begin), olderStamp(first.end, second.end)};
   if (span.begin == 0 || span.begin >= span.end) return;
   const std::optional<double> wanted = handlers.wanted(pair.first, pair.second);
   if (!wanted) return;

@@ -105,6 +105,7 @@ bool RecordedScene::passTo(std::int64_t time) {
 void RecordedScene::tick(std::int64_t time) {
   now_ = time;
   feed_.onTick(toRosTime(time));
+  feed_.forgetQuietFrames(passed());
   on_step_(time, true);
 }
 

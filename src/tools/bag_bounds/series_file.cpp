@@ -26,8 +26,7 @@ void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances,
                      std::int64_t begin) {
   const std::string time = exactSeconds(now - begin);
   const double timeout = scene.model()->parameters.timeout;
-  scene.forEach(
-      [&](const std::string& name, const BoxState& state) { addBox(name, state, time, timeout); });
+  scene.forEach([&](const SceneBody& body) { addBox(body.name, body.state, time, timeout); });
   for (const Distance& distance : distances) {
     out_ << time << ',' << exactSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
          << csvField(distance.first) << ',' << csvField(distance.second) << ",,,,,,,"

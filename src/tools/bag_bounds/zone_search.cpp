@@ -20,7 +20,7 @@ class StaySearch {
     Aabb box;
     double distance;  ///< from the zone
   };
-  using Placed = PlacedBody<Made>;
+  using Placed = BodyAtTime<Made>;
 
   StaySearch(const BodyMotion& motion, const Aabb& zone, double wanted)
       : motion_(motion), zone_(zone), wanted_(wanted) {}

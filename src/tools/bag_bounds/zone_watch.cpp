@@ -27,7 +27,7 @@ void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
       view = &views_.try_emplace(frame, frame, scene, tf, now).first->second;
     auto group = groups_.find(frame);
     if (group == groups_.end())
-      group = groups_.emplace(frame, Group{view, BodyMotions(scene, *edges_, view), {}}).first;
+      group = groups_.emplace(frame, Group{view, BodyMotions(scene, *edges_, view), {}, {}}).first;
     group->second.zones.push_back(&watched);
   }
 }
@@ -55,10 +55,28 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
     for (auto& [frame, view] : views_)
       have_views_changed_ |= view.expire(toRosTime(now));
   }
-  if (!is_reported || !std::exchange(have_views_changed_, false)) return;
+  if (!is_reported) return;
+  const bool have_changed = std::exchange(have_views_changed_, false);
   for (auto& [frame, group] : groups_) {
-    if (group.view) compare(group, now);
+    if (group.view && have_changed) compare(group, now);
+    if (is_tick) sample(group, now);
   }
+}
+
+/// How long all links that have a box could be compared.
+void ZoneWatch::sample(Group& group, std::int64_t now) const {
+  if (!group.view) return;
+  const std::int64_t passed = std::max<std::int64_t>(now - group.sampled.value_or(now), 0);
+  if (group.has_boxes) group.time += passed;
+  if (group.has_boxes && group.is_whole) group.whole_time += passed;
+  group.sampled = now;
+  group.has_boxes = false;
+  group.is_whole = true;
+  scene_->forEach([&group](const SceneBody& body) {
+    if (!body.link || !body.state.box) return;
+    group.has_boxes = true;
+    group.is_whole &= group.view->placed(body).state.box.has_value();
+  });
 }
 
 void ZoneWatch::compare(Group& group, std::int64_t now) {
@@ -77,6 +95,7 @@ void ZoneWatch::compare(Group& group, std::int64_t now) {
       body = next;
     }
   }
+  sample(group, now);
 }
 
 void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
@@ -160,6 +179,13 @@ void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const Record
 }
 
 void ZoneWatch::finish(std::int64_t now) {
+  for (auto& [frame, group] : groups_) {
+    sample(group, now);
+    if (group.time == 0) continue;
+    for (Watched* watched : group.zones)
+      watched->record.coverage =
+          static_cast<double>(group.whole_time) / static_cast<double>(group.time);
+  }
   for (Watched& watched : zones_) {
     while (!watched.inside.empty()) {
       const auto body = watched.inside.begin();

@@ -49,6 +49,9 @@ struct ZoneRecord {
   double clearance = std::numeric_limits<double>::infinity();
   std::uint64_t undecided = 0;  ///< motions
   std::string first_undecided;  ///< the first of these, in words
+  /// The share of the time in which links had boxes, in which all of these also had one in the
+  /// frame of the zone.
+  double coverage = 1;
 };
 
 /// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
@@ -62,7 +65,7 @@ class ZoneWatch {
   explicit ZoneWatch(
       const std::vector<Zone>& zones, std::function<bool()> gives_up = [] { return false; });
 
-  /// To be called when the scene has a model. Both must outlive this.
+  /// To be called when the scene has a model. Both must outlive this, which holds frames of `tf`.
   void watch(Scene& scene, TransformBuffer& tf, ros::Time now);
 
   /// To be called when a box of the scene changed, at the record time [ns]; `is_reported`: compares
@@ -103,6 +106,11 @@ class ZoneWatch {
     FrameView* view;  ///< null: that of the scene
     BodyMotions motions;
     std::vector<Watched*> zones;
+    std::optional<std::int64_t> sampled;  ///< the last time at which the next two were looked up
+    bool has_boxes = false;               ///< a link had a box
+    bool is_whole = false;                ///< and so it had in the frame of the zones
+    std::int64_t time = 0;                ///< with boxes [ns]
+    std::int64_t whole_time = 0;          ///< of that [ns]
   };
 
   using InsideBody = std::unordered_map<BodyNumber, Inside>::iterator;
@@ -117,6 +125,7 @@ class ZoneWatch {
 
   void updateViews(ros::Time now);
   void compare(Group& group, std::int64_t now);
+  void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   void lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now);
   void take(Watched& watched, const Seen& body, const ZoneSearch& found, std::int64_t now);

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "tools/cloud_filter/nearest_message.h"
@@ -17,11 +18,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kMaxWaiting = 32;  // messages that wait for tf
-
-/// roscpp drops without a word what its queues do not hold. Whenever that of an input is full, one
-/// message more waits than may, and that is told. An output takes at once all that waited.
-constexpr std::uint32_t kQueue = kMaxWaiting + 1;
+/// An output takes at once all that waited.
+constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 constexpr std::chrono::milliseconds kTick(5);
@@ -65,6 +63,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
       [this](const CloudEvent& event) {
         guarded([&] {
           const auto cloud = event.getMessage();
+          ++clouds_taken_;
           if (incomplete_messages_.accept(*cloud, kCloudTopic.name, event.getPublisherName()))
             add({cloud, nullptr, ros::SteadyTime::now(), {}});
         });
@@ -75,6 +74,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
       [this](const ScanEvent& event) {
         guarded([&] {
           const auto scan = event.getMessage();
+          ++scans_taken_;
           if (incomplete_messages_.accept(*scan, kScanTopic.name, event.getPublisherName()))
             add({nullptr, scan, ros::SteadyTime::now(), {}});
         });
@@ -94,8 +94,7 @@ void CloudFilterNode::spin() {
   bool has_more = false;
   while (ros::ok() && !is_stopping_) {
     if (!has_more) queue_.wait(kTick);
-    for (std::size_t waiting = queue_.backlog().count; waiting > 0; --waiting)
-      queue_.callOne();
+    takeAll();
     has_more = false;
     guarded([&] {
       observeClock();
@@ -111,12 +110,23 @@ void CloudFilterNode::spin() {
     guarded([&] {
       tf_.forgetQuiet(now);
       tf_receiver_.freeSpareMemory();
-      health_.publish(robot_.get(), heldProblems(), waiting_.size());
+      const std::size_t most_waiting = queue_.takeMostWaiting();
+      health_.publish(robot_.get(), heldProblems(), waiting_.size(), most_waiting);
     });
   }
 }
 
+/// All that waits. If that is all that a queue of an input holds, more may have come.
+void CloudFilterNode::takeAll() {
+  clouds_taken_ = scans_taken_ = 0;
+  for (std::size_t waiting = queue_.backlog().count; waiting > 0; --waiting)
+    queue_.callOne();
+  if (std::max(clouds_taken_, scans_taken_) >= kQueue) health_.addFullQueue();
+}
+
 void CloudFilterNode::adopt(std::shared_ptr<const FilteredRobot> robot) {
+  tf_.distrustStampsAhead(ros::Time::now());
+  tf_input_.forgetLog();
   robot_ = std::move(robot);
   held_->adopt(robot_);
 }
@@ -133,8 +143,10 @@ void CloudFilterNode::listBodies() {
     add(robot_->links[i], robot_->frames[i], robot_->grids[i]);
   for (const auto& [key, held] : held_->objects()) {
     if (held.grid) add(objectName(key), held.frame, held.grid);
-    if (!held.grid || !held.problem.empty()) incomplete_.push_back(objectName(key));
+    if (!held.isNewest()) incomplete_.push_back(objectName(key));
   }
+  for (const auto& [name, reason] : held_->refused())
+    incomplete_.push_back(name);
 }
 
 void CloudFilterNode::add(const std::string& name, const std::string& frame,
@@ -149,7 +161,15 @@ std::vector<std::string> CloudFilterNode::heldProblems() const {
   std::vector<std::string> problems;
   for (const auto& [key, held] : held_->objects()) {
     if (!held.problem.empty()) problems.push_back(held.problem);
+    if (held.problem.empty() && !held.isNewest())
+      problems.push_back("object " + objectName(key) + " is not filtered as it is: its " +
+                         (held.grid ? "new shape is not ready yet, the old one counts"
+                                    : "shape is not ready yet"));
   }
+  for (const auto& [name, reason] : held_->refused())
+    problems.push_back("object " + name + " is not filtered: " + reason);
+  if (held_->moreRefused() > 0)
+    problems.push_back(std::to_string(held_->moreRefused()) + " more objects are not filtered");
   return problems;
 }
 
@@ -182,7 +202,8 @@ void CloudFilterNode::add(Waiting waiting) {
   std::size_t bytes = waiting.bytes();
   for (const Waiting& other : waiting_)
     bytes += other.bytes();
-  while (!waiting_.empty() && (waiting_.size() >= kMaxWaiting || bytes > kMaxWaitingBytes)) {
+  while (!waiting_.empty() &&
+         (waiting_.size() >= FilterHealth::kMaxWaiting || bytes > kMaxWaitingBytes)) {
     giveUp(waiting_.front(), "more clouds came than could be filtered", false);
     bytes -= waiting_.front().bytes();
     waiting_.pop_front();
@@ -247,9 +268,9 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPo
     const std::string frame = withoutSlash(waiting.header().frame_id);
     const auto sensor = tf_.find(frame);
     if (!sensor) return {false, true, "tf does not know its frame \"" + frame + "\""};
-    const ScanPoses poses = scanPoses(tf_, *sensor, links_, *waiting.span);
-    if (!poses.problem.empty()) return {false, poses.may_come, poses.problem};
     const FilterParameters& parameters = robot_->parameters;
+    const ScanPoses poses = scanPoses(tf_, *sensor, links_, *waiting.span, 0, parameters.timeout);
+    if (!poses.problem.empty()) return {false, poses.may_come, poses.problem};
     removed = robotPoints({points, grids_, poses, parameters.min_distance, parameters.shadow},
                           static_cast<std::size_t>(parameters.threads));
   }

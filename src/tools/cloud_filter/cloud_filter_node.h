@@ -68,6 +68,7 @@ class CloudFilterNode {
     std::string reason;     ///< why it was not
   };
 
+  void takeAll();
   void add(Waiting waiting);
   bool filterFirst();
   void giveUp(const Waiting& waiting, const std::string& reason, bool is_late);
@@ -92,7 +93,8 @@ class CloudFilterNode {
   TransformInput tf_input_;
   ClockWatch clock_;
   std::deque<Waiting> waiting_;
-  std::shared_ptr<const FilteredRobot> robot_;  ///< null until it is loaded
+  std::size_t clouds_taken_ = 0, scans_taken_ = 0;  ///< by takeAll()
+  std::shared_ptr<const FilteredRobot> robot_;      ///< null until it is loaded
   // Links, then held objects:
   std::vector<std::string> names_;
   std::vector<TransformBuffer::Hold> frames_;

@@ -10,7 +10,8 @@
 #include <sstream>
 #include <utility>
 
-#include "world/log/log_text.h"
+#include "node/inputs/tf_receiver.h"
+#include "node/upkeep/status.h"
 
 namespace link_bounds {
 namespace {
@@ -23,18 +24,6 @@ std::string text(double value, int decimals) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(decimals) << value;
   return out.str();
-}
-
-void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
-  diagnostic_msgs::KeyValue pair;
-  pair.key = logText(key);
-  pair.value = logText(value);
-  status.values.push_back(pair);
-}
-
-void raise(DiagnosticStatus& status, std::int8_t level, const std::string& words) {
-  status.level = std::max<std::int8_t>(status.level, level);
-  status.message += (status.message.empty() ? "" : "; ") + words;
 }
 
 bool filtersAnything(const FilteredRobot& robot) {
@@ -69,7 +58,7 @@ void FilterHealth::addUnfiltered(const std::string& topic, const std::string& re
 }
 
 void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
-                           std::size_t waiting) {
+                           std::size_t waiting, std::size_t most_waiting) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double seconds = std::max((now - last_status_).toSec(), 1e-3);
   last_status_ = now;
@@ -84,11 +73,19 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   if (robot && !robot->problems.empty())
     raise(status, DiagnosticStatus::WARN, "geometry of the robot is missing or a convex hull");
   if (!problems.empty())
-    raise(status, DiagnosticStatus::WARN, "objects that the robot holds are not filtered");
+    raise(status, DiagnosticStatus::WARN,
+          "objects that the robot holds are not filtered as they are");
   if (!new_reasons_.empty())
     raise(status, DiagnosticStatus::WARN, "clouds or scans were not filtered");
+  if (new_full_ > 0)
+    raise(status, DiagnosticStatus::WARN,
+          "clouds or scans may have been lost, because filtering took too long");
+  if (most_waiting >= TfReceiver::kQueue)
+    raise(status, DiagnosticStatus::WARN,
+          "transforms may have been lost, because filtering took too long");
   if (status.message.empty() && filter_ms_.empty())
-    raise(status, DiagnosticStatus::WARN, "no cloud or scan has come since the last status");
+    raise(status, DiagnosticStatus::WARN,
+          "no cloud or scan has been filtered since the last status");
   if (status.message.empty()) status.message = "filtering";
   std::sort(filter_ms_.begin(), filter_ms_.end());
   const double all_points = static_cast<double>(points_);
@@ -103,6 +100,8 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   add(status, "waiting", std::to_string(waiting));
   add(status, "filtered", std::to_string(filtered_));
   add(status, "dropped", std::to_string(dropped_));
+  add(status, "times that a queue of clouds was full", std::to_string(full_));
+  add(status, "most messages that waited, last second", std::to_string(most_waiting));
   add(status, "passed unfiltered", std::to_string(passed_));
   for (const auto& [reason, count] : new_reasons_)
     add(status, "not filtered: " + reason, std::to_string(count));
@@ -117,6 +116,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   filter_ms_.clear();
   max_waited_ms_ = 0;
   new_reasons_.clear();
+  new_full_ = 0;
 }
 
 }  // namespace link_bounds

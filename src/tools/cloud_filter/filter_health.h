@@ -20,6 +20,14 @@ class FilterHealth {
   /// `name` is that of the node.
   FilterHealth(ros::NodeHandle& node, std::string name);
 
+  /// roscpp drops without a word what its queues do not hold. Whenever that of an input is full,
+  /// one message more waits than may, and that is told.
+  static constexpr std::uint32_t kMaxWaiting = 32;  // messages that wait for tf
+  static constexpr std::uint32_t kQueue = kMaxWaiting + 1;
+
+  /// The queue of an input was full, so roscpp may have dropped messages of it.
+  void addFullQueue() { ++new_full_, ++full_; }
+
   /// A cloud or scan was filtered: it waited for tf, then took so long.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                    double filter_ms);
@@ -28,11 +36,14 @@ class FilterHealth {
   /// rate.
   void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
 
-  /// One status named "<node name>: cloud filter". ERROR: there is no robot. WARN: geometry is
-  /// missing, or clouds were not filtered since the last status. Else OK. `robot` may be null.
-  /// `problems` are those of held objects; `waiting` messages wait for tf.
+  /// One status named "<node name>: cloud filter". ERROR: there is no robot, or none of its links
+  /// is filtered. WARN: geometry or held objects are missing, or since the last status clouds were
+  /// not filtered, or none was. Else OK. `robot` may be null.
+  /// `problems` are those of held objects; `waiting` messages wait for tf. `most_waiting` callbacks
+  /// waited at once since the last status: if that are as many as fit into the queue of /tf,
+  /// transforms may have been lost.
   void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
-               std::size_t waiting);
+               std::size_t waiting, std::size_t most_waiting);
 
  private:
   std::string name_;
@@ -42,9 +53,10 @@ class FilterHealth {
   std::size_t points_ = 0, robot_points_ = 0;
   std::vector<double> filter_ms_;
   double max_waited_ms_ = 0;
+  std::uint64_t new_full_ = 0;
   std::map<std::string, std::size_t> new_reasons_;  ///< why clouds were not filtered
   // Since the start:
-  std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0;
+  std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0, full_ = 0;
   RepeatLog log_;
 };
 

@@ -22,6 +22,7 @@ struct FilterParameters {
   double padding = 0.01;
   std::map<std::string, double> link_padding;
   double max_wait = 0.2;
+  double timeout = 1;
   std::string late = "drop";
   bool keep_organized = true;
   double min_distance = 0;
@@ -58,6 +59,9 @@ void visitFilterParameters(AnyParameters& p, Visitor&& visit) {
         "metres, 0 to 1e6; points at most so far from a link are the robot's");
   visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
   visit("max_wait", p.max_wait, rules::wait, "wall seconds, 0 to 10, that a cloud waits for tf");
+  visit("timeout", p.timeout, rules::notNegative,
+        "ROS seconds; transforms farther apart do not tell where the robot was between them; 0 = "
+        "they always do");
   visit("late", p.late, rules::late,
         "drop or pass: what becomes of a cloud for which tf did not come; pass sends it on with "
         "the robot's points");

@@ -13,6 +13,7 @@
 #include "world/cloud/scan_poses.h"
 #include "world/log/guarded.h"
 #include "world/log/log_text.h"
+#include "world/model/model.h"
 #include "world/moment/object_body.h"
 
 namespace link_bounds {
@@ -22,6 +23,7 @@ constexpr std::uint32_t kObjectQueue = 1000;  // messages, as for a burst of sin
 
 /// A publisher may invent names without end, and each grid takes up to 256 KiB, its triangles more.
 constexpr std::size_t kMaxHeld = 64;
+constexpr std::size_t kMaxRefused = 100;  // that are named
 
 /// Throws what has words.
 Body bodyOf(const ObjectContent& content, const std::function<bool()>& is_cancelled,
@@ -58,15 +60,20 @@ void HeldObjects::onMarkers(const ros::MessageEvent<Markers>& event) {
   const auto message = event.getMessage();
   const std::string& publisher = event.getPublisherName();
   if (!incomplete_messages_.accept(*message, kHeldObjects.name, publisher)) return;
-  for (visualization_msgs::Marker& marker : message->markers)
+  for (visualization_msgs::Marker& marker : message->markers) {
+    const bool follows = marker.frame_locked || marker.header.stamp.isZero();
+    asked_[{marker.ns, marker.id}] = follows ? tfName("", marker.header.frame_id) : "";
     source_.take(std::move(marker), publisher, ros::Time::now());
+  }
   update();
 }
 
 void HeldObjects::adopt(std::shared_ptr<const FilteredRobot> robot) {
   robot_ = std::move(robot);
-  for (auto& [key, held] : held_)
+  for (auto& [key, held] : held_) {
     held.content.reset();
+    held.first = 0;
+  }
   update();
 }
 
@@ -93,53 +100,77 @@ void HeldObjects::update() {
   if (!robot_) return;
   Objects old = std::move(held_);
   held_.clear();
+  refused_.clear();
+  more_refused_ = 0;
+  for (auto asked = asked_.begin(); asked != asked_.end();)
+    asked = objects_.objects().count(asked->first) > 0 ? std::next(asked) : asked_.erase(asked);
   for (const auto& [key, object] : objects_.objects()) {
-    if (!isHeld(*object.content)) continue;
+    const ObjectContent& content = *object.content;
+    if (!content.bounded.isWhole() && robot_->all_frames.count(asked_[key]) > 0)
+      refuse(content.bounded.name, content.bounded.missing);
+    if (!isHeld(content)) continue;
     if (held_.size() >= kMaxHeld) {
-      ROS_ERROR_THROTTLE(10, "more than %zu markers follow links; the others are not filtered",
-                         kMaxHeld);
-      break;
+      refuse(content.bounded.name,
+             "more than " + std::to_string(kMaxHeld) + " markers follow links; delete some");
+      continue;
     }
     HeldObject& held = held_[key] = std::move(old[key]);
-    if (held.content && isSame(*held.content, *object.content)) continue;
+    if (held.content && isSame(*held.content, content)) continue;
     held.content = object.content;
-    request(key, held.content);
+    request(key, held);
   }
   on_change_();
 }
 
-void HeldObjects::request(const ObjectKey& key,
-                          const std::shared_ptr<const ObjectContent>& content) {
-  const auto make = [this, key, content, padding = robot_->parameters.padding] {
-    const auto is_cancelled = [this] { return worker_.isCancelled(); };
+void HeldObjects::refuse(const std::string& name, const std::string& reason) {
+  if (refused_.size() < kMaxRefused) {
+    refused_[name] = reason;
+  } else {
+    ++more_refused_;
+  }
+}
+
+/// A grid that is being made is completed although a newer content waits: of a marker that changes
+/// all the time none would ever be.
+void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
+  held.requested = ++requests_;
+  if (held.first == 0) held.first = held.requested;
+  const auto make = [this, key, content = held.content, request = held.requested,
+                     padding = robot_->parameters.padding] {
+    const auto is_stopping = [this] { return worker_.isStopping(); };
     const auto check_interrupt = [&] {
-      if (is_cancelled()) throw std::runtime_error("a newer marker replaces it");
+      if (is_stopping()) throw std::runtime_error("the node ends");
     };
     std::shared_ptr<const BodyGrid> grid;
     std::string problem;
     try {
       grid = std::make_shared<BodyGrid>(
-          BodySurface(bodyOf(*content, is_cancelled, check_interrupt), check_interrupt),
+          BodySurface(bodyOf(*content, is_stopping, check_interrupt), check_interrupt),
           GridOptions{padding, kMaxMotionError}, check_interrupt);
     } catch (const std::exception& error) {
       problem = "object " + content->bounded.name + " is not filtered: " + error.what();
     }
-    enqueue(queue_, [this, key, content, grid, problem] { take(key, content, grid, problem); });
+    enqueue(queue_, [this, key, request, frame = content->frame, grid, problem] {
+      take(key, request, frame, grid, problem);
+    });
   };
-  const auto& shapes = content->bounded.shapes;
+  const auto& shapes = held.content->bounded.shapes;
   const bool has_points = !shapes.empty() && shapes.front().points;
   worker_.post("object " + objectName(key), make, has_points ? shapes.front().points->bytes() : 0);
 }
 
-/// What is not of the newest content comes too late.
-void HeldObjects::take(const ObjectKey& key, const std::shared_ptr<const ObjectContent>& content,
+/// That of an earlier content is better than that of a still earlier one. What was asked for before
+/// a reload, or for a marker that was deleted meanwhile, comes too late.
+void HeldObjects::take(const ObjectKey& key, std::uint64_t request, const std::string& frame,
                        std::shared_ptr<const BodyGrid> grid, const std::string& problem) {
   const auto found = held_.find(key);
-  if (found == held_.end() || found->second.content != content) return;
+  if (found == held_.end() || request < found->second.first) return;
   if (!problem.empty()) ROS_ERROR("%s", logText(problem).c_str());
-  found->second.grid = std::move(grid);
-  found->second.frame = content->frame;
-  found->second.problem = problem;
+  HeldObject& held = found->second;
+  held.grid = std::move(grid);
+  held.frame = frame;
+  held.problem = problem;
+  held.made = request;
   on_change_();
 }
 

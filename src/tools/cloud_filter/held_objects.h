@@ -24,8 +24,13 @@ struct HeldObject {
   std::shared_ptr<const ObjectContent> content;  ///< the newest; null: to be made again
   /// Of an earlier content, while that of the newest one is being made; null before the first.
   std::shared_ptr<const BodyGrid> grid;
-  std::string frame;    ///< of the grid
-  std::string problem;  ///< why there is no grid of the newest content; "" if there is one
+  std::string frame;        ///< of the grid
+  std::string problem;      ///< why there is no grid of the newest content; "" if there is one
+  std::uint64_t first = 0;  ///< request of which a grid may still be used; earlier ones are over
+  std::uint64_t requested = 0;  ///< the last request
+  std::uint64_t made = 0;       ///< the request of the grid, or of the problem
+
+  bool isNewest() const { return made == requested && grid && problem.empty(); }
 };
 
 /// All runs on the thread of the node, but the making of grids, for which `worker` is.
@@ -40,6 +45,13 @@ class HeldObjects {
   HeldObjects& operator=(const HeldObjects&) = delete;
 
   const Objects& objects() const { return held_; }
+
+  /// Markers that follow links and are not filtered, because there are too many or because they
+  /// cannot be used: names and why. Of very many, the first ones.
+  const std::map<std::string, std::string>& refused() const { return refused_; }
+
+  /// How many more there are.
+  std::size_t moreRefused() const { return more_refused_; }
 
   /// Another robot, or other parameters.
   void adopt(std::shared_ptr<const FilteredRobot> robot);
@@ -56,8 +68,9 @@ class HeldObjects {
   void onMarkers(const ros::MessageEvent<Markers>& event);
   void update();
   bool isHeld(const ObjectContent& content) const;
-  void request(const ObjectKey& key, const std::shared_ptr<const ObjectContent>& content);
-  void take(const ObjectKey& key, const std::shared_ptr<const ObjectContent>& content,
+  void refuse(const std::string& name, const std::string& reason);
+  void request(const ObjectKey& key, HeldObject& held);
+  void take(const ObjectKey& key, std::uint64_t request, const std::string& frame,
             std::shared_ptr<const BodyGrid> grid, const std::string& problem);
 
   Worker& worker_;
@@ -68,6 +81,10 @@ class HeldObjects {
   ObjectSource source_{objects_, [](const MeshUse&) {}};
   std::shared_ptr<const FilteredRobot> robot_;
   Objects held_;
+  std::map<ObjectKey, std::string> asked_;  ///< the frame that a marker asked to follow
+  std::map<std::string, std::string> refused_;
+  std::size_t more_refused_ = 0;
+  std::uint64_t requests_ = 0;
   IncompleteMessages incomplete_messages_;
   ros::Subscriber subscriber_;
 };

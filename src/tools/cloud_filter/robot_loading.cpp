@@ -67,8 +67,8 @@ RobotLoading::RobotLoading(const ros::NodeHandle& node, const ros::NodeHandle& p
 bool RobotLoading::onTick() {
   if (has_loaded_ || has_failed_) return false;
   try {
-    if (!parameters_) parameters_ = readAndWarn(server_, name_);
-    load();
+    if (!parameters_) parameters_ = readAndWarn(server_, name_).parameters;
+    load(*parameters_);
   } catch (const NoDescription& reason) {
     description_.warnOfWaiting(reason.what());
   } catch (const std::exception& error) {
@@ -80,8 +80,8 @@ bool RobotLoading::onTick() {
   return !has_loaded_ && !has_failed_;
 }
 
-/// Returns what was logged of the robot. Its parameters must have been read.
-std::vector<std::string> RobotLoading::load() {
+/// Returns what was logged of the robot.
+std::vector<std::string> RobotLoading::load(const FilterParameters& parameters) {
   XmlRpc::XmlRpcValue description = description_.read();
   if (description.getType() != XmlRpc::XmlRpcValue::TypeString) {
     throw RobotError("parameter " + description_.name() + " is " + valueText(description) +
@@ -90,7 +90,7 @@ std::vector<std::string> RobotLoading::load() {
   const auto begin = std::chrono::steady_clock::now();
   const auto is_stopping = [this] { return worker_.isStopping(); };
   const auto robot = std::make_shared<const FilteredRobot>(
-      filteredRobot(static_cast<std::string&>(description), parameters_->parameters, is_stopping));
+      filteredRobot(static_cast<std::string&>(description), parameters, is_stopping));
   if (worker_.isStopping()) return {};
   report(*robot, std::chrono::steady_clock::now() - begin);
   const auto adopt = [this, robot] {
@@ -105,9 +105,9 @@ std::vector<std::string> RobotLoading::load() {
 
 bool RobotLoading::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   try {
-    parameters_ = readAndWarn(server_, name_);
-    std::vector<std::string> warnings = parameters_->warnings;
-    const std::vector<std::string> lines = load();
+    const ReadFilterParameters read = readAndWarn(server_, name_);
+    std::vector<std::string> warnings = read.warnings;
+    const std::vector<std::string> lines = load(read.parameters);
     warnings.insert(warnings.end(), lines.begin(), lines.end());
     response.message = reloadedText(warnings);
     response.success = true;

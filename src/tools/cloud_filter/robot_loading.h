@@ -45,7 +45,7 @@ class RobotLoading {
 
  private:
   bool onTick();
-  std::vector<std::string> load();
+  std::vector<std::string> load(const FilterParameters& parameters);
   bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
 
   std::string name_;  ///< full one of the node
@@ -53,7 +53,7 @@ class RobotLoading {
   Handlers handlers_;
   ParameterServer server_;
   RobotDescription description_;
-  std::optional<ReadFilterParameters> parameters_;  ///< until the first load
+  std::optional<FilterParameters> parameters_;  ///< for the first load
   bool has_loaded_ = false;
   std::atomic<bool> has_failed_{false};
   Worker worker_;  ///< after all that its thread uses

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "tools/command_line/options.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 /// Far above any real file; keeps an endless input from filling the memory.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
+
+/// Some editors write it before UTF-8: it is no part of the first word.
+constexpr std::string_view kMark = "\xef\xbb\xbf";
 
 }  // namespace
 
@@ -32,7 +36,19 @@ std::string readText(const std::string& file, const std::string& what) {
     if (text.size() > kMaxBytes) throw UsageError(name + " is too large for " + what);
   }
   if (std::ferror(in.get())) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
+  if (text.compare(0, kMark.size(), kMark) == 0) text.erase(0, kMark.size());
   return text;
+}
+
+/// Standard input has no name after it has been read.
+void checkOutput(const std::string& option_name, const std::string& output,
+                 const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code ignored;
+    const std::string name = input == "-" ? "/dev/stdin" : input;
+    if (std::filesystem::equivalent(name, output, ignored))
+      throw UsageError(option_name + " is " + name + ", which is read; name another file");
+  }
 }
 
 std::string folderOf(const std::string& file) {

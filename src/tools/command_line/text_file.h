@@ -4,12 +4,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace link_bounds {
 
-/// The text of a file or of standard input ("-"). `what` it must be, such as "a URDF". Throws
-/// UsageError with the reason.
+/// The text of a file or of standard input ("-"), without a byte order mark. `what` it must be,
+/// such as "a URDF". Throws UsageError with the reason.
 std::string readText(const std::string& file, const std::string& what);
+
+/// Refuses to overwrite what is read: throws UsageError if `output` is one of these files. Empty
+/// names stand for none, "-" for standard input. One file may have several names: links, and paths
+/// that begin elsewhere.
+void checkOutput(const std::string& option_name, const std::string& output,
+                 const std::vector<std::string>& inputs);
 
 /// Where relative names in that file start.
 std::string folderOf(const std::string& file);

@@ -53,7 +53,7 @@ class ProofCertificate {
       return {false, goal + kClaimed * (proof.clearance - goal)};
     if (proof.verdict == Verdict::kTouching)
       return {true, std::max(goal, options_.touching.value_or(kDefaultTouching))};
-    return {true, proof.pose.empty() ? goal + PairGoal::kTouch : goal};
+    return {true, proof.can_move ? goal : goal + PairGoal::kTouch};
   }
 
   const UrdfBoundsOptions& options_;

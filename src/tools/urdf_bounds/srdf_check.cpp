@@ -37,8 +37,8 @@ std::string remedyFor(const PairProof& proof) {
 
 Exemptions::Exemptions(const std::vector<DisabledPair>& pairs) {
   for (const DisabledPair& pair : pairs) {
-    std::string& reason = reasons_[sorted(pair.first, pair.second)];
-    if (reason != kAlways) reason = pair.reason;
+    const auto [entry, is_new] = reasons_.try_emplace(sorted(pair.first, pair.second), pair.reason);
+    if (!is_new && pair.reason == kAlways) entry->second = kAlways;
   }
 }
 

@@ -159,7 +159,15 @@ Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
   return runProof(options, withSimpleJoints(robot));
 }
 
+void checkOutputs(const UrdfBoundsOptions& options) {
+  const std::vector<std::string> inputs{options.file, options.poses.value_or(""),
+                                        options.srdf.value_or(""), options.objects.value_or("")};
+  checkOutput("--series", options.series.value_or(""), inputs);
+  checkOutput("--certificate", options.certificate.value_or(""), inputs);
+}
+
 int run(const UrdfBoundsOptions& options) {
+  checkOutputs(options);
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);

@@ -18,9 +18,9 @@ void LiveBoxes::adopt(std::shared_ptr<const Model> model) {
   // All names before all nodes: mixed in memory, 10,000 names take three times as long to find.
   link_frames_.clear();
   for (const std::string& name : model_->frames)
-    link_frames_.push_back(frames_.tf().frame(name));
+    link_frames_.emplace_back(frames_.tf(), name);
   for (std::size_t i = 0; i < model_->links.size(); ++i) {
-    if (!model_->links[i].shapes.empty()) poses_[i] = frames_.follow(link_frames_[i]);
+    if (!model_->links[i].shapes.empty()) poses_[i] = frames_.follow(frame(i));
     setProblem(i, TransformProblem::kNone);
   }
   for (std::size_t i = 0; i < states_.size(); ++i) {

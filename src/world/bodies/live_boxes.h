@@ -32,7 +32,7 @@ class LiveBoxes {
   const std::vector<BoxState>& states() const { return states_; }
 
   /// The number of the tf frame of link `i`.
-  FrameTracker::Frame frame(std::size_t i) const { return link_frames_[i]; }
+  FrameTracker::Frame frame(std::size_t i) const { return link_frames_[i].frame(); }
 
   /// The pose of link `i` in the fixed frame, if it has a box: that of the box.
   const Eigen::Affine3d& pose(std::size_t i) const {
@@ -53,7 +53,7 @@ class LiveBoxes {
 
   FrameTracker& frames_;
   std::shared_ptr<const Model> model_;
-  std::vector<FrameTracker::Frame> link_frames_;
+  std::vector<TransformBuffer::Hold> link_frames_;
   std::vector<FrameTracker::Handle> poses_;  ///< of the links; empty for links without shapes
   std::vector<TransformProblem> problems_;
   LinkBoxes boxes_;

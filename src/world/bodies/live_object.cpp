@@ -15,10 +15,6 @@ bool isSame(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-std::int64_t olderStamp(std::int64_t a, std::int64_t b) {
-  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
-}
-
 bool isSame(const ObjectContent& a, const ObjectContent& b) {
   const std::vector<Shape>& shapes = b.bounded.shapes;
   return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&

@@ -47,9 +47,6 @@ struct ObjectContent {
   }
 };
 
-/// 0, the stamp of what is static, does not count.
-std::int64_t olderStamp(std::int64_t a, std::int64_t b);
-
 /// True if both are the same body at the same place and time. Publisher and lifetime are not
 /// compared.
 bool isSame(const ObjectContent& a, const ObjectContent& b);

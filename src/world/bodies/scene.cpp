@@ -32,6 +32,24 @@ bool Scene::expire(ros::Time now) {
   return objects.expire(now) || links_changed;
 }
 
+std::string Scene::reason(const SceneBody& body) const {
+  return body.link ? links.reason(*body.link) : objects.reason(*body.object);
+}
+
+BoxSource Scene::boxSource(const SceneBody& body) const {
+  static const std::shared_ptr<const ObjectContent> kNone;
+  if (body.link) return {model()->links[*body.link], kNone, links.frame(*body.link), nullptr};
+  const BoxedObject& boxed = body.object->boxed;
+  // The box of an earlier content stands still until the present one can be placed.
+  if (boxed.content == body.object->content && boxed.content->follows())
+    return {boxed.content->bounded, boxed.content, body.object->frame, nullptr};
+  return {boxed.content->bounded, boxed.content, *frames.fixedFrame(), &boxed.fixed_from_header};
+}
+
+const Eigen::Affine3d& Scene::pose(const SceneBody& body) const {
+  return body.link ? links.pose(*body.link) : body.object->boxed.fixed_from_header;
+}
+
 BoxState groupState(const SceneGroup& group, const Scene& scene) {
   BoxState state = groupState(group, scene.links.states());
   const LiveObjects::Objects& objects = scene.objects.objects();

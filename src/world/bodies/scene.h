@@ -4,11 +4,30 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "world/bodies/live_boxes.h"
 #include "world/bodies/live_objects.h"
 
 namespace link_bounds {
+
+/// A link or an object, as it is now. Valid until the scene changes.
+struct SceneBody {
+  const std::string& name;  ///< that of its box
+  const BoxState& state;
+  std::optional<std::size_t> link;  ///< its index in the model
+  const ObjectKey* key;             ///< null for links
+  const LiveObject* object;         ///< null for links
+};
+
+/// What the box of a body is computed from. Valid until the scene changes.
+struct BoxSource {
+  const BoundedLink& bounded;                          ///< its shapes
+  const std::shared_ptr<const ObjectContent>& object;  ///< null for links
+  TransformBuffer::Frame frame;                        ///< that it moves with
+  const Eigen::Affine3d* frame_from_body;              ///< null: identity
+};
 
 /// All functions that return bool tell whether a box, a stamp or an incomplete name changed.
 struct Scene {
@@ -29,14 +48,25 @@ struct Scene {
   /// Null until the first model is there; nothing is published before.
   const Model* model() const { return links.model(); }
 
-  /// Calls visit(name, state) for each box there is or should be, in the order of ~boxes.
+  std::size_t size() const { return links.states().size() + objects.objects().size(); }
+
+  /// Calls visit(SceneBody) for each box there is or should be, in the order of ~boxes.
   template <class Visit>
   void forEach(Visit&& visit) const {
     for (std::size_t i = 0; i < links.states().size(); ++i)
-      visit(links.model()->links[i].name, links.states()[i]);
+      visit(SceneBody{links.model()->links[i].name, links.states()[i], i, nullptr, nullptr});
     for (const auto& [key, object] : objects.objects())
-      visit(object.content->bounded.name, object.state);
+      visit(SceneBody{object.content->bounded.name, object.state, std::nullopt, &key, &object});
   }
+
+  /// Why the body is incomplete, in words; "" if it is not.
+  std::string reason(const SceneBody& body) const;
+
+  /// Of a body that has a box, or of any link with shapes.
+  BoxSource boxSource(const SceneBody& body) const;
+
+  /// The pose of its box in the fixed frame, if there is one.
+  const Eigen::Affine3d& pose(const SceneBody& body) const;
 
   FrameTracker frames;
   LiveBoxes links;

@@ -14,6 +14,10 @@ LaserPoints::LaserPoints(const sensor_msgs::LaserScan& scan) {
     problem_ = "angle_min, angle_increment or time_increment is not finite; correct it";
     return;
   }
+  if (!(scan.range_min <= scan.range_max) || !(scan.range_max > 0)) {
+    problem_ = "range_min or range_max is no number, or no range is between them; correct them";
+    return;
+  }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   memory_.reserve(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {

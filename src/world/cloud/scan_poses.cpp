@@ -53,29 +53,12 @@ class Mover {
       radius_ = std::max(radius_, corner.norm());
   }
 
-  void addSamples(TimeSpan span, std::vector<std::int64_t>& times) const {
-    forEachEdge(*this, [&](const EdgeMotion& edge) {
-      if (!edge.isMoving()) return;
-      for (const EdgeSample* sample : edge.samples()) {
-        if (sample->stamp > span.begin && sample->stamp < span.end) times.push_back(sample->stamp);
-      }
-    });
-  }
+  /// Whose samples are those around the last time that was sought.
+  MotionPath& path() { return path_; }
+  const MotionPath& path() const { return path_; }
 
-  void seek(std::int64_t time) {
-    forEachEdge(*this, [&](EdgeMotion& edge) { edge.seek(time); });
-  }
-
-  /// Between the samples that were sought.
   Eigen::Affine3d linkFromSensor(std::int64_t time) const {
-    Tf2Pose top_from_sensor, top_from_link;
-    for (const EdgeMotion& edge : path_.from_source)
-      top_from_sensor = edge.at(time) * top_from_sensor;
-    for (const EdgeMotion& edge : path_.from_target)
-      top_from_link = edge.at(time) * top_from_link;
-    return MatrixPose(path_.from_target.empty() ? top_from_sensor
-                                                : inverse(top_from_link) * top_from_sensor)
-        .affine;
+    return MatrixPose(path_.targetFromSource(time)).affine;
   }
 
   /// From `begin`, which was sought, to before the next sample. Also of points within `range` of
@@ -84,16 +67,14 @@ class Mover {
     const Eigen::Affine3d from = linkFromSensor(begin), to = linkFromSensor(end);
     const double distance = std::max(from.translation().norm(), to.translation().norm());
     double scale = 1, lengths = radius_;
-    const auto fill = [&](const std::vector<EdgeMotion>& edges, std::vector<EdgeStep>& out) {
-      out.clear();
-      for (const EdgeMotion& edge : edges) {
-        const EdgeStep& step = out.emplace_back(edge.stepIn(end - begin));
+    fillSteps(path_.from_target, end - begin, steps.from_link);
+    fillSteps(path_.from_source, end - begin, steps.from_target);
+    for (const auto* edges : {&steps.from_link, &steps.from_target}) {
+      for (const EdgeStep& step : *edges) {
         scale *= std::max(step.length2, 1 / step.min_length2);
         lengths += step.distance;
       }
-    };
-    fill(path_.from_target, steps.from_link);
-    fill(path_.from_source, steps.from_target);
+    }
     const Bulge of_link = bulge(steps, radius_, distance);
     const double stretch = 2 * std::max(scale - 1, 0.0) * scale * lengths;
     // As far as the link's box at both ends, with its way between.
@@ -103,30 +84,9 @@ class Mover {
     return {bulge(steps, std::max(reach, range), distance), of_link, stretch};
   }
 
-  bool isMoving() const {
-    bool result = false;
-    forEachEdge(*this, [&](const EdgeMotion& edge) { result |= edge.isMoving(); });
-    return result;
-  }
-
-  /// True if tf2 may move it in two ways: see step 6 of deviation_bound.h.
-  bool isAmbiguous() const {
-    bool result = false;
-    forEachEdge(*this, [&](const EdgeMotion& edge) { result |= edge.isAmbiguous(); });
-    return result;
-  }
-
   const Aabb& box() const { return box_; }
 
  private:
-  template <class Self, class Visit>
-  static void forEachEdge(Self& self, Visit visit) {
-    for (auto* edges : {&self.path_.from_source, &self.path_.from_target}) {
-      for (auto& edge : *edges)
-        visit(edge);
-    }
-  }
-
   MotionPath path_;
   Aabb box_;
   double radius_ = 0;  ///< of the box, around the origin of the link
@@ -134,8 +94,9 @@ class Mover {
 
 class Scan {
  public:
-  Scan(const TransformBuffer& tf, TransformBuffer::Frame sensor, TimeSpan span, double range)
-      : tf_(tf), sensor_(sensor), span_(span), range_(range) {}
+  Scan(const TransformBuffer& tf, TransformBuffer::Frame sensor, TimeSpan span, double range,
+       double timeout)
+      : tf_(tf), sensor_(sensor), span_(span), range_(range), timeout_(timeout) {}
 
   ScanPoses poses(const std::vector<ScannedLink>& links) {
     if (span_.end - span_.begin > kMaxSpan) {
@@ -158,7 +119,8 @@ class Scan {
     result_.links.resize(links.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
       if (links[i].box.isEmpty()) continue;
-      MotionPath path = pathBetween(tf_, links[i].frame, sensor_, {span_.begin, span_.end}, 0);
+      MotionPath path =
+          pathBetween(tf_, links[i].frame, sensor_, {span_.begin, span_.end}, timeout_);
       if (!path.problem.empty()) {
         result_.problem = path.problem;
         result_.may_come = true;
@@ -174,7 +136,7 @@ class Scan {
   std::vector<std::int64_t> timesOfSamples() const {
     std::vector<std::int64_t> times{span_.begin, span_.end};
     for (const Mover& mover : movers_)
-      mover.addSamples(span_, times);
+      mover.path().addSampleTimes({span_.begin, span_.end}, times);
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
@@ -205,11 +167,12 @@ class Scan {
     double parts = 1;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       Mover& mover = movers_[i];
-      if (!mover.isMoving() && !result_.moments.empty()) continue;
-      mover.seek(begin);
+      if (!mover.path().isMoving() && !result_.moments.empty()) continue;
+      mover.path().seek(begin);
       errors_[i] = mover.errors(begin, end, range_, steps_);
-      if (mover.isMoving())
-        parts = std::max(parts, mover.isAmbiguous() ? kTooMany : partsFor(errors_[i].of_point));
+      if (mover.path().isMoving())
+        parts =
+            std::max(parts, mover.path().isAmbiguous() ? kTooMany : partsFor(errors_[i].of_point));
     }
     return parts;
   }
@@ -228,7 +191,7 @@ class Scan {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       const Errors& errors = errors_[i];
       link_errors_[i] = std::max(link_errors_[i], errors.of_link.in(part) + errors.stretch);
-      if (has_time && movers_[i].isMoving())
+      if (has_time && movers_[i].path().isMoving())
         motions_[i]->error = std::max(motions_[i]->error, errors.of_point.in(part));
     }
   }
@@ -237,7 +200,7 @@ class Scan {
   void addMoment(std::int64_t time) {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       LinkMotion& motion = *motions_[i];
-      if (!movers_[i].isMoving() && !result_.moments.empty()) continue;
+      if (!movers_[i].path().isMoving() && !result_.moments.empty()) continue;
       const Eigen::Affine3d pose = movers_[i].linkFromSensor(time);
       motion.link_from_sensor.push_back(pose.matrix().topRows<3>());
       motion.box.extend(boxAt(movers_[i].box(), pose));
@@ -252,7 +215,7 @@ class Scan {
       keepErrors(0, 1);
     }
     for (Mover& mover : movers_)
-      mover.seek(span_.end);
+      mover.path().seek(span_.end);
     addMoment(span_.end);
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       LinkMotion& motion = *motions_[i];
@@ -266,6 +229,7 @@ class Scan {
   TransformBuffer::Frame sensor_;
   TimeSpan span_;
   double range_;
+  double timeout_;
   std::vector<Mover> movers_;
   std::vector<LinkMotion*> motions_;  ///< of each mover its result
   std::vector<Errors> errors_;        ///< of each mover, between the two samples
@@ -277,8 +241,9 @@ class Scan {
 }  // namespace
 
 ScanPoses scanPoses(const TransformBuffer& tf, TransformBuffer::Frame sensor,
-                    const std::vector<ScannedLink>& links, TimeSpan span, double range) {
-  return Scan(tf, sensor, span, range).poses(links);
+                    const std::vector<ScannedLink>& links, TimeSpan span, double range,
+                    double timeout) {
+  return Scan(tf, sensor, span, range, timeout).poses(links);
 }
 
 void ScanCursor::seek(std::int64_t time) {

@@ -41,9 +41,11 @@ struct ScanPoses {
 };
 
 /// Links without a finite box are left out: their own box is empty. Errors hold for points up to
-/// `range` from the sensor [m], too.
+/// `range` from the sensor [m], too. Transforms that are farther apart than `timeout` [s; 0: never]
+/// do not tell where a link is between them.
 ScanPoses scanPoses(const TransformBuffer& tf, TransformBuffer::Frame sensor,
-                    const std::vector<ScannedLink>& links, TimeSpan span, double range = 0);
+                    const std::vector<ScannedLink>& links, TimeSpan span, double range = 0,
+                    double timeout = 0);
 
 /// Where points of the sensor's frame are in the frames of links at one time after the other.
 class ScanCursor {

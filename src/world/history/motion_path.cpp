@@ -94,6 +94,47 @@ class Climber {
 
 }  // namespace
 
+void MotionPath::addSampleTimes(MotionSpan span, std::vector<std::int64_t>& times) const {
+  for (const auto* edges : {&from_source, &from_target}) {
+    for (const EdgeMotion& edge : *edges) {
+      if (!edge.isMoving()) continue;
+      for (const EdgeSample* sample : edge.samples()) {
+        if (sample->stamp > span.begin && sample->stamp < span.end) times.push_back(sample->stamp);
+      }
+    }
+  }
+}
+
+void MotionPath::seek(std::int64_t time) {
+  for (auto* edges : {&from_source, &from_target}) {
+    for (EdgeMotion& edge : *edges)
+      edge.seek(time);
+  }
+}
+
+void MotionPath::followLibrary(bool is_library) {
+  for (auto* edges : {&from_source, &from_target}) {
+    for (EdgeMotion& edge : *edges)
+      edge.followLibrary(is_library);
+  }
+}
+
+Tf2Pose MotionPath::targetFromSource(std::int64_t time) const {
+  Tf2Pose top_from_source, top_from_target;
+  for (const EdgeMotion& edge : from_source)
+    top_from_source = edge.at(time) * top_from_source;
+  for (const EdgeMotion& edge : from_target)
+    top_from_target = edge.at(time) * top_from_target;
+  return from_target.empty() ? top_from_source : inverse(top_from_target) * top_from_source;
+}
+
+void fillSteps(const std::vector<EdgeMotion>& edges, std::int64_t duration,
+               std::vector<EdgeStep>& steps) {
+  steps.clear();
+  for (const EdgeMotion& edge : edges)
+    steps.push_back(edge.stepIn(duration));
+}
+
 MotionPath pathBetween(const TransformBuffer& tf, Frame target, Frame source, MotionSpan span,
                        double timeout) {
   const Climber climber(tf, span, timeout);

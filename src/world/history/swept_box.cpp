@@ -22,7 +22,7 @@ constexpr const char* kNotFinite = "a pose is not finite, or too large for a box
 class Hull {
  public:
   using Made = Aabb;
-  using Placed = PlacedBody<Made>;
+  using Placed = BodyAtTime<Made>;
 
   explicit Hull(const BoundedLink& link) : link_(link) {}
 

@@ -19,9 +19,6 @@ namespace {
 
 using Frame = TransformBuffer::Frame;
 
-/// tf2 scales by quaternions of another length, which no joint does.
-constexpr double kMaxLengthError = 1e-6;
-
 /// The joints of the URDF that a trajectory moves, those that follow one of its joints among them.
 std::vector<bool> movedJoints(const Robot& robot, const std::set<std::string>& names) {
   const Robot simple = withSimpleJoints(robot);
@@ -100,12 +97,6 @@ class SceneMaker {
                                problem + "; add the joint, or publish its transform");
     joint.motion = Motion::kNone;
     joint.mimic.reset();
-  }
-
-  static bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
-    const MatrixPose matrix(pose);
-    result.matrix() = matrix.affine.matrix();
-    return std::abs(matrix.length2 - 1) <= kMaxLengthError && result.matrix().allFinite();
   }
 
   void add(const PastBody& body) {

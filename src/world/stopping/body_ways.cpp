@@ -79,7 +79,7 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = "tf has no frame of the link to which it is attached";
     return way;
   }
-  const FramePose& start = poseOf(*mover);
+  const FramePose start = poseOf(*mover);  // no later poseOf() changes it
   if (start.problem != TransformProblem::kNone) {
     way.problem = describe(start.problem, tf_.name(*mover), scene_.frameName());
     return way;

@@ -9,21 +9,12 @@
 namespace link_bounds {
 namespace {
 
-/// tf2 scales by longer quaternions, which no joint does.
-constexpr double kMaxLengthError = 1e-6;
-
 /// Of the numbers of a pose.
 constexpr double kStillRounding = 1e-9;
 
 constexpr std::int64_t kMinPieces = 5;  // in a window
 
 }  // namespace
-
-bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
-  MatrixPose matrix(pose);
-  result.matrix() = matrix.affine.matrix();
-  return std::abs(matrix.length2 - 1) <= kMaxLengthError && result.matrix().allFinite();
-}
 
 EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child, std::int64_t stamp,
                         std::int64_t window) {

@@ -37,7 +37,4 @@ bool isStill(const std::vector<TimedPose>& poses);
 /// at least a fifth of the window, so that inexact stamps matter little.
 std::vector<std::size_t> piecesOf(const std::vector<std::int64_t>& stamps, std::int64_t window);
 
-/// The pose that tf2's arithmetic makes of it; nothing if the quaternion is not of length 1.
-bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result);
-
 }  // namespace link_bounds

@@ -21,6 +21,10 @@ constexpr double kLimitRounding = 1e-9;   // rad or m
 /// How far a pose may be from a report of the same time, beyond what the joint moves meanwhile.
 constexpr double kMaxReportError = 1e-3;  // rad or m
 
+/// By what share the speeds of positions may exceed the reported velocities for noise alone.
+constexpr double kMaxSpeedNoise = 0.05;
+constexpr double kLeastSpeedNoise = 0.01;  // rad/s or m/s: of encoders, in a piece of some 10 ms
+
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
@@ -51,9 +55,10 @@ void addSpeeds(const TimedValues& samples, std::int64_t window, JointState& stat
   }
 }
 
-/// Of reports with a velocity. Until the stamp it may have changed since the last one.
+/// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
+/// send zeros for what it does not measure, so the speeds of the positions count, too.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
-                       JointState& state) {
+                       const JointState& of_positions, JointState& state) {
   state.speed = {*reports.front().velocity, *reports.front().velocity};
   std::int64_t gap = std::abs(stamp - reports.front().stamp);
   for (const JointReport& report : reports) {
@@ -62,6 +67,14 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
     gap = std::min(gap, std::abs(stamp - report.stamp));
   }
   state.piece = 2 * static_cast<double>(gap) / kSecond;
+  const double beyond = std::max(state.speed.lower - of_positions.speed.lower,
+                                 of_positions.speed.upper - state.speed.upper);
+  if (of_positions.piece == 0 || beyond <= 0) return;
+  const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
+  if (beyond > std::max(kMaxSpeedNoise * fastest, kLeastSpeedNoise))
+    state.piece = std::max(state.piece, of_positions.piece);
+  state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
+  state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
 
 /// How far a joint can be from where a report has it.
@@ -125,16 +138,26 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   }
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
       (!have_velocities && reports.size() < 2)) {
-    state.problem = "/joint_states has joint \"" + joint.name +
+    state.problem = "joint_states has joint \"" + joint.name +
                     "\" too rarely for ~velocity_window, or at other times than tf; raise "
                     "~velocity_window, or send it more often";
     return state;
   }
-  have_velocities ? addReportedSpeeds(reports, stamp, state) : addSpeeds(found, window, state);
+  if (have_velocities) {
+    JointState of_positions;
+    // Some drivers keep the positions of joints without limits within one turn.
+    for (std::size_t i = 1; joint.motion == Motion::kRotation && i < reports.size(); ++i)
+      found.values[i] =
+          found.values[i - 1] + withoutTurns(reports[i].position - reports[i - 1].position);
+    if (reports.size() > 1) addSpeeds(found, window, of_positions);
+    addReportedSpeeds(reports, stamp, of_positions, state);
+  } else {
+    addSpeeds(found, window, state);
+  }
   double error = fit.value - nearest->position;
   if (joint.motion == Motion::kRotation) error = withoutTurns(error);
   if (!(std::abs(error) <= reportError(*nearest, state, stamp))) {
-    state.problem = "tf and /joint_states differ by " + std::to_string(std::abs(error)) +
+    state.problem = "tf and joint_states differ by " + std::to_string(std::abs(error)) +
                     " rad or m about joint \"" + joint.name + "\"; correct their publishers";
   }
   state.value = nearest->position + error;

@@ -29,7 +29,8 @@ JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64
                       std::int64_t window);
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
-/// speeds are those that were reported, or as of transforms where a report has none.
+/// speeds are those that were reported and those of the positions; the latter alone where a report
+/// has none.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window);

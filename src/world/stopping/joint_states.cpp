@@ -14,6 +14,7 @@ void JointStates::add(const std::string& joint, const JointReport& report) {
   if (report.stamp <= 0 || !std::isfinite(report.position)) return;
   if (newest_ > report.stamp && newest_ - report.stamp > EdgeHistory::kLength) clear();
   newest_ = std::max(newest_, report.stamp);
+  if (joints_.size() >= kMaxJoints && joints_.count(joint) == 0) return;
   std::map<std::int64_t, JointReport>& reports = joints_[joint];
   JointReport& kept = reports[report.stamp] = report;
   if (kept.velocity && !std::isfinite(*kept.velocity)) kept.velocity.reset();

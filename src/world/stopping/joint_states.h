@@ -22,8 +22,9 @@ struct JointReport {
 /// Messages may come in any order.
 class JointStates {
  public:
-  /// What is not finite and what has no stamp is ignored. A stamp of long before the newest one
-  /// means that time jumped back: then all else is forgotten.
+  /// What is not finite and what has no stamp is ignored, and so are further joints beyond
+  /// kMaxJoints. A stamp of long before the newest one means that time jumped back: then all else
+  /// is forgotten.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();
@@ -32,6 +33,9 @@ class JointStates {
   /// and the next one after it, in order. Nothing for a joint that was never reported.
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
                                                   std::int64_t window) const;
+
+  /// A publisher may invent names without end.
+  static constexpr std::size_t kMaxJoints = 10'000;
 
  private:
   std::map<std::string, std::map<std::int64_t, JointReport>> joints_;  ///< by name and stamp

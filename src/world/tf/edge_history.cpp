@@ -33,6 +33,14 @@ bool EdgeHistory::isRefused(std::int64_t stamp) const {
   return older && older->stamp == stamp;
 }
 
+bool EdgeHistory::holds(const EdgeSample& sample) const {
+  if (samples_.isEmpty()) return false;
+  const EdgeSample* known = &samples_.newest();
+  if (!is_static_ && sample.stamp < known->stamp) known = samples_.neighbours(sample.stamp).older;
+  return known && (is_static_ || known->stamp == sample.stamp) && known->parent == sample.parent &&
+         known->parent_from_child.numbers == sample.parent_from_child.numbers;
+}
+
 void EdgeHistory::clear() {
   if (!is_static_) samples_.clear();
 }

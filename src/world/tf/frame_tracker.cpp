@@ -6,14 +6,10 @@
 #include <algorithm>
 
 namespace link_bounds {
-namespace {
 
-/// Of two times, 0 stands for always.
-std::int64_t earlier(std::int64_t a, std::int64_t b) {
+std::int64_t olderStamp(std::int64_t a, std::int64_t b) {
   return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
-
-}  // namespace
 
 std::int64_t staleBefore(double timeout, ros::Time now) {
   constexpr std::int64_t kBeforeAllTimes = std::numeric_limits<std::int64_t>::min();
@@ -214,7 +210,7 @@ void FrameTracker::place(Node& node) {
   const TransformProblem old_problem = node.problem;
   const std::int64_t old_stamp = node.stamp;
   setReceived(node);
-  node.stamp = earlier(inner.stamp, tf_.newest(node.edge));
+  node.stamp = olderStamp(inner.stamp, tf_.newest(node.edge));
   node.is_static = inner.is_static && tf_.isStatic(node.edge);
   node.has_pose = true;
   node.was_elsewhere = false;

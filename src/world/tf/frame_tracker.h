@@ -162,6 +162,9 @@ class FrameTracker {
   std::uint64_t seen_ = 0;                 ///< version of tf at the last update
 };
 
+/// Of two stamps of transforms [ns]; 0, that of a static one, does not count.
+std::int64_t olderStamp(std::int64_t a, std::int64_t b);
+
 /// What was received before this [ns of ROS time] is stale at `now`. `timeout` in seconds, 0:
 /// never.
 std::int64_t staleBefore(double timeout, ros::Time now);

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 
 namespace link_bounds {
 
@@ -89,5 +90,14 @@ struct MatrixPose {
   double length2 = 1;  ///< of the quaternion
   Eigen::Affine3d affine = Eigen::Affine3d::Identity();
 };
+
+/// The pose that tf2's arithmetic makes of it; false if its quaternion is not of length 1: tf2
+/// scales by others, which no joint does.
+inline bool toIsometry(const Tf2Pose& pose, Eigen::Isometry3d& result) {
+  constexpr double kMaxLengthError = 1e-6;
+  const MatrixPose matrix(pose);
+  result.matrix() = matrix.affine.matrix();
+  return std::abs(matrix.length2 - 1) <= kMaxLengthError && result.matrix().allFinite();
+}
 
 }  // namespace link_bounds

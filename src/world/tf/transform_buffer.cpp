@@ -49,6 +49,25 @@ void TransformBuffer::adoptNumber(Frame frame) {
   --unused_;
 }
 
+bool TransformBuffer::isFollowed(const Edge& edge) const {
+  return edge.holds > 0 || (edge.watched > 0 && edge.watched + 1 >= pass_);
+}
+
+void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_followed) {
+  ++(intake_.*what);
+  if (is_followed) ++(followed_intake_.*what);
+}
+
+void TransformBuffer::countByName(std::uint64_t TfIntake::*what, std::string_view child) {
+  if (!child.empty() && child.front() == '/') child.remove_prefix(1);
+  const std::optional<Frame> frame = find(child);
+  count(what, frame && isFollowed(edges_[*frame]));
+}
+
+void TransformBuffer::countDropped(const TransformView& transform) {
+  countByName(&TfIntake::dropped, transform.child);
+}
+
 std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& transforms,
                                           bool is_static, ros::Time now) {
   std::vector<Refusal> refusals;
@@ -56,7 +75,7 @@ std::vector<Refusal> TransformBuffer::add(const std::vector<TransformView>& tran
   names_.beginMessage();
   for (std::size_t i = 0; i < transforms.size(); ++i) {
     Refusal refusal{i, whyRefused(transforms[i])};
-    if (refusal.reason) ++intake_.unusable;
+    if (refusal.reason) countByName(&TfIntake::unusable, transforms[i].child);
     if (refusal.reason || !insert(transforms[i], is_static, nanoseconds(now), refusal))
       refusals.push_back(refusal);
   }
@@ -73,7 +92,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
     adoptNumber(parent);
   }
   if (child == parent) {
-    ++intake_.unusable;
+    count(&TfIntake::unusable, isFollowed(edges_[child]));
     refusal.reason = kOwnParent;
     return false;
   }
@@ -85,7 +104,9 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   if (!edge.history) edge.history.emplace(edge.is_static = is_static);
   const std::int64_t stamp = nanoseconds(transform.stamp);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
-  if (is_accepted ? record(edge, parent, stamp, now) : refuse(edge, stamp)) return true;
+  if (is_accepted ? record(edge, parent, stamp, now)
+                  : refuse(edge, {transform.parent_from_child, parent, stamp}))
+    return true;
   if (now - edge.received <= kTolerance && edge.newest - stamp <= kTolerance) return true;
   refusal.reason = is_accepted ? kLate : kTooOld;
   refusal.is_accepted = is_accepted;
@@ -119,6 +140,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
     return false;
   }
   edge.newest = edge.is_static ? 0 : stamp;
+  if (!edge.is_static && isFollowed(edge)) max_lag_ = std::max(now - stamp, max_lag_.value_or(0));
   edge.received = now;
   edge.parent = parent;
   edge.has_parent = true;
@@ -134,9 +156,10 @@ void TransformBuffer::Edge::clear() {
 }
 
 /// A transform that is not too old repeats a stamp: true.
-bool TransformBuffer::refuse(const Edge& edge, std::int64_t stamp) {
-  const bool is_repeated = !edge.isTooOld(stamp);
-  ++(is_repeated ? intake_.repeated : intake_.too_old);
+bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
+  const bool is_repeated = !edge.isTooOld(sample.stamp);
+  count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, isFollowed(edge));
+  if (is_repeated && !edge.history->holds(sample)) count(&TfIntake::other, isFollowed(edge));
   return is_repeated;
 }
 
@@ -230,8 +253,7 @@ void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
 std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   Edge& edge = edges_[frame];
   if (edge.is_unused) return 1;
-  const bool is_watched = edge.watched > 0 && edge.watched + 1 >= pass_;
-  if (edge.holds > 0 || is_watched || edge.message > quiet_since_) return reference(frame);
+  if (isFollowed(edge) || edge.message > quiet_since_) return reference(frame);
   if (edge.is_static && !edge.is_kept && kept_static_ < kept_static) {
     edge.is_kept = true;
     ++kept_static_;

@@ -38,6 +38,7 @@ struct TfIntake {
   std::uint64_t accepted = 0;
   std::uint64_t late = 0;      ///< accepted with a stamp before the newest one of their frame
   std::uint64_t repeated = 0;  ///< refused: there is one of that stamp already
+  std::uint64_t other = 0;     ///< of those, with another pose or parent
   std::uint64_t too_old = 0;   ///< refused
   std::uint64_t unusable = 0;  ///< refused: see whyRefused
   std::uint64_t dropped = 0;   ///< refused: sent before the clock jumped
@@ -130,8 +131,8 @@ class TransformBuffer {
   /// Forgets everything that is not static, after a clock jump.
   void clear();
 
-  /// Counts transforms that were sent before a clock jump, instead of add().
-  void countDropped(std::size_t count) { intake_.dropped += count; }
+  /// Counts a transform that was sent before a clock jump, instead of add().
+  void countDropped(const TransformView& transform);
 
   /// An edge whose newest stamp is so far ahead of `now` that tf refuses all stamps of correct
   /// clocks may begin again: the next transform that is too old replaces its history.
@@ -146,6 +147,13 @@ class TransformBuffer {
   bool jumpAhead(ros::Time now);
 
   const TfIntake& intake() const { return intake_; }
+
+  /// The same of frames that somebody holds or watches.
+  const TfIntake& followedIntake() const { return followed_intake_; }
+
+  /// By how much the newest transforms of such frames came behind their stamps [ns], the maximum
+  /// since the last call; nothing if none came.
+  std::optional<std::int64_t> takeMaxLag() { return std::exchange(max_lag_, std::nullopt); }
 
   /// True if a message had this edge after the buffer had that version.
   bool isNewerThan(std::uint64_t version, Frame child) const {
@@ -229,7 +237,10 @@ class TransformBuffer {
   bool insert(const TransformView& transform, bool is_static, std::int64_t now, Refusal& refusal);
   static bool insert(Edge& edge, std::int64_t stamp, Frame parent, const Tf2Pose& pose);
   bool record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now);
-  bool refuse(const Edge& edge, std::int64_t stamp);
+  bool refuse(const Edge& edge, const EdgeSample& sample);
+  bool isFollowed(const Edge& edge) const;
+  void count(std::uint64_t TfIntake::*what, bool is_followed);
+  void countByName(std::uint64_t TfIntake::*what, std::string_view child);
   void adoptNumber(Frame frame);
   std::size_t visit(Frame frame, std::size_t kept_static);
   std::size_t reference(Frame frame);
@@ -239,6 +250,8 @@ class TransformBuffer {
   FrameNames names_;
   std::vector<Edge> edges_;  ///< by child
   TfIntake intake_;
+  TfIntake followed_intake_;
+  std::optional<std::int64_t> max_lag_;
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;
   std::uint64_t epoch_ = 1;

@@ -29,8 +29,13 @@ void TransformInput::add(const std::vector<TransformView>& transforms, bool is_s
     return addAll(transforms, is_static, publisher, now, tf);
   }
   std::vector<TransformView> kept;
-  std::remove_copy_if(transforms.begin(), transforms.end(), std::back_inserter(kept), is_late);
-  tf.countDropped(transforms.size() - kept.size());
+  for (const TransformView& transform : transforms) {
+    if (is_late(transform)) {
+      tf.countDropped(transform);
+    } else {
+      kept.push_back(transform);
+    }
+  }
   addAll(kept, is_static, publisher, now, tf);
 }
 

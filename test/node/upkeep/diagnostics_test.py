@@ -12,9 +12,9 @@ import rostest
 from bounds_testing import Recorder, TfSender, box_link, load, robot, transform, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import Polygon
-from link_bounds.msg import BoxOverlapArray
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray, EarliestContactArray
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater, value_of
-from object_testing import ObjectSender, marker
+from object_testing import ObjectSender, deletion, marker
 from page_testing import rows_below
 
 PAGE = rospkg.RosPack().get_path("link_bounds") + "/doc/deployment.md"
@@ -22,6 +22,7 @@ MESH = "package://link_bounds/launch/demo/meshes/finger_ascii.stl"
 MESSAGES = 20
 MEAN = "time per tf message, mean of the last second [ms]"
 MAXIMUM = "time per tf message, maximum of the last second [ms]"
+LAG = "longest lag of boxes behind their stamp [ms]"
 LONGEST = "time per tf message, longest [ms]"  # since the start
 CROWD = 400  # objects that all overlap
 GROUPS = 8000  # of the whole crowd
@@ -98,7 +99,8 @@ class DiagnosticsTest(unittest.TestCase):
     def test_tells_what_became_of_transforms(self):
         load(NODE, ARMS)
         keys = ["transforms taken", "of those late", "transforms refused, stamp repeated",
-                "transforms refused, too old", "transforms refused, unusable"]
+                "of those with another pose", "transforms refused, too old",
+                "transforms refused, unusable"]
 
         def counts(status):
             return [int(value_of(status, key)) for key in keys]
@@ -110,7 +112,8 @@ class DiagnosticsTest(unittest.TestCase):
         broken = self.tf.transform("left", start + rospy.Duration(2), 30)
         broken.transform.rotation.w = math.nan
         self.tf.send_transforms(broken)
-        expected = [count + more for count, more in zip(before, [3, 1, 1, 1, 1])]
+        self.tf.send(start + rospy.Duration(1), degrees=31, links=["left"])
+        expected = [count + more for count, more in zip(before, [3, 1, 2, 1, 1, 1])]
         self.diagnostics.wait_for_new(lambda _, status: counts(status) == expected, "the counts")
 
     def test_tells_rate_and_lag(self):
@@ -120,15 +123,35 @@ class DiagnosticsTest(unittest.TestCase):
         self.addCleanup(sender.stop)
 
         def is_right(_, status):
-            lag = value_of(status, "longest lag of boxes behind their stamp [ms]")
+            lag = value_of(status, LAG)
             return (lag != "none" and 5000 < float(lag) < 10000 and
                     25 < float(value_of(status, "updates per second")) < 75)
 
         self.diagnostics.wait_for_new(is_right, "rate and lag")
         sender.stop()
         self.diagnostics.wait_for_new(
-            lambda _, status: value_of(status, "longest lag of boxes behind their stamp [ms]") ==
-            "none" and float(value_of(status, "updates per second")) == 0, "silence")
+            lambda _, status: value_of(status, LAG) == "none" and
+            float(value_of(status, "updates per second")) == 0, "silence")
+
+    def test_new_stamps_of_other_bodies_do_not_hide_old_boxes(self):
+        """As of a marker, or of an arm whose clock is right."""
+        load(NODE, ARMS)
+        late = rospy.Duration(5)
+        objects = ObjectSender(NODE)
+
+        def send():
+            now = rospy.Time.now()
+            self.tf.send(now - late, links=["left", "left_tip"])
+            self.tf.send(now, links=["right"])
+            objects.send(marker("now/1", stamp=now))
+
+        sender = Repeater(30, send)
+        self.addCleanup(objects.send, deletion("now/1"))
+        self.addCleanup(sender.stop)
+        status = self.diagnostics.wait_for_new(
+            lambda _, status: status.level == DiagnosticStatus.WARN and re.search(
+                r"boxes were up to \d{4} ms old", status.message), "boxes that are old")
+        self.assertGreater(float(value_of(status, LAG)), 5000)
 
     def start_fresh(self, name="fresh", **parameters):
         """A node of its own: the longest callback counts since its start."""
@@ -183,6 +206,8 @@ class DiagnosticsTest(unittest.TestCase):
         """Words in capitals in a key of the page stand for a name."""
         mesh = '<link name="%s"><visual><geometry><mesh filename="%s"/></geometry></visual></link>'
         load(NODE, robot([mesh % ("base", MESH), mesh % ("lost", MESH)], [("base", "lost")]))
+        for topic, kind in (("stopping", AxisAlignedBoxArray), ("earliest", EarliestContactArray)):
+            self.addCleanup(Recorder(NODE + "/" + topic, kind).subscriber.unregister)
         sender = TfSender()  # of a frame that no other test has
         self.addCleanup(sender.end)
         sender.wait_for_listener()
@@ -190,7 +215,9 @@ class DiagnosticsTest(unittest.TestCase):
             sender.send(transform("base", "late", rospy.Time(seconds)))
         self.diagnostics.wait_for_new(
             lambda _, status: value_of(status, "publishers behind") == "1", "who is late")
-        status = self.wait_for(DiagnosticStatus.WARN, "boxes", "1")
+        status = self.diagnostics.wait_for_new(
+            lambda _, s: value_of(s, "boxes") == "1" and value_of(s, "stopping") and
+            value_of(s, "earliest"), "boxes that are missing in all topics")
         with open(PAGE, encoding="utf-8") as page:
             rows = rows_below(page.read(), ["key", "value"])
         patterns = [re.sub(r"[A-Z]{4,}", ".+", re.escape(key)) for key, _ in rows]

@@ -203,7 +203,8 @@ TEST(PairProofs, WithoutAFreeJointOnePoseDecides) {
   };
   EXPECT_EQ(with(kBend).verdict, Verdict::kAlways);
   EXPECT_EQ(with(0).verdict, Verdict::kNever);
-  EXPECT_TRUE(with(0).pose.empty());
+  EXPECT_FALSE(with(0).can_move);
+  EXPECT_EQ(with(0).pose, (std::map<std::string, double>{{"j1", 0.3}}));
   EXPECT_NEAR(with(0).clearance, with(0).nearest, 1e-6);
 }
 

@@ -91,5 +91,20 @@ TEST(Srdf, AMergedOneHasOnlyOtherPairs) {
   EXPECT_EQ(parseSrdf(into_empty, robot(), "r.srdf").size(), 1U);
 }
 
+/// A link without checks by default has none with any other link, but for pairs that are enabled.
+TEST(Srdf, DefaultsOfLinksAreDisabledPairs) {
+  const std::string text =
+      "<robot name='r'><enable_collisions link1='a' link2='b'/>"
+      "<disable_default_collisions link='b'/></robot>";
+  const auto pairs = parseSrdf(text, robot(), "r.srdf");
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0].first, "b");
+  EXPECT_EQ(pairs[0].second, "c & \"d\"");
+  EXPECT_EQ(pairs[0].reason, kByDefault);
+  EXPECT_EQ(mergedSrdf(text, {}).find("collisions"), std::string::npos);
+  expectError("<robot><disable_default_collisions link='z'/></robot>", "\"z\" is no link");
+  expectError("<robot><enable_collisions link1='a'/></robot>", "<enable_collisions> has no link2");
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -13,8 +13,8 @@ import struct
 
 import genpy
 import rosbag
-from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PARTLY_READ, BagBoundsTest, arms,
-                                main, moving_arms, raw, run, seconds, static_arms, time_of,
+from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, BagBoundsTest,
+                                arms, main, moving_arms, raw, run, seconds, static_arms, time_of,
                                 zone_text)
 from bounds_testing import robot, transform
 from node_testing import ARMS
@@ -226,6 +226,22 @@ class BagsTest(BagBoundsTest):
         expected = self.report(self.bag(arms(23)))
         self.assertEqual(found['extremes'][0], expected['extremes'][0])
         self.assertLess(found['extremes'][2]['max'][0], 1)
+
+    def test_transforms_that_are_left_out(self):
+        """Nobody looked at their poses. One that only comes again says nothing new."""
+        count = 600  # 12 s
+        end = BEGIN + PERIOD * count
+        stranger = '/tf', TFMessage([transform('base', 'cup', time_of(end), (float('nan'), 0, 0))])
+        for left_out, reason in (
+                ([self.far_left(count, float('nan'))], '1 transform left out, which tf2 refuses'),
+                ([moving_arms(0.5, end)], '3 transforms left out, more than 10 s older'),
+                ([moving_arms(300, end, angle_index=350)], '3 transforms left out, because another'),
+                ([moving_arms(i, end) for i in range(250, 350)], None),
+                ([(*stranger, time_of(end))], None)):  # of a frame that no box needs
+            with self.subTest(reason=reason):
+                bag = self.bag(arms(count) + left_out)
+                found = self.report(bag, code=INCOMPLETE if reason else 0, err=reason or '.*')
+                self.assertEqual(len(found['losses']), 1 if reason else 0)
 
     def test_huge_numbers(self):
         """A box that is finite counts; a pose that overflows gives none."""

@@ -85,6 +85,16 @@ class ObjectsTest(BagBoundsTest):
         self.assertEqual([stay['name'] for stay in stays], ['part/1'])
         self.assertTrue(stays[0]['entered']['time'] <= 5 * PERIOD <= stays[0]['end']['time'])
 
+    def test_the_box_of_an_earlier_marker_stands_while_the_new_one_waits(self):
+        """For the transform of another frame, at a stamp that tf reaches later."""
+        old = marker('part/1', frame='left_tip', scale=(.1, .2, .3))
+        new = marker('part/1', frame='right', stamp=time_of(BEGIN + 12 * PERIOD))
+        found = self.objects(arms(20) + [recorded(2, old), recorded(6, new)], '--at', '0.16',
+                             '--allow-incomplete')
+        pose = joint_pose('left', degrees_at(6)) * joint_pose('left_tip', degrees_at(6))
+        box = next(box for box in found['boxes'] if box['name'] == 'part/1')
+        self.assertLess(difference(box['min'] + box['max'], pose.box_bounds((.1, .2, .3))), 1e-9)
+
     def test_a_mesh_is_there_at_once(self):
         mesh = marker('part/1', Marker.MESH_RESOURCE, pose=Pose((0, 0, 2)),
                       mesh_resource=(MESHES / 'wrist.stl').as_uri())
@@ -108,6 +118,13 @@ class ObjectsTest(BagBoundsTest):
         pair = next(p for p in found['distances'] if p['first'] == 'part/1')
         self.assertEqual((pair['second'], pair['level'], pair['time']), ('part/2', 'MESH', .04))
         self.assertLess(pair['distance_max'] - pair['distance'], 2e-4)
+
+    def test_a_contact_is_a_finding_for_any_limit(self):
+        found = self.objects(arms(5) + [recorded(0, marker('part/1'))], '--distances', '0',
+                             code=UNDERCUT)
+        self.assertEqual(found['distances'][0]['distance'], 0)
+        self.objects(arms(5) + [recorded(0, marker('part/1', pose=Pose((0, 0, 5))))],
+                     '--distances', '0')
 
     def test_another_type(self):
         bag = self.bag(arms(3) + [('/objects', String(), time_of(BEGIN + 1))])

@@ -161,7 +161,7 @@ class LinesTest(EachBagTest):
             first = expected['stays'][0] if expected['stays'] else None
             self.assertEqual(found, {
                 **{key: expected[key]
-                   for key in ('name', 'nearest', 'clearance', 'undecided', 'entries')},
+                   for key in ('name', 'nearest', 'clearance', 'coverage', 'undecided', 'entries')},
                 'first': first and dict(first['entered'], name=first['name'])})
         self.assertEqual([zone['entries'] > 0 for zone in line['zones']], [False, True])
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An interrupt ends a message of markers in its middle.
+// An interrupt ends a message of markers in its middle. Frames without news are forgotten.
 #include "tools/bag_bounds/recorded_scene.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <csignal>
@@ -31,10 +32,16 @@ class RecordedSceneTest : public testing::Test {
       if (type == Marker::MESH_RESOURCE)
         array.markers.back().mesh_resource = "file:///" + std::to_string(i) + ".stl";
     }
-    const std::string topic = "/objects", kind = "visualization_msgs/MarkerArray", sender = "/a";
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(array);
+    return take("/objects", "visualization_msgs/MarkerArray", array, kTime);
+  }
+
+  template <class Message>
+  bool take(const std::string& topic, const std::string& type, const Message& message,
+            std::int64_t time) {
+    const std::string sender = "/a";
+    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
     const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    return scene_.take({&topic, &kind, &sender, kTime, bytes.message_start, size});
+    return scene_.take({&topic, &type, &sender, time, bytes.message_start, size});
   }
 
   static constexpr std::int64_t kTime = 1'000'000'000;  // ns
@@ -48,7 +55,26 @@ class RecordedSceneTest : public testing::Test {
                        [this](std::int64_t) { ++news_; }, [this](std::int64_t, bool) { ++steps_; }};
 };
 
-/// One test: an interrupt lasts until the program ends.
+/// As for detections with ever new names: memory does not grow with the length of a bag.
+TEST_F(RecordedSceneTest, FramesWithoutNewsAreForgotten) {
+  constexpr int kPerSecond = 100, kSeconds = 1000;
+  for (int second = 0; second < kSeconds; ++second) {
+    tf2_msgs::TFMessage message;
+    for (int i = 0; i < kPerSecond; ++i) {
+      geometry_msgs::TransformStamped& transform = message.transforms.emplace_back();
+      transform.header.frame_id = "frame";
+      transform.header.stamp.sec = static_cast<std::uint32_t>(second + 1);
+      transform.child_frame_id = "detection_" + std::to_string(second * kPerSecond + i);
+      transform.transform.rotation.w = 1;
+    }
+    ASSERT_TRUE(take("/tf", "tf2_msgs/TFMessage", message, kTime + second * kTime));
+  }
+  constexpr std::size_t kInTwoMinutes = 120 * kPerSecond;
+  EXPECT_LT(scene_.tf().inUse(), TransformBuffer::kKeptFrames + kInTwoMinutes);
+  EXPECT_GT(scene_.tf().inUse(), kInTwoMinutes / 2);
+}
+
+/// The last test: an interrupt lasts until the program ends.
 TEST_F(RecordedSceneTest, AnInterruptEndsAMessageOfMarkers) {
   catchInterrupts();
   EXPECT_TRUE(take(Marker::CUBE, 1000));

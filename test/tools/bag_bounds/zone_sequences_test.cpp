@@ -121,8 +121,9 @@ class RandomRecording {
     Names names;
     FrameView view(zone.frame, scene_.scene(), scene_.tf(), rosNow());
     view.update(rosNow());
-    view.forEach([&](const std::string& name, const BoxState& state) {
-      if (state.box && signedDistance(*state.box, zone.box) <= 0) names.insert(name);
+    scene_.scene().forEach([&](const SceneBody& body) {
+      const std::optional<Aabb> box = view.placed(body).state.box;
+      if (box && signedDistance(*box, zone.box) <= 0) names.insert(body.name);
     });
     return names;
   }
@@ -130,10 +131,10 @@ class RandomRecording {
   RandomTf tf_;
   brute_force::Random numbers_;
   std::int64_t time_ = std::int64_t{1700000000} * 1000000000;
-  ZoneWatch watch_{randomZones()};
   RecordedScene scene_{[](const std::string&) { return LoadedMesh(); },
                        [this](std::int64_t now) { watch_.onNews(now, true); },
                        [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }};
+  ZoneWatch watch_{randomZones()};
   int ticks_ = 0;
   std::size_t inside_ = 0;
 };

@@ -7,8 +7,8 @@ Run as: zones_test.py PATH_OF_bag_bounds
 """
 import itertools
 
-from bag_bounds_testing import (BEGIN, COUNT, ENTERED, PERIOD, BagBoundsTest, arms, degrees_at,
-                                main, moving_arms, seconds, static_arms, zone_text)
+from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PERIOD, BagBoundsTest, arms,
+                                degrees_at, main, moving_arms, seconds, static_arms, zone_text)
 from node_testing import ALL, SIZES, arm_bounds, joint_pose
 
 GOOD = 'min: [0, 0, 0], max: [1, 1, 1]'
@@ -152,6 +152,22 @@ class ZonesTest(BagBoundsTest):
         zones = self.write('zones.yaml', zone_text('cell', [0, 0, 0], [1, 1, 1], 'wrold'))
         self.report(self.bag(arms(5)), '--zones', zones, code=1,
                     err='error: zone "cell" was never compared .* "wrold"')
+
+    def test_a_frame_that_tf_connects_for_a_part_of_the_time(self):
+        """Who was in the zone at other times is not known: silence is no answer. After the last
+        transform the frame is known for the timeout of 1 s."""
+        path = self.write('zones.yaml', zone_text('cell', [4, 4, 4], [5, 5, 5], 'cart'))
+        end = PERIOD * (COUNT - 1)
+        for sent, share in ((range(COUNT), 1), (range(50), (50 * PERIOD + 1) / end),
+                            (range(1), 1 / end), (range(COUNT - 10, COUNT), 10 * PERIOD / end)):
+            cart = [moving_transform('base', 'cart', i) for i in sent]
+            bag = self.bag(sorted(arms(COUNT) + cart, key=lambda message: message[2]))
+            is_whole = share == 1
+            found = self.report(bag, '--zones', path, '--timeout', '1',
+                                code=0 if is_whole else INCOMPLETE,
+                                err='' if is_whole else 'incomplete names: 1')
+            self.assertAlmostEqual(found['zones'][0]['coverage'], share, delta=0.05)
+            self.assertEqual(list(found['incomplete']), [] if is_whole else ['zone cell'])
 
     def test_a_list_of_zones(self):
         corners = 'min: [8, 8, 8], max: [9, 9, 9]'

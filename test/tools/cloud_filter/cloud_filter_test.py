@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
+import itertools
 import math
 import struct
 import subprocess
@@ -12,6 +13,7 @@ import rostest
 from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import Distance, DistanceArray
+from node_testing import Repeater
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
@@ -67,7 +69,7 @@ class CloudFilter(unittest.TestCase):
         rospy.set_param("/robot_description", HAND)
         for name in ("/cloud_filter", "/compact_filter", "/prefixed_filter"):
             cls.wait_status(name, lambda status: status.level == 1 and
-                            status.message.startswith("no cloud or scan has come"))
+                            status.message.startswith("no cloud or scan has been filtered"))
         cls.wait_status("/blind_filter", lambda status: status.level == 2 and
                         status.message.startswith("no link of the robot is filtered"))
         cls.tf.wait_for_listener()
@@ -228,6 +230,65 @@ class CloudFilter(unittest.TestCase):
         self.assertTrue(reload_robot().success)
         self.assertFalse(self.is_kept(LEFT))
 
+    def held(self, number, place, size):
+        """A cube that follows the left finger."""
+        marker = Marker(ns="held", id=number, type=Marker.CUBE, frame_locked=True)
+        marker.header.frame_id, marker.header.stamp = "left", rospy.Time.now()
+        marker.pose.orientation.w = 1
+        marker.pose.position.x, marker.pose.position.y, marker.pose.position.z = place
+        marker.scale.x = marker.scale.y = marker.scale.z = size
+        return marker
+
+    def incomplete_at(self, place):
+        """What the nearest points say is incomplete, for a cloud of that point, now."""
+        self.is_kept(place)
+        return set(self.nearest.wait(lambda m: m.header.stamp == self.stamp, "the nearest").incomplete)
+
+    def delete_held(self):
+        self.objects.publish(MarkerArray([Marker(action=Marker.DELETEALL)]))
+
+    def test_objects_that_are_not_filtered_are_told(self):
+        """Too many, and one that cannot be used."""
+        self.addCleanup(self.delete_held)
+        markers = [self.held(i, (0, 0, 3), 0.001) for i in range(70)]
+        stranger = self.held(98, (0, 0, 3), -1)
+        stranger.header.frame_id = "sensor"
+        self.objects.publish(MarkerArray(markers + [self.held(99, (0, 0, 3), -1), stranger]))
+        left_out = {"held/%d" % i for i in range(64, 70)} | {"held/99"}
+
+        wait_for(lambda: self.incomplete_at(FAR) == left_out, "those are incomplete")
+        self.wait_status("/cloud_filter", lambda status: status.level == 1 and left_out == {
+            value.value.split()[1] for value in status.values if value.key == "problem"})
+
+    def test_an_object_that_changes_all_the_time_is_filtered(self):
+        """Its grid takes longer to be made than its shape lasts."""
+        self.addCleanup(self.delete_held)
+        place, sizes = (0, 0, 3), itertools.cycle((0.3, 0.301))
+        changes = Repeater(30, lambda: self.objects.publish(
+            MarkerArray([self.held(1, place, next(sizes))])))
+        self.addCleanup(changes.stop)
+        wait_for(lambda: not self.is_kept(place), "an earlier shape is filtered")
+        self.assertIn("held/1", self.incomplete_at(place))
+        changes.stop()
+        wait_for(lambda: not self.is_kept(place) and "held/1" not in self.incomplete_at(place),
+                 "the last shape is filtered")
+
+    def test_reload_forgets_a_stamp_of_the_future(self):
+        future = self.stamp + rospy.Duration(3600)
+        self.tf.send(*[transform("sensor", finger, future) for finger in ("left", "right")])
+        self.send_tf(-0.1, 0.1)
+        self.clouds.publish(cloud(self.stamp, [(LEFT, 0)]))
+        self.wait_refused("does not cover the span")
+        for name in ("cloud_filter", "compact_filter"):
+            self.assertTrue(rospy.ServiceProxy("/%s/reload" % name, Trigger)().success)
+        self.assertFalse(self.is_kept(LEFT))
+
+    def test_transforms_that_are_far_apart_do_not_tell_the_way(self):
+        self.send_tf(-0.1, 0)
+        self.send_tf(1.5, 1.6)
+        self.clouds.publish(cloud(self.stamp + rospy.Duration(0.7), [(LEFT, 0)]))
+        self.wait_refused("longer than timeout")
+
     def test_a_prefix_and_the_shadow(self):
         self.send_tf(-0.1, 0.1, "one/")
         self.clouds.publish(cloud(self.stamp, [(place, 0) for place in PLACES]))
@@ -274,6 +335,16 @@ class CloudFilter(unittest.TestCase):
         self.scan.publish(scan)
         ranges = self.scans.wait(lambda m: m.header.stamp == self.stamp, "the scan").ranges
         self.assertEqual([math.isnan(r) for r in ranges], [True, True, False, True, False])
+
+    def test_a_scan_without_limits_is_refused(self):
+        for low, high in ((float("nan"), 10), (0.01, float("nan")), (0, 0), (3, 2)):
+            self.status.clear()
+            self.stamp = self.next_stamp()
+            self.send_tf(-0.1, 0.1)
+            scan = LaserScan(angle_increment=1, range_min=low, range_max=high, ranges=[1, 0.05])
+            scan.header.stamp, scan.header.frame_id = self.stamp, "sensor"
+            self.scan.publish(scan)
+            self.wait_refused("range_min or range_max")
 
     def test_a_wrong_parameter_is_one_error(self):
         for name, value in (("padding", -1), ("late", "never"), ("threads", 0)):

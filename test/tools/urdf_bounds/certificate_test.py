@@ -141,6 +141,32 @@ class CertificateTest(UrdfBoundsTest):
                                r'these hold\n')
         self.assertRegex(self.accept(self.urdf, '--sample', '1'), r' 6 NEVER; 6 of [1-9]\d+ boxes')
 
+    def test_a_joint_that_mimics_with_a_factor_of_zero(self):
+        """The range of the joint that it follows does not matter."""
+        urdf = self.write('zero.urdf', ARM.replace('multiplier="-2"', 'multiplier="0"'))
+        self.accept(urdf, '--all')
+
+    def test_small_gaps(self):
+        """A cylinder is a prism here, which must not be much wider."""
+        for gap in (5e-5, 2e-4, 1e-3):
+            for shape in ('<cylinder radius="0.1" length="0.2"/>', '<box size="0.2 0.2 0.2"/>'):
+                urdf = self.write('gap.urdf', '<robot name="gap">%s</robot>' % ''.join([
+                    link('base', '<geometry>%s</geometry>' % shape), link('arm'),
+                    link('tip', box('0.1 0.1 0.1', '%r 0 0' % (0.15 + gap))),
+                    joint('lift', 'prismatic', 'base', 'arm'),
+                    joint('turn', 'revolute', 'arm', 'tip', limits=(-1e-4, 1e-4))]))
+                self.accept(urdf, '--all')
+
+    def test_pairs_that_were_taken_out(self):
+        """The last line counts them; so does who knows the robot."""
+        file, _ = self.certificate(self.urdf)
+        head, _, *others, end = lines_of(file)
+        with open(file, 'w', encoding='utf-8') as out:
+            for line in (head, *others, dict(end, pairs=end['pairs'] - 1)):
+                out.write(json.dumps(line) + '\n')
+        code, text = check(file, self.urdf)
+        self.assertEqual((code, 'the robot has 10 pairs' in text), (REFUSED, True), text)
+
     def test_ranges_that_the_user_gave(self):
         given = ('elbow:=0..0.5', 'push:=0.1')
         self.assertIn('; elbow:=0..0.5; push:=0.1..0.1\n', self.accept(self.urdf, given=given))

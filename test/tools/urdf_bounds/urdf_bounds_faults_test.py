@@ -336,6 +336,23 @@ class RefusalTest(UrdfBoundsTest):
             '<joint name="again" type="fixed"><parent link="bare"/><child link="bar"/></joint>'
             '</robot>')))
 
+    def test_inputs_are_not_overwritten(self):
+        urdf = self.write('r.urdf', '<robot name="r"><link name="a"/></robot>')
+        table = self.write('t.csv', 'joint\n0\n')
+        linked = os.path.join(self.folder, 'link.csv')
+        os.symlink(table, linked)
+        for option, file, *others in (('--series', table, '--poses', table),
+                                      ('--series', linked, '--poses', table),
+                                      ('--series', urdf, '--poses', table),
+                                      ('--certificate', urdf, '--pairs'),
+                                      ('--certificate', urdf, '--reach')):
+            with self.subTest(option=option, file=file):
+                with open(file, encoding='utf-8') as opened:
+                    before = opened.read()
+                self.check_refused(option + ' is .*, which is read', urdf, *others, option, file)
+                with open(file, encoding='utf-8') as opened:
+                    self.assertEqual(opened.read(), before)
+
     def test_broken_standard_output(self):
         with open('/dev/full', 'wb') as full:
             for arguments in (['-'], ['--help']):

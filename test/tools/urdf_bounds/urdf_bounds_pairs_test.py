@@ -105,7 +105,7 @@ class PairsTest(UrdfBoundsTest):
 
     def test_joint_values_and_ranges(self):
         pair = pairs('shoulder:=0', 'elbow:=0.5', urdf=ARM)[('base', 'lower')]
-        self.assertEqual((pair['verdict'], pair['pose']), ('NEVER', {}))
+        self.assertEqual((pair['verdict'], pair['pose']), ('NEVER', {'elbow': 0.5}))
         still = ['--accuracy', '0.02', 'wrist:=0', 'roll:=0', 'slide:=0']
         at_two = pairs(*still, urdf=ARM)[('base', 'lower')]
         at_one = pairs(*still, 'elbow:=0..1', urdf=ARM)[('base', 'lower')]
@@ -114,6 +114,20 @@ class PairsTest(UrdfBoundsTest):
         self.assertEqual(code, 0)
         self.assertIn('beyond the limits', err)
         self.assertIn('base,lower,SOMETIMES', out)
+
+    def test_a_joint_that_rests_is_part_of_the_pose(self):
+        """By a value that was given, also through the joint that mimics it."""
+        urdf = '<robot name="r">%s</robot>' % ''.join([
+            link('base', ball(0.1)), link('a'), link('b'), link('c', ball(0.1, 0.5)),
+            joint('still', 'revolute', 'base', 'a', '0.5 0 0', (0, 2)),
+            joint('after', 'revolute', 'a', 'b', limits=(-9, 9)).replace(
+                '<axis', '<mimic joint="still" multiplier="0.5"/><axis'),
+            joint('free', 'revolute', 'b', 'c')])
+        pair, = pairs('--accuracy', '1e-4', 'still:=1', urdf=urdf).values()
+        self.assertEqual((pair['verdict'], pair['pose']['still']), ('NEVER', 1))
+        distance, = boxes('--distances', '10', *('%s:=%r' % item for item in pair['pose'].items()),
+                          urdf=urdf)['distances']
+        self.assertAlmostEqual(distance['distance'], pair['nearest'], delta=1e-6)
 
     def test_table_and_csv(self):
         code, out, err = run(self.urdf, *COARSE)
@@ -270,6 +284,22 @@ class PairsTest(UrdfBoundsTest):
         self.assertIn(tried, printed[0])
         row, = [line for line in printed[1].splitlines() if 'SAMPLED' in line]
         self.assertEqual(row.split(',')[-1], str(sampled['poses']))
+
+    def test_links_without_checks_by_default(self):
+        """All pairs of the link are disabled, but those that are enabled again."""
+        text = '<robot name="arm"><disable_default_collisions link="lower"/>%s</robot>'
+        path = self.write('arm.srdf', text % '')
+        code, out, _ = run(self.urdf, *COARSE, '--srdf', path)
+        self.assertEqual(code, 3)
+        self.assertRegex(out, 'arm.srdf" disables lower and hand & "tip", which collide at roll:=')
+        self.assertNotIn('does not disable base and lower', out)
+        merged = self.write('new.srdf', run(self.urdf, *COARSE, '--format', 'srdf', '--srdf', path)[1])
+        self.assertEqual(run(self.urdf, *COARSE, '--srdf', merged)[0], 0)
+        enabled = '<enable_collisions link1=%s link2="lower"/>' % quoteattr(TIP)
+        path = self.write('arm.srdf', text % enabled)
+        self.assertEqual(run(self.urdf, *COARSE, '--srdf', path)[0], 0)
+        path = self.write('arm.srdf', text.replace('lower', 'nobody') % '')
+        self.check_refused('"nobody" is no link', self.urdf, *COARSE, '--srdf', path)
 
     def test_a_srdf_is_merged(self):
         old = self.write('old.srdf', """<?xml version="1.0"?>

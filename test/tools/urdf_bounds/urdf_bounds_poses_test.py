@@ -155,6 +155,11 @@ class PosesTest(UrdfBoundsTest):
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.25), (2.5, 0.5, 0.75))
         self.assertEqual(err, '')
 
+    def test_a_byte_order_mark_is_no_part_of_the_first_name(self):
+        summary, err = self.summary('\ufeffpush\n1\n')
+        self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.5), (2.5, 0.5, 0.5))
+        self.assertNotIn('no movable joint', err)
+
     def test_mimic_joints_follow(self):
         summary, err = self.summary('turn,push\n1.5707963267948966,0\n', urdf=ARM)
         alone = json.loads(run('-', '--format', 'json', 'turn:=1.5707963267948966')[1])

@@ -53,10 +53,11 @@ visualization_msgs::Marker randomMarker(RandomTf& tf) {
 
 std::vector<std::string> texts(const SceneFeed& feed) {
   std::vector<std::string> lines;
-  const_cast<SceneFeed&>(feed).scene().forEach([&](const std::string& name, const BoxState& state) {
+  const_cast<SceneFeed&>(feed).scene().forEach([&](const SceneBody& body) {
+    const BoxState& state = body.state;
     std::ostringstream line;
     line.precision(17);
-    line << name << ' ' << state.stamp << ' ' << state.incomplete;
+    line << body.name << ' ' << state.stamp << ' ' << state.incomplete;
     if (state.box)
       line << ' ' << state.box->min().transpose() << ' ' << state.box->max().transpose();
     lines.push_back(line.str());
@@ -135,8 +136,9 @@ class SceneFeedTest : public testing::Test {
   /// Names of the links with a box, and its stamp.
   std::map<std::string, double> boxes() {
     std::map<std::string, double> result;
-    feed_.scene().forEach([&](const std::string& name, const BoxState& state) {
-      if (state.box) result[name] = static_cast<double>(state.stamp / 1000000) / 1000;
+    feed_.scene().forEach([&](const SceneBody& body) {
+      if (body.state.box)
+        result[body.name] = static_cast<double>(body.state.stamp / 1000000) / 1000;
     });
     return result;
   }

@@ -100,14 +100,52 @@ TEST(JointState, OfReportsKnowsTurns) {
   }
 }
 
+/// As a driver sends them that does not measure velocities.
+TEST(JointState, VelocitiesThatThePositionsRefuteAreNotBelieved) {
+  Random random(7);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 9.0);
+  for (const double speed : {1.5, -0.2}) {
+    Reports reports = reportsOf(9.0, speed, true);
+    for (const double velocity : {0.0, speed / 2, -speed}) {
+      for (JointReport& report : reports)
+        report.velocity = velocity;
+      const JointState state = jointState(joint, pose, reports, kEnd, kWindow);
+      EXPECT_EQ(state.problem, "");
+      EXPECT_LE(state.speed.lower, std::min(speed, velocity) + 1e-9);
+      EXPECT_GE(state.speed.upper, std::max(speed, velocity) - 1e-9);
+      EXPECT_GE(state.piece, static_cast<double>(kPeriod) / 1e9) << "speeds are means";
+    }
+  }
+}
+
+/// Positions of a joint without limits may jump by a turn. Where nothing moves, speeds are known at
+/// the stamp.
+TEST(JointState, TurnsAndRestAreNoDisagreement) {
+  Random random(8);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 3.2);
+  Reports turning = reportsOf(3.2, 1.5, true);
+  for (JointReport& report : turning)
+    report.position = std::remainder(report.position, 2 * M_PI);
+  ASSERT_GT(turning.front().position * -turning.back().position, 0) << "it passes half a turn";
+  const JointState state = jointState(joint, pose, turning, kEnd, kWindow);
+  EXPECT_NEAR(state.speed.lower, 1.5, 1e-5);
+  EXPECT_NEAR(state.speed.upper, 1.5, 1e-5);
+  for (const double noise : {0.0, 1e-5}) {
+    Reports resting = reportsOf(3.2, 0, true);
+    resting.front().position += noise;
+    EXPECT_EQ(jointState(joint, pose, resting, kEnd, kWindow).piece, 0);
+  }
+}
+
 TEST(JointState, OfReportsMustAgreeWithTf) {
   Random random(5);
   const Joint joint = randomJoint(Motion::kTranslation, random);
   for (const double error : {0.0009, 0.0011}) {
     const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 0.5 + error);
     const JointState state = jointState(joint, pose, reportsOf(0.5, 0, true), kEnd, kWindow);
-    EXPECT_EQ(state.problem.find("tf and /joint_states differ") == 0, error > 1e-3)
-        << state.problem;
+    EXPECT_EQ(state.problem.find("tf and joint_states differ") == 0, error > 1e-3) << state.problem;
   }
 }
 
@@ -117,8 +155,19 @@ TEST(JointState, OfOldReportsIsAProblem) {
   const Eigen::Isometry3d pose = joint.parent_from_joint;
   for (const Reports& reports : {Reports{}, Reports{{kEnd - 2 * kWindow, 0, 0.0}}}) {
     const JointState state = jointState(joint, pose, reports, kEnd, kWindow);
-    EXPECT_EQ(state.problem.find("/joint_states has joint \"joint\" too rarely"), 0u);
+    EXPECT_EQ(state.problem.find("joint_states has joint \"joint\" too rarely"), 0u);
   }
+}
+
+/// A publisher may invent names without end.
+TEST(JointStates, OfMoreJointsThanAnyRobotHasAreIgnored) {
+  JointStates states;
+  for (std::size_t i = 0; i < JointStates::kMaxJoints + 10; ++i)
+    states.add("joint " + std::to_string(i), {kEnd, 1, {}});
+  states.add("joint 0", {kEnd + kPeriod, 1, {}});
+  EXPECT_EQ(states.reports("joint 0", kEnd + kPeriod, kWindow)->size(), 2u);
+  EXPECT_TRUE(states.reports("joint 9999", kEnd, kWindow));
+  EXPECT_FALSE(states.reports("joint 10001", kEnd, kWindow));
 }
 
 TEST(JointStates, KeepsHistoryInAnyOrderUntilTimeJumpsBack) {
