@@ -25,11 +25,16 @@ class Path:
     """A csv file whose first line names its columns; other joints stay where `given` says."""
     def __init__(self, file, robot, given):
         with open(file, encoding='utf-8-sig', newline='') as text:
-            lines = [line for line in csv.reader(text, skipinitialspace=True) if line]
+            lines = [line for line in csv.reader(text, skipinitialspace=True)
+                     if ''.join(line).strip() and not line[0].startswith('#')]
         names = [name.strip() for name in lines[0]]
-        self.rows = [dict(zip(names, map(Fraction, map(float, line)))) for line in lines[1:]]
         if len(set(names)) != len(names) or any(len(line) != len(names) for line in lines):
             raise Refused('%s is no table' % file)
+        known = {name for name in names if name == 'time' or any(
+            name == joint + end for joint in robot.joints
+            for end in ('', '.velocity', '.acceleration'))}
+        self.rows = [{name: Fraction(float(cell)) for name, cell in zip(names, line)
+                      if name in known} for line in lines[1:]]
         self.has_speeds = any(name.endswith('.velocity') for name in names)
         self.is_quintic = any(name.endswith('.acceleration') for name in names)
         self.joints = {name for name in names if name in robot.joints}

@@ -18,15 +18,24 @@
 
 namespace {
 
-/// roscpp stops the process at a breakpoint where it cannot read the URI.
-void checkMasterUri() {
-  const char* uri = std::getenv("ROS_MASTER_URI");
-  if (!uri || *uri == '\0') return;
+/// roscpp stops the process at a breakpoint where it cannot read the URI: that of the last argument
+/// __master, or of the environment.
+void checkMasterUri(int argc, char** argv) {
+  std::string name = "ROS_MASTER_URI";
+  const char* const set = std::getenv(name.c_str());
+  std::string uri = set ? set : "";
+  const std::string begin = "__master:=";
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.compare(0, begin.size(), begin) != 0) continue;
+    name = "__master";
+    uri = argument.substr(begin.size());
+  }
+  if (uri.empty() && name != "__master") return;
   std::string host;
   std::uint32_t port = 0;
   if (ros::network::splitURI(uri, host, port) && port > 0 && port <= 65535) return;
-  throw std::runtime_error("ROS_MASTER_URI is \"" + std::string(uri) +
-                           "\"; it must be http://HOST:PORT");
+  throw std::runtime_error(name + " is \"" + uri + "\"; it must be http://HOST:PORT");
 }
 
 int run(int argc, char** argv) {
@@ -36,7 +45,7 @@ int run(int argc, char** argv) {
                             : "link_bounds_publisher " LINK_BOUNDS_VERSION "\n");
     return 0;
   }
-  checkMasterUri();
+  checkMasterUri(argc, argv);
   ros::init(argc, argv, "link_bounds_publisher");
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });

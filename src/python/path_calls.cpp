@@ -104,8 +104,13 @@ BoundedRobot objectsOf(const SharedRobot& shared, const py::object& given) {
       throw py::value_error(file + ": object \"" + object.name +
                             "\" has the name of a link; rename it");
   }
-  return interruptible(
+  BoundedRobot loaded = interruptible(
       [&](const StopFlag& stop) { return shared.loadObjects(objects, folderOf(file), stop); });
+  for (const auto* problems : {&loaded.problems, &loaded.body_problems}) {
+    for (const std::string& problem : *problems)
+      warnInPython(file + ": " + problem);
+  }
+  return loaded;
 }
 
 std::map<std::string, double> poseOf(const SharedRobot& shared, const std::vector<double>& values) {

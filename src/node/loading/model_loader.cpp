@@ -118,12 +118,14 @@ ModelLoader::ModelPtr ModelLoader::load(XmlRpc::XmlRpcValue description) {
 
 bool ModelLoader::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   const Parameters old_parameters = parameters_;
+  const XmlRpc::XmlRpcValue old_refused = refused_;
   try {
     response.message = reloadedText(reload());
     response.success = true;
   } catch (const std::exception& error) {
     const std::string reason = logText(error.what());
     parameters_ = old_parameters;
+    refused_ = old_refused;
     waits_for_description_ = !has_loaded_;
     ROS_ERROR("reload failed, everything stays as it was: %s", reason.c_str());
     response.success = false;

@@ -92,8 +92,8 @@ void MasterWatch::reportLost(const char* reason) {
 }
 
 void MasterWatch::reportNameTaken() {
-  if (is_lost_) return;
-  is_lost_ = true;
+  if (is_name_told_) return;
+  is_lost_ = is_name_told_ = true;
   ROS_WARN(
       "the ROS master %s knows another node as %s: new connections go there; end one of the two",
       ros::master::getURI().c_str(), ros::this_node::getName().c_str());
@@ -101,7 +101,7 @@ void MasterWatch::reportNameTaken() {
 
 void MasterWatch::reportBack() {
   if (!is_lost_) return;
-  is_lost_ = false;
+  is_lost_ = is_name_told_ = false;
   ROS_INFO("the ROS master %s knows this node again", ros::master::getURI().c_str());
 }
 

@@ -28,6 +28,7 @@ class MasterWatch {
   bool isStopping();
 
   bool is_lost_ = false;
+  bool is_name_told_ = false;  ///< that another node has the name, since it was lost
   bool name_is_taken_ = false;
   bool must_register_ = false;
   std::mutex mutex_;

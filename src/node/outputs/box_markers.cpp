@@ -152,4 +152,9 @@ void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& heade
   shown_ = std::move(added);
 }
 
+void ShownMarkers::add(const MarkerArray& markers) {
+  for (const Marker& marker : markers.markers)
+    shown_.emplace(marker.ns, marker.id);
+}
+
 }  // namespace link_bounds

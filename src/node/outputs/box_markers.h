@@ -27,6 +27,9 @@ class ShownMarkers {
   void replaceBy(visualization_msgs::MarkerArray& markers, const std_msgs::Header& header,
                  bool has_lost = false);
 
+  /// Remembers those of `markers`, too.
+  void add(const visualization_msgs::MarkerArray& markers);
+
  private:
   using Key = std::pair<std::string, int>;  ///< ns and id
 

@@ -60,10 +60,14 @@ void OptionalOutputs::publishParts(const MomentPtr& moment, const SubscriberPtr&
   if (part_boxes_.fill(*moment, parts_message_)) parts_.publish(parts_message_, to);
 }
 
-/// Of a greeting no other subscriber hears, so it leaves alone what is remembered for all.
+/// Of a greeting no other subscriber hears, so it deletes nothing; what it shows is deleted later.
 void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPtr& to) {
   visualization_msgs::MarkerArray message = boxMarkers(*moment);
-  if (!to) shown_.replaceBy(message, moment->header, markers_.takeLoss());
+  if (to) {
+    shown_.add(message);
+  } else {
+    shown_.replaceBy(message, moment->header, markers_.takeLoss());
+  }
   markers_.publish(message, to);
 }
 

@@ -26,7 +26,6 @@ constexpr std::size_t kMaxBegun = 3;
 
 /// An hour at 5 Hz. A point of a robot with 50 joints takes 1.2 KB.
 constexpr std::size_t kMaxPoints = 20'000;
-constexpr std::size_t kMaxRequestBytes = 32 << 20;
 
 /// Triangles are kept for so long, and it is looked at so often.
 constexpr std::chrono::seconds kKeep(10);
@@ -82,7 +81,7 @@ CheckPath::Response PathService::answer(Call& call, const Params& params) {
   const auto is_over = [&] {
     return paths_.isStopping() || Clock::now() >= call.arrival + kDeadline;
   };
-  if (!job.check.proceed(kTurn, is_over)) throw TurnQueue::NextTurn();
+  if (!job.check.proceed(kLongestTurn, is_over)) throw TurnQueue::NextTurn();
   if (paths_.isStopping()) throw std::runtime_error(kStopping);
   auto response = std::make_shared<CheckPath::Response>(job.check.take());
   if (!response->message.empty() && !trees_.problem().empty())
@@ -95,11 +94,7 @@ CheckPath::Response PathService::answer(Call& call, const Params& params) {
 
 /// Throws if the request is too large, or announces more than there is.
 Received<CheckPath::Request> PathService::read(const Params& params) {
-  if (params.request.num_bytes > kMaxRequestBytes)
-    throw std::runtime_error("the request has " + std::to_string(params.request.num_bytes) +
-                             " bytes, more than " + std::to_string(kMaxRequestBytes) +
-                             "; send the trajectory in pieces");
-  Received<CheckPath::Request> request = service_.read(params);
+  Received<CheckPath::Request> request = service_.read(params, "send the trajectory in pieces");
   if (request.trajectory.points.size() > kMaxPoints)
     throw std::runtime_error("the trajectory has " +
                              std::to_string(request.trajectory.points.size()) +

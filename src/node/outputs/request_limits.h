@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 
 namespace link_bounds {
 
@@ -12,7 +13,10 @@ constexpr std::chrono::seconds kDeadline(10);
 
 /// A request that takes longer makes way for the next one after so long. A turn of roscpp costs
 /// some microseconds.
-constexpr std::chrono::milliseconds kTurn(5);
+constexpr std::chrono::milliseconds kLongestTurn(5);
+
+/// Each name of a request takes more memory than bytes.
+constexpr std::size_t kMaxRequestBytes = 32 << 20;
 
 constexpr const char* kStopping = "the node is shutting down";
 constexpr const char* kTooBusy =

@@ -14,6 +14,7 @@
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/interface/topics.h"
+#include "node/outputs/request_limits.h"
 #include "node/threads/turn_queue.h"
 
 namespace link_bounds {
@@ -37,8 +38,13 @@ class TurnService {
     server_ = private_node.advertiseService(options);
   }
 
-  /// The request. Throws why it cannot be read: also if it announces more than it has.
-  Received<Request> read(const Params& params) {
+  /// The request. Throws why it is not read: if it is too large, with that remedy, or announces
+  /// more than it has.
+  Received<Request> read(const Params& params, const std::string& remedy) {
+    if (params.request.num_bytes > kMaxRequestBytes)
+      throw std::runtime_error("the request has " + std::to_string(params.request.num_bytes) +
+                               " bytes, more than " + std::to_string(kMaxRequestBytes) + "; " +
+                               remedy);
     Received<Request> request;
     ros::serialization::deserializeMessage(params.request, request);
     const auto caller = params.connection_header->find("callerid");

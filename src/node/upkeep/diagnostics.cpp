@@ -7,6 +7,7 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -23,7 +24,8 @@ using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::size_t kMaxObjectLines = 100;  // all are counted
 constexpr std::size_t kMaxPublisherLines = 100;
-constexpr double kMaxAge = 100;  // of boxes when they are sent [ms]
+constexpr double kMaxAge = 100;   // of boxes when they are sent [ms]
+constexpr double kMaxBehind = 2;  // of distances, behind boxes [s]
 
 struct BodyCounts {
   std::size_t boxes = 0;
@@ -139,6 +141,9 @@ void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus
 }
 
 void warnOfDistance(const DistanceHealth& health, double warning, DiagnosticStatus& status) {
+  const auto seconds = std::lround(health.behind);
+  if (warning > 0 && health.behind > kMaxBehind)
+    raise(status, DiagnosticStatus::WARN, std::to_string(seconds) + " s without new distances");
   if (!health.nearest || health.nearest->first.empty()) return;
   if (warning > 0 && health.nearest->distance <= warning)
     raise(status, DiagnosticStatus::WARN, logText(nearestText(*health.nearest)));

@@ -30,7 +30,8 @@ struct Health {
   std::size_t skipped = 0;         ///< messages of /tf that were not read, since the last status
   std::size_t most_waiting = 0;    ///< messages and other events at once, since the last status
   std::optional<double> lag_ms;    ///< by how much a new stamp of a ~boxes lay behind ROS time when
-                                   ///< it was published; the maximum since the last status
+                                   ///< it was published, or that of a transform when it came; the
+                                   ///< maximum since the last status
   double delay_ms = 0;             ///< from the arrival of a message until it was handled; the
                                    ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <future>
+#include <system_error>
 #include <thread>
 #include <tuple>
 
@@ -35,8 +36,13 @@ void PairQueue::run() {
   const unsigned threads =
       control_.threads > 0 ? control_.threads : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::future<void>> workers;
-  for (unsigned i = 0; i < threads; ++i)
-    workers.push_back(std::async(std::launch::async, [this] { work(); }));
+  try {
+    for (unsigned i = 1; i < threads; ++i)
+      workers.push_back(std::async(std::launch::async, [this] { work(); }));
+  } catch (const std::system_error&) {
+    // The system gives no more threads: these do the work.
+  }
+  work();
   for (std::future<void>& worker : workers)
     worker.get();
   for (Task& task : tasks_) {

@@ -55,6 +55,11 @@ void SweptSearch::advance() {
   if (!candidate_) return chosen_->search->advance();
   PairSearch& search = *candidate_->search;
   if (!search.isExplored() && !search.collides()) return search.advance();
+  if (search.nearest().values.size() < search.path().variables.size()) {
+    // The swept body is so large that no pose of it has a finite distance.
+    is_settled_[is_at_second_ ? 1 : 0] = true;
+    return nextCandidate();
+  }
   for (std::size_t v = 0; v < search.path().variables.size(); ++v)
     hint_[search.path().variables[v]] = search.nearest().values[v];
   if (search.nearest().upper - goal_.clearance >= kLeft * (nearest_ - goal_.clearance)) {

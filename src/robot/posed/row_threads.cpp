@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -25,8 +26,12 @@ void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t a
     }
   };
   std::vector<std::future<void>> workers;
-  for (unsigned thread = 1; thread < threads; ++thread)
-    workers.push_back(std::async(std::launch::async, take, thread));
+  try {
+    for (unsigned thread = 1; thread < threads; ++thread)
+      workers.push_back(std::async(std::launch::async, take, thread));
+  } catch (const std::system_error&) {
+    // The system gives no more threads: these do the work.
+  }
   take(0);
   for (std::future<void>& worker : workers)
     worker.get();

@@ -3,6 +3,8 @@
 // reach_bound.h has the proof.
 #include "robot/reach/arc.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace link_bounds {
@@ -68,6 +70,7 @@ double Arc::support(const SupportTable& support, const Eigen::Vector3d& axis,
   double before = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const double bracket = against + support.at(turning.at(pieces_[i].cosine, pieces_[i].sine));
+    if (std::isnan(bracket)) return bracket;  // no bound
     best = std::max(best, bracket);
     if (i > 0) {
       // The sinusoid in the middle of the piece, and its slope there, with the width of the piece.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <future>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -187,8 +188,12 @@ void ReachSearch::refineAll(int cells) {
       refine(waiting[i], cells);
   };
   std::vector<std::future<void>> helpers;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-    helpers.push_back(std::async(std::launch::async, work));
+  try {
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+      helpers.push_back(std::async(std::launch::async, work));
+  } catch (const std::system_error&) {
+    // The system gives no more threads: these do the work.
+  }
   work();
   for (std::future<void>& helper : helpers)
     helper.get();

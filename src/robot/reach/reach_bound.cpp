@@ -3,6 +3,8 @@
 // From the link back to the root.
 #include "robot/reach/reach_bound.h"
 
+#include <cmath>
+
 #include "link_bounds/geometry/box/rounding.h"
 #include "robot/reach/arc.h"
 #include "robot/urdf/rounding.h"
@@ -129,6 +131,7 @@ ReachBound::Supports ReachBound::moved(const PathJoint& joint, const Limits& ran
             ? arc.support(child, joint.axis, in_joint)
             : child.at(in_joint) + std::max(range.lower * along, range.upper * along);
     result.push_back(joint.before.translation().dot(direction) + best);
+    if (!std::isfinite(result.back())) return std::nullopt;  // no bound
   }
   return result;
 }

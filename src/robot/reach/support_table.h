@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace link_bounds {
@@ -34,7 +35,8 @@ class SupportTable {
 
   const std::vector<double>& supports() const { return supports_; }
 
-  /// What is no less than the support in `direction`, of any length.
+  /// What is no less than the support in `direction`, of any length; infinite if that is not
+  /// finite.
   double at(const Eigen::Vector3d& direction) const;
 
  private:
@@ -48,10 +50,11 @@ inline double SupportTable::at(const Eigen::Vector3d& direction) const {
   const double z = std::abs(direction.z());
   const int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
   const double length = std::abs(direction[axis]);
+  if (!std::isfinite(x + y + z)) return std::numeric_limits<double>::infinity();
   if (length == 0) return 0;
-  const double scale = 0.5 * cells_ / length;
-  const double u = direction[axis == 2 ? 0 : axis + 1] * scale + 0.5 * cells_;
-  const double v = direction[axis == 0 ? 2 : axis - 1] * scale + 0.5 * cells_;
+  // Shares first: the reciprocal of a tiny length is not finite.
+  const double u = (direction[axis == 2 ? 0 : axis + 1] / length + 1) * (0.5 * cells_);
+  const double v = (direction[axis == 0 ? 2 : axis - 1] / length + 1) * (0.5 * cells_);
   const int i = std::min(std::max(static_cast<int>(u), 0), cells_ - 1);
   const int j = std::min(std::max(static_cast<int>(v), 0), cells_ - 1);
   const double s = u - i;

@@ -194,7 +194,7 @@ void BagRun::onStep(std::int64_t now, bool is_tick) {
   zones_.onStep(now, is_tick, isReported(now));
   if (boxes_at_) boxes_at_->look(scene_.scene(), scene_.tf(), now);
   if (!isReported(now)) {
-    if (!has_recorded_) intake_before_ = scene_.tf().followedIntake();
+    if (!has_recorded_) intake_before_ = scene_.tf().neededIntake();
     return;
   }
   last_ = now;
@@ -241,7 +241,7 @@ BagReport BagRun::report() const {
                             (is_one ? " message is" : " messages are") +
                             " too short and left out; the bag is damaged, record it again");
   }
-  addRefusals(intake_before_, scene_.tf().followedIntake(), report.losses);
+  addRefusals(intake_before_, scene_.tf().neededIntake(), report.losses);
   if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
   return report;
 }

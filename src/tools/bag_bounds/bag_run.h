@@ -78,7 +78,7 @@ class BagRun {
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from
-  TfIntake intake_before_;                  ///< of frames that were followed, before the report
+  TfIntake intake_before_;                  ///< of needed edges, before the report
 };
 
 }  // namespace link_bounds

@@ -20,7 +20,7 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
       view_(view),
       ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
-      timeout_(static_cast<std::int64_t>(scene.model()->parameters.timeout * 1e9)),
+      timeout_(scene.model()->parameters.timeout * 1e9),
       last_links_(scene.model()->links.size()),
       last_number_(last_links_.size()) {
   for (std::size_t i = 0; i < last_links_.size(); ++i) {
@@ -50,7 +50,7 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
   const BoxSource source = scene_.boxSource(body);
   const std::int64_t passed = placed.pose_stamp - last.stamp;
   const bool has_moved = had_box && last.object == source.object && last.stamp != 0 && passed > 0 &&
-                         (timeout_ == 0 || passed <= timeout_);
+                         (timeout_ == 0 || static_cast<double>(passed) <= timeout_);
   if (has_moved) {
     motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
                source.frame_from_body};

@@ -75,7 +75,7 @@ class BodyMotions {
   FrameView* view_;
   WayBound ways_;
   TransformBuffer::Frame target_;
-  std::int64_t timeout_;       ///< [ns]; 0: never
+  double timeout_;             ///< [ns]; 0: never
   std::vector<double> radii_;  ///< of the links
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;

@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/frame_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -32,8 +33,12 @@ bool FrameView::expire(ros::Time now) {
 
 const FramePose& FrameView::poseOf(const std::string& frame) {
   auto found = followed_.find(frame);
-  if (found == followed_.end()) found = followed_.emplace(frame, frames_.follow(frame)).first;
-  return found->second.pose();
+  if (found == followed_.end()) {
+    TransformBuffer::Hold hold(frames_.tf(), frame);
+    FrameTracker::Handle handle = frames_.follow(hold.frame());
+    found = followed_.emplace(frame, Followed{std::move(hold), std::move(handle)}).first;
+  }
+  return found->second.handle.pose();
 }
 
 FrameView::Placed FrameView::placed(const SceneBody& body) {

@@ -40,7 +40,11 @@ class FrameView {
   Scene& scene_;
   FrameTracker frames_;
   LiveBoxes links_;
-  std::map<std::string, FrameTracker::Handle> followed_;  ///< of objects, and the fixed frame
+  struct Followed {
+    TransformBuffer::Hold hold;  ///< while it is followed; the frame may be forgotten later
+    FrameTracker::Handle handle;
+  };
+  std::map<std::string, Followed> followed_;  ///< of objects, and the fixed frame
 };
 
 }  // namespace link_bounds

@@ -20,6 +20,7 @@ JointTransforms::JointTransforms(Robot robot, const std::string& tf_prefix)
     const Joint& leader = robot_.joints[leads[i].leader];
     if (!hasValue(robot_.joints[i].motion) || !hasValue(leader.motion)) continue;
     followers_[leader.name].push_back({i, leads[i].factor, leads[i].offset});
+    if (leads[i].leader != i) mimics_[robot_.joints[i].name] = i;
     is_met_[leader.name] = false;
   }
 }
@@ -36,13 +37,22 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
                                                ros::Time stamp) {
   std::vector<TransformView> result;
   const std::size_t count = std::min(message.name.size(), message.position.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto found = followers_.find(message.name[i]);
-    if (found == followers_.end()) continue;
-    is_met_[found->first] = true;
-    for (const Follower& follower : found->second)
-      result.push_back(transformOf(robot_.joints[follower.joint],
-                                   follower.factor * message.position[i] + follower.offset, stamp));
+  std::map<std::string, double> told;
+  for (std::size_t i = 0; i < count; ++i)
+    told.emplace(message.name[i], message.position[i]);
+  for (const auto& [name, value] : told) {
+    const auto found = followers_.find(name);
+    if (found != followers_.end()) is_met_[name] = true;
+    if (found != followers_.end()) {
+      for (const Follower& follower : found->second) {
+        const Joint& joint = robot_.joints[follower.joint];
+        if (joint.name == name || told.count(joint.name) == 0)
+          result.push_back(transformOf(joint, follower.factor * value + follower.offset, stamp));
+      }
+    }
+    const auto mimic = mimics_.find(name);
+    if (mimic != mimics_.end())
+      result.push_back(transformOf(robot_.joints[mimic->second], value, stamp));
   }
   return result;
 }

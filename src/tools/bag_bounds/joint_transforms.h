@@ -28,8 +28,8 @@ class JointTransforms {
   /// Of all fixed joints.
   std::vector<TransformView> fixed() const;
 
-  /// Of the joints whose positions the message has, and of those that mimic them. Other names are
-  /// those of other robots, or of joints that the URDF does not have.
+  /// Of the joints whose positions the message has, and of those that mimic them and have none of
+  /// their own. Other names are those of other robots, or of joints that the URDF does not have.
   std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
 
   /// Joints with a value that no message had so far.
@@ -47,6 +47,7 @@ class JointTransforms {
   Robot robot_;
   std::vector<std::string> frames_;                         ///< of the links
   std::map<std::string, std::vector<Follower>> followers_;  ///< by the name of their leader
+  std::map<std::string, std::size_t> mimics_;               ///< joints that follow another one
   std::map<std::string, bool> is_met_;                      ///< leaders
 };
 

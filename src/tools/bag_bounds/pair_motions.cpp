@@ -130,6 +130,7 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
   for (const Moment::Body& body : last_->bodies)
     before[{body.link.value_or(0), body.object.get()}] = &body;
   WayBound& ways = ways_.try_emplace(*fixed, *edges_, *fixed).first->second;
+  std::int64_t earliest = 0;  // begin of a motion of this step; 0: none
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment->bodies[i];
     const auto found = before.find({body.link.value_or(0), body.object.get()});
@@ -140,8 +141,14 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
     mover.was_there =
         passed == 0 || (mover.begin != 0 && passed > 0 &&
                         (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
-    if (mover.was_there && passed > 0)
-      mover.way = ways.of(mover.frame, mover.radius, {mover.begin, mover.end});
+    if (mover.was_there && passed > 0 && (earliest == 0 || mover.begin < earliest))
+      earliest = mover.begin;
+  }
+  // Of a pair, the motion is looked at that begins where the one of the older stamps was.
+  for (Mover& mover : movers_) {
+    const std::int64_t begin = std::min(earliest, mover.begin);
+    if (mover.was_there && begin != 0 && begin < mover.end)
+      mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
   }
 }
 

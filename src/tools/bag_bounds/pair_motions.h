@@ -72,7 +72,7 @@ class PairMotions {
     std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
     std::int64_t end = 0;
     bool was_there = false;  ///< in the last moment, the same one
-    double way = 0;          ///< in the fixed frame [m]
+    double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
   };
 
   struct Lease {

@@ -103,12 +103,14 @@ void CloudFilterNode::spin() {
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (now >= next_expiry) {
       next_expiry = now + kExpirePeriod;
-      guarded([&] { held_->expire(ros::Time::now()); });
+      guarded([&] {
+        held_->expire(ros::Time::now());
+        tf_.forgetQuiet(now);
+      });
     }
     if (now < next_status) continue;
     next_status = now + kStatusPeriod;
     guarded([&] {
-      tf_.forgetQuiet(now);
       tf_receiver_.freeSpareMemory();
       const std::size_t most_waiting = queue_.takeMostWaiting();
       health_.publish(robot_.get(), heldProblems(), waiting_.size(), most_waiting);
@@ -218,7 +220,12 @@ bool CloudFilterNode::filterFirst() {
   if (waiting_.empty()) return false;
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
   Waiting& waiting = waiting_.front();
-  const Outcome outcome = filter(waiting);
+  Outcome outcome;
+  try {
+    outcome = filter(waiting);
+  } catch (const std::exception& error) {  // it would wait for ever, and all others behind it
+    outcome.reason = error.what();
+  }
   if (!outcome.is_done) {
     const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
     if (outcome.may_come && waited < max_wait) return false;

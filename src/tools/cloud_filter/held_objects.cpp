@@ -45,6 +45,11 @@ Body bodyOf(const ObjectContent& content, const std::function<bool()>& is_cancel
   return objectBody(with_points, tree.triangles);
 }
 
+/// Of the work for an object.
+std::string keyOf(const ObjectKey& key) {
+  return "object " + objectName(key);
+}
+
 }  // namespace
 
 HeldObjects::HeldObjects(ros::NodeHandle& private_node, TransformBuffer& tf, Worker& worker,
@@ -97,13 +102,13 @@ bool HeldObjects::isHeld(const ObjectContent& content) const {
 }
 
 void HeldObjects::update() {
+  for (auto asked = asked_.begin(); asked != asked_.end();)
+    asked = objects_.objects().count(asked->first) > 0 ? std::next(asked) : asked_.erase(asked);
   if (!robot_) return;
   Objects old = std::move(held_);
   held_.clear();
   refused_.clear();
   more_refused_ = 0;
-  for (auto asked = asked_.begin(); asked != asked_.end();)
-    asked = objects_.objects().count(asked->first) > 0 ? std::next(asked) : asked_.erase(asked);
   for (const auto& [key, object] : objects_.objects()) {
     const ObjectContent& content = *object.content;
     if (!content.bounded.isWhole() && robot_->all_frames.count(asked_[key]) > 0)
@@ -118,6 +123,11 @@ void HeldObjects::update() {
     if (held.content && isSame(*held.content, content)) continue;
     held.content = object.content;
     request(key, held);
+  }
+  for (const auto& [key, gone] : old) {
+    if (held_.count(key) > 0) continue;
+    worker_.cancel(keyOf(key));
+    if (gone.is_gone) *gone.is_gone = true;
   }
   on_change_();
 }
@@ -135,17 +145,18 @@ void HeldObjects::refuse(const std::string& name, const std::string& reason) {
 void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
   held.requested = ++requests_;
   if (held.first == 0) held.first = held.requested;
+  if (!held.is_gone) held.is_gone = std::make_shared<std::atomic<bool>>(false);
   const auto make = [this, key, content = held.content, request = held.requested,
-                     padding = robot_->parameters.padding] {
-    const auto is_stopping = [this] { return worker_.isStopping(); };
+                     is_gone = held.is_gone, padding = robot_->parameters.padding] {
+    const auto is_over = [&] { return worker_.isStopping() || *is_gone; };
     const auto check_interrupt = [&] {
-      if (is_stopping()) throw std::runtime_error("the node ends");
+      if (is_over()) throw std::runtime_error("nobody needs it any more");
     };
     std::shared_ptr<const BodyGrid> grid;
     std::string problem;
     try {
       grid = std::make_shared<BodyGrid>(
-          BodySurface(bodyOf(*content, is_stopping, check_interrupt), check_interrupt),
+          BodySurface(bodyOf(*content, is_over, check_interrupt), check_interrupt),
           GridOptions{padding, kMaxMotionError}, check_interrupt);
     } catch (const std::exception& error) {
       problem = "object " + content->bounded.name + " is not filtered: " + error.what();
@@ -156,7 +167,7 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
   };
   const auto& shapes = held.content->bounded.shapes;
   const bool has_points = !shapes.empty() && shapes.front().points;
-  worker_.post("object " + objectName(key), make, has_points ? shapes.front().points->bytes() : 0);
+  worker_.post(keyOf(key), make, has_points ? shapes.front().points->bytes() : 0);
 }
 
 /// That of an earlier content is better than that of a still earlier one. What was asked for before

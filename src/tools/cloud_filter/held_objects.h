@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -29,6 +30,8 @@ struct HeldObject {
   std::uint64_t first = 0;  ///< request of which a grid may still be used; earlier ones are over
   std::uint64_t requested = 0;  ///< the last request
   std::uint64_t made = 0;       ///< the request of the grid, or of the problem
+
+  std::shared_ptr<std::atomic<bool>> is_gone;  ///< ends the making of grids
 
   bool isNewest() const { return made == requested && grid && problem.empty(); }
 };

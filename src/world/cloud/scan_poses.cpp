@@ -48,7 +48,8 @@ struct Errors {
 /// A link that moves, or does not.
 class Mover {
  public:
-  Mover(MotionPath path, const Aabb& box) : path_(std::move(path)), box_(box) {
+  Mover(TransformBuffer::Frame frame, MotionPath path, const Aabb& box)
+      : frame_(frame), path_(std::move(path)), box_(box) {
     for (const Eigen::Vector3d& corner : corners(box))
       radius_ = std::max(radius_, corner.norm());
   }
@@ -85,8 +86,10 @@ class Mover {
   }
 
   const Aabb& box() const { return box_; }
+  TransformBuffer::Frame frame() const { return frame_; }
 
  private:
+  TransformBuffer::Frame frame_;
   MotionPath path_;
   Aabb box_;
   double radius_ = 0;  ///< of the box, around the origin of the link
@@ -126,7 +129,7 @@ class Scan {
         result_.may_come = true;
         return false;
       }
-      movers_.emplace_back(std::move(path), links[i].box);
+      movers_.emplace_back(links[i].frame, std::move(path), links[i].box);
       motions_.push_back(&result_.links[i]);
     }
     return true;
@@ -156,8 +159,9 @@ class Scan {
       return false;
     }
     const auto count = static_cast<std::int64_t>(parts);
-    for (std::int64_t i = 0; i < count; ++i)
-      addMoment(begin + duration * i / count);
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!addMoment(begin + duration * i / count)) return false;
+    }
     keepErrors((duration + count - 1) / count, duration);
     return true;
   }
@@ -196,16 +200,23 @@ class Scan {
     }
   }
 
-  /// The movers were sought there.
-  void addMoment(std::int64_t time) {
+  /// The movers were sought there. False for a pose that is not finite: nobody knows then which
+  /// points are the link's.
+  bool addMoment(std::int64_t time) {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       LinkMotion& motion = *motions_[i];
       if (!movers_[i].path().isMoving() && !result_.moments.empty()) continue;
       const Eigen::Affine3d pose = movers_[i].linkFromSensor(time);
+      if (!pose.matrix().allFinite()) {
+        result_.problem = "the pose of frame \"" + tf_.name(movers_[i].frame()) +
+                          "\" is not finite; correct the publishers of its transforms";
+        return false;
+      }
       motion.link_from_sensor.push_back(pose.matrix().topRows<3>());
       motion.box.extend(boxAt(movers_[i].box(), pose));
     }
     result_.moments.push_back(time);
+    return true;
   }
 
   /// Adds the last moment, which may be the only one.
@@ -216,7 +227,7 @@ class Scan {
     }
     for (Mover& mover : movers_)
       mover.path().seek(span_.end);
-    addMoment(span_.end);
+    if (!addMoment(span_.end)) return;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       LinkMotion& motion = *motions_[i];
       motion.link_from_sensor.resize(result_.moments.size(), motion.link_from_sensor.back());

@@ -23,7 +23,7 @@ constexpr double kMaxReportError = 1e-3;  // rad or m
 
 /// By what share the speeds of positions may exceed the reported velocities for noise alone.
 constexpr double kMaxSpeedNoise = 0.05;
-constexpr double kLeastSpeedNoise = 0.01;  // rad/s or m/s: of encoders, in a piece of some 10 ms
+constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
@@ -71,7 +71,7 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
                                  of_positions.speed.upper - state.speed.upper);
   if (of_positions.piece == 0 || beyond <= 0) return;
   const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
-  if (beyond > std::max(kMaxSpeedNoise * fastest, kLeastSpeedNoise))
+  if (beyond > kMaxSpeedNoise * fastest && beyond * of_positions.piece > kPositionNoise)
     state.piece = std::max(state.piece, of_positions.piece);
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
@@ -145,10 +145,14 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   }
   if (have_velocities) {
     JointState of_positions;
-    // Some drivers keep the positions of joints without limits within one turn.
-    for (std::size_t i = 1; joint.motion == Motion::kRotation && i < reports.size(); ++i)
-      found.values[i] =
-          found.values[i - 1] + withoutTurns(reports[i].position - reports[i - 1].position);
+    // Some drivers keep the positions of joints without limits within one turn. The velocities tell
+    // how many turns were made.
+    for (std::size_t i = 1; joint.motion == Motion::kRotation && i < reports.size(); ++i) {
+      const double time = static_cast<double>(reports[i].stamp - reports[i - 1].stamp) / kSecond;
+      const double told = (*reports[i].velocity + *reports[i - 1].velocity) / 2 * time;
+      const double difference = reports[i].position - reports[i - 1].position;
+      found.values[i] = found.values[i - 1] + told + withoutTurns(difference - told);
+    }
     if (reports.size() > 1) addSpeeds(found, window, of_positions);
     addReportedSpeeds(reports, stamp, of_positions, state);
   } else {

@@ -3,7 +3,21 @@
 // Nearly every call inserts after the newest sample or reads it; that part is in the header.
 #include "world/tf/edge_history.h"
 
+#include <algorithm>
+
 namespace link_bounds {
+namespace {
+
+/// But for rounding; q and -q are the same rotation.
+bool isSame(const Tf2Pose& a, const Tf2Pose& b) {
+  constexpr double kRounding = 1e-9;
+  const double moved = (a.translation() - b.translation()).length();
+  const double turned =
+      std::min((a.rotation() - b.rotation()).length(), (a.rotation() + b.rotation()).length());
+  return moved <= kRounding * (1 + a.translation().length()) && turned <= kRounding;
+}
+
+}  // namespace
 
 Tf2Pose interpolated(const EdgeSample& older, const EdgeSample& newer, std::int64_t stamp) {
   const double ratio =
@@ -38,7 +52,7 @@ bool EdgeHistory::holds(const EdgeSample& sample) const {
   const EdgeSample* known = &samples_.newest();
   if (!is_static_ && sample.stamp < known->stamp) known = samples_.neighbours(sample.stamp).older;
   return known && (is_static_ || known->stamp == sample.stamp) && known->parent == sample.parent &&
-         known->parent_from_child.numbers == sample.parent_from_child.numbers;
+         isSame(known->parent_from_child, sample.parent_from_child);
 }
 
 void EdgeHistory::clear() {

@@ -54,7 +54,7 @@ class EdgeHistory {
     return stamp < newest.stamp ? before(stamp, scratch) : nullptr;
   }
 
-  /// Whether the sample of that stamp is this one, to the bit.
+  /// Whether the sample of that stamp is this one, but for rounding.
   bool holds(const EdgeSample& sample) const;
 
   /// The samples that decide the transforms at all times from `begin` to `end`, the oldest first:

@@ -50,6 +50,13 @@ void FrameTracker::release(Frame frame) {
   if (--followed_[frame].handles == 0) ++unused_;
 }
 
+/// What append() said to tf.
+void FrameTracker::release(const std::vector<Node>& nodes) {
+  for (const Node& node : nodes) {
+    if (isMade(node.step)) tf_.release(node.edge);
+  }
+}
+
 /// Frames that nobody follows any more leave with the next build; one at a time would cost one
 /// each.
 void FrameTracker::update(ros::Time now) {
@@ -71,6 +78,7 @@ void FrameTracker::updateAll(ros::Time now) {
   const std::vector<Node> old_nodes = std::move(nodes_);
   const std::vector<Place> places = takePlaces(old_nodes);
   build(places);
+  release(old_nodes);
   for (std::size_t i = 1; i < nodes_.size(); ++i)
     place(nodes_[i]);
   seen_ = tf_.version();
@@ -198,6 +206,7 @@ std::size_t FrameTracker::append(std::size_t inner, Frame frame, Frame edge, Ste
   node.step = step;
   node.is_below = step != Step::kAgainst && nodes_[inner].is_below;
   node.inner = inner;
+  if (isMade(step)) tf_.need(edge);
   nodes_.push_back(node);
   return nodes_.size() - 1;
 }

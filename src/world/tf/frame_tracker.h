@@ -65,6 +65,7 @@ class FrameTracker {
   explicit FrameTracker(TransformBuffer& tf) : tf_(tf), nodes_(1, rootNode()) {}
   FrameTracker(const FrameTracker&) = delete;
   FrameTracker& operator=(const FrameTracker&) = delete;
+  ~FrameTracker() { release(nodes_); }
 
   /// Starts over with another fixed frame. A pose is stale if an edge of its path got no newer
   /// stamp for longer than `timeout` [ROS s]; 0 = never. Before the first call no frame has a pose.
@@ -100,6 +101,7 @@ class FrameTracker {
   /// How the edge of a node leads outward: from parent to child, from child to parent, from the
   /// fixed frame to itself, or not at all.
   enum class Step : std::uint8_t { kAlong, kAgainst, kStay, kNone };
+  static bool isMade(Step step) { return step == Step::kAlong || step == Step::kAgainst; }
 
   /// A frame on the path of one that is followed.
   struct Node : FramePose {
@@ -130,6 +132,7 @@ class FrameTracker {
   static Node rootNode();
   const FramePose& pose(Frame frame) const { return nodes_[followed_[frame].place]; }
   void release(Frame frame);
+  void release(const std::vector<Node>& nodes);
 
   std::vector<Place> takePlaces(const std::vector<Node>& nodes);
   void watch(Frame frame);

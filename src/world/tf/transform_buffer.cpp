@@ -49,19 +49,15 @@ void TransformBuffer::adoptNumber(Frame frame) {
   --unused_;
 }
 
-bool TransformBuffer::isFollowed(const Edge& edge) const {
-  return edge.holds > 0 || (edge.watched > 0 && edge.watched + 1 >= pass_);
-}
-
-void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_followed) {
+void TransformBuffer::count(std::uint64_t TfIntake::*what, bool is_needed) {
   ++(intake_.*what);
-  if (is_followed) ++(followed_intake_.*what);
+  if (is_needed) ++(needed_intake_.*what);
 }
 
 void TransformBuffer::countByName(std::uint64_t TfIntake::*what, std::string_view child) {
   if (!child.empty() && child.front() == '/') child.remove_prefix(1);
   const std::optional<Frame> frame = find(child);
-  count(what, frame && isFollowed(edges_[*frame]));
+  count(what, frame && edges_[*frame].needs > 0);
 }
 
 void TransformBuffer::countDropped(const TransformView& transform) {
@@ -92,7 +88,7 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
     adoptNumber(parent);
   }
   if (child == parent) {
-    count(&TfIntake::unusable, isFollowed(edges_[child]));
+    count(&TfIntake::unusable, edges_[child].needs > 0);
     refusal.reason = kOwnParent;
     return false;
   }
@@ -140,7 +136,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
     return false;
   }
   edge.newest = edge.is_static ? 0 : stamp;
-  if (!edge.is_static && isFollowed(edge)) max_lag_ = std::max(now - stamp, max_lag_.value_or(0));
+  if (!edge.is_static && edge.needs > 0) max_lag_ = std::max(now - stamp, max_lag_.value_or(0));
   edge.received = now;
   edge.parent = parent;
   edge.has_parent = true;
@@ -158,8 +154,8 @@ void TransformBuffer::Edge::clear() {
 /// A transform that is not too old repeats a stamp: true.
 bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
   const bool is_repeated = !edge.isTooOld(sample.stamp);
-  count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, isFollowed(edge));
-  if (is_repeated && !edge.history->holds(sample)) count(&TfIntake::other, isFollowed(edge));
+  count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, edge.needs > 0);
+  if (is_repeated && !edge.history->holds(sample)) count(&TfIntake::other, edge.needs > 0);
   return is_repeated;
 }
 
@@ -253,7 +249,8 @@ void TransformBuffer::forgetQuiet(ros::SteadyTime now, std::size_t kept) {
 std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   Edge& edge = edges_[frame];
   if (edge.is_unused) return 1;
-  if (isFollowed(edge) || edge.message > quiet_since_) return reference(frame);
+  const bool is_watched = edge.watched > 0 && edge.watched + 1 >= pass_;
+  if (edge.holds > 0 || is_watched || edge.message > quiet_since_) return reference(frame);
   if (edge.is_static && !edge.is_kept && kept_static_ < kept_static) {
     edge.is_kept = true;
     ++kept_static_;
@@ -264,6 +261,7 @@ std::size_t TransformBuffer::visit(Frame frame, std::size_t kept_static) {
   Edge forgotten;
   forgotten.is_met = edge.is_met;
   forgotten.referenced = edge.referenced;
+  forgotten.needs = edge.needs;
   edge = std::move(forgotten);
   if (edge.referenced + 1 >= pass_) return work;
   names_.forget(frame);

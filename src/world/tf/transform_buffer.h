@@ -148,10 +148,14 @@ class TransformBuffer {
 
   const TfIntake& intake() const { return intake_; }
 
-  /// The same of frames that somebody holds or watches.
-  const TfIntake& followedIntake() const { return followed_intake_; }
+  /// The same of needed edges alone.
+  const TfIntake& neededIntake() const { return needed_intake_; }
 
-  /// By how much the newest transforms of such frames came behind their stamps [ns], the maximum
+  /// A pose that somebody follows comes from this edge, until release().
+  void need(Frame child) { ++edges_[child].needs; }
+  void release(Frame child) { --edges_[child].needs; }
+
+  /// By how much the newest transforms of needed edges came behind their stamps [ns], the maximum
   /// since the last call; nothing if none came.
   std::optional<std::int64_t> takeMaxLag() { return std::exchange(max_lag_, std::nullopt); }
 
@@ -215,6 +219,7 @@ class TransformBuffer {
     std::uint64_t watched = 0;     ///< pass of the last watch(); 0: never
     std::uint64_t referenced = 0;  ///< pass in which another edge was seen that leads here
     std::uint32_t holds = 0;
+    std::uint32_t needs = 0;
     bool is_met = false;  ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
@@ -238,8 +243,7 @@ class TransformBuffer {
   static bool insert(Edge& edge, std::int64_t stamp, Frame parent, const Tf2Pose& pose);
   bool record(Edge& edge, Frame parent, std::int64_t stamp, std::int64_t now);
   bool refuse(const Edge& edge, const EdgeSample& sample);
-  bool isFollowed(const Edge& edge) const;
-  void count(std::uint64_t TfIntake::*what, bool is_followed);
+  void count(std::uint64_t TfIntake::*what, bool is_needed);
   void countByName(std::uint64_t TfIntake::*what, std::string_view child);
   void adoptNumber(Frame frame);
   std::size_t visit(Frame frame, std::size_t kept_static);
@@ -250,7 +254,7 @@ class TransformBuffer {
   FrameNames names_;
   std::vector<Edge> edges_;  ///< by child
   TfIntake intake_;
-  TfIntake followed_intake_;
+  TfIntake needed_intake_;
   std::optional<std::int64_t> max_lag_;
   std::uint64_t message_ = 1;
   std::uint64_t structure_ = 1;

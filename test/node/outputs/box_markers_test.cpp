@@ -80,6 +80,15 @@ TEST(ShownMarkers, DeletesWhatVanishedOnce) {
   EXPECT_TRUE(deleted(third).empty());
 }
 
+/// Of a greeting, which one subscriber alone has heard.
+TEST(ShownMarkers, DeletesWhatAGreetingShowed) {
+  ShownMarkers shown;
+  shown.add(arrayOf({"a", "b"}));
+  MarkerArray first = arrayOf({"a"});
+  shown.replaceBy(first, std_msgs::Header());
+  EXPECT_EQ(deleted(first), std::vector<std::string>{"b"});
+}
+
 TEST(ShownMarkers, DeletesAllWhereADeleteMayBeLost) {
   ShownMarkers shown;
   const std_msgs::Header header;

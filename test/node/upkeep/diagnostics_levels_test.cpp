@@ -20,7 +20,9 @@ using diagnostic_msgs::DiagnosticStatus;
 class DiagnosticsLevels : public testing::Test {
  protected:
   DiagnosticsLevels() {
-    scene_.adopt(modelOf("base", {meshLink("base", 1)}), ros::Time(1));
+    auto model = std::make_shared<Model>(*modelOf("base", {meshLink("base", 1)}));
+    model->parameters.distance_warning = 0.1;
+    scene_.adopt(model, ros::Time(1));
     subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
           status_ = array->status.front();
@@ -64,6 +66,14 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   const DiagnosticStatus skipped = statusWith([](Health& health) { health.skipped = 1; });
   EXPECT_EQ(skipped.level, DiagnosticStatus::WARN);
   EXPECT_EQ(skipped.message, "tf comes faster than it can be read");
+  const DiagnosticStatus behind = statusWith([](Health& health) {
+    health.distances.behind = 60;
+    health.distances.nearest = Distance();
+    health.distances.nearest->first = "a";
+    health.distances.nearest->distance = 0.5;
+  });
+  EXPECT_EQ(behind.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(behind.message, "60 s without new distances");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -194,6 +195,25 @@ TEST(PairProofs, BodiesAroundASharedAxisAlwaysCollide) {
   };
   expectVerdict(wrist(0.05), Verdict::kAlways, 0);
   expectVerdict(wrist(0.3), Verdict::kSometimes, 0);
+}
+
+/// Swept around a joint, the body is too large to be placed.
+TEST(PairProofs, ASweptBodyThatIsTooLargeIsLeftOut) {
+  const Model model = Chain()
+                          .shape(ball(0.1))
+                          .joint("prismatic", "0 0 0", "1 0 0", limits(0, 1))
+                          .joint("revolute", "0 0 0", "0 0 1", limits(-1, 1))
+                          .shape(ball(0.1), "9e59 0 0")
+                          .model();
+  // Rounding of numbers so large leaves no accuracy, so the search would not end.
+  std::atomic<int> looks{0};
+  ProofControl control;
+  control.threads = 1;
+  control.is_over = [&looks] { return ++looks > 20'000; };
+  const std::vector<PairProof> proofs =
+      provePairs(model.robot, model.bounded, jointRanges(model.robot, {}), {}, control);
+  ASSERT_EQ(proofs.size(), 1U);
+  EXPECT_EQ(proofs[0].verdict, Verdict::kNever);
 }
 
 TEST(PairProofs, WithoutAFreeJointOnePoseDecides) {

@@ -188,6 +188,21 @@ TEST(Reach, OfTheRobotIsTheUnion) {
   EXPECT_FALSE(unionOf({}));
 }
 
+/// Whose reciprocal is not finite.
+TEST(Reach, ATinyComponentOfAnAxisLosesNothing) {
+  const Robot robot = parseRobot(
+      "<robot name='r'><link name='l0'/><link name='l1'/><link name='l2'><visual><origin "
+      "xyz='0 0.1 0'/><geometry><sphere radius='0.01'/></geometry></visual></link>" +
+      jointText(0, "0 0 0", "0 0 1", {"revolute", -1.5, 1.5}) +
+      jointText(1, "0 0 0", "1 0 1e-308", {"revolute", -0.01, 0.01}) + "</robot>");
+  for (const double accuracy : {0.01, kSlowAccuracy}) {
+    const Reach reach = reachOfArm(robot, {}, accuracy);
+    EXPECT_GE(reach.faces[4].at, 0.11);
+    for (std::size_t face = 0; face < kFaces; ++face)
+      EXPECT_GE(beyond(face, reach.faces[face].at, reach.faces[face].attained), 0) << face;
+  }
+}
+
 TEST(Reach, ALinkWithoutAFiniteBoxHasNone) {
   const Robot robot = parseRobot(
       "<robot name='r'><link name='l'><visual><origin xyz='1.5e308 0 0'/><geometry>"

@@ -232,12 +232,14 @@ class BagsTest(BagBoundsTest):
         count = 600  # 12 s
         end = BEGIN + PERIOD * count
         stranger = '/tf', TFMessage([transform('base', 'cup', time_of(end), (float('nan'), 0, 0))])
+        above = [('/tf', TFMessage([transform('map', 'base', time_of(end), (x, 0, 0))]), time_of(end))
+                 for x in (1, 2)]
         for left_out, reason in (
                 ([self.far_left(count, float('nan'))], '1 transform left out, which tf2 refuses'),
                 ([moving_arms(0.5, end)], '3 transforms left out, more than 10 s older'),
                 ([moving_arms(300, end, angle_index=350)], '3 transforms left out, because another'),
                 ([moving_arms(i, end) for i in range(250, 350)], None),
-                ([(*stranger, time_of(end))], None)):  # of a frame that no box needs
+                ([(*stranger, time_of(end))], None), (above, None)):  # which no box needs
             with self.subTest(reason=reason):
                 bag = self.bag(arms(count) + left_out)
                 found = self.report(bag, code=INCOMPLETE if reason else 0, err=reason or '.*')

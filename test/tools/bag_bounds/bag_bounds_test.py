@@ -291,6 +291,20 @@ class JointStatesTest(BagBoundsTest):
                   for i in range(60) for half in (0, 1)]
         self.check_same(*self.both(states))
 
+    def test_a_mimic_joint_with_a_position_of_its_own(self):
+        """As for robot_state_publisher, it counts more than that of its leader."""
+        mimic = next(name for name in self.demo.movable if name not in self.leaders)
+        states = [self.state(i, self.leaders) for i in range(9)]
+        expected = self.report(self.bag(states), '--joint-states', '/joint_states')
+        link = re.search(r'<joint name="%s".*?<child link="(\w+)"' % mimic,
+                         DEMO.read_text('utf-8'), re.DOTALL).group(1)
+        for _, message, _ in states:
+            message.name.append(mimic)
+            message.position.append(0.04)
+        found = self.report(self.bag(states, 'own.bag'), '--joint-states', '/joint_states')
+        for a, b in zip(expected['extremes'], found['extremes']):
+            (self.assertNotEqual if a['name'] == link else self.assertEqual)(a['max'], b['max'])
+
     def test_motion_between_positions_is_covered(self):
         states = [self.state(i, self.leaders) for i in range(0, 60, 15)]
         found = self.report(self.bag(states), '--joint-states', '/joint_states', '--distances', '1',

@@ -165,7 +165,13 @@ class CertificateTest(UrdfBoundsTest):
             for line in (head, *others, dict(end, pairs=end['pairs'] - 1)):
                 out.write(json.dumps(line) + '\n')
         code, text = check(file, self.urdf)
-        self.assertEqual((code, 'the robot has 10 pairs' in text), (REFUSED, True), text)
+        self.assertEqual((code, 'the robot has 10 other pairs' in text), (REFUSED, True), text)
+        alone = {'first': 'slide', 'second': 'slide', 'verdict': 'ALWAYS', 'distance': 1e-7,
+                 'variables': [], 'tree': [[[0, 0, 0], [0, 0, 0]]]}
+        with open(file, 'w', encoding='utf-8') as out:  # a link with itself, in place of a pair
+            for line in (head, alone, *others, end):
+                out.write(json.dumps(line) + '\n')
+        self.assertEqual(check(file, self.urdf, '--all')[0], REFUSED)
 
     def test_ranges_that_the_user_gave(self):
         given = ('elbow:=0..0.5', 'push:=0.1')
@@ -556,6 +562,12 @@ class PathTest(UrdfBoundsTest):
         code, out, err = run(self.urdf, '--poses', self.write('path.csv', table), '--path', '--objects',
                              self.objects, '--certificate', self.file)
         self.assertEqual(code, 0, out + err)
+
+    def test_a_table_with_remarks(self):
+        """And with a column of words, which is no joint."""
+        table = '# a remark\nshoulder,label,elbow,push\n0,a,0,0.1\n \n1,b,0.2,0.2\n0.8,,-0.4,0\n'
+        self.write_certificate(table)
+        self.check_table(table, 0)
 
     def test_interpolations(self):
         for table, (old, new) in self.FAST.items():

@@ -418,5 +418,25 @@ TEST(NearestPoints, OfACloudWithoutPointsAreNone) {
   }
 }
 
+/// Nobody knows which points are the link's.
+TEST(RobotPoints, APoseThatIsNotFiniteIsAProblem) {
+  const auto stamp = static_cast<std::int64_t>(ros::Time(kBegin).toNSec());
+  for (const bool is_static : {false, true}) {
+    for (const std::int64_t length : {0, 10'000'000}) {
+      Scanned scanned;
+      Body ball;
+      ball.shapes.push_back({{nullptr, Solid::kEllipsoid, Eigen::Vector3d(0.1, 0.1, 0.1),
+                              Eigen::Affine3d::Identity()}});
+      scanned.add("link", ball, {});
+      const Eigen::Vector3d far(std::numeric_limits<double>::infinity(), 0, 0);
+      for (const double time : {kBegin - 1, kBegin + 1})
+        scanned.tf.add({edge("sensor", "link", time, Eigen::Quaterniond::Identity(), far)},
+                       is_static, ros::Time(kBegin));
+      const ScanPoses poses = scanned.poses({stamp, stamp + length});
+      EXPECT_NE(poses.problem, "") << is_static << ' ' << length;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace link_bounds
