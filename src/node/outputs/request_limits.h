@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the answers of services may take, and what is said if one is refused.
+// How large requests of services may be, how long answers may take, and what is said if one is
+// refused.
 #pragma once
 
 #include <chrono>
@@ -15,7 +16,7 @@ constexpr std::chrono::seconds kDeadline(10);
 /// some microseconds.
 constexpr std::chrono::milliseconds kLongestTurn(5);
 
-/// Each name of a request takes more memory than bytes.
+/// As sent. In memory a request takes several times its bytes, because each name is a string.
 constexpr std::size_t kMaxRequestBytes = 32 << 20;
 
 constexpr const char* kStopping = "the node is shutting down";

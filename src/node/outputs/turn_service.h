@@ -19,6 +19,7 @@
 
 namespace link_bounds {
 
+/// Advertises one service, refuses requests that are too large, and queues the others.
 template <class Service>
 class TurnService {
  public:

@@ -20,8 +20,9 @@ class FilterHealth {
   /// `name` is that of the node.
   FilterHealth(ros::NodeHandle& node, std::string name);
 
-  /// roscpp drops without a word what its queues do not hold. Whenever that of an input is full,
-  /// one message more waits than may, and that is told.
+  /// roscpp drops messages without a word when a queue is full. The queue of an input therefore
+  /// holds one message more than may wait for tf: whenever it was full, the filter drops at least
+  /// one itself, and says so.
   static constexpr std::uint32_t kMaxWaiting = 32;  // messages that wait for tf
   static constexpr std::uint32_t kQueue = kMaxWaiting + 1;
 
