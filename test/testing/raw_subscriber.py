@@ -73,10 +73,10 @@ def stamp_of(message):
 
 
 class Reader:
-    """Reads whole messages on a thread of its own; keeps the newest, and counts them."""
+    """Reads whole messages on a thread of its own; keeps the newest, and counts them and their bytes."""
 
     def __init__(self, node, topic):
-        self.count, self.newest = 0, None
+        self.count, self.bytes, self.newest = 0, 0, None
         self._subscriber = RawSubscriber(node, topic)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -85,6 +85,7 @@ class Reader:
         try:
             while True:
                 self.newest = self._subscriber.read_message()
+                self.bytes += len(self.newest)
                 self.count += 1
         except (OSError, EOFError):
             pass  # end(), nothing for DEADLINE, or the end of the node

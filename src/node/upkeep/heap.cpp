@@ -10,13 +10,15 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kLargeBlock = 1 << 20;        // bytes; smaller ones are frequent, and faster kept
+constexpr int kLargeBlock = 1 << 20;  // bytes; smaller ones are frequent, and faster kept
+constexpr int kKeptAtEnd = 4 << 20;   // bytes; a copy of the scene for ~swept of 200 links takes 2
 constexpr std::size_t kManyObjects = 1000;  // they take about 1 MiB
 
 }  // namespace
 
 void returnLargeBlocks() {
   mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+  mallopt(M_TRIM_THRESHOLD, kKeptAtEnd);
 }
 
 bool ObjectMemory::isWorthReturning(std::size_t objects) {

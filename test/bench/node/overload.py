@@ -6,7 +6,8 @@ listens, and while every optional topic has a listener; and then at twice the ra
 can serve. overload.py [--stopping] [--quick] [--json FILE]
 
 With --stopping only what is ahead is heard: ~stopping, its markers and overlaps, and ~earliest, of
-links on slides.
+links on slides. Otherwise a third row is a node that computes nothing and sends as many boxes, and
+as many bytes on as many topics as often: what roscpp, the listeners and the machine cost alone.
 
 The age of a tf message is the time from sending it until boxes come that are as new. Both rows take
 turns, and the verdict is the median of their ratios: so neither the load nor the speed of the
@@ -26,7 +27,7 @@ from raw_subscriber import Reader
 from visualization_msgs.msg import MarkerArray
 
 LINKS, OBJECTS, HZ = 200, 300, 100
-NODE = "/ours/node"
+NODE, TALKER = "/ours/node", "/talker/node"
 OPTIONAL = ["markers", "parts", "footprint", "overlaps", "distances", "nearest",
             "distance_markers", "swept", "swept_markers", "stopping", "stopping_markers",
             "stopping_overlaps", "earliest"]
@@ -65,11 +66,11 @@ def start(master, robot, parameters):
     objects.publish(MarkerArray(touching_cubes(OBJECTS)))
 
 
-def drive(hz, seconds, *options):
+def drive(hz, seconds, *options, node=NODE):
     """What load_driver measures."""
     output = subprocess.run(
         [os.path.join(PROGRAMS, "overload_driver"), *options, str(LINKS), str(hz), str(seconds),
-         NODE, "/tf:=/ours/tf"], check=True, stdout=subprocess.PIPE).stdout
+         node, "/tf:=%s/tf" % os.path.dirname(node)], check=True, stdout=subprocess.PIPE).stdout
     return json.loads(output)
 
 
@@ -77,15 +78,29 @@ def boxes_now():
     return len(rospy.wait_for_message(NODE + "/boxes", AxisAlignedBoxArray).boxes)
 
 
-def with_listeners(function, topics=tuple(OPTIONAL)):
+def with_listeners(function, topics=tuple(OPTIONAL), node=NODE):
     """What it returns while each of these topics has a listener."""
-    listeners = [Reader(NODE, "%s/%s" % (NODE, topic)) for topic in topics]
+    listeners = [Reader(node, "%s/%s" % (node, topic)) for topic in topics]
     for topic, listener in zip(topics, listeners):
         wait_for(lambda listener=listener: listener.count, "message on ~" + topic)
     result = function()
     for listener in listeners:
         listener.end()
     return result
+
+
+def traffic(seconds):
+    """For each optional topic its name, the bytes of a message, and messages per second."""
+    listeners = [Reader(NODE, "%s/%s" % (NODE, topic)) for topic in OPTIONAL]
+    wait_for(lambda: all(listener.count for listener in listeners), "message on each topic")
+    before = [(listener.count, listener.bytes) for listener in listeners]
+    drive(HZ, seconds)
+    words = []
+    for topic, listener, (count, sent) in zip(OPTIONAL, listeners, before):
+        messages = max(1, listener.count - count)
+        words += [topic, str((listener.bytes - sent) // messages), str(messages / seconds)]
+        listener.end()
+    return words
 
 
 def is_served(hz):
@@ -116,14 +131,17 @@ def rate_not_served():
 
 def measure(repetitions, seconds):
     """{row: [figures of each repetition]}"""
-    runs = {"nobody": [], "every topic": [], "every topic, overload": []}
+    runs = {"nobody": [], "every topic": [], "bytes alone": [], "every topic, overload": []}
     with Master() as master:
         start(master, description(LINKS), PARAMETERS)
         drive(HZ, 1)
         wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
+        master.start_node("overload_talker", "/talker", str(1 + LINKS + OBJECTS), *traffic(seconds))
         for repetition in range(repetitions):
             runs["nobody"].append(drive(HZ, seconds))
             runs["every topic"].append(with_listeners(lambda: drive(HZ, seconds)))
+            runs["bytes alone"].append(
+                with_listeners(lambda: drive(HZ, seconds, node=TALKER), node=TALKER))
             print("%d of %d" % (repetition + 1, repetitions), flush=True)
         rate = 2 * with_listeners(rate_not_served)
         for _ in range(3):
