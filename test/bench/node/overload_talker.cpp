@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A node that computes nothing: overload_talker BOXES TOPIC BYTES HZ [TOPIC BYTES HZ ...]
-// Answers each TFMessage with that many boxes, and beside it sends bytes on topics as often as asked.
+// Answers each TFMessage with that many boxes, and beside it sends bytes on topics as often as
+// asked.
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -16,16 +16,15 @@
 
 namespace {
 
-/// Sends on one topic while ROS lives.
+/// Sends on one topic while ROS lives and somebody listens.
 void talk(const ros::Publisher& publisher, std::size_t bytes, double hz) {
   std_msgs::String message;
   message.data.resize(bytes);
-  const auto start = std::chrono::steady_clock::now();
-  for (double i = 0; ros::ok(); ++i) {
-    const std::chrono::duration<double> due(i / hz);
-    std::this_thread::sleep_until(
-        start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(due));
-    if (publisher.getNumSubscribers() > 0) publisher.publish(message);
+  ros::WallRate heard(hz), unheard(10);
+  while (ros::ok()) {
+    const bool is_heard = publisher.getNumSubscribers() > 0;
+    if (is_heard) publisher.publish(message);
+    (is_heard ? heard : unheard).sleep();
   }
 }
 
