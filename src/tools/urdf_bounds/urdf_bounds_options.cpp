@@ -186,14 +186,30 @@ void checkTable(const UrdfBoundsOptions& options) {
     throw UsageError(
         "--poses gives the joint values, --reach and --pairs are about all of them; "
         "give only one of the two");
-  if (options.poses == "-" && options.file == "-")
-    throw UsageError("the URDF and --poses cannot both come from standard input; name a file");
+}
+
+/// It can be read once.
+void checkStandardInput(const UrdfBoundsOptions& options) {
+  const std::pair<std::string, std::optional<std::string>> inputs[] = {
+      {"the URDF", options.file},
+      {"--poses", options.poses},
+      {"--objects", options.objects},
+      {"--srdf", options.srdf}};
+  std::string reader;
+  for (const auto& [name, file] : inputs) {
+    if (file != "-") continue;
+    if (!reader.empty())
+      throw UsageError(reader + " and " + name +
+                       " cannot both come from standard input; name a file");
+    reader = name;
+  }
 }
 
 /// Options that only some reports have.
 void checkReport(const UrdfBoundsOptions& options) {
   checkProof(options);
   checkTable(options);
+  checkStandardInput(options);
   const Report report = options.report;
   if (report != Report::kReach && report != Report::kPairs) refuseRanges(options);
   if (report == Report::kPose) return;

@@ -289,6 +289,13 @@ class RefusalTest(UrdfBoundsTest):
         self.check_refused('no option -x', '-x', '-')
         self.check_refused('takes no value', '-', '--strict=1')
 
+    def test_standard_input_is_read_once(self):
+        reason = ' cannot both come from standard input'
+        self.check_refused('the URDF and --poses' + reason, '-', '--poses', '-')
+        self.check_refused('the URDF and --srdf' + reason, '-', '--pairs', '--srdf', '-')
+        self.check_refused('--poses and --objects' + reason,
+                           'robot.urdf', '--path', '--poses', '-', '--objects', '-')
+
     def test_values_of_options(self):
         for option in ('--geometry', '--representation', '--format', '--volume'):
             self.check_refused(option + ' needs a value', '-', option)
