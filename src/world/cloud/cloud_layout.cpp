@@ -19,7 +19,7 @@ constexpr double kMaxSeconds = 1e14;
 constexpr double kMaxRosSeconds = 9e9;  // more nanoseconds do not fit into 64 bits
 
 /// The first of these that there is counts.
-constexpr std::array<const char*, 4> kTimeFields{"t", "time", "timestamp", "offset_time"};
+constexpr std::array<const char*, 4> kTimeFields{"t", "offset_time", "time", "timestamp"};
 
 const PointField* find(const PointCloud2& cloud, const std::string& name) {
   const auto found = std::find_if(cloud.fields.begin(), cloud.fields.end(),

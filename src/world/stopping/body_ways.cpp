@@ -50,14 +50,18 @@ const FramePose& BodyWays::poseOf(Frame frame) {
   return handles_.back().pose();
 }
 
-/// With which a body moves: an attached object with a frame of its link's rigid body, whatever its
-/// own frame is. Nothing if tf has none.
+/// With which a body moves: an attached object with a frame of its link's rigid body, with its own
+/// if that is one. Nothing if tf has none.
 std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   const auto rigid_body = body.link ? std::nullopt : rules_.bodyOfObject(body.bounded->name);
   if (!rigid_body) return body.frame;
-  for (Frame frame = 0; frame < tf_.size(); ++frame) {
+  const auto is_of_body = [&](Frame frame) {
     const auto link = rules_.linkOf(tf_.name(frame));
-    if (link && rules_.bodyOfLink(*link) == *rigid_body) return frame;
+    return link && rules_.bodyOfLink(*link) == *rigid_body;
+  };
+  if (is_of_body(*body.frame)) return body.frame;
+  for (Frame frame = 0; frame < tf_.size(); ++frame) {
+    if (is_of_body(frame)) return frame;
   }
   return std::nullopt;
 }
@@ -85,6 +89,13 @@ BodyWay BodyWays::find(const PastBody& body) {
     return way;
   }
   way.has_pose = true;
+  if (*mover != *body.frame && start.stamp != 0 && start.stamp != way.stamp) {
+    way.problem =
+        "it was placed at another time than the link to which it is attached; let it follow a "
+        "frame of that link, with stamp 0";
+    way.is_placed = !isContact();
+    return way;
+  }
   bool is_carried = false;
   if (isContact() || start.stamp != 0 || *mover == scene_.target)
     is_carried = climb(*mover, start, way);
@@ -116,6 +127,8 @@ bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
       if (!isContact())
         way.problem =
             fixed_problem_.empty() ? addBase(start.stamp, frame, way.joints) : fixed_problem_;
+      else if (!groundProblem().empty())
+        moveInto(pose, way);
       break;
     }
     if (!tf_.hasParent(frame) || steps > tf_.size()) {
@@ -139,10 +152,24 @@ bool BodyWays::climb(Frame frame, const FramePose& start, BodyWay& way) {
   return is_carried;
 }
 
+/// Why what stands may move in the frame of the boxes, or the robot's root against it; "" if not.
+const std::string& BodyWays::groundProblem() {
+  if (!ground_problem_) ground_problem_ = isContact() ? whyRootMoves() : whyGroundMoves();
+  return *ground_problem_;
+}
+
+/// Poses of different stamps can be compared in the frame of the root, however the root moves.
+void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
+  const Eigen::Isometry3d inverse = root.inverse();
+  way.pose.matrix() = (inverse * way.pose).matrix();
+  for (WayJoint& joint : way.joints)
+    joint = placed(joint, inverse);
+}
+
 /// Of what no link carries, nothing is known but where it is.
 std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
-  if (!ground_problem_) ground_problem_ = isContact() ? whyRootMoves() : whyGroundMoves();
-  if (!ground_problem_->empty() || frame == scene_.target || stamp == 0) return *ground_problem_;
+  const std::string& ground = groundProblem();
+  if (!ground.empty() || frame == scene_.target || stamp == 0) return ground;
   const std::string what = "its frame \"" + tf_.name(frame) + "\" moves, and nothing is known of ";
   if (isContact()) return what + "how fast";
   const EdgeSamples samples = pathSamples(tf_, scene_.target, frame, stamp, window_);
@@ -187,10 +214,14 @@ std::string BodyWays::whyRootMoves() const {
   return "";
 }
 
+/// tf must agree with a fixed joint.
 bool BodyWays::isRigid(Frame child) const {
+  if (tf_.isStatic(child)) return true;
   const auto link = rules_.linkOf(tf_.name(child));
   const auto above = link ? rules_.jointAbove(*link) : std::nullopt;
-  return tf_.isStatic(child) || (above && rules_.rule(*above).joint->motion == Motion::kNone);
+  if (!above || rules_.rule(*above).joint->motion != Motion::kNone) return false;
+  const EdgeSamples samples = edgeSamples(tf_, child, tf_.newest(child), window_);
+  return samples.problem.empty() && isStill(samples.poses);
 }
 
 std::string BodyWays::addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints) {
@@ -279,8 +310,8 @@ void BodyWays::addJoint(Frame child, std::size_t index, std::int64_t stamp, Edge
 void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge) {
   if (tf_.isStatic(child)) return;
   const bool is_base = joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating;
-  if (isContact()) {
-    if (is_base) edge.problem = rules_.rule(*rules_.jointAbove(joint.child)).why_no_speed_limit;
+  if (isContact() && is_base) {
+    edge.problem = rules_.rule(*rules_.jointAbove(joint.child)).why_no_speed_limit;
     return;
   }
   const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
@@ -311,7 +342,7 @@ JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t st
     }
   }
   const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
-  if (samples.problem.empty()) return jointState(*rule.joint, samples, stamp, window_);
+  if (samples.problem.empty()) return jointState(*rule.joint, pose, samples, window_);
   JointState unknown;
   unknown.problem = samples.problem;
   return unknown;

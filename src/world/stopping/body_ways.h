@@ -24,7 +24,7 @@ namespace link_bounds {
 
 /// A joint, or a base, on the way from the root to a body.
 struct WayJoint {
-  MovingJoint place;                 ///< in the frame of the boxes; without offsets
+  MovingJoint place;                 ///< in the frame of the body's pose; without offsets
   std::optional<std::size_t> joint;  ///< its index in the robot; nothing: a base
   JointState state;                  ///< of a joint
   bool is_speed_known = false;
@@ -36,6 +36,7 @@ struct BodyWay {
   std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
   bool has_pose = false;
   bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands
+  /// In the frame of the boxes; for contacts in that of the root, if the root may move in it.
   Eigen::Affine3d pose = Eigen::Affine3d::Identity();
   std::vector<WayJoint> joints;  ///< the one nearest to the root first
   std::string problem;           ///< why not all is known
@@ -67,6 +68,8 @@ class BodyWays {
   const FramePose& poseOf(Frame frame);
   std::optional<Frame> moverOf(const PastBody& body) const;
   bool climb(Frame frame, const FramePose& start, BodyWay& way);
+  const std::string& groundProblem();
+  static void moveInto(const Eigen::Isometry3d& root, BodyWay& way);
   std::string whyStrangerMoves(Frame frame, std::int64_t stamp);
   std::string whyGroundMoves() const;
   std::string whyRootMoves() const;
@@ -91,7 +94,7 @@ class BodyWays {
   std::map<std::pair<Frame, std::int64_t>, EdgeMotion> motions_;
   std::map<std::pair<Frame, std::int64_t>, BaseMotion> bases_;
   std::string fixed_problem_;                  ///< if the fixed frame moves with a joint
-  std::optional<std::string> ground_problem_;  ///< if what stands moves in the fixed frame
+  std::optional<std::string> ground_problem_;  ///< see groundProblem()
 };
 
 /// What a copy of the scene must have for ways.

@@ -86,7 +86,7 @@ class Contacts {
           earliestContact(reaches_[pair.first], reaches_[pair.second], distance, first_);
       if (!time || (*time >= first_ && earliest)) continue;
       earliest = {pair.first, pair.second, distance, *time};
-      first_ = *time;
+      first_ = std::min(first_, *time);
     }
     if (earliest) found_.push_back(*earliest);
   }

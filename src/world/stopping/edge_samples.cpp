@@ -9,8 +9,8 @@
 namespace link_bounds {
 namespace {
 
-/// Of the numbers of a pose.
-constexpr double kStillRounding = 1e-9;
+constexpr double kStillRounding = 1e-9;   // m, and of the numbers of a rotation
+constexpr double kChainRounding = 4e-15;  // of the length of a translation: some 20 roundings
 
 constexpr std::int64_t kMinPieces = 5;  // in a window
 
@@ -47,8 +47,11 @@ EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child,
 }
 
 bool isStill(const std::vector<TimedPose>& poses) {
+  const Eigen::Isometry3d& first = poses.front().pose;
+  const double rounding = kStillRounding + kChainRounding * first.translation().norm();
   return std::all_of(poses.begin(), poses.end(), [&](const TimedPose& pose) {
-    return pose.pose.isApprox(poses.front().pose, kStillRounding);
+    return (pose.pose.translation() - first.translation()).norm() <= rounding &&
+           pose.pose.linear().isApprox(first.linear(), kStillRounding);
   });
 }
 

@@ -93,9 +93,13 @@ std::string whyMisfit(const Joint& joint, const JointFit& fit) {
          " mrad; correct its publisher or the robot description";
 }
 
-JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64_t stamp,
+JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const EdgeSamples& samples,
                       std::int64_t window) {
   JointState state;
+  const JointFit at_stamp = fitOf(joint, pose);
+  state.problem = whyMisfit(joint, at_stamp);
+  if (!state.problem.empty()) return state;
+  state.value = at_stamp.value;
   const bool turns = joint.motion == Motion::kRotation;
   TimedValues found;
   for (const TimedPose& sample : samples.poses) {
@@ -113,7 +117,6 @@ JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64
     }
     found.stamps.push_back(sample.stamp);
     values.push_back(values.empty() ? fit.value : values.back() + difference);
-    if (sample.stamp <= stamp || values.size() == 1) state.value = values.back();
   }
   if (!samples.is_static) addSpeeds(found, window, state);
   return state;

@@ -22,10 +22,10 @@ struct JointState {
   std::string problem;           ///< why it is not known, with the remedy
 };
 
-/// From transforms alone, of a joint that has a value and an axis. One that turns by 90 degrees or
-/// more between two transforms is a problem: it may have turned the other way. So is a pose that
-/// does not fit the joint to 1 mm and 1 mrad.
-JointState jointState(const Joint& joint, const EdgeSamples& samples, std::int64_t stamp,
+/// From transforms alone, and the pose at the stamp, of a joint that has a value and an axis. One
+/// that turns by 90 degrees or more between two transforms is a problem: it may have turned the
+/// other way. So is a pose that does not fit the joint to 1 mm and 1 mrad.
+JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const EdgeSamples& samples,
                       std::int64_t window);
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The

@@ -141,6 +141,30 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
   EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, 1e13), 0);
 }
 
+/// In the order of doc/clouds.md.
+TEST(CloudLayout, TheFirstOfSeveralTimesCounts) {
+  PointCloud2 cloud;
+  cloud.header.stamp = ros::Time(1);
+  addField(cloud, "x", 0, PointField::FLOAT32);
+  addField(cloud, "y", 4, PointField::FLOAT32);
+  addField(cloud, "z", 8, PointField::FLOAT32);
+  addField(cloud, "timestamp", 16, PointField::FLOAT64);
+  addField(cloud, "time", 24, PointField::FLOAT32);
+  addField(cloud, "offset_time", 28, PointField::UINT32);
+  cloud.width = cloud.height = 1;
+  cloud.point_step = cloud.row_step = 32;
+  cloud.data.resize(32, 0);
+  const float seconds = 0.5f;
+  const std::uint32_t nanoseconds = 7;
+  std::memcpy(cloud.data.data() + 24, &seconds, 4);
+  std::memcpy(cloud.data.data() + 28, &nanoseconds, 4);
+  const CloudLayout layout = layoutOf(cloud);
+  EXPECT_EQ(layout.points.timeOf(layout.points.point(0)), 1'000'000'007);
+  cloud.fields.pop_back();
+  const CloudLayout without = layoutOf(cloud);
+  EXPECT_EQ(without.points.timeOf(without.points.point(0)), 1'500'000'000);
+}
+
 TEST(CloudLayout, NumbersThatAreNoTimeGiveTheStamp) {
   const double nan = kNan, infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity, 1e300, -1e300, 1e19, -1e18, -1.7e9, 9e9 + 1.0})

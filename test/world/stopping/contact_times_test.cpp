@@ -195,6 +195,113 @@ TEST(ContactTimes, ABaseThatMayMoveLeavesObjectsIncomplete) {
   }
 }
 
+Eigen::Isometry3d at(double x, double y = 0) {
+  return Eigen::Isometry3d(Eigen::Translation3d(x, y, 0));
+}
+
+/// The way of the base between the two stamps is no distance between the carts.
+TEST(ContactTimes, ABaseThatDrivesChangesNothingBetweenLinks) {
+  for (const char* fixed_frame : {"rail", "map"}) {
+    MovingRobot robot(carts(), parametersOf(fixed_frame));
+    for (int i = 100; i >= 0; --i) {
+      const double ago = 0.01 * i;
+      robot.add("map", "rail", kStamp - ago, at(-ago));
+      robot.add("rail", "right", kStamp - ago, at(0.4));
+      if (i >= 10) robot.add("rail", "left", kStamp - ago, at(0));
+    }
+    robot.scene().update(ros::Time(kStamp));
+    const EarliestContactArray array = robot.earliest();
+    ASSERT_EQ(array.contacts.size(), 1u);
+    EXPECT_NEAR(array.contacts[0].distance, 0.2, 1e-4) << fixed_frame;
+    // The left one from 0.1 s before the stamp on, the right one from the stamp on.
+    EXPECT_NEAR(untilOf(array), kStamp + 0.15, 1e-3) << fixed_frame;
+    EXPECT_LE(untilOf(array), kStamp + 0.15) << fixed_frame;
+  }
+}
+
+TEST(ContactTimes, AFixedJointThatMovesIsTold) {
+  const std::string fixed = R"(<joint name="f" type="fixed"><parent link="rail"/>)";
+  MovingRobot robot("<robot name=\"r\"><link name=\"rail\"/>" + sphere("camera", 0.1) + fixed +
+                        R"(<child link="camera"/></joint></robot>)",
+                    parametersOf("rail"));
+  for (int i = 20; i >= 0; --i)
+    robot.add("rail", "camera", kStamp - 0.01 * i, at(-0.01 * i));
+  robot.scene().update(ros::Time(kStamp));
+  EXPECT_EQ(robot.earliest().incomplete, Names{"camera"});
+}
+
+/// Of these only the pair that touches first is measured, and its stamp is the older one.
+TEST(ContactTimes, APairThatWasNotMeasuredDelaysNothing) {
+  const std::string along = std::string(R"(<axis xyz="1 0 0"/>)") + kLimit;
+  Parameters parameters = parametersOf("rail", 0.1);
+  parameters.max_pairs = 1;
+  parameters.adjacent_joints = 0;
+  MovingRobot robot("<robot name=\"r\"><link name=\"rail\"/>" + sphere("early", 0.1) +
+                        sphere("post", 0.1) + sphere("c", 0.1) + sphere("d", 0.1) +
+                        joint("fixed", "rail", "post", R"(<origin xyz="0.25 0 0"/>)") +
+                        joint("prismatic", "rail", "early", along) +
+                        joint("prismatic", "rail", "c", R"(<origin xyz="0 5 0"/>)" + along) +
+                        joint("prismatic", "rail", "d", R"(<origin xyz="0 5.19 0"/>)" + along) +
+                        "</robot>",
+                    parameters);
+  for (int i = 100; i >= 0; --i) {
+    const double stamp = kStamp - 0.01 * i;
+    robot.add("rail", "post", stamp, at(0.25));
+    if (i >= 50) robot.add("rail", "early", stamp, at(0));
+    robot.add("rail", "c", stamp, at(0, 5));
+    robot.add("rail", "d", stamp, at(0.19, 5.19));
+  }
+  robot.scene().update(ros::Time(kStamp));
+  const EarliestContactArray array = robot.earliest();
+  EXPECT_EQ(array.incomplete.size(), 0u);
+  ASSERT_FALSE(array.contacts.empty());
+  EXPECT_LE(array.valid_until, array.contacts[0].earliest);
+  EXPECT_LE(untilOf(array), kStamp - 0.5 + 0.1);
+}
+
+/// An arm slides by 0.5 m and rests; what it holds meets a wall 0.4 m later.
+EarliestContactArray earliestHeld(const std::string& frame, double x, double placed) {
+  const std::string along =
+      R"(<axis xyz="1 0 0"/><limit lower="0" upper="1" effort="1" velocity="1"/>)";
+  const std::string far_arm =
+      R"(<link name="arm"><visual><origin xyz="0 5 0"/><geometry><sphere radius="0.1"/></geometry>
+      </visual></link>)";
+  Parameters parameters = parametersOf("rail", 2);
+  parameters.attached["arm"] = {"held/*"};
+  parameters.adjacent_joints = 0;
+  MovingRobot robot("<robot name=\"r\"><link name=\"rail\"/>" + far_arm + sphere("wall", 0.1) +
+                        joint("fixed", "rail", "wall", R"(<origin xyz="2.1 0 0"/>)") +
+                        joint("prismatic", "rail", "arm", along) + "</robot>",
+                    parameters);
+  for (int i = 100; i >= 0; --i) {
+    const double stamp = kStamp - 0.01 * i;
+    robot.add("rail", "wall", stamp, at(2.1));
+    robot.add("rail", "arm", stamp, at(std::min(0.5, 1 - 0.01 * i)));
+    robot.scene().update(ros::Time(stamp));
+    if (std::abs(stamp - placed) > 1e-6) continue;
+    ObjectContent content;
+    content.bounded.name = "held/1";
+    content.bounded.shapes = {
+        {nullptr, Solid::kEllipsoid, {0.2, 0.2, 0.2}, Eigen::Affine3d(at(x).matrix())}};
+    content.frame = frame;
+    content.stamp = frame == "arm" ? 0 : std::llround(stamp * 1e9);
+    robot.scene().objects.put({"held", 1}, content, ros::Time(stamp));
+  }
+  robot.scene().update(ros::Time(kStamp));
+  return robot.earliest();
+}
+
+/// Its box is of one time, the joints of its link are of another.
+TEST(ContactTimes, WhatIsHeldMovesWithTheNewestOfItsLink) {
+  const EarliestContactArray following = earliestHeld("arm", 1, kStamp);
+  EXPECT_EQ(following.incomplete, Names());
+  EXPECT_NEAR(untilOf(following), kStamp + 0.4, 1e-3);
+  const EarliestContactArray placed = earliestHeld("rail", 1.5, kStamp);
+  EXPECT_EQ(placed.incomplete, Names());
+  EXPECT_NEAR(untilOf(placed), kStamp + 0.4, 1e-3);
+  EXPECT_EQ(earliestHeld("rail", 1, kStamp - 1).incomplete, Names{"held/1"});
+}
+
 constexpr int kJoints = 6;
 constexpr double kRadius = 0.08;
 constexpr int kStates = 12;

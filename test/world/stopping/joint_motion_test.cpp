@@ -44,6 +44,11 @@ EdgeSamples samplesOf(const Joint& joint, double value, double speed) {
   return samples;
 }
 
+JointState stateAtEnd(const Joint& joint, double value, double speed) {
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, value);
+  return jointState(joint, pose, samplesOf(joint, value, speed), kWindow);
+}
+
 /// Axes of all directions, so of all signs; turning joints also past half a turn.
 TEST(JointState, HasValueAndSpeedOfEachType) {
   Random random(2);
@@ -52,7 +57,7 @@ TEST(JointState, HasValueAndSpeedOfEachType) {
     const Joint joint = randomJoint(turns ? Motion::kRotation : Motion::kTranslation, random);
     const double value = random.uniform(-7, 7);
     const double speed = random.uniform(-100, 100);
-    const JointState state = jointState(joint, samplesOf(joint, value, speed), kEnd, kWindow);
+    const JointState state = stateAtEnd(joint, value, speed);
     ASSERT_EQ(state.problem, "");
     const double error = state.value - value;
     EXPECT_NEAR(turns ? withoutTurns(error) : error, 0, 1e-9);
@@ -68,7 +73,7 @@ TEST(JointState, HalfATurnBetweenTransformsIsAProblem) {
   for (const double turn : {0.49, 0.51, 0.99, 1.01, 1.49}) {
     const Joint joint = randomJoint(Motion::kRotation, random);
     const double speed = turn * M_PI / (static_cast<double>(kPeriod) / 1e9);
-    const JointState state = jointState(joint, samplesOf(joint, 0, speed), kEnd, kWindow);
+    const JointState state = stateAtEnd(joint, 0, speed);
     EXPECT_EQ(state.problem.empty(), turn < 0.5) << turn;
   }
 }

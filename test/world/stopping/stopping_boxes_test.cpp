@@ -160,6 +160,47 @@ TEST(StoppingBoxes, AnObjectThatFollowsALinkMovesWithIt) {
   EXPECT_GT(boxes.at("hand").diagonal().norm(), 0.3);  // it moves
 }
 
+/// 6,400 km from the origin of the fixed frame, too.
+TEST(StoppingBoxes, SlowMotionFarAwayIsNoRounding) {
+  for (const double far : {1.0, 6.4e6}) {
+    Robotics robot(goodParameters());
+    for (int i = 20; i >= 0; --i) {
+      const Eigen::Vector3d place(far, far / 2, -0.1 * i / MovingRobot::kRate);
+      robot.add("map", "cart", kStamp - i / MovingRobot::kRate,
+                Eigen::Isometry3d(Eigen::Translation3d(place)));
+    }
+    ObjectContent content;
+    content.bounded.name = "cart/1";
+    content.bounded.shapes = {{nullptr, Solid::kBox, {0.1, 0.1, 0.1}, Eigen::Affine3d::Identity()}};
+    content.frame = "cart";
+    robot.scene().objects.put({"cart", 1}, content, ros::Time(kStamp));
+    EXPECT_EQ(stoppingOf(robot).moment->incomplete, Names{"cart/1"}) << far;
+  }
+}
+
+/// A slide that rises through 0.1175 m may go down to its limit within the reaction time, whatever
+/// the transform before the stamp of the base says.
+TEST(StoppingBoxes, LimitsCountFromThePoseOfTheStamp) {
+  Parameters parameters = goodParameters();
+  parameters.deceleration = {{"slide", 5}};
+  parameters.during_reaction = "limit";
+  MovingRobot robot(R"(<robot name="r"><link name="base"/>
+      <link name="arm"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>
+      <joint name="slide" type="prismatic"><parent link="base"/><child link="arm"/>
+        <axis xyz="1 0 0"/><limit lower="0" upper="2" effort="1" velocity="1"/></joint></robot>)",
+                    parameters);
+  for (int i = 50; i >= 0; --i)
+    robot.add("map", "base", kStamp - 0.005 - 0.01 * i, Eigen::Isometry3d::Identity());
+  for (int i = 5; i >= 0; --i) {
+    const Eigen::Vector3d place(0.12 - 0.5 * 0.04 * i, 0, 0);
+    robot.add("base", "arm", kStamp - 0.04 * i, Eigen::Isometry3d(Eigen::Translation3d(place)));
+  }
+  robot.scene().update(ros::Time(kStamp));
+  const WayBoxes found = robot.stopping();
+  ASSERT_EQ(found.problem, "");
+  EXPECT_LE(boxesOf(found).at("arm").min().x(), -0.1);
+}
+
 TEST(StoppingBoxes, AContinuousJointMayWrap) {
   Robotics robot(goodParameters());
   const Values values = robot.values({{"roll", M_PI + 0.01}});
