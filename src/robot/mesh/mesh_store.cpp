@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -46,19 +47,29 @@ std::vector<std::thread> startThreads(std::size_t count, const std::function<voi
   return threads;
 }
 
-/// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores.
+/// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores. Throws what a
+/// job throws; the jobs that have not begun then are left out.
 void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
   if (count == 0) return;
   std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
   const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++)
-      job(i);
+    try {
+      for (std::size_t i = next++; i < count; i = next++)
+        job(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard<std::mutex> lock(mutex);
+      failure = std::current_exception();
+    }
   };
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::thread> helpers = startThreads(std::min(cores, count) - 1, work);
   work();
   for (std::thread& helper : helpers)
     helper.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 bool hasTriangles(MeshContent content) {

@@ -53,6 +53,10 @@ class PathBuilder {
       fixed_ = fixed_ * jointMotion(joint, sign * range.lower);
       return;
     }
+    if (joint.axis.isZero(0)) {
+      throw JointError("joint \"" + joint.name +
+                       "\" cannot move, its axis is zero; correct the axis, or leave it at 0");
+    }
     path_.joints.push_back({fixed_, joint.motion, joint.axis, variableOf(range.lead.leader),
                             sign * range.lead.factor, sign * range.lead.offset});
     fixed_.setIdentity();

@@ -51,8 +51,9 @@ std::vector<Slab> merged(const std::vector<Slab>& slabs) {
 class Sweep {
  public:
   Sweep(const Eigen::Isometry3d& pose, const Eigen::Vector3d& axis) : pose_(pose), axis_(axis) {
-    turned_.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+    // Quaterniond::FromTwoVectors is no rotation where the axis is nearly that of -z.
+    const Eigen::Vector3d x = axis.unitOrthogonal();
+    turned_.linear() << x, axis.cross(x), axis;
   }
 
   void add(const BodyShape& shape) {

@@ -73,6 +73,18 @@ double sizeOf(const LoadedMesh& mesh) {
   return mesh.points->magnitude().x();
 }
 
+/// Whichever thread it comes from.
+TEST_F(MeshStoreTest, WhatACallbackThrowsIsThrown) {
+  std::vector<MeshFile> files;
+  for (int i = 0; i < 8; ++i)
+    files.push_back(write(std::to_string(i), std::to_string(i + 1)));
+  const auto fail = [](std::size_t done, std::size_t) {
+    if (done == 3) throw std::bad_alloc();
+  };
+  EXPECT_THROW(store_.load(files, fail), std::bad_alloc);
+  EXPECT_EQ(store_.load(files).size(), files.size());
+}
+
 TEST_F(MeshStoreTest, GivesThePointsOfEachFileInOrder) {
   const auto meshes = store_.load({write("b", "2"), write("a", "1"), write("c", "3")});
   ASSERT_EQ(meshes.size(), 3u);

@@ -253,6 +253,24 @@ TEST(PathProver, AnIncompleteBodyIsNeverSafe) {
   EXPECT_EQ(proof.clearance, 0);
 }
 
+/// Its rotation would shrink the plate.
+TEST(PathProver, AJointWithoutAnAxisIsRefused) {
+  LoadedRobot loaded = thinPlates();
+  for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
+    for (Joint& joint : loaded.robot.joints) {
+      joint.motion = motion;
+      joint.axis.setZero();
+    }
+    EXPECT_THROW(
+        {
+          PathProver prover(loaded.robot, bodiesOf(loaded.bounded), {{0, 1}}, {{0, 0}, {0, 1}}, {});
+          const JointMotion moves({{0, 0.5}, {}, {}}, {{0, 0.6}, {}, {}});
+          prover.prove(moves, isNeverOver);
+        },
+        JointError);
+  }
+}
+
 TEST(PathProver, WithoutTimeNothingIsDecided) {
   const LoadedRobot loaded = thinPlates();
   PathProver prover(loaded.robot, bodiesOf(loaded.bounded), {{0, 1}}, {{0, 0}, {0, 1}}, {});
