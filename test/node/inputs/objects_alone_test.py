@@ -127,6 +127,14 @@ class ObjectsAlone(unittest.TestCase):
         self.assertLess(difference(corners_of(box_of(message, "map")),
                                    Pose().box_bounds((1, 1, 1))), TOLERANCE)
 
+    def test_a_failed_reload_refuses_no_description(self):
+        """The old parameters stay, and with these the robot can be loaded."""
+        rospy.set_param(self.node.name + "/ignore_pairs", ["one two three"])
+        rospy.set_param("/robot_description", robot([box_link("map", (1, 1, 1))], []))
+        self.addCleanup(rospy.delete_param, "/robot_description")
+        self.assertIn("ignore_pairs", self.reload().message)
+        self.boxes.wait(lambda m: box_of(m, "map"), "the robot")
+
     def test_meshes(self):
         folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)

@@ -121,6 +121,15 @@ class StartUp(unittest.TestCase):
                 self.addCleanup(node.end)
                 self.check_refused(node, "ROS_MASTER_URI")
 
+    def test_a_master_argument_that_ros_refuses(self):
+        """The last one counts."""
+        for uri in ("localhost", "http://", "http://localhost", ""):
+            with self.subTest(uri=uri):
+                node = NodeProcess(next(self.names), [
+                    "__master:=" + os.environ["ROS_MASTER_URI"], "__master:=" + uri])
+                self.addCleanup(node.end)
+                self.check_refused(node, '__master is "%s"; it must be http://HOST:PORT' % uri)
+
     def test_help_needs_no_master(self):
         node = NodeProcess(next(self.names), ["--help"], {"ROS_MASTER_URI": "http://localhost:1"})
         self.addCleanup(node.end)

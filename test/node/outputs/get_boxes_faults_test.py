@@ -5,6 +5,7 @@
 reloads and clock jumps, and at the end of the node. ~boxes go on undisturbed beside a node that
 nobody asks."""
 import itertools
+import os
 import signal
 import threading
 import unittest
@@ -27,6 +28,18 @@ NAMES = ["arm_%d" % i for i in range(LINKS)]
 MANY = robot([box_link(name, (1, 1, 1)) for name in ["base"] + NAMES],
              [("base", name) for name in NAMES])
 WHOLE = GetBoxesRequest(span=rospy.Duration(9))
+
+
+def rests_of_long_work(pid):
+    """How often the threads that let others go first have had nothing to do any more."""
+    count = 0
+    for thread in os.listdir("/proc/%d/task" % pid):
+        if os.getpriority(os.PRIO_PROCESS, int(thread)) == 0:
+            continue
+        with open("/proc/%d/task/%s/status" % (pid, thread), encoding="ascii") as file:
+            count += next(int(line.split()[1]) for line in file
+                          if line.startswith("voluntary_ctxt_switches:"))
+    return count
 
 
 class GetBoxesFaults(unittest.TestCase):
@@ -73,6 +86,21 @@ class GetBoxesFaults(unittest.TestCase):
         answer = self.service(node)()
         self.assertFalse(answer.success)
         self.assertIn("no robot was loaded", answer.message)
+
+    def test_spans_whose_nanoseconds_are_more_than_a_second(self):
+        """Others need not wait for them, as for any span."""
+        node = self.start()
+        call = self.service(node)
+        request = GetBoxesRequest()
+        self.assertTrue(call(request).success)
+        before = rests_of_long_work(node.pid)
+        request.span.secs, request.span.nsecs = -1, 2 * 10**9
+        self.assertTrue(call(request).success)
+        wait_for(lambda: rests_of_long_work(node.pid) > before, "it was long work")
+        request.span.secs, request.span.nsecs = 1, -2 * 10**9
+        answer = call(request)
+        self.assertFalse(answer.success)
+        self.assertIn("0 or more", answer.message)
 
     def test_many_large_requests_at_once_beside_boxes(self):
         """And clients that die. Every other client gets its right answer."""

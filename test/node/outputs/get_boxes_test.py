@@ -205,6 +205,10 @@ class GetBoxesTest(ArmsTest):
         self.refuse('"bare"', "without geometry", names=["bare"])
         self.refuse('"lefty"', '"crate/7"', "~boxes", names=["left", "lefty", "crate/7"])
 
+    def test_a_request_of_too_many_bytes_is_refused(self):
+        self.refuse("the request has ", " bytes, more than 33554432; ask for fewer names",
+                    names=["x" * (33 << 20)])
+
     def test_hostile_names_are_one_line(self):
         answer = self.ask(frame="a\nb\x1b[2J")
         self.assertFalse(answer.success)

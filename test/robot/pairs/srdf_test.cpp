@@ -93,15 +93,16 @@ TEST(Srdf, AMergedOneHasOnlyOtherPairs) {
 
 /// A link without checks by default has none with any other link, but for pairs that are enabled.
 TEST(Srdf, DefaultsOfLinksAreDisabledPairs) {
-  const std::string text =
-      "<robot name='r'><enable_collisions link1='a' link2='b'/>"
-      "<disable_default_collisions link='b'/></robot>";
-  const auto pairs = parseSrdf(text, robot(), "r.srdf");
-  ASSERT_EQ(pairs.size(), 1U);
-  EXPECT_EQ(pairs[0].first, "b");
-  EXPECT_EQ(pairs[0].second, "c & \"d\"");
-  EXPECT_EQ(pairs[0].reason, kByDefault);
-  EXPECT_EQ(mergedSrdf(text, {}).find("collisions"), std::string::npos);
+  for (const char* enabled : {"link1='a' link2='b'", "link1='b' link2='a'"}) {
+    const std::string text = std::string("<robot name='r'><enable_collisions ") + enabled +
+                             "/><disable_default_collisions link='b'/></robot>";
+    const auto pairs = parseSrdf(text, robot(), "r.srdf");
+    ASSERT_EQ(pairs.size(), 1U);
+    EXPECT_EQ(pairs[0].first, "b");
+    EXPECT_EQ(pairs[0].second, "c & \"d\"");
+    EXPECT_EQ(pairs[0].reason, kByDefault);
+    EXPECT_EQ(mergedSrdf(text, {}).find("collisions"), std::string::npos);
+  }
   expectError("<robot><disable_default_collisions link='z'/></robot>", "\"z\" is no link");
   expectError("<robot><enable_collisions link1='a'/></robot>", "<enable_collisions> has no link2");
 }

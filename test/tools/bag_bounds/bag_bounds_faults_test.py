@@ -238,6 +238,8 @@ class BagsTest(BagBoundsTest):
                 ([self.far_left(count, float('nan'))], '1 transform left out, which tf2 refuses'),
                 ([moving_arms(0.5, end)], '3 transforms left out, more than 10 s older'),
                 ([moving_arms(300, end, angle_index=350)], '3 transforms left out, because another'),
+                ([moving_arms(0), moving_arms(500, BEGIN + PERIOD)],
+                 '3 transforms left out, of the time before a jump'),
                 ([moving_arms(i, end) for i in range(250, 350)], None),
                 ([(*stranger, time_of(end))], None), (above, None)):  # which no box needs
             with self.subTest(reason=reason):

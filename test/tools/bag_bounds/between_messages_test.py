@@ -161,21 +161,26 @@ class PostTest(BagBoundsTest):
         self.zone(swing(5), '--timeout', '1e10', code=ENTERED)
 
     def test_a_way_before_the_stamp_of_a_slower_body_counts(self):
-        """One plate passes through the other between the messages of that one."""
+        """One plate passes through the other between the messages of that one, and may go on with
+        the second of these."""
         plate = '<geometry><box size="0.01 1 1"/></geometry>'
-        links = ''.join('<link name="%s"><visual>%s</visual></link>' % (name, plate)
-                        for name in ('slow', 'fast'))
-        joints = ''.join('<joint name="j_%s" type="prismatic"><parent link="base"/><child link="%s"/>'
-                         '<axis xyz="1 0 0"/><limit lower="-9" upper="9" effort="1" velocity="9"/>'
-                         '</joint>' % (name, name) for name in ('slow', 'fast'))
-        self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s%s</robot>' % (
-            links, joints))
-        messages = []
-        for child, stamp, x in (('slow', 0, 0), ('fast', 0, -1), ('fast', .5, 1), ('slow', 1, 0)):
-            stamp = time_of(BEGIN + stamp)
-            messages.append(('/tf', TFMessage([transform('base', child, stamp, (x, 0, 0))]), stamp))
-        pair, = self.report(self.bag(messages), '--distances', '0.01', code=UNDERCUT)['distances']
-        self.assertEqual((pair['distance'], pair['clearance']), (0, 0))
+        text = ('<link name="{0}"><visual>%s</visual></link>'
+                '<joint name="j_{0}" type="prismatic"><parent link="base"/><child link="{0}"/>'
+                '<axis xyz="1 0 0"/><limit lower="-9" upper="9" effort="1" velocity="9"/></joint>'
+                % plate)
+        for names in ('slow', 'fast'), ('fast', 'slow'):
+            self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
+                                   ''.join(text.format(name) for name in names))
+            for last in {'slow': 0}, {'slow': 0, 'fast': 1.5}:
+                messages = []
+                for stamp, places in ((0, {'slow': 0, 'fast': -1}), (.5, {'fast': 1}), (1, last)):
+                    stamp = time_of(BEGIN + stamp)
+                    messages.append(('/tf', TFMessage([transform('base', child, stamp, (x, 0, 0))
+                                                       for child, x in places.items()]), stamp))
+                with self.subTest(names=names, last=last):
+                    pair, = self.report(self.bag(messages), '--distances', '0.01',
+                                        code=UNDERCUT)['distances']
+                    self.assertEqual((pair['distance'], pair['clearance']), (0, 0))
 
     def test_a_parent_that_changes_is_undecided(self):
         """tf knows no way between two parents."""

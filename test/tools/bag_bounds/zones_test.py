@@ -8,8 +8,10 @@ Run as: zones_test.py PATH_OF_bag_bounds
 import itertools
 
 from bag_bounds_testing import (BEGIN, COUNT, ENTERED, INCOMPLETE, PERIOD, BagBoundsTest, arms,
-                                degrees_at, main, moving_arms, seconds, static_arms, zone_text)
+                                degrees_at, main, moving_arms, seconds, static_arms, time_of,
+                                zone_text)
 from node_testing import ALL, SIZES, arm_bounds, joint_pose
+from visualization_msgs.msg import MarkerArray
 
 GOOD = 'min: [0, 0, 0], max: [1, 1, 1]'
 REFUSED = [('', 'zones.yaml has no zones'),
@@ -168,6 +170,17 @@ class ZonesTest(BagBoundsTest):
                                 err='' if is_whole else 'incomplete names: 1')
             self.assertAlmostEqual(found['zones'][0]['coverage'], share, delta=0.05)
             self.assertEqual(list(found['incomplete']), [] if is_whole else ['zone cell'])
+
+    def test_a_frame_that_ends_while_all_else_stands(self):
+        """No transform tells that its timeout of 1 s is over."""
+        path = self.write('zones.yaml', zone_text('cell', [4, 4, 4], [5, 5, 5], 'cart'))
+        cart = [moving_transform('base', 'cart', i) for i in range(50)]
+        last = '/objects', MarkerArray(), time_of(BEGIN + 3)
+        found = self.report(self.bag([static_arms(), *cart, last]), '--objects', '/objects',
+                            '--zones', path, '--timeout', '1', code=INCOMPLETE,
+                            err='incomplete names')
+        self.assertAlmostEqual(found['zones'][0]['coverage'], (50 * PERIOD + 1) / 3, delta=0.05)
+        self.assertIn('zone cell', found['incomplete'])
 
     def test_a_list_of_zones(self):
         corners = 'min: [8, 8, 8], max: [9, 9, 9]'

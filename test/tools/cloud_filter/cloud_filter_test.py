@@ -4,6 +4,7 @@
 """The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
 import itertools
 import math
+import resource
 import struct
 import subprocess
 import unittest
@@ -13,7 +14,7 @@ import rostest
 from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import Distance, DistanceArray
-from node_testing import Repeater
+from node_testing import SANITIZED, Repeater
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
@@ -25,6 +26,7 @@ HAND = robot([box_link("base", (0.2, 0.2, 0.1)), box_link("left", (0.02, 0.02, 0
 LEFT, BETWEEN, BASE, FAR = (0, 0.05, 0), (0, 0, 0), (-1, 0, 0), (0, 0, 2)
 PLACES = [LEFT, BETWEEN, (0, -0.05, 0.055), BASE, FAR, (0, 0.0725, 0)]
 IS_ROBOT = [True, False, True, True, False, False]
+SPARE_SPACE = 50_000_000  # bytes of addresses; the stacks of 63 threads take more
 
 
 def moved(place, seconds):
@@ -47,6 +49,12 @@ def cloud(stamp, points, frame="sensor"):
 def places_of(message):
     return [struct.unpack_from("<fff", message.data, i * message.point_step)
             for i in range(message.width * message.height)]
+
+
+def address_space(pid):
+    """Of a process [bytes]."""
+    with open("/proc/%d/statm" % pid, encoding="ascii") as file:
+        return int(file.read().split()[0]) * resource.getpagesize()
 
 
 class CloudFilter(unittest.TestCase):
@@ -345,6 +353,48 @@ class CloudFilter(unittest.TestCase):
             scan.header.stamp, scan.header.frame_id = self.stamp, "sensor"
             self.scan.publish(scan)
             self.wait_refused("range_min or range_max")
+
+    @unittest.skipIf(SANITIZED, "a sanitizer claims more address space than any limit allows")
+    def test_a_cloud_whose_filtering_throws_is_dropped_and_counted(self):
+        """As where the system gives no more threads."""
+        name = "/limited"
+        for key, value in (("threads", 64), ("max_wait", 3)):
+            rospy.set_param("%s/%s" % (name, key), value)
+        self.addCleanup(rospy.delete_param, name)
+        output = Recorder(name + "/output", PointCloud2)
+        clouds = rospy.Publisher(name + "/input", PointCloud2, queue_size=100)
+        for end in (output.subscriber.unregister, clouds.unregister):
+            self.addCleanup(end)
+        senders = (self.tf, self.tf_static)
+        before = [sender.listeners() for sender in senders]
+        limited = subprocess.Popen([executable("link_bounds", "cloud_filter"),
+                                    "__name:=limited"])
+        self.addCleanup(limited.wait)
+        self.addCleanup(limited.kill)
+        self.wait_status(name, lambda status: status.message.startswith(
+            "no cloud or scan has been filtered"))
+        wait_for(clouds.get_num_connections, "the filter listens")
+        for sender, count in zip(senders, before):
+            wait_for(lambda s=sender, n=count: s.listeners() > n, "the filter listens to tf")
+        points = [(LEFT, 0)] * 64
+
+        def send():
+            self.stamp = self.next_stamp()
+            self.send_tf(-0.1, 0.1)
+            clouds.publish(cloud(self.stamp, points))
+
+        none = resource.RLIM_INFINITY
+        resource.prlimit(limited.pid, resource.RLIMIT_AS,
+                         (address_space(limited.pid) + SPARE_SPACE, none))
+        send()
+        self.wait_status(name, lambda status: any(
+            value.key == "dropped" and value.value == "1" for value in status.values), False)
+        resource.prlimit(limited.pid, resource.RLIMIT_AS, (none, none))
+        send()
+        message = output.wait(lambda _: True, "the next cloud")
+        self.assertEqual(message.header.stamp, self.stamp)
+        self.assertTrue(all(math.isnan(place[0]) for place in places_of(message)))
+        self.assertIsNone(limited.poll())
 
     def test_a_wrong_parameter_is_one_error(self):
         for name, value in (("padding", -1), ("late", "never"), ("threads", 0)):

@@ -116,15 +116,21 @@ class PairsTest(UrdfBoundsTest):
         self.assertIn('base,lower,SOMETIMES', out)
 
     def test_a_joint_that_rests_is_part_of_the_pose(self):
-        """By a value that was given, also through the joint that mimics it."""
+        """By a value that was given, also through the joint that mimics it, but not by a factor of
+        0."""
+        def mimic(leader, factor, *arguments):
+            return joint(*arguments, limits=(-9, 9)).replace(
+                '<axis', '<mimic joint="%s" multiplier="%r"/><axis' % (leader, factor))
+
         urdf = '<robot name="r">%s</robot>' % ''.join([
             link('base', ball(0.1)), link('a'), link('b'), link('c', ball(0.1, 0.5)),
-            joint('still', 'revolute', 'base', 'a', '0.5 0 0', (0, 2)),
-            joint('after', 'revolute', 'a', 'b', limits=(-9, 9)).replace(
-                '<axis', '<mimic joint="still" multiplier="0.5"/><axis'),
-            joint('free', 'revolute', 'b', 'c')])
-        pair, = pairs('--accuracy', '1e-4', 'still:=1', urdf=urdf).values()
+            link('d'), link('e'), joint('still', 'revolute', 'base', 'a', '0.5 0 0', (0, 2)),
+            mimic('still', 0.5, 'after', 'revolute', 'a', 'b'),
+            mimic('beside', 0.0, 'zero', 'revolute', 'b', 'd'),
+            joint('free', 'revolute', 'd', 'c'), joint('beside', 'revolute', 'base', 'e')])
+        pair, = pairs('--accuracy', '1e-4', 'still:=1', 'beside:=1', urdf=urdf).values()
         self.assertEqual((pair['verdict'], pair['pose']['still']), ('NEVER', 1))
+        self.assertEqual(set(pair['pose']), {'still', 'free'})
         distance, = boxes('--distances', '10', *('%s:=%r' % item for item in pair['pose'].items()),
                           urdf=urdf)['distances']
         self.assertAlmostEqual(distance['distance'], pair['nearest'], delta=1e-6)

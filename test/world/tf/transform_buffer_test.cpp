@@ -189,6 +189,19 @@ TEST_F(EdgesTest, TheFirstTransformDecidesWhatIsStatic) {
   EXPECT_FALSE(tf_.isStatic(send("a", "c", 6, true)));
 }
 
+TEST_F(EdgesTest, TheLagIsThatOfNeededEdges) {
+  const auto child = send("a", "b", 95);
+  EXPECT_FALSE(tf_.takeMaxLag());
+  tf_.need(child);
+  send("a", "b", 97);
+  send("a", "other", 90);
+  EXPECT_EQ(tf_.takeMaxLag(), 3'000'000'000);
+  EXPECT_FALSE(tf_.takeMaxLag());
+  tf_.release(child);
+  send("a", "b", 98);
+  EXPECT_FALSE(tf_.takeMaxLag());
+}
+
 TEST_F(EdgesTest, AgesCountFromTheStartOfTheClock) {
   now_ = ros::Time(0);
   const auto child = send("a", "b", 1);
