@@ -100,7 +100,7 @@ PublisherNode::PublisherNode()
     guard([&] { onMesh(uri, mesh); });
   };
   handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
-  loader_ = std::make_unique<ModelLoader>(private_node_, queue_, std::move(handlers));
+  loader_ = std::make_unique<ModelLoader>(node_, private_node_, queue_, std::move(handlers));
   master_watch_ = std::make_unique<MasterWatch>();
 }
 

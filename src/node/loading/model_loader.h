@@ -1,14 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The loader thread: waits for the robot description, loads models, answers ~reload. Beside it,
-// readers load the meshes of objects.
+// Loads models; beside the loader thread, readers load the meshes of objects.
 #pragma once
 
-#include <ros/callback_queue_interface.h>
-#include <ros/node_handle.h>
-#include <std_srvs/Trigger.h>
-
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -17,11 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "node/interface/parameter_server.h"
+#include "node/interface/read_parameters.h"
 #include "node/loading/mesh_readers.h"
-#include "node/loading/model_hand_over.h"
-#include "node/loading/robot_description.h"
-#include "node/threads/worker.h"
+#include "node/loading/robot_loading.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -30,7 +22,7 @@ namespace link_bounds {
 /// While there is no usable description but a fixed frame is set, the model has no robot.
 class ModelLoader {
  public:
-  using ModelPtr = ModelHandOver::ModelPtr;
+  using ModelPtr = std::shared_ptr<const Model>;
 
   /// The triangles of a mesh file whose points are in use.
   struct TreeRequest {
@@ -39,9 +31,7 @@ class ModelLoader {
   };
 
   struct Handlers {
-    /// On the update thread. What it throws becomes the answer of ~reload, and it is called again
-    /// with the old model.
-    std::function<void(ModelPtr)> adopt;
+    std::function<void(ModelPtr)> adopt;  ///< as that of RobotLoading
     /// On the update thread.
     std::function<void(const std::string& uri, const LoadedMesh& mesh)> on_mesh;
     /// On a reader.
@@ -50,9 +40,8 @@ class ModelLoader {
 
   /// The update thread serves `update_queue`. Throws std::runtime_error if a thread cannot be
   /// started.
-  ModelLoader(ros::NodeHandle& private_node, ros::CallbackQueueInterface& update_queue,
-              Handlers handlers);
-  ~ModelLoader();
+  ModelLoader(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+              ros::CallbackQueueInterface& update_queue, Handlers handlers);
   ModelLoader(const ModelLoader&) = delete;
   ModelLoader& operator=(const ModelLoader&) = delete;
 
@@ -71,42 +60,30 @@ class ModelLoader {
   /// before the first model.
   std::optional<MeshSource> source(const MeshReaders::IsCancelled& is_cancelled);
 
-  bool waitsForDescription() const { return waits_for_description_; }
-  std::string descriptionName() const { return description_.name(); }
+  bool waitsForDescription() const { return loading_.waitsForDescription(); }
+  std::string descriptionName() const { return loading_.descriptionName(); }
 
   /// True if the first load failed for good; the node is then shutting down.
-  bool hasFailed() const { return has_failed_; }
+  bool hasFailed() const { return loading_.hasFailed(); }
 
  private:
-  bool onTick();
-  void firstLoad();
-  ModelPtr load(XmlRpc::XmlRpcValue description);
-  std::vector<std::string> reload();
-  void serveObjectsMeanwhile();
-  bool onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  using Loading = RobotLoading<Model, ReadParameters>;
+
+  Loading::Handlers loadingHandlers();
+  Loading::Loaded load(const std::string& urdf, const Parameters& parameters,
+                       const std::function<bool()>& is_stopping);
   void adopt(const ModelPtr& model);
   std::uint64_t fileBytes(const std::string& uri);
 
   ros::CallbackQueueInterface& update_queue_;
   Handlers handlers_;
-  ParameterServer server_;
-  RobotDescription description_;
   RobotLoader robot_loader_;
   std::mutex mutex_;
   std::optional<MeshLimits> limits_;                      ///< guarded by mutex_
   PackagePath packages_;                                  ///< guarded by mutex_
   std::chrono::steady_clock::time_point packages_since_;  ///< guarded by mutex_
-  Parameters parameters_;
-  bool has_parameters_ = false;  ///< they were read
-  bool has_loaded_ = false;      ///< a robot
-  bool serves_objects_ = false;  ///< without a robot
-  XmlRpc::XmlRpcValue refused_;  ///< a description that cannot be used, while objects are served
-  std::atomic<bool> waits_for_description_{false};
-  std::atomic<bool> has_failed_{false};
-  MeshReaders readers_;
-  ModelHandOver hand_over_{worker_, update_queue_, [this](const ModelPtr& model) { adopt(model); }};
-  Worker worker_;  ///< after all that its thread uses
-  ros::ServiceServer reload_service_;
+  MeshReaders readers_;  ///< this and the next one: after all that their threads use
+  Loading loading_;
 };
 
 }  // namespace link_bounds

@@ -5,7 +5,6 @@
 
 #include <ros/console.h>
 #include <ros/names.h>
-#include <ros/this_node.h>
 
 #include "world/log/log_text.h"
 
@@ -27,9 +26,6 @@ std::string nameFor(const ros::NodeHandle& node) {
 }
 
 }  // namespace
-
-RobotDescription::RobotDescription(const ParameterServer& server)
-    : server_(server), ns_(ros::this_node::getNamespace()), name_(kName) {}
 
 RobotDescription::RobotDescription(const ParameterServer& server, const ros::NodeHandle& node)
     : server_(server), ns_(namespaceOf(node)), name_(nameFor(node)) {}

@@ -24,9 +24,6 @@ class NoDescription : public std::runtime_error {
 /// `server` must outlive this.
 class RobotDescription {
  public:
-  /// For the node whose name is that of the process.
-  explicit RobotDescription(const ParameterServer& server);
-
   /// For the node of `node`, whose own remappings apply, too: a nodelet has some.
   RobotDescription(const ParameterServer& server, const ros::NodeHandle& node);
 

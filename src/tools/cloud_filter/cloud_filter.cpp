@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "node/master/master_uri.h"
 #include "tools/cloud_filter/cloud_filter_node.h"
 #include "world/log/log_text.h"
 
@@ -30,6 +31,7 @@ int run(int argc, char** argv) {
     std::cerr << "argument " << link_bounds::logText(arguments[i]) << " is not known; see --help\n";
     return 1;
   }
+  link_bounds::checkMasterUri(argc, argv);
   ros::init(argc, argv, "cloud_filter");
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });

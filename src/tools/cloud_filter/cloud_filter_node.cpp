@@ -80,10 +80,18 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
         });
       },
       {}, no_delay);
-  RobotLoading::Handlers handlers;
+  Loading::Handlers handlers;
+  handlers.read = [name = private_node.getNamespace()](const ParameterServer& server) {
+    return readFilterParameters(server, name);
+  };
+  handlers.load = [](const auto&... all) {
+    const auto robot = filteredRobot(all...);
+    return Loading::Loaded{robot, robot ? robot->summary : ""};
+  };
   handlers.adopt = [this](auto robot) { adopt(std::move(robot)); };
   handlers.on_failure = std::move(on_failure);
-  loading_ = std::make_unique<RobotLoading>(node_, private_node_, queue_, std::move(handlers));
+  loading_ =
+      std::make_unique<Loading>(kFilterReload, node_, private_node_, queue_, std::move(handlers));
   held_ = std::make_unique<HeldObjects>(private_node_, tf_, loading_->worker(), queue_,
                                         [this] { listBodies(); });
 }

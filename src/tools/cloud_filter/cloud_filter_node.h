@@ -18,10 +18,10 @@
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/inputs/tf_receiver.h"
+#include "node/loading/robot_loading.h"
 #include "node/threads/timed_queue.h"
 #include "tools/cloud_filter/filter_health.h"
 #include "tools/cloud_filter/held_objects.h"
-#include "tools/cloud_filter/robot_loading.h"
 #include "world/cloud/robot_points.h"
 #include "world/tf/clock_watch.h"
 #include "world/tf/transform_input.h"
@@ -48,6 +48,7 @@ class CloudFilterNode {
  private:
   using Cloud = Received<sensor_msgs::PointCloud2>;
   using Scan = Received<sensor_msgs::LaserScan>;
+  using Loading = RobotLoading<FilteredRobot, ReadFilterParameters>;
 
   /// A cloud or a scan.
   struct Waiting {
@@ -108,7 +109,7 @@ class CloudFilterNode {
   ros::Subscriber cloud_subscriber_, scan_subscriber_;
   std::atomic<bool> is_stopping_{false};
   std::unique_ptr<HeldObjects> held_;
-  std::unique_ptr<RobotLoading> loading_;  ///< last: its thread ends before the rest goes
+  std::unique_ptr<Loading> loading_;  ///< last: its thread ends before the rest goes
 };
 
 }  // namespace link_bounds

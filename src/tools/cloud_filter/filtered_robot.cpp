@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <future>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <thread>
 
 #include "link_bounds/robot/robot_loader.h"
@@ -121,10 +124,23 @@ class GridMaker {
   std::atomic<std::size_t> next_{0};
 };
 
+std::string summaryOf(const FilteredRobot& robot, std::chrono::duration<double> duration) {
+  std::size_t bytes = 0;
+  for (const auto& grid : std::set(robot.grids.begin(), robot.grids.end()))
+    bytes += grid->bytes() + grid->surface().bytes();
+  std::ostringstream text;
+  text << "filtering the points of " << robot.links.size() << " links; they were loaded in "
+       << std::fixed << std::setprecision(1) << duration.count()
+       << " s, and their grids and triangles take " << bytes / 1000 << " kB";
+  return text.str();
+}
+
 }  // namespace
 
-FilteredRobot filteredRobot(const std::string& description, const FilterParameters& parameters,
-                            const std::function<bool()>& is_cancelled) {
+std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& description,
+                                                   const FilterParameters& parameters,
+                                                   const std::function<bool()>& is_cancelled) {
+  const auto begin = std::chrono::steady_clock::now();
   const Robot robot = parseRobot(description);
   MeshSource source;
   source.package_path = rosPackages();
@@ -145,7 +161,9 @@ FilteredRobot filteredRobot(const std::string& description, const FilterParamete
     if (!link.isWhole()) result.incomplete.push_back(link.name);
   }
   result.grids = GridMaker(bounded, is_cancelled).grids();
-  return result;
+  if (is_cancelled()) return nullptr;
+  result.summary = summaryOf(result, std::chrono::steady_clock::now() - begin);
+  return std::make_shared<const FilteredRobot>(std::move(result));
 }
 
 }  // namespace link_bounds

@@ -23,11 +23,13 @@ struct FilteredRobot {
   std::vector<std::string> incomplete;                 ///< links of which something is missing
   std::vector<std::string> problems;  ///< geometry that is not filtered, or as its convex hull only
   std::vector<std::string> warnings;  ///< names in parameters that fit no link
+  std::string summary;                ///< one line for the log
 };
 
 /// Loads the meshes and makes the grids, on up to four threads. Throws RobotError. `is_cancelled`
-/// may be called on several threads; once it returns true, the result is not complete.
-FilteredRobot filteredRobot(const std::string& description, const FilterParameters& parameters,
-                            const std::function<bool()>& is_cancelled);
+/// may be called on several threads; once it returns true, the result is null.
+std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& description,
+                                                   const FilterParameters& parameters,
+                                                   const std::function<bool()>& is_cancelled);
 
 }  // namespace link_bounds

@@ -105,8 +105,7 @@ PastBoxMaker::Pose PastBoxMaker::poseOf(Frame frame) {
 }
 
 PastBoxMaker::Pose PastBoxMaker::latest(Frame frame) {
-  handles_.push_back(tracker_.follow(frame));
-  const FramePose& pose = handles_.back().pose();
+  const FramePose& pose = tracker_.keep(frame);
   if (pose.problem != TransformProblem::kNone)
     return {{}, 0, describe(pose.problem, tf_.name(frame), targetName())};
   return {pose.fixed_from_frame.affine, pose.stamp, ""};

@@ -68,7 +68,6 @@ class PastBoxMaker {
   TransformBuffer& tf_;
   const BoxRequest& request_;
   FrameTracker tracker_;
-  std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
   PastBoxes boxes_;
   std::size_t made_ = 0;        ///< bodies of the scene
   std::size_t incomplete_ = 0;  ///< among them

@@ -75,9 +75,7 @@ class SceneMaker {
  private:
   /// Of the pose in the fixed frame; "" if there is one.
   std::string problemOf(Frame frame) {
-    handles_.push_back(tracker_.follow(frame));
-    const FramePose& pose = handles_.back().pose();
-    return describe(pose.problem, tf_.name(frame), tf_.name(scene_.target));
+    return describe(tracker_.keep(frame).problem, tf_.name(frame), tf_.name(scene_.target));
   }
 
   /// Replaces a joint by what tf says of it now.
@@ -154,10 +152,7 @@ class SceneMaker {
   /// Each at its latest time, as in ~boxes. Both have poses.
   Eigen::Affine3d placeOf(Frame link, Frame frame) {
     if (link == frame) return Eigen::Affine3d::Identity();
-    const auto pose = [this](Frame of) {
-      const FrameTracker::Handle handle = tracker_.follow(of);
-      return handle.pose().fixed_from_frame.affine;
-    };
+    const auto pose = [this](Frame of) { return tracker_.keep(of).fixed_from_frame.affine; };
     return pose(link).inverse() * pose(frame);
   }
 
@@ -216,7 +211,6 @@ class SceneMaker {
   const Robot& original_;
   TransformBuffer& tf_;
   FrameTracker tracker_;
-  std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
   const PathBodyMaker& maker_;
   std::map<Frame, std::size_t> links_;  ///< of the robot
   const RigidBodies rigid_in_urdf_;

@@ -45,11 +45,6 @@ BodyWays::BodyWays(PastScene& scene, const StopRules& rules, WayPurpose purpose,
   fixed_problem_ = whyFixedFrameMoves();
 }
 
-const FramePose& BodyWays::poseOf(Frame frame) {
-  handles_.push_back(tracker_.follow(frame));
-  return handles_.back().pose();
-}
-
 /// With which a body moves: an attached object with a frame of its link's rigid body, with its own
 /// if that is one. Nothing if tf has none.
 std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
@@ -68,7 +63,7 @@ std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
 
 BodyWay BodyWays::find(const PastBody& body) {
   BodyWay way;
-  const FramePose& own = poseOf(*body.frame);
+  const FramePose& own = tracker_.keep(*body.frame);
   if (own.problem != TransformProblem::kNone) {
     way.problem = describe(own.problem, tf_.name(*body.frame), scene_.frameName());
     return way;
@@ -83,7 +78,7 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = "tf has no frame of the link to which it is attached";
     return way;
   }
-  const FramePose start = poseOf(*mover);  // no later poseOf() changes it
+  const FramePose start = tracker_.keep(*mover);  // no later keep() changes it
   if (start.problem != TransformProblem::kNone) {
     way.problem = describe(start.problem, tf_.name(*mover), scene_.frameName());
     return way;

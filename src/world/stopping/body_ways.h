@@ -65,7 +65,6 @@ class BodyWays {
   };
 
   bool isContact() const { return purpose_ == WayPurpose::kContact; }
-  const FramePose& poseOf(Frame frame);
   std::optional<Frame> moverOf(const PastBody& body) const;
   bool climb(Frame frame, const FramePose& start, BodyWay& way);
   const std::string& groundProblem();
@@ -90,7 +89,6 @@ class BodyWays {
   const JointStates* const states_;
   const std::int64_t window_;
   FrameTracker tracker_;
-  std::vector<FrameTracker::Handle> handles_;  ///< after the tracker, so that they end before it
   std::map<std::pair<Frame, std::int64_t>, EdgeMotion> motions_;
   std::map<std::pair<Frame, std::int64_t>, BaseMotion> bases_;
   std::string fixed_problem_;                  ///< if the fixed frame moves with a joint

@@ -82,6 +82,13 @@ class FrameTracker {
   Handle follow(Frame frame);
   Handle follow(std::string_view name) { return follow(tf_.frame(name)); }
 
+  /// Follows the frame as long as this lives. The reference is valid until the next frame comes.
+  const FramePose& keep(Frame frame) {
+    Handle handle = follow(frame);
+    handle.tracker_ = nullptr;
+    return pose(frame);
+  }
+
   /// To be called after one message or several.
   void update(ros::Time now);
 

@@ -118,7 +118,7 @@ void measureLoading(const std::string& urdf) {
   std::ostringstream text;
   text << std::ifstream(urdf).rdbuf();
   const auto begin = Clock::now();
-  const FilteredRobot robot = filteredRobot(text.str(), {}, [] { return false; });
+  const FilteredRobot robot = *filteredRobot(text.str(), {}, [] { return false; });
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   std::size_t bytes = 0, largest = 0;
   std::vector<std::shared_ptr<const BodyGrid>> grids = robot.grids;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which thread frees a model, and which model is in use after one could not be adopted.
-#include "node/loading/model_hand_over.h"
+#include "node/loading/hand_over.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
@@ -14,19 +14,20 @@
 #include <thread>
 
 #include "node/threads/queued_function.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {
 
-using ModelPtr = ModelHandOver::ModelPtr;
+using ModelPtr = HandOver<Model>::MadePtr;
 
 constexpr int kModels = 5000;
 
 /// The worker is the loader thread; another thread serves the queue.
-class ModelHandOverTest : public testing::Test {
+class HandOverTest : public testing::Test {
  protected:
-  ModelHandOverTest() { ros::Time::init(); }  // for the log
-  ~ModelHandOverTest() override {
+  HandOverTest() { ros::Time::init(); }  // for the log
+  ~HandOverTest() override {
     ends_ = true;
     update_thread_.join();
     worker_.stop();
@@ -78,17 +79,17 @@ class ModelHandOverTest : public testing::Test {
   ros::CallbackQueue queue_;
   ModelPtr model_;  ///< of the update thread
   Worker worker_{options()};
-  ModelHandOver hand_over_{worker_, queue_, [this](ModelPtr model) { adopt(std::move(model)); }};
+  HandOver<Model> hand_over_{worker_, queue_, [this](ModelPtr model) { adopt(std::move(model)); }};
   std::thread update_thread_{[this] { serve(); }};
 };
 
-TEST_F(ModelHandOverTest, TheUpdateThreadFreesNoModel) {
+TEST_F(HandOverTest, TheUpdateThreadFreesNoModel) {
   for (int i = 0; i < kModels; ++i)
     ASSERT_TRUE(give("good"));
   EXPECT_EQ(freed_elsewhere_, 0);
 }
 
-TEST_F(ModelHandOverTest, AModelThatCannotBeAdoptedLeavesTheOldOne) {
+TEST_F(HandOverTest, AModelThatCannotBeAdoptedLeavesTheOldOne) {
   ASSERT_TRUE(give("good"));
   for (int i = 0; i < kModels; ++i) {
     try {
@@ -102,12 +103,12 @@ TEST_F(ModelHandOverTest, AModelThatCannotBeAdoptedLeavesTheOldOne) {
   EXPECT_EQ(freed_elsewhere_, 0);
 }
 
-TEST_F(ModelHandOverTest, TheFirstModelThatCannotBeAdoptedIsReported) {
+TEST_F(HandOverTest, TheFirstModelThatCannotBeAdoptedIsReported) {
   EXPECT_THROW(give("bad"), std::runtime_error);
   EXPECT_TRUE(give("good"));
 }
 
-TEST_F(ModelHandOverTest, AModelThatIsNotTakenBeforeTheLoaderStopsIsNotTakenLater) {
+TEST_F(HandOverTest, AModelThatIsNotTakenBeforeTheLoaderStopsIsNotTakenLater) {
   ASSERT_TRUE(give("good"));
   std::promise<void> goes_on;
   enqueue(queue_, [goes_on = goes_on.get_future().share()] { goes_on.wait(); });

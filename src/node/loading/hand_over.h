@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Hands what was made of the robot from the loader thread to the thread that uses it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "node/threads/worker.h"
+#include "world/log/guarded.h"
+
+namespace link_bounds {
+
+template <class Made>
+class HandOver {
+ public:
+  using MadePtr = std::shared_ptr<const Made>;
+
+  /// `adopt` runs on the thread that serves the queue. If it throws, it is called again with what
+  /// is in use.
+  HandOver(Worker& loader, ros::CallbackQueueInterface& queue, std::function<void(MadePtr)> adopt)
+      : loader_(loader), queue_(queue), adopt_(std::move(adopt)) {}
+  HandOver(const HandOver&) = delete;
+  HandOver& operator=(const HandOver&) = delete;
+
+  /// On the loader thread, which alone frees what was made: that takes long. Returns true when the
+  /// other thread uses it, false if the loader is stopping. Throws what `adopt` throws; the old one
+  /// then stays in use.
+  bool give(MadePtr made) {
+    return loader_.await(queue_, [this, owned = loader_.owned(std::move(made))] {
+      adopt(owned);
+      return true;
+    });
+  }
+
+ private:
+  void adopt(const MadePtr& made) {
+    try {
+      adopt_(made);
+      in_use_ = made;
+    } catch (...) {
+      if (in_use_) guarded([this] { adopt_(in_use_); });
+      throw;
+    }
+  }
+
+  Worker& loader_;
+  ros::CallbackQueueInterface& queue_;
+  std::function<void(MadePtr)> adopt_;
+  MadePtr in_use_;  ///< of the other thread
+};
+
+}  // namespace link_bounds
