@@ -5,7 +5,8 @@
 
 Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
 ~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete is
-reported as not watched and leaves no zone meanwhile. Parameter: ~zones (default zones).
+reported as not watched and leaves no zone meanwhile; the header stamps say what belongs together.
+Parameter: ~zones (default zones).
 """
 
 import os
@@ -20,7 +21,8 @@ from std_msgs.msg import String
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
 
-PERIOD = 0.1  # s of wall time for which a link must be gone: boxes may come after overlaps
+PERIOD = 0.1  # s of wall time for which a link must be gone
+NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
 
@@ -42,32 +44,61 @@ class Watch:
         self._lock = threading.Lock()
         self._zones, self._incomplete = set(), set()
         self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
+        self._boxes_stamp = self._overlaps_stamp = NEVER  # ns, of the newest message
+        self._jumped_from = NEVER  # the newest ~boxes before a jump back that ~overlaps lack yet
+        self._missing_since = {}  # (name, zone): the first ~overlaps without it
+        self._complete_since = {}  # name: the ~boxes that it is complete again in, if newer than
+        #                            ~overlaps
 
     def take_overlaps(self, message):
         """Reports who enters, at once."""
+        stamp = message.header.stamp.to_nsec()
         with self._lock:
+            if stamp < self._overlaps_stamp:
+                self._missing_since, self._complete_since = {}, {}
+                if self._boxes_stamp > stamp and self._jumped_from == NEVER:
+                    self._boxes_stamp = NEVER  # it is of before the jump
+                self._jumped_from = NEVER
+            elif stamp > self._jumped_from:
+                self._jumped_from = NEVER
+            self._overlaps_stamp = stamp
+            self._complete_since = {name: since for name, since in self._complete_since.items()
+                                    if since > stamp}
             self._overlapping = set(filter(None, map(self._visit, message.overlaps)))
             for name, zone in sorted(self._overlapping - self._inside):
                 self._tell('%s entered zone %s' % (kind(name), zone))
             self._inside |= self._overlapping
+            self._missing_since = {pair: self._missing_since.get(pair, stamp)
+                                   for pair in self._inside - self._overlapping}
 
     def take_boxes(self, message):
+        stamp = message.header.stamp.to_nsec()
         with self._lock:
+            if stamp < self._boxes_stamp:
+                self._jumped_from = self._boxes_stamp
+                self._complete_since = {}
+                self._missing_since = {} if self._overlaps_stamp > stamp else dict.fromkeys(
+                    self._missing_since, self._overlaps_stamp)
+            self._boxes_stamp = stamp
             zones = {box.name for box in message.boxes if self._is_zone(box.name)}
             incomplete = set(message.incomplete)
             self._tell_difference(zones, self._zones, 'zone %s is there', 'zone %s is gone')
             self._tell_difference(incomplete, self._incomplete,
                                   '%s is not watched: it is incomplete',
                                   '%s is no longer incomplete')
+            if stamp > self._overlaps_stamp:
+                self._complete_since.update(dict.fromkeys(self._incomplete - incomplete, stamp))
             self._zones, self._incomplete = zones, incomplete
 
     def settle(self):
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
-            missing = {pair for pair in self._inside - self._overlapping
-                       if not self._incomplete.intersection(pair)}
+            unwatched = self._incomplete.union(self._complete_since)
+            missing = {pair for pair, since in self._missing_since.items()
+                       if since <= self._boxes_stamp and not unwatched.intersection(pair)}
             for name, zone in sorted(missing & self._missing):
                 self._tell('%s left zone %s' % (kind(name), zone))
+                del self._missing_since[name, zone]
             self._inside -= missing & self._missing
             self._missing = missing
 

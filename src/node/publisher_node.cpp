@@ -18,7 +18,9 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::uint32_t kObjectsQueue = 1000;  // messages, as for a burst of single markers
+/// Messages that may wait; if more come, roscpp drops the oldest, and tells nobody.
+constexpr std::uint32_t kObjectsQueue = 1000;
+constexpr std::uint32_t kObjectQueue = 100'000;  // a scene of single markers, about 1 kB each
 const ros::WallDuration kTick(SceneFeed::kTick);
 const ros::WallDuration kLostFramesPeriod(0.5);
 const ros::WallDuration kDiagnosticsPeriod(1.0);
@@ -210,7 +212,7 @@ void PublisherNode::subscribeToObjects() {
           },
           {}, no_delay);
   object_subscriber_ = private_node_.subscribe<Received<Marker>, const MarkerEvent&>(
-      privateName(kObjectTopic), kObjectsQueue,
+      privateName(kObjectTopic), kObjectQueue,
       [this](const MarkerEvent& event) {
         guardMessage([&] {
           const auto message = event.getMessage();

@@ -33,8 +33,8 @@ constexpr TopicName kMarkersTopic{
 constexpr TopicName kPartsTopic{
     "~parts", "link_bounds/AxisAlignedBoxArray",
     "several boxes of one name, which together cover the link; with each ~boxes, or the newest one "
-    "where computing takes longer; only while somebody listens and parts_per_link > 1; a new "
-    "subscriber gets all at once"};
+    "where computing takes longer; only while somebody listens and parts_per_link > 1, else once "
+    "an empty one after the last; a new subscriber gets all at once"};
 constexpr TopicName kFootprintTopic{
     "~footprint", "geometry_msgs/Polygon",
     "with each ~groups, only while somebody listens and box robot is complete: its rectangle in x "

@@ -13,7 +13,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
+/// ObjectSource ignores markers whose namespaces begin with "link_bounds/", and of a DELETEALL in
+/// one it takes that it is for the objects of its sender. rviz deletes all.
+constexpr char kOwnNamespace[] = "link_bounds/";
 constexpr char kObjectsNamespace[] = "link_bounds/objects/";
 
 enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
@@ -139,6 +141,7 @@ void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& heade
   end.pose.orientation.w = 1;
   if (has_lost) {
     end.action = Marker::DELETEALL;
+    end.ns = kOwnNamespace;
     markers.markers.insert(markers.markers.begin(), end);
     shown_.clear();
   }

@@ -57,7 +57,20 @@ void OptionalOutputs::publishOverlaps(const MomentPtr& moment, const SubscriberP
 }
 
 void OptionalOutputs::publishParts(const MomentPtr& moment, const SubscriberPtr& to) {
-  if (part_boxes_.fill(*moment, parts_message_)) parts_.publish(parts_message_, to);
+  if (part_boxes_.fill(*moment, parts_message_)) {
+    parts_.publish(parts_message_, to);
+    has_shown_parts_ = true;
+  } else if (has_shown_parts_ && !to) {
+    publishEndOfParts(moment->header);
+  }
+}
+
+/// Else a listener would take the last parts for those of now.
+void OptionalOutputs::publishEndOfParts(const std_msgs::Header& header) {
+  parts_message_ = AxisAlignedBoxArray();
+  parts_message_.header = header;
+  parts_.publish(parts_message_);
+  has_shown_parts_ = false;
 }
 
 /// Of a greeting no other subscriber hears, so it deletes nothing; what it shows is deleted later.
@@ -72,7 +85,10 @@ void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPt
 }
 
 void OptionalOutputs::adopt() {
-  worker_.post("adopt", [this] { part_boxes_ = PartBoxes(); });
+  worker_.post("adopt", [this] {
+    part_boxes_ = PartBoxes();
+    if (!parts_.hasSubscribers()) has_shown_parts_ = false;
+  });
 }
 
 void OptionalOutputs::freeSpareMemory() {

@@ -62,6 +62,7 @@ class OptionalOutputs {
   void post(const std::string& key, Publish publish, MomentPtr moment, SubscriberPtr to = {});
   void publishOverlaps(const MomentPtr& moment, const SubscriberPtr& to);
   void publishParts(const MomentPtr& moment, const SubscriberPtr& to);
+  void publishEndOfParts(const std_msgs::Header& header);
   void publishMarkers(const MomentPtr& moment, const SubscriberPtr& to);
 
   const Guard guard_;
@@ -72,6 +73,7 @@ class OptionalOutputs {
   BoxOverlapArray overlaps_message_;
   PartBoxes part_boxes_;
   AxisAlignedBoxArray parts_message_;
+  bool has_shown_parts_ = false;  ///< since the last message that ended them
   ShownMarkers shown_;
   Output<BoxOverlapArray> overlaps_;
   Output<AxisAlignedBoxArray> parts_;

@@ -39,6 +39,7 @@ struct PathService::Job {
       const PathLimits& limits)
       : scene(std::move(copy)), check(*scene, request, maker, limits) {}
 
+  std::string problem;  ///< of its trees; those of another job may come before this one ends
   std::unique_ptr<PastScene> scene;
   PathCheck check;
 };
@@ -84,8 +85,7 @@ CheckPath::Response PathService::answer(Call& call, const Params& params) {
   if (!job.check.proceed(kLongestTurn, is_over)) throw TurnQueue::NextTurn();
   if (paths_.isStopping()) throw std::runtime_error(kStopping);
   auto response = std::make_shared<CheckPath::Response>(job.check.take());
-  if (!response->message.empty() && !trees_.problem().empty())
-    response->message += "; " + trees_.problem();
+  if (!response->message.empty() && !job.problem.empty()) response->message += "; " + job.problem;
   response->message = logText(response->message);
   call.state = std::move(response);
   call.is_long = false;
@@ -121,9 +121,11 @@ std::shared_ptr<PathService::Job> PathService::begin(const Call& call, const Par
     throw std::runtime_error("tf does not know the fixed frame; ask again after the first ~boxes");
   trees_.prepare(*scene,
                  [&] { return paths_.isStopping() || Clock::now() >= call.arrival + kLoading; });
+  std::string problem = trees_.problem();
   const PathLimits limits{kMaxPairs,
                           [&] { return paths_.isStopping() || Clock::now() >= deadline; }};
   auto job = std::make_unique<Job>(std::move(scene), request, trees_.maker(), limits);
+  job->problem = std::move(problem);
   ++begun_;
   return {job.release(), [this](Job* finished) {
             --begun_;

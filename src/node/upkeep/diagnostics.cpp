@@ -196,7 +196,8 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (health.skipped > 0)
     raise(status, DiagnosticStatus::WARN, "tf comes faster than it can be read");
   if (health.most_waiting >= TfReceiver::kQueue)
-    raise(status, DiagnosticStatus::WARN, "messages of /tf may have been dropped");
+    raise(status, DiagnosticStatus::WARN,
+          "messages of /tf, ~objects or ~neighbours may have been dropped");
   if (health.waits_for_clock) raise(status, DiagnosticStatus::WARN, "waiting for /clock");
   if (!health.late_publishers.empty())
     raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");

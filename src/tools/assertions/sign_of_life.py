@@ -7,6 +7,7 @@ from rosgraph_msgs.msg import Clock
 MAX_AGE = 1.0  # s, the default
 STATUS_PERIOD = 1.0  # wall s between two statuses of a link_bounds_publisher in /diagnostics
 STATUS_NAME = ': boxes'  # how its status is named, after the name of the node
+PUBLICATIONS = 'publications'  # the number of ~boxes since the start, a key of its status
 DISTANCE_LAG = 'distances behind boxes [s]'  # a key of its status
 
 
@@ -15,8 +16,8 @@ def publisher_of(message):
     return (getattr(message, '_connection_header', None) or {}).get('callerid', '')
 
 
-def lag_of(status, key):
-    """Seconds under that key of a status; 0 without it."""
+def number_of(status, key):
+    """What stands under that key of a status; 0 without it."""
     return next((float(entry.value) for entry in status.values if entry.key == key), 0.0)
 
 
@@ -28,12 +29,15 @@ class SignOfLife:
     makes the boxes. The status says that the last message still holds, and counts for max_age after
     the next one was due, by the wall alone. So does the first message of a node, whose first status
     may come a second later. A status does not count if it says, under the key of the lag, that the
-    messages are more than max_age behind.
+    messages are more than max_age behind; or, without such a key, if the node has published ~boxes
+    since the first status after the last message: that message no longer holds.
     """
 
     def __init__(self, max_age, lag_key=None):
         self._max_age = max_age
         self._lag_key = lag_key
+        self._publications = None  # in the first status since the last message
+        self._has_missed = False  # a status did not count because of them
         self._lag = 0.0  # s, the longest of those that were too long
         self._ros_time = 0.0  # s, of the last /clock; 0 without
         self._publisher = None  # of the last message
@@ -53,6 +57,7 @@ class SignOfLife:
         is_first = publisher_of(message) != self._publisher
         self._publisher = publisher_of(message)
         self._message = now, self._ros_time
+        self._publications = None
         self._see_sign(now, is_status=is_first)
 
     def see_status(self, message, now):
@@ -60,7 +65,10 @@ class SignOfLife:
             return
         for status in message.status:
             if status.name.endswith(STATUS_NAME):
-                self._see_lag(lag_of(status, self._lag_key), now)
+                if self._lag_key:
+                    self._see_lag(number_of(status, self._lag_key), now)
+                else:
+                    self._see_publications(number_of(status, PUBLICATIONS), now)
 
     def see_clock(self, message, _now):
         self._ros_time = message.clock.to_sec()
@@ -83,7 +91,17 @@ class SignOfLife:
                  f'(max_age {self._max_age:.3g} s)']
         if self._lag:
             lines.append(f'its status said that they were {self._lag:.3g} s behind')
+        if self._has_missed:
+            lines.append('its status said that it published ~boxes meanwhile')
         return lines
+
+    def _see_publications(self, count, now):
+        if self._publications is None:
+            self._publications = count
+        if count > self._publications:
+            self._has_missed = True
+        else:
+            self._see_sign(now, is_status=True)
 
     def _see_lag(self, lag, now):
         if lag > self._max_age:

@@ -78,6 +78,7 @@ struct LiveObject {
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
   ros::Duration lifetime;     ///< that of the last receipt
+  std::string sender;         ///< the publisher of the last receipt
   bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
   std::int64_t waiting_since = 0;   ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again

@@ -54,6 +54,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.received = clock_.observe(now);
   object.waiting_since = object.received;
   object.lifetime = content.lifetime;
+  object.sender = content.publisher;
   object.is_silent = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
@@ -77,6 +78,12 @@ bool LiveObjects::remove(const ObjectKey& key) {
 
 bool LiveObjects::removeAll() {
   return removeIf([](const auto& entry) { return !entry.second.content->is_neighbour; });
+}
+
+bool LiveObjects::removeAllOf(const std::string& publisher) {
+  return removeIf([&publisher](const auto& entry) {
+    return !entry.second.content->is_neighbour && entry.second.sender == publisher;
+  });
 }
 
 bool LiveObjects::removeIf(const std::function<bool(const Objects::value_type&)>& is_over) {

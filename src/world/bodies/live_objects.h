@@ -49,6 +49,8 @@ class LiveObjects {
   bool remove(const ObjectKey& key);
   /// All objects of markers. Neighbours stay: they end with the messages of their sender.
   bool removeAll();
+  /// Of these, only those that this publisher was the last to send.
+  bool removeAllOf(const std::string& publisher);
 
   /// The points of a mesh that objects wait for or have in another version, or why there are none.
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);

@@ -18,7 +18,8 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Nodes like this one draw the boxes of objects in namespaces with this prefix.
+/// Nodes like this one draw the boxes of objects in namespaces with this prefix. A DELETEALL in one
+/// is for what its sender has drawn.
 constexpr char kOwnNamespace[] = "link_bounds/";
 
 /// Meshes that are remembered: a publisher may invent names without end.
@@ -48,7 +49,8 @@ ObjectSource::ObjectSource(LiveObjects& objects,
     : objects_(objects), request_mesh_(std::move(request_mesh)) {}
 
 bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
-  if (marker.action == Marker::DELETEALL) return objects_.removeAll();
+  if (marker.action == Marker::DELETEALL)
+    return isOurs(marker) ? objects_.removeAllOf(publisher) : objects_.removeAll();
   if (isOurs(marker)) return false;
   const ObjectKey key{marker.ns, marker.id};
   if (marker.action == Marker::DELETE) return objects_.remove(key);

@@ -3,17 +3,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A CUBE on ~object is a zone; ~overlaps and zone_events.py report at once which link enters it."""
 import itertools
+import os
+import sys
 import time
 import unittest
 
+import roslib.packages
 import rospy
 import rostest
 from bounds_testing import (NodeLog, Pose, Recorder, TfSender, box_link, load, names_of, robot,
                             transform, turn, wait_for)
-from link_bounds.msg import BoxOverlapArray
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlap, BoxOverlapArray
 from node_testing import NODE, SANITIZED
 from object_testing import ObjectSender, deletion, marker
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
+
+sys.path.append(os.path.join(roslib.packages.get_pkg_dir("link_bounds"), "launch", "demo"))
+from zone_events import Watch  # noqa: E402
 
 TOLERANCE = 1e-9  # m
 ENTRIES = 50 if SANITIZED else 300
@@ -169,6 +175,90 @@ class SafetyZone(unittest.TestCase):
                                                latencies[ENTRIES * 99 // 100]), flush=True)
 
 
+ENTERED, LEFT = "link hand entered zone zones/1", "link hand left zone zones/1"
+
+
+class LateBoxes(unittest.TestCase):
+    """Messages in any order, without a node."""
+
+    def setUp(self):
+        self.told = []
+        self.watch = Watch("zones", self.told.append)
+
+    def overlaps(self, stamp, *names):
+        self.watch.take_overlaps(BoxOverlapArray(
+            header=Header(stamp=rospy.Time(stamp)),
+            overlaps=[BoxOverlap(first=name, second=ZONE) for name in names]))
+
+    def boxes(self, stamp, *incomplete):
+        self.watch.take_boxes(AxisAlignedBoxArray(
+            header=Header(stamp=rospy.Time(stamp)), incomplete=list(incomplete)))
+
+    def has_left(self):
+        """Looked at for long enough."""
+        for _ in range(3):
+            self.watch.settle()
+        return self.told.count(LEFT) == 1
+
+    def enter(self, stamp):
+        self.boxes(stamp)
+        self.overlaps(stamp, "hand")
+        self.assertEqual(self.told, [ENTERED])
+
+    def test_boxes_that_come_later_may_say_that_a_link_is_not_watched(self):
+        self.enter(5)
+        self.overlaps(6)
+        self.assertFalse(self.has_left())
+        self.boxes(6, "hand")
+        self.assertFalse(self.has_left())
+
+    def test_boxes_as_new_confirm_that_it_has_left(self):
+        self.enter(5)
+        self.overlaps(6)
+        self.overlaps(7)
+        self.assertFalse(self.has_left())
+        self.boxes(6)
+        self.assertTrue(self.has_left())
+
+    def test_who_is_complete_again_is_looked_for_in_overlaps_as_new(self):
+        self.enter(5)
+        self.boxes(6, "hand")
+        self.overlaps(6)
+        self.boxes(7)
+        self.assertFalse(self.has_left())
+        self.overlaps(7, "hand")
+        self.assertFalse(self.has_left())
+        self.boxes(8)
+        self.overlaps(8)
+        self.assertTrue(self.has_left())
+
+    def test_after_a_jump_of_the_clock_the_times_begin_anew(self):
+        for first, second in ((self.boxes, self.overlaps), (self.overlaps, self.boxes)):
+            with self.subTest(first.__name__):
+                self.setUp()
+                self.enter(1000)
+                first(5)
+                self.assertFalse(self.has_left())
+                second(5)
+                self.assertTrue(self.has_left())
+
+    def test_a_box_that_is_lost_may_set_the_stamps_back(self):
+        """It was the newest one."""
+        self.enter(1000)
+        self.overlaps(999)
+        self.overlaps(1001)
+        self.assertFalse(self.has_left())
+        self.boxes(999, "hand")
+        self.assertFalse(self.has_left())
+
+    def test_boxes_that_are_ahead_after_a_jump_stay_known(self):
+        self.enter(1000)
+        self.boxes(5)
+        self.boxes(7)
+        self.overlaps(5)
+        self.assertTrue(self.has_left())
+
+
 if __name__ == "__main__":
     rospy.init_node("safety_zone_test")
-    rostest.rosrun("link_bounds", "safety_zone", SafetyZone)
+    rostest.rosrun("link_bounds", "safety_zone", "safety_zone_test")

@@ -9,9 +9,10 @@ import unittest
 import rospy
 from bounds_testing import Recorder, TfSender, names_of, transform, wait_for
 from diagnostic_msgs.msg import DiagnosticStatus
-from load_testing import LoadTest, link_names, overlapping_cubes
+from load_testing import LoadTest, cube, link_names, overlapping_cubes
 from node_testing import NODE, SKIPPED, value_of
 from patience import PATIENCE
+from visualization_msgs.msg import Marker
 
 HZ, SECONDS = 500, 10
 TIMEOUT = 1.0  # s, of the node
@@ -22,6 +23,7 @@ WAITED, MAY_WAIT = "most messages that waited, last second", 1000
 READ = 64  # of those that wait, so many of the newest are read in any case
 AGE = 1000 * PATIENCE  # ms; 100 are promised
 BURST = 500  # messages while the node is stopped
+MARKERS = 5000  # the same, with one object each
 STOP, LONG_STOP = 0.5, 3.0  # s
 FEW = BURST / 2  # boxes that a burst may cause; one or two are usual
 
@@ -78,6 +80,22 @@ class Backlog(LoadTest):
         self.assertLess(count, FEW)
         self.assertEqual(self.statuses.joined(start), BURST - count)
         self.assertEqual(len(names_of(boxes.messages[-1])), self.LINKS + 1)
+
+    def test_no_single_marker_of_a_burst_is_lost(self):
+        self.start_node()
+        self.add([])
+        boxes = Recorder(NODE + "/boxes")
+        self.addCleanup(boxes.subscriber.unregister)
+        objects = rospy.Publisher(NODE + "/object", Marker, queue_size=2 * MARKERS)
+        self.addCleanup(objects.unregister)
+        wait_for(lambda: objects.get_num_connections() > 0, "the node takes objects")
+        self.node.interrupt(signal.SIGSTOP)
+        for i in range(MARKERS):
+            objects.publish(cube(i, (0.2 * i, 1, 0)))
+        self.node.interrupt(signal.SIGCONT)
+        boxes.wait_newest(lambda message: "cube/%d" % (MARKERS - 1) in names_of(message),
+                          "the last marker")
+        self.assertEqual(len(names_of(boxes.messages[-1])), self.LINKS + 1 + MARKERS)
 
     def send_while_stopped(self, tf):
         """The stamp of the newest message."""

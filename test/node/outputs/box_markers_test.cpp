@@ -97,6 +97,7 @@ TEST(ShownMarkers, DeletesAllWhereADeleteMayBeLost) {
   MarkerArray second = arrayOf({"a"});
   shown.replaceBy(second, header, true);
   EXPECT_EQ(second.markers.front().action, visualization_msgs::Marker::DELETEALL);
+  EXPECT_EQ(second.markers.front().ns, "link_bounds/") << "another node keeps what is not ours";
   EXPECT_TRUE(deleted(second).empty());
   MarkerArray third = arrayOf({});
   shown.replaceBy(third, header);

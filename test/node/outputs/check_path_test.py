@@ -18,7 +18,7 @@ from dying_client import DyingClient
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray, PathSegment
 from link_bounds.srv import CheckPath, CheckPathRequest
 from node_testing import NODE, SANITIZED, Repeater
-from object_testing import ObjectSender, marker
+from object_testing import ObjectSender, deletion, marker
 from page_testing import code_block
 from patience import PATIENCE
 from std_msgs.msg import Header
@@ -362,6 +362,31 @@ class CheckPathTest(unittest.TestCase):
         self.assertLess(took, 14 * SLOW)
         self.assertLess(max(waits), 5 * SLOW)
         self.assertLess(longest, SLOW)
+
+    def test_what_was_wrong_is_told_to_the_request_that_met_it(self):
+        """Others come in between, whose triangles are all there."""
+        with tempfile.NamedTemporaryFile(suffix=".stl") as file:
+            file.write(triangles(((9, 0, 0), (9, 1, 0), (9, 0, 1))))
+            file.flush()
+            self.send_objects(*(post("ring/%d" % i, 1.8 * i, 1.2) for i in range(200)), marker(
+                "lost/1", Marker.MESH_RESOURCE, mesh_resource="file://" + file.name))
+            self.boxes.wait_newest(lambda m: "lost/1" in names_of(m), "the mesh")
+        path = turned(*(90 * (i % 2) + 0.001 * i for i in range(LONG)))
+        answers = []
+        thread = threading.Thread(
+            target=lambda: answers.append(self.call(CheckPathRequest(trajectory=path))),
+            daemon=True)
+        thread.start()
+        brief = rospy.ServiceProxy(NODE + "/check_path", CheckPath)
+        for _ in range(20):  # the long one gets turns in between
+            brief(CheckPathRequest(trajectory=turned(0, 90)))
+        self.objects.send(deletion("lost/1"))
+        self.boxes.wait_newest(lambda m: "lost/1" not in names_of(m), "none")
+        self.assertEqual(brief(CheckPathRequest(trajectory=turned(0, 90))).message, "")
+        self.assertEqual(answers, [])
+        thread.join(DEADLINE)
+        self.assertIn("the 10 s of a request were over", answers[0].message)
+        self.assertIn(file.name, answers[0].message)
 
 
 if __name__ == "__main__":

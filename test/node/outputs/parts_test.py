@@ -136,6 +136,21 @@ class PartsTest(unittest.TestCase):
         self.check_unions(boxes, message, 2)
         self.assertEqual(names_of(message), ["base", "base", "arm", "arm"])
 
+    def test_the_end_of_parts_is_told_once(self):
+        """A listener must not take the last parts for those of now."""
+        self.load_blocks(parts_per_link=2)
+        parts = self.listen()
+        stamp = self.send({"arm": Pose((0, 0, 1))}).header.stamp
+        parts.wait(lambda m: m.header.stamp == stamp and len(m.boxes) == 4, "parts")
+        parts.clear()
+        self.load_blocks()
+        message = parts.wait(lambda m: not m.boxes and not m.incomplete, "the end")
+        self.assertEqual((message.header.stamp, message.header.frame_id), (stamp, "base"))
+        self.send({"arm": Pose((0, 0, 2))})
+        self.load_blocks(parts_per_link=2)
+        parts.wait(lambda m: m.boxes and m is not message, "parts again")
+        self.assertEqual([bool(m.boxes) for m in parts.messages][:2], [False, True])
+
     def test_one_part_per_link_is_silence(self):
         self.load_blocks()
         parts = self.listen()

@@ -62,7 +62,7 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   const DiagnosticStatus full =
       statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue; });
   EXPECT_EQ(full.level, DiagnosticStatus::WARN);
-  EXPECT_EQ(full.message, "messages of /tf may have been dropped");
+  EXPECT_EQ(full.message, "messages of /tf, ~objects or ~neighbours may have been dropped");
   const DiagnosticStatus skipped = statusWith([](Health& health) { health.skipped = 1; });
   EXPECT_EQ(skipped.level, DiagnosticStatus::WARN);
   EXPECT_EQ(skipped.message, "tf comes faster than it can be read");

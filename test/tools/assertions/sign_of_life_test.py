@@ -7,7 +7,7 @@ import sys
 import unittest
 
 import rospy
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rosgraph_msgs.msg import Clock
 
 sys.path.append(sys.argv.pop())
@@ -28,6 +28,12 @@ def boxes(publisher=NODE):
 
 def status(name=STATUS, publisher=NODE):
     return of(publisher, DiagnosticArray(status=[DiagnosticStatus(name=name)]))
+
+
+def published(count):
+    message = status()
+    message.status[0].values = [KeyValue('publications', str(count))]
+    return message
 
 
 def clock(seconds):
@@ -74,6 +80,31 @@ class SignOfLifeTest(unittest.TestCase):
                       status(name=''), of(NODE, DiagnosticArray())):
             self.life.see_status(other, 3.0)
         self.check_counts(3.0, 1.0)
+
+    def test_a_status_does_not_count_if_boxes_were_published_and_no_message_came(self):
+        """As of a subscriber that was cut off."""
+        self.life.see(boxes(), 1.0)
+        for now, count in ((2.0, 7), (3.0, 7), (4.0, 8), (5.0, 9), (6.0, 9)):
+            self.assertIsNone(self.life.silent_since(min(now, 5.0)))
+            self.life.see_status(published(count), now)
+        self.assertEqual(self.life.silent_since(6.0), 5.0)
+        self.assertIn('published ~boxes meanwhile', self.life.told()[-1])
+
+    def test_a_status_counts_after_each_message_whatever_was_published_before(self):
+        self.life.see(boxes(), 1.0)
+        for now in range(2, 90):
+            self.life.see_status(published(now), now)
+            self.life.see(boxes(), now + 0.5)
+            self.life.see_status(published(now + 0.5), now + 0.6)
+            self.assertIsNone(self.life.silent_since(now + 0.6))
+        self.check_counts(91.6, 90.0)
+
+    def test_a_status_of_a_node_that_has_published_nothing_more_counts(self):
+        self.life.see(boxes(), 1.0)
+        for now in range(2, 90):
+            self.assertIsNone(self.life.silent_since(now))
+            self.life.see_status(published(7), now)
+        self.check_counts(91.0, 89.0)
 
     def test_the_first_message_of_a_new_node_counts_as_a_status(self):
         self.life.see(boxes(), 1.0)

@@ -38,7 +38,30 @@ class ObjectSourceTest : public testing::Test {
     return marker;
   }
 
-  bool take(Marker marker) { return source_.take(std::move(marker), "/camera", now_); }
+  bool take(Marker marker, const std::string& publisher = "/camera") {
+    return source_.take(std::move(marker), publisher, now_);
+  }
+
+  static Marker cubeOf(const std::string& ns) {
+    Marker marker = cube();
+    marker.ns = ns;
+    return marker;
+  }
+
+  /// As another node of this package sends it with its drawings.
+  static Marker deleteAllOfDrawings() {
+    Marker marker;
+    marker.ns = "link_bounds/";
+    marker.action = Marker::DELETEALL;
+    return marker;
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& [key, object] : objects_.objects())
+      result.push_back(objectName(key));
+    return result;
+  }
 
   bool pass(double seconds) {
     now_ += ros::Duration(seconds);
@@ -117,6 +140,28 @@ TEST_F(ObjectSourceTest, ARefusedMarkerLeavesNoFrame) {
   }
   EXPECT_EQ(tf_.size(), frames);
   EXPECT_TRUE(take(cube()));
+}
+
+TEST_F(ObjectSourceTest, ADeleteAllOfDrawingsRemovesThoseOfItsSenderOnly) {
+  take(cubeOf("table"), "/camera");
+  take(cubeOf("forearm"), "/arm");
+  take(cubeOf("link_bounds/objects/table"), "/arm");
+  EXPECT_TRUE(take(deleteAllOfDrawings(), "/arm"));
+  EXPECT_EQ(names(), std::vector<std::string>{"table/1"});
+  EXPECT_FALSE(take(deleteAllOfDrawings(), "/arm"));
+  Marker all = deleteAllOfDrawings();
+  all.ns = "any";
+  EXPECT_TRUE(take(all, "/arm"));
+  EXPECT_TRUE(objects_.objects().empty());
+}
+
+TEST_F(ObjectSourceTest, WhoSentAnObjectLastIsItsSender) {
+  take(cubeOf("table"), "/arm");
+  take(cubeOf("forearm"), "/camera");
+  take(cubeOf("table"), "/camera");
+  take(cubeOf("forearm"), "/arm");
+  EXPECT_TRUE(take(deleteAllOfDrawings(), "/arm"));
+  EXPECT_EQ(names(), std::vector<std::string>{"table/1"});
 }
 
 }  // namespace
