@@ -59,7 +59,7 @@ class Watch:
                 if self._boxes_stamp > stamp and self._jumped_from == NEVER:
                     self._boxes_stamp = NEVER  # it is of before the jump
                 self._jumped_from = NEVER
-            elif stamp > self._jumped_from:
+            elif stamp > self._jumped_from or stamp == self._boxes_stamp:
                 self._jumped_from = NEVER
             self._overlaps_stamp = stamp
             self._complete_since = {name: since for name, since in self._complete_since.items()

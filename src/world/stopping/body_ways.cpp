@@ -68,11 +68,11 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = describe(own.problem, tf_.name(*body.frame), scene_.frameName());
     return way;
   }
-  way.stamp = own.stamp == 0 ? body.stamp : own.stamp;
+  const bool was_placed = body.frame_from_body && *body.frame == scene_.target;
+  way.stamp = was_placed || own.stamp == 0 ? body.stamp : own.stamp;
   way.pose = own.fixed_from_frame.affine;
   if (body.frame_from_body)
-    way.pose =
-        *body.frame == scene_.target ? *body.frame_from_body : way.pose * *body.frame_from_body;
+    way.pose = was_placed ? *body.frame_from_body : way.pose * *body.frame_from_body;
   const std::optional<Frame> mover = moverOf(body);
   if (!mover) {
     way.problem = "tf has no frame of the link to which it is attached";
@@ -86,8 +86,8 @@ BodyWay BodyWays::find(const PastBody& body) {
   way.has_pose = true;
   if (*mover != *body.frame && start.stamp != 0 && start.stamp != way.stamp) {
     way.problem =
-        "it was placed at another time than the link to which it is attached; let it follow a "
-        "frame of that link, with stamp 0";
+        "its place is of another time than that of the link to which it is attached; let it follow "
+        "a frame of that link, with stamp 0";
     way.is_placed = !isContact();
     return way;
   }
@@ -209,14 +209,26 @@ std::string BodyWays::whyRootMoves() const {
   return "";
 }
 
-/// tf must agree with a fixed joint.
+/// A fixed joint must not move in tf.
 bool BodyWays::isRigid(Frame child) const {
   if (tf_.isStatic(child)) return true;
   const auto link = rules_.linkOf(tf_.name(child));
   const auto above = link ? rules_.jointAbove(*link) : std::nullopt;
-  if (!above || rules_.rule(*above).joint->motion != Motion::kNone) return false;
-  const EdgeSamples samples = edgeSamples(tf_, child, tf_.newest(child), window_);
-  return samples.problem.empty() && isStill(samples.poses);
+  return above && rules_.rule(*above).joint->motion == Motion::kNone && isStillInTf(child);
+}
+
+/// As far as the copy of tf goes back, however rarely the edge is sent.
+bool BodyWays::isStillInTf(Frame child) const {
+  const EdgeHistory* const history = tf_.history(child);
+  if (!history || history->samples().isEmpty()) return false;
+  const SampleRing& samples = history->samples();
+  std::vector<TimedPose> poses(samples.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (samples[i].parent != samples.newest().parent ||
+        !toIsometry(samples[i].parent_from_child, poses[i].pose))
+      return false;
+  }
+  return isStill(poses);
 }
 
 std::string BodyWays::addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints) {
@@ -305,16 +317,19 @@ void BodyWays::addJoint(Frame child, std::size_t index, std::int64_t stamp, Edge
 void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp, EdgeMotion& edge) {
   if (tf_.isStatic(child)) return;
   const bool is_base = joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating;
-  if (isContact() && is_base) {
-    edge.problem = rules_.rule(*rules_.jointAbove(joint.child)).why_no_speed_limit;
+  const std::string moves = "joint \"" + joint.name + "\" moves, but it is fixed";
+  if (isContact()) {
+    if (is_base)
+      edge.problem = rules_.rule(*rules_.jointAbove(joint.child)).why_no_speed_limit;
+    else if (!isStillInTf(child))
+      edge.problem = moves;
     return;
   }
   const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);
   edge.problem = samples.problem;
   if (!edge.problem.empty()) return;
   if (!is_base) {
-    if (!isStill(samples.poses))
-      edge.problem = "joint \"" + joint.name + "\" moves, but it is fixed";
+    if (!isStill(samples.poses)) edge.problem = moves;
     return;
   }
   const BaseMotion base = baseMotion(samples.poses, window_, rules_.model().parameters);

@@ -74,6 +74,7 @@ class BodyWays {
   std::string whyRootMoves() const;
   std::string whyFixedFrameMoves() const;
   bool isRigid(Frame child) const;
+  bool isStillInTf(Frame child) const;
   std::string addBase(std::int64_t stamp, Frame root, std::vector<WayJoint>& joints);
   const EdgeMotion& motionOf(Frame child, std::int64_t stamp);
   EdgeMotion findMotion(Frame child, std::int64_t stamp);

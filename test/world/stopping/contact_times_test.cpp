@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "testing/moving_robot.h"
 #include "testing/sanitized.h"
@@ -219,15 +220,20 @@ TEST(ContactTimes, ABaseThatDrivesChangesNothingBetweenLinks) {
   }
 }
 
+/// However rarely it is sent.
 TEST(ContactTimes, AFixedJointThatMovesIsTold) {
   const std::string fixed = R"(<joint name="f" type="fixed"><parent link="rail"/>)";
-  MovingRobot robot("<robot name=\"r\"><link name=\"rail\"/>" + sphere("camera", 0.1) + fixed +
-                        R"(<child link="camera"/></joint></robot>)",
-                    parametersOf("rail"));
-  for (int i = 20; i >= 0; --i)
-    robot.add("rail", "camera", kStamp - 0.01 * i, at(-0.01 * i));
-  robot.scene().update(ros::Time(kStamp));
-  EXPECT_EQ(robot.earliest().incomplete, Names{"camera"});
+  for (const double speed : {0.0, 0.1}) {
+    for (const double period : {0.01, 0.2}) {
+      MovingRobot robot("<robot name=\"r\"><link name=\"rail\"/>" + sphere("camera", 0.1) + fixed +
+                            R"(<child link="camera"/></joint></robot>)",
+                        parametersOf("rail"));
+      for (int i = 5; i >= 0; --i)
+        robot.add("rail", "camera", kStamp - period * i, at(-speed * period * i));
+      robot.scene().update(ros::Time(kStamp));
+      EXPECT_EQ(robot.earliest().incomplete, speed > 0 ? Names{"camera"} : Names()) << period;
+    }
+  }
 }
 
 /// Of these only the pair that touches first is measured, and its stamp is the older one.
@@ -260,7 +266,8 @@ TEST(ContactTimes, APairThatWasNotMeasuredDelaysNothing) {
 }
 
 /// An arm slides by 0.5 m and rests; what it holds meets a wall 0.4 m later.
-EarliestContactArray earliestHeld(const std::string& frame, double x, double placed) {
+EarliestContactArray earliestHeld(const std::string& frame, double x, double placed,
+                                  std::optional<double> map_behind = {}) {
   const std::string along =
       R"(<axis xyz="1 0 0"/><limit lower="0" upper="1" effort="1" velocity="1"/>)";
   const std::string far_arm =
@@ -275,6 +282,7 @@ EarliestContactArray earliestHeld(const std::string& frame, double x, double pla
                     parameters);
   for (int i = 100; i >= 0; --i) {
     const double stamp = kStamp - 0.01 * i;
+    if (map_behind) robot.add("map", "rail", stamp - *map_behind, at(0));
     robot.add("rail", "wall", stamp, at(2.1));
     robot.add("rail", "arm", stamp, at(std::min(0.5, 1 - 0.01 * i)));
     robot.scene().update(ros::Time(stamp));
@@ -300,6 +308,11 @@ TEST(ContactTimes, WhatIsHeldMovesWithTheNewestOfItsLink) {
   EXPECT_EQ(placed.incomplete, Names());
   EXPECT_NEAR(untilOf(placed), kStamp + 0.4, 1e-3);
   EXPECT_EQ(earliestHeld("rail", 1, kStamp - 1).incomplete, Names{"held/1"});
+  // What is above the fixed frame does not count.
+  for (const double map_behind : {0.0, 0.005}) {
+    EXPECT_EQ(earliestHeld("rail", 1.5, kStamp, map_behind).incomplete, Names());
+    EXPECT_EQ(earliestHeld("rail", 1, kStamp - 1, map_behind).incomplete, Names{"held/1"});
+  }
 }
 
 constexpr int kJoints = 6;
