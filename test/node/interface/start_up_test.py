@@ -5,13 +5,12 @@
 import itertools
 import os
 import signal
-import subprocess
 import unittest
 
 import rospy
 import rostest
 from bad_inputs import bad_robots
-from bounds_testing import DEADLINE, Recorder, executable, wait_for
+from bounds_testing import Recorder, wait_for
 from node_testing import ARMS, NodeProcess
 
 BAD_DESCRIPTIONS = {**bad_robots.UNUSABLE, "number": (5, "is 5, not a string")}
@@ -130,16 +129,6 @@ class StartUp(unittest.TestCase):
                     "__master:=" + os.environ["ROS_MASTER_URI"], "__master:=" + uri])
                 self.addCleanup(node.end)
                 self.check_refused(node, '__master is "%s"; it must be http://HOST:PORT' % uri)
-
-    def test_the_filter_refuses_it_too(self):
-        for arguments, uri in ((["__master:=localhost"], os.environ["ROS_MASTER_URI"]),
-                               ([], "localhost")):
-            ended = subprocess.run(
-                [executable("link_bounds", "cloud_filter"), *arguments], timeout=DEADLINE,
-                env=dict(os.environ, ROS_MASTER_URI=uri), stderr=subprocess.PIPE,
-                universal_newlines=True)
-            self.assertEqual(ended.returncode, 1, ended.stderr)
-            self.assertIn('is "localhost"; it must be http://HOST:PORT', ended.stderr)
 
     def test_help_needs_no_master(self):
         node = NodeProcess(next(self.names), ["--help"], {"ROS_MASTER_URI": "http://localhost:1"})

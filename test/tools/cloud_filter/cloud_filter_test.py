@@ -4,6 +4,7 @@
 """The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
 import itertools
 import math
+import os
 import resource
 import struct
 import subprocess
@@ -406,6 +407,15 @@ class CloudFilter(unittest.TestCase):
             self.assertEqual(run.returncode, 1, run.stdout)
             self.assertIn("~%s" % name, run.stdout)
             self.assertIn("must be", run.stdout)
+
+    def test_a_master_uri_that_ros_refuses(self):
+        for arguments, uri in ((["__master:=localhost"], os.environ["ROS_MASTER_URI"]),
+                               ([], "localhost")):
+            run = subprocess.run([executable("link_bounds", "cloud_filter"), *arguments],
+                                 env=dict(os.environ, ROS_MASTER_URI=uri), stderr=subprocess.PIPE,
+                                 text=True, timeout=60, check=False)
+            self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertIn('is "localhost"; it must be http://HOST:PORT', run.stderr)
 
 
 if __name__ == "__main__":
