@@ -45,7 +45,6 @@ class Watch:
         self._zones, self._incomplete = set(), set()
         self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
         self._boxes_stamp = self._overlaps_stamp = NEVER  # ns, of the newest message
-        self._jumped_from = NEVER  # the newest ~boxes before a jump back that ~overlaps lack yet
         self._missing_since = {}  # (name, zone): the first ~overlaps without it
         self._complete_since = {}  # name: the ~boxes that it is complete again in, if newer than
         #                            ~overlaps
@@ -55,12 +54,7 @@ class Watch:
         stamp = message.header.stamp.to_nsec()
         with self._lock:
             if stamp < self._overlaps_stamp:
-                self._missing_since, self._complete_since = {}, {}
-                if self._boxes_stamp > stamp and self._jumped_from == NEVER:
-                    self._boxes_stamp = NEVER  # it is of before the jump
-                self._jumped_from = NEVER
-            elif stamp > self._jumped_from or stamp == self._boxes_stamp:
-                self._jumped_from = NEVER
+                self._begin_anew()
             self._overlaps_stamp = stamp
             self._complete_since = {name: since for name, since in self._complete_since.items()
                                     if since > stamp}
@@ -75,10 +69,7 @@ class Watch:
         stamp = message.header.stamp.to_nsec()
         with self._lock:
             if stamp < self._boxes_stamp:
-                self._jumped_from = self._boxes_stamp
-                self._complete_since = {}
-                self._missing_since = {} if self._overlaps_stamp > stamp else dict.fromkeys(
-                    self._missing_since, self._overlaps_stamp)
+                self._begin_anew()
             self._boxes_stamp = stamp
             zones = {box.name for box in message.boxes if self._is_zone(box.name)}
             incomplete = set(message.incomplete)
@@ -89,6 +80,11 @@ class Watch:
             if stamp > self._overlaps_stamp:
                 self._complete_since.update(dict.fromkeys(self._incomplete - incomplete, stamp))
             self._zones, self._incomplete = zones, incomplete
+
+    def _begin_anew(self):
+        """The stamps of a topic went back: those of the other one tell nothing until it sends."""
+        self._boxes_stamp = self._overlaps_stamp = NEVER
+        self._missing_since, self._complete_since = {}, {}
 
     def settle(self):
         """Reports who leaves; to be called every PERIOD."""

@@ -73,7 +73,8 @@ def stamp_of(message):
 
 
 class Reader:
-    """Reads whole messages on a thread of its own; keeps the newest, and counts them and their bytes."""
+    """Reads whole messages on a thread of its own; keeps the newest, and counts messages and
+    bytes."""
 
     def __init__(self, node, topic):
         self.count, self.bytes, self.newest = 0, 0, None

@@ -9,7 +9,7 @@ With --stopping only what is ahead is heard: ~stopping, its markers and overlaps
 links on slides. Otherwise a third row is a node that computes nothing and sends as many boxes, and
 as many bytes on as many topics as often: what roscpp, the listeners and the machine cost alone.
 
-The age of a tf message is the time from sending it until boxes come that are as new. Both rows take
+The age of a tf message is the time from sending it until boxes come that are as new. The rows take
 turns, and the verdict is the median of their ratios: so neither the load nor the speed of the
 machine at one time decides."""
 import argparse

@@ -251,6 +251,18 @@ class LateBoxes(unittest.TestCase):
         self.boxes(999, "hand")
         self.assertFalse(self.has_left())
 
+    def test_stamps_may_go_back_twice(self):
+        self.enter(1000)
+        self.boxes(999)
+        self.overlaps(999, "hand")
+        self.overlaps(997)
+        self.assertFalse(self.has_left())
+        self.boxes(997, "hand")
+        self.assertFalse(self.has_left())
+        self.boxes(998)
+        self.overlaps(998)
+        self.assertTrue(self.has_left())
+
     def test_boxes_that_are_ahead_after_a_jump_stay_known(self):
         self.enter(1000)
         self.boxes(5)
