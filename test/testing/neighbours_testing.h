@@ -43,14 +43,15 @@ class NeighboursTest : public LiveObjectsTest {
     return source_.takeNeighbour(array, {sender}, now_);
   }
 
-  bool takeMarker(int action, const ObjectKey& key = kKey) {
+  bool takeMarker(int action, const ObjectKey& key = kKey,
+                  const std::string& publisher = "/camera") {
     visualization_msgs::Marker marker =
         markerOf(visualization_msgs::Marker::CUBE, Eigen::Vector3d::Ones());
     marker.header.frame_id = "map";
     marker.ns = key.ns;
     marker.id = key.id;
     marker.action = action;
-    return source_.take(std::move(marker), "/camera", now_);
+    return source_.take(std::move(marker), publisher, now_);
   }
 
   std::set<std::string> names() const {

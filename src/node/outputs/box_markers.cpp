@@ -6,6 +6,7 @@
 #include "link_bounds/ros/messages.h"
 #include "node/outputs/drawable.h"
 #include "node/outputs/label_layout.h"
+#include "world/bodies/object_source.h"
 
 namespace link_bounds {
 namespace {
@@ -13,10 +14,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// ObjectSource ignores markers whose namespaces begin with "link_bounds/", and of a DELETEALL in
-/// one it takes that it is for the objects of its sender. rviz deletes all.
-constexpr char kOwnNamespace[] = "link_bounds/";
-constexpr char kObjectsNamespace[] = "link_bounds/objects/";
+std::string objectsNamespace() {
+  return std::string(kDrawingsNamespace) + "objects/";
+}
 
 enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
 
@@ -125,7 +125,7 @@ MarkerArray boxMarkers(const Moment& moment) {
   std::vector<Label> labels;
   for (const Moment::Body& body : moment.bodies) {
     const std::string& name = moment.name(body);
-    addBox(body.box, name, body.link ? model.frames[*body.link] : kObjectsNamespace + name,
+    addBox(body.box, name, body.link ? model.frames[*body.link] : objectsNamespace() + name,
            moment.header, model.parameters, array, labels);
   }
   placeLabels(std::move(labels), array);
@@ -141,7 +141,7 @@ void ShownMarkers::replaceBy(MarkerArray& markers, const std_msgs::Header& heade
   end.pose.orientation.w = 1;
   if (has_lost) {
     end.action = Marker::DELETEALL;
-    end.ns = kOwnNamespace;
+    end.ns = kDrawingsNamespace;  // rviz ignores it, and deletes all
     markers.markers.insert(markers.markers.begin(), end);
     shown_.clear();
   }

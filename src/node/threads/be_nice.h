@@ -25,9 +25,8 @@ struct SchedulerAttributes {
   std::uint64_t period = 0;
 };
 
-/// Applies to the calling thread. Linux before 6.12 does not look at the length of a slice. With a
-/// listener on every topic, slices and SCHED_BATCH take a third off the 99th percentile of the age
-/// of boxes: doc/reliability.md.
+/// Applies to the calling thread. Linux before 6.12 does not look at the length of a slice. What
+/// slices and SCHED_BATCH gain is in doc/reliability.md, "Under load".
 inline void beNice() {
   constexpr int kNiceness = 10;                       // as of the command nice
   constexpr std::uint64_t kLongestSlice = 100000000;  // Linux allows no longer one

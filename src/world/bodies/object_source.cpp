@@ -18,15 +18,11 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Nodes like this one draw the boxes of objects in namespaces with this prefix. A DELETEALL in one
-/// is for what its sender has drawn.
-constexpr char kOwnNamespace[] = "link_bounds/";
-
 /// Meshes that are remembered: a publisher may invent names without end.
 constexpr std::size_t kMaxMeshes = 10000;
 
-bool isOurs(const Marker& marker) {
-  return marker.ns.compare(0, sizeof(kOwnNamespace) - 1, kOwnNamespace) == 0;
+bool isDrawing(const Marker& marker) {
+  return marker.ns.compare(0, sizeof(kDrawingsNamespace) - 1, kDrawingsNamespace) == 0;
 }
 
 std::int64_t placementStamp(const Marker& marker) {
@@ -50,8 +46,8 @@ ObjectSource::ObjectSource(LiveObjects& objects,
 
 bool ObjectSource::take(Marker&& marker, const std::string& publisher, ros::Time now) {
   if (marker.action == Marker::DELETEALL)
-    return isOurs(marker) ? objects_.removeAllOf(publisher) : objects_.removeAll();
-  if (isOurs(marker)) return false;
+    return isDrawing(marker) ? objects_.removeAllOf(publisher) : objects_.removeAll();
+  if (isDrawing(marker)) return false;
   const ObjectKey key{marker.ns, marker.id};
   if (marker.action == Marker::DELETE) return objects_.remove(key);
   if (marker.action == Marker::ADD && !hasShape(marker)) return objects_.remove(key);

@@ -17,6 +17,10 @@
 
 namespace link_bounds {
 
+/// Nodes like this one draw boxes of objects in namespaces with this prefix, which are ignored
+/// here. A DELETEALL in one is for what its sender has drawn.
+constexpr char kDrawingsNamespace[] = "link_bounds/";
+
 /// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
 /// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
 /// an incomplete name changed.

@@ -1,19 +1,44 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A node that computes nothing: answers each TFMessage with as many boxes as it has transforms.
+// A node that computes nothing: end_to_end_relay [BOXES [TOPIC BYTES HZ] ...]
+// Answers each TFMessage with as many boxes as it has transforms, and further ones up to BOXES.
+// Beside it, sends that many bytes on topics, that often, while somebody listens.
 #include <ros/ros.h>
+#include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "link_bounds/AxisAlignedBoxArray.h"
+
+namespace {
+
+void talk(const ros::Publisher& publisher, std::size_t bytes, double hz) {
+  std_msgs::String message;
+  message.data.resize(bytes);
+  ros::WallRate heard(hz), unheard(10);
+  while (ros::ok()) {
+    const bool is_heard = publisher.getNumSubscribers() > 0;
+    if (is_heard) publisher.publish(message);
+    (is_heard ? heard : unheard).sleep();
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "relay");
   ros::NodeHandle node, private_node("~");
   link_bounds::AxisAlignedBoxArray answer;
+  const std::size_t least = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 0;
   const auto publisher = private_node.advertise<link_bounds::AxisAlignedBoxArray>("boxes", 200);
   const auto relay = [&](const tf2_msgs::TFMessageConstPtr& message) {
     const auto& transforms = message->transforms;
-    answer.boxes.resize(transforms.size());
+    answer.boxes.resize(std::max(transforms.size(), least));
     for (std::size_t i = 0; i < transforms.size(); ++i) {
       answer.boxes[i].name = transforms[i].child_frame_id;
       answer.boxes[i].stamp = transforms[i].header.stamp;
@@ -23,5 +48,13 @@ int main(int argc, char** argv) {
   };
   const auto subscriber = node.subscribe<tf2_msgs::TFMessage>("/tf", 5000, relay, {},
                                                               ros::TransportHints().tcpNoDelay());
+  std::vector<std::thread> talkers;
+  for (int i = 2; i + 2 < argc; i += 3) {
+    const auto talker = private_node.advertise<std_msgs::String>(argv[i], 1);
+    talkers.emplace_back(talk, talker, std::strtoul(argv[i + 1], nullptr, 10),
+                         std::strtod(argv[i + 2], nullptr));
+  }
   ros::spin();
+  for (std::thread& talker : talkers)
+    talker.join();
 }

@@ -136,7 +136,7 @@ def measure(repetitions, seconds):
         start(master, description(LINKS), PARAMETERS)
         drive(HZ, 1)
         wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
-        master.start_node("overload_talker", "/talker", str(1 + LINKS + OBJECTS), *traffic(seconds))
+        master.start_node("end_to_end_relay", "/talker", str(1 + LINKS + OBJECTS), *traffic(seconds))
         for repetition in range(repetitions):
             runs["nobody"].append(drive(HZ, seconds))
             runs["every topic"].append(with_listeners(lambda: drive(HZ, seconds)))

@@ -57,10 +57,22 @@ class NeighbourSequencesTest : public NeighboursTest {
     const auto& [ns, id] = kKeys[static_cast<std::size_t>(pick(5))];
     const std::string name = objectName({ns, id});
     const int action = chance(50) ? Marker::ADD : chance(80) ? Marker::DELETE : Marker::DELETEALL;
+    const std::string publisher = chance(50) ? "/camera" : "/drawer";
+    if (action == Marker::DELETEALL && chance(50)) return deleteDrawings(publisher);
     if (action == Marker::DELETEALL) markers_.clear();
     if (action == Marker::DELETE) markers_.erase(name);
-    if (action == Marker::ADD) markers_[name] = !isTaken(name, nullptr) || markers_[name];
-    takeMarker(action, {ns, id});
+    if (action == Marker::ADD) {
+      markers_[name] = !isTaken(name, nullptr) || markers_[name];
+      publishers_[name] = publisher;
+    }
+    takeMarker(action, {ns, id}, publisher);
+  }
+
+  /// As a node like this one does; only those go that it was the last to send.
+  void deleteDrawings(const std::string& publisher) {
+    for (auto marker = markers_.begin(); marker != markers_.end();)
+      marker = publishers_[marker->first] == publisher ? markers_.erase(marker) : std::next(marker);
+    takeMarker(Marker::DELETEALL, {kDrawingsNamespace, 0}, publisher);
   }
 
   /// The set that a message belongs to; null if that is unknown.
@@ -205,7 +217,8 @@ class NeighbourSequencesTest : public NeighboursTest {
   }
 
   std::mt19937 random_{1};
-  std::map<std::string, bool> markers_;  ///< whether it has its name, by name
+  std::map<std::string, bool> markers_;            ///< whether it has its name, by name
+  std::map<std::string, std::string> publishers_;  ///< the last one of a marker, by name
   std::list<ModelSet> sets_;
   std::map<std::string, boost::shared_ptr<int>> connections_;
   ros::SteadyTime wall_{1000};

@@ -29,6 +29,15 @@ void addField(PointCloud2& cloud, const std::string& name, std::uint32_t offset,
   cloud.fields.back().count = 1;
 }
 
+/// x, y and z, one after the other.
+void addPlaces(PointCloud2& cloud, std::uint8_t type, std::uint32_t bytes) {
+  std::uint32_t offset = 0;
+  for (const char* name : {"x", "y", "z"}) {
+    addField(cloud, name, offset, type);
+    offset += bytes;
+  }
+}
+
 /// z, y, rgb, x, ring and t, in rows with bytes behind them.
 PointCloud2 oddCloud(std::uint32_t width, std::uint32_t height) {
   PointCloud2 cloud;
@@ -145,9 +154,7 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
 TEST(CloudLayout, TheFirstOfSeveralTimesCounts) {
   PointCloud2 cloud;
   cloud.header.stamp = ros::Time(1);
-  addField(cloud, "x", 0, PointField::FLOAT32);
-  addField(cloud, "y", 4, PointField::FLOAT32);
-  addField(cloud, "z", 8, PointField::FLOAT32);
+  addPlaces(cloud, PointField::FLOAT32, 4);
   addField(cloud, "timestamp", 16, PointField::FLOAT64);
   addField(cloud, "time", 24, PointField::FLOAT32);
   addField(cloud, "offset_time", 28, PointField::UINT32);
@@ -172,9 +179,7 @@ TEST(CloudLayout, NumbersThatAreNoTimeGiveTheStamp) {
   // The latest and the earliest time that there is are not too far apart for 64 bits.
   PointCloud2 cloud;
   cloud.header.stamp = ros::Time(1);
-  addField(cloud, "x", 0, PointField::FLOAT64);
-  addField(cloud, "y", 8, PointField::FLOAT64);
-  addField(cloud, "z", 16, PointField::FLOAT64);
+  addPlaces(cloud, PointField::FLOAT64, 8);
   addField(cloud, "timestamp", 24, PointField::FLOAT64);
   cloud.width = 2;
   cloud.height = 1;
