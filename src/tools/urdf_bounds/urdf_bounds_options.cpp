@@ -188,7 +188,7 @@ void checkTable(const UrdfBoundsOptions& options) {
         "give only one of the two");
 }
 
-/// It can be read once.
+/// Two inputs cannot both come from there.
 void checkStandardInput(const UrdfBoundsOptions& options) {
   const std::pair<std::string, std::optional<std::string>> inputs[] = {
       {"the URDF", options.file},

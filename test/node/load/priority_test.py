@@ -60,6 +60,13 @@ class Priority(LoadTest):
         return [statistics.median(result[node]["p99_ms"] for result in rounds)
                 for node in range(2)]
 
+    def test_threads_that_compute_long_interrupt_nobody(self):
+        """SCHED_BATCH, beside the niceness."""
+        policies = {os.sched_getscheduler(thread) for thread in map(
+            int, os.listdir("/proc/%d/task" % self.node.pid))
+            if os.getpriority(os.PRIO_PROCESS, thread) > 0}
+        self.assertEqual(policies, {os.SCHED_BATCH})
+
     def test_with_a_listener_of_swept(self):
         self.check("swept")
 
