@@ -22,7 +22,7 @@ DistanceOutput::DistanceOutput(ros::NodeHandle& private_node, const Guard& guard
       markers_(private_node, privateName(kDistanceMarkersTopic), kMarkersQueue,
                [this](const auto&) { guard_(send_); }),
       thread_(std::move(requests), pairs,
-              {[this](const ComputedDistances& computed) { publish(computed); },
+              {[this](ComputedDistances computed) { publish(std::move(computed)); },
                [this] { publishDueMarkers(); }, [this] { return isWanted(); }}) {}
 
 bool DistanceOutput::isWanted() const {
@@ -30,7 +30,7 @@ bool DistanceOutput::isWanted() const {
          markers_.hasSubscribers();
 }
 
-void DistanceOutput::publish(const ComputedDistances& computed) {
+void DistanceOutput::publish(ComputedDistances computed) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     health_.pairs = computed.array.distances.size();
@@ -40,7 +40,7 @@ void DistanceOutput::publish(const ComputedDistances& computed) {
   }
   distances_.publish(computed.array);
   nearest_.publish(computed.nearest);
-  if (markers_.hasSubscribers()) unmarked_ = computed;
+  if (markers_.hasSubscribers()) unmarked_ = std::move(computed);
 }
 
 void DistanceOutput::publishDueMarkers() {

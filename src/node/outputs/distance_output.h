@@ -60,7 +60,7 @@ class DistanceOutput {
  private:
   using Time = std::chrono::steady_clock::time_point;
 
-  void publish(const ComputedDistances& computed);
+  void publish(ComputedDistances computed);
   void publishDueMarkers();
 
   Guard guard_;

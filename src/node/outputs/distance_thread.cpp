@@ -77,7 +77,7 @@ bool DistanceThread::onTick() {
 
 void DistanceThread::compute() {
   const auto begin = Clock::now();
-  const auto result =
+  auto result =
       distances_.compute(current_, pairs_, begin, [this] { return worker_.isStopping(); });
   if (!result) return;
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -88,7 +88,7 @@ void DistanceThread::compute() {
     times_.max_ms = std::max(times_.max_ms, ms);
     errors_ = distances_.trees().errors();
   }
-  callbacks_.publish(*result);
+  callbacks_.publish(*std::move(result));
   published_begin_ = begin;
   published_ = current_number_;
 }

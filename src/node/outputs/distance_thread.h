@@ -27,7 +27,7 @@ class DistanceThread {
  public:
   /// Called on the thread.
   struct Callbacks {
-    std::function<void(const ComputedDistances&)> publish;
+    std::function<void(ComputedDistances)> publish;
     std::function<void()> tick;       ///< every 50 ms while there is a moment
     std::function<bool()> is_wanted;  ///< else everything is forgotten after `keep`
   };

@@ -104,6 +104,7 @@ EdgeStep stepBetween(const Tf2Pose& older, const Tf2Pose& newer) {
   if (isSameRotation(from, to)) return step;
   const double change = std::sqrt(longer) - std::sqrt(shorter) + kLengthError;
   const double angle = tf2::angleShortestPath(from, to);
+  step.is_sudden = angle == 0;
   const double half_angle = angle / 2 + kAngleError;
   const double length_change = (longer - shorter) / shorter;
   if (angle < kMayJump) {
@@ -113,11 +114,6 @@ EdgeStep stepBetween(const Tf2Pose& older, const Tf2Pose& newer) {
   step.turn = half_angle * std::sqrt(longer) + M_PI / 2 * change;
   step.stretch = step.stretch2 = 20 * change / std::sqrt(shorter);
   return step;
-}
-
-bool isSudden(const Tf2Pose& older, const Tf2Pose& newer) {
-  const tf2::Quaternion from = older.rotation(), to = newer.rotation();
-  return !isSameRotation(from, to) && tf2::angleShortestPath(from, to) == 0;
 }
 
 Bulge bulge(const PathSteps& path, double radius, double distance) {

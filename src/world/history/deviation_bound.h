@@ -64,16 +64,15 @@ struct EdgeStep {
   double distance = 0;           ///< max(|p0|, |p1|) in 3 above [m]
   double jump = 0;               ///< j in 6 above
   bool is_jump_partial = false;  ///< j lacks the lengths
+  /// tf2 does not interpolate between the rotations, which differ by rounding or in length alone:
+  /// it keeps the older one until the newer sample.
+  bool is_sudden = false;
 
   /// In one of 1 / `part` equal parts of the time.
   EdgeStep in(double part) const;
 };
 
 EdgeStep stepBetween(const Tf2Pose& older, const Tf2Pose& newer);
-
-/// True if tf2 does not interpolate between these rotations, which differ by rounding or in length
-/// alone: it keeps the older one until the newer sample.
-bool isSudden(const Tf2Pose& older, const Tf2Pose& newer);
 
 /// The edges from the link, and from the target, up to the nearest frame above both.
 struct PathSteps {

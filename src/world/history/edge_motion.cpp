@@ -16,7 +16,7 @@ tf2::TransformStorage stored(const Tf2Pose& pose, double stamp) {
   return result;
 }
 
-/// What isSudden() says, asked of the library.
+/// EdgeStep::is_sudden, asked of the library.
 bool isSuddenInLibrary(const Tf2Pose& older, const Tf2Pose& newer) {
   tf2::TimeCache cache;
   cache.insertData(stored(older, 1));
@@ -37,16 +37,19 @@ void EdgeMotion::seek(std::int64_t time) {
   std::size_t place = time < older().stamp ? 0 : place_;
   while (place + 1 < samples_.size() && samples_[place + 1]->stamp <= time)
     ++place;
-  if (place != place_) goTo(place);
+  if (place == place_) return;
+  place_ = place;
+  motion_.reset();
 }
 
-void EdgeMotion::goTo(std::size_t place) {
-  place_ = place;
+/// Poses at samples do not need it.
+const EdgeMotion::Motion& EdgeMotion::motion() const {
+  if (motion_) return *motion_;
   const Tf2Pose& from = older().parent_from_child;
   const Tf2Pose& to = hasNext() ? newer().parent_from_child : from;
-  step_ = stepBetween(from, to);
-  is_sudden_ = link_bounds::isSudden(from, to);
-  is_ambiguous_ = step_.is_jump_partial && isSuddenInLibrary(from, to) != is_sudden_;
+  const EdgeStep step = stepBetween(from, to);
+  const bool is_ambiguous = step.is_jump_partial && isSuddenInLibrary(from, to) != step.is_sudden;
+  return motion_.emplace(Motion{step, is_ambiguous});
 }
 
 Tf2Pose EdgeMotion::at(std::int64_t time) const {
@@ -54,7 +57,7 @@ Tf2Pose EdgeMotion::at(std::int64_t time) const {
   if (!hasNext() || time <= older().stamp) return from;
   const Tf2Pose pose = interpolated(older(), newer(), time);
   if (!isLibraryOther()) return pose;
-  if (!is_sudden_) return {from.rotation(), pose.translation()};
+  if (!motion().step.is_sudden) return {from.rotation(), pose.translation()};
   const tf2::Quaternion to = newer().parent_from_child.rotation();
   return {between(from.rotation(), to, partOf(time - older().stamp)), pose.translation()};
 }
@@ -64,7 +67,8 @@ double EdgeMotion::partOf(std::int64_t duration) const {
 }
 
 EdgeStep EdgeMotion::stepIn(std::int64_t duration) const {
-  return hasNext() ? step_.in(partOf(duration)) : step_;
+  const EdgeStep& step = motion().step;
+  return hasNext() ? step.in(partOf(duration)) : step;
 }
 
 }  // namespace link_bounds

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBodiesPerLook = 8;  // at the clock
+constexpr int kObjectsPerLook = 8;  // at the clock
 
 template <class T>
 void sortWithoutRepeats(std::vector<T>& values) {
@@ -60,8 +60,8 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
   const Clock::time_point end = Clock::now() + budget;
   if (!past_) begin(scene, now);
   if (past_->unknown_frame) return true;
-  for (int i = 1; copyNext(scene); ++i) {
-    if (i % kBodiesPerLook == 0 && Clock::now() >= end) return false;
+  while (copyNext(scene)) {
+    if (Clock::now() >= end) return false;
   }
   return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
 }
@@ -111,10 +111,14 @@ bool SceneCopy::copyNextBody(const Scene& scene) {
   }
   const LiveObjects::Objects& objects = scene.objects.objects();
   if (request_.names.empty()) {
-    const auto next = last_object_ ? objects.upper_bound(*last_object_) : objects.begin();
+    auto next = last_object_ ? objects.upper_bound(*last_object_) : objects.begin();
     if (next == objects.end()) return false;
-    last_object_ = next->first;
-    copyObject(scene, next->second);
+    auto last = next;
+    for (int i = 0; i < kObjectsPerLook && next != objects.end(); ++i) {
+      copyObject(scene, next->second);
+      last = next++;
+    }
+    last_object_ = last->first;
     return true;
   }
   if (next_key_ == keys_.size()) return false;

@@ -22,18 +22,22 @@ struct FoundPair {
 
 class PairHeap {
  public:
-  explicit PairHeap(std::size_t max) : max_(max) {}
+  /// Of so many candidates.
+  PairHeap(std::size_t max, std::size_t candidates) : max_(max) {
+    pairs_.reserve(std::min(candidates, max + 1));
+  }
 
   bool isFull() const { return pairs_.size() == max_; }
 
-  /// Lower bound of the farthest pair. There must be one.
+  /// Lower bound of the farthest pair. It must be full.
   double farthest() const { return pairs_.front().distance.lower; }
 
   /// Adds a pair. If that is one too many, removes the farthest pair and returns it.
   std::optional<FoundPair> add(FoundPair pair) {
     pairs_.push_back(std::move(pair));
-    std::push_heap(pairs_.begin(), pairs_.end(), isNearer);
+    if (isFull()) std::make_heap(pairs_.begin(), pairs_.end(), isNearer);
     if (pairs_.size() <= max_) return std::nullopt;
+    std::push_heap(pairs_.begin(), pairs_.end(), isNearer);
     std::pop_heap(pairs_.begin(), pairs_.end(), isNearer);
     FoundPair farthest = std::move(pairs_.back());
     pairs_.pop_back();
@@ -42,9 +46,11 @@ class PairHeap {
 
   /// All pairs, sorted by first, then by second. None are left.
   std::vector<FoundPair> take() {
-    std::sort(pairs_.begin(), pairs_.end(), [](const FoundPair& a, const FoundPair& b) {
+    const auto isBefore = [](const FoundPair& a, const FoundPair& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
-    });
+    };
+    if (!std::is_sorted(pairs_.begin(), pairs_.end(), isBefore))
+      std::sort(pairs_.begin(), pairs_.end(), isBefore);
     return std::exchange(pairs_, {});
   }
 
@@ -55,7 +61,7 @@ class PairHeap {
   }
 
   std::size_t max_;
-  std::vector<FoundPair> pairs_;  ///< a heap, the farthest first
+  std::vector<FoundPair> pairs_;  ///< once full, a heap, the farthest first
 };
 
 }  // namespace link_bounds

@@ -25,8 +25,8 @@ bool isFarther(const BoxPair& a, const BoxPair& b) {
 
 }  // namespace
 
-/// Boxes decide in which order bodies are measured, and where a full list ends the search: no pair
-/// is nearer than its boxes, nor nearer than 0.
+/// If there may be too many pairs, boxes decide in which order bodies are measured, and where a
+/// full list ends the search: no pair is nearer than its boxes, nor nearer than 0.
 std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment,
                                                          MomentPairs& pairs,
                                                          TriangleTrees::Time now,
@@ -37,13 +37,16 @@ std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment
   bodies_.update(moment, now);
   bodies_.setGoal({parameters.distance_accuracy, limit, kMaxSteps});
   if (!findCandidates(moment, pairs, is_cancelled, concerns)) return std::nullopt;
-  PairHeap nearest(static_cast<std::size_t>(parameters.max_pairs));
+  const auto max_pairs = static_cast<std::size_t>(parameters.max_pairs);
+  const bool has_order = candidates_.size() > max_pairs;
+  if (has_order) std::make_heap(candidates_.begin(), candidates_.end(), isFarther);
+  PairHeap nearest(max_pairs, candidates_.size());
   left_out_ = 0;
   while (!candidates_.empty()) {
     if (is_cancelled()) return std::nullopt;
     if (nearest.isFull() && std::max(candidates_.front().distance, 0.0) >= nearest.farthest())
       break;
-    std::pop_heap(candidates_.begin(), candidates_.end(), isFarther);
+    if (has_order) std::pop_heap(candidates_.begin(), candidates_.end(), isFarther);
     const BoxPair pair = candidates_.back();
     candidates_.pop_back();
     measure(pair, limit, nearest);
@@ -54,7 +57,7 @@ std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment
   return result(moment, nearest.take());
 }
 
-/// Fills candidates_, a heap with the nearest boxes first. False if it was cancelled.
+/// False if it was cancelled.
 bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
                                     const std::function<bool()>& is_cancelled,
                                     const Concerns& concerns) {
@@ -64,7 +67,7 @@ bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
   };
   const auto read = [&](const NearPairs& near) {
     candidates_.clear();
-    std::copy_if(near.compared.begin(), near.compared.end(), std::back_inserter(candidates_),
+    std::copy_if(near.compared.rbegin(), near.compared.rend(), std::back_inserter(candidates_),
                  is_candidate);
     not_compared_ = near.left_out;
     are_pairs_listed_ = near.is_listed;
@@ -72,7 +75,6 @@ bool SceneDistances::findCandidates(const MomentPtr& moment, MomentPairs& pairs,
   if (!pairs.read(moment, limit, read, is_cancelled)) return false;
   is_incomplete_.assign(moment->bodies.size(), false);
   is_compared_ = areCompared(*moment, candidates_);
-  std::make_heap(candidates_.begin(), candidates_.end(), isFarther);
   return true;
 }
 
@@ -109,6 +111,7 @@ ComputedDistances SceneDistances::result(const MomentPtr& moment,
   array.header = moment->header;
   array.limit = parameters.distance_limit;
   array.accuracy = parameters.distance_accuracy;
+  array.distances.reserve(pairs.size());
   for (const FoundPair& pair : pairs) {
     array.distances.push_back(toMessage(*moment, pair));
     ++result.levels[array.distances.back().level];

@@ -58,7 +58,7 @@ class SceneDistances {
 
   LiveBodies bodies_;
   bool are_carried_;
-  std::vector<BoxPair> candidates_;     ///< not measured yet
+  std::vector<BoxPair> candidates_;     ///< not measured yet, the next one last
   std::vector<BoxPair> not_compared_;   ///< near by their boxes, but left out by the rule of pairs
   std::vector<bool> is_incomplete_;     ///< of the bodies, as the next two
   std::vector<bool> is_compared_;       ///< with any other one

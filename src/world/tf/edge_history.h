@@ -22,7 +22,10 @@ class EdgeHistory {
   static constexpr std::int64_t kLength = 10000000000;
 
   /// A static edge has one sample, which holds at all times.
-  explicit EdgeHistory(bool is_static) : is_static_(is_static) {}
+  /// `memory` must outlive this.
+  explicit EdgeHistory(bool is_static,
+                       std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
+      : is_static_(is_static), samples_(memory) {}
 
   /// Times are nanoseconds. False if the sample is refused: there is one of that stamp already, or
   /// the stamp is too old.

@@ -50,7 +50,8 @@ void SampleRing::pushBlock(std::int64_t dropped_before) {
     const auto end = oldest_place_ == 0
                          ? blocks_.end()
                          : blocks_.begin() + static_cast<std::ptrdiff_t>(oldest_place_);
-    blocks_.insert(end, std::make_unique<Block>());
+    auto* const made = new (memory_->allocate(sizeof(Block))) Block;
+    blocks_.insert(end, BlockPtr(made, Delete{memory_}));
     if (oldest_place_ > 0) ++oldest_place_;
   } else {
     oldest_place_ = oldest_place_ + 1 < blocks_.size() ? oldest_place_ + 1 : 0;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <vector>
 
 #include "world/tf/tf2_pose.h"
@@ -25,6 +26,10 @@ struct EdgeSample {
 
 class SampleRing {
  public:
+  /// `memory` must outlive this.
+  explicit SampleRing(std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
+      : memory_(&memory) {}
+
   bool isEmpty() const { return !newest_; }
   EdgeSample& newest() { return *newest_; }
   const EdgeSample& newest() const { return *newest_; }
@@ -72,12 +77,17 @@ class SampleRing {
   /// As push(), for any other stamp.
   EdgeSample& insert(std::int64_t stamp, std::int64_t dropped_before);
 
-  void clear() { *this = SampleRing(); }
+  void clear() { *this = SampleRing(*memory_); }
 
  private:
   /// With the header of malloc, a block takes 512 bytes.
   static constexpr std::size_t kPerBlock = 7;
   using Block = std::array<EdgeSample, kPerBlock>;
+  struct Delete {
+    std::pmr::memory_resource* memory;
+    void operator()(Block* block) const { memory->deallocate(block, sizeof(Block)); }
+  };
+  using BlockPtr = std::unique_ptr<Block, Delete>;
 
   /// The blocks by age: 0 is the oldest one.
   Block& block(std::size_t i) const {
@@ -99,9 +109,10 @@ class SampleRing {
   void pushBlock(std::int64_t dropped_before);
   void release(std::int64_t dropped_before);
 
-  std::vector<std::unique_ptr<Block>> blocks_;  ///< a circle: after the last comes the first
-  std::size_t oldest_place_ = 0;                ///< in blocks_; the newest one is before it
-  Block* oldest_ = nullptr;                     ///< the block there
+  std::pmr::memory_resource* memory_;
+  std::vector<BlockPtr> blocks_;  ///< a circle: after the last comes the first
+  std::size_t oldest_place_ = 0;  ///< in blocks_; the newest one is before it
+  Block* oldest_ = nullptr;       ///< the block there
   EdgeSample* newest_ = nullptr;
   EdgeSample* end_of_block_ = nullptr;  ///< the last place of that block
   std::uint32_t blocks_begun_ = 0;      ///< since the last release()

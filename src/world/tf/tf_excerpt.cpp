@@ -86,7 +86,7 @@ void TfExcerpt::copyHead(const TransformBuffer& tf, Frame child) {
   edge.received = original.received;
   const bool moves = original.has_parent && !original.is_static;
   oldest_.push_back(0);
-  if (original.history) edge.history.emplace(original.is_static);
+  if (original.history) edge.history.emplace(original.is_static, memory_);
   if (!moves) return;
   const EdgeHistory& history = *original.history;
   oldest_.back() = std::max(history.samples()[0].stamp, history.oldestKept());

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -69,6 +70,7 @@ class TfExcerpt {
   std::int64_t stamp_;
   std::int64_t span_;
   std::int64_t stale_before_;
+  std::pmr::monotonic_buffer_resource memory_{1 << 16};  ///< of samples: allocated and freed as one
   std::unique_ptr<TransformBuffer> buffer_ = std::make_unique<TransformBuffer>();
   std::vector<std::unique_ptr<TransformBuffer>> former_;  ///< not freed on the update thread
   std::vector<Frame> added_;                              ///< numbers in the original
