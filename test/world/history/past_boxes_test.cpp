@@ -15,7 +15,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::nanoseconds kStep(0);  // one body or edge at a time
+constexpr std::chrono::nanoseconds kStep(0);  // a few bodies or an edge at a time
 constexpr int kLinks = 8;
 constexpr int kVertices = 30;
 constexpr int kMissing = 3;  // the link that lacks a mesh
@@ -324,14 +324,45 @@ TEST(SecondsText, HasTheDigitsThatCount) {
   EXPECT_EQ(secondsText(1700000000000000001), "1700000000.000000001");
 }
 
+ObjectContent cuboid(const std::string& name) {
+  ObjectContent content;
+  content.bounded.name = name;
+  content.bounded.shapes = {{nullptr, Solid::kBox, {1, 2, 3}, Eigen::Affine3d::Identity()}};
+  content.frame = "map";
+  return content;
+}
+
+TEST(PastBoxes, ObjectsAreCopiedOnceEachWhileOthersComeAndGo) {
+  constexpr int kObjects = 40;
+  TransformBuffer tf;
+  Scene scene(tf);
+  scene.adopt(modelOf("map", {}), kNow);
+  const auto key = [](int i) { return ObjectKey{"o", 100 + i}; };
+  const auto put = [&](int i) { scene.objects.put(key(i), cuboid(objectName(key(i))), kNow); };
+  std::vector<std::string> expected;
+  for (int i = 0; i < kObjects; ++i) {
+    put(2 * i);
+    expected.push_back(objectName(key(2 * i)));
+  }
+  SceneCopy copy({}, scene.links.sharedModel());
+  for (int i = 0; !copy.proceed(scene, kNow, kStep); ++i) {
+    put(2 * i + 1);
+    scene.objects.remove(key(2 * i + 1));
+    scene.objects.remove(key(0));
+    put(0);
+  }
+  const std::unique_ptr<PastScene> past = copy.take();
+  std::vector<std::string> names;
+  for (const PastBody& body : past->bodies)
+    names.push_back(body.bounded->name);
+  EXPECT_EQ(names, expected);
+}
+
 TEST(PastBoxes, ANeighbourIsWhereItsNewestMessagePutIt) {
   TransformBuffer tf;
   Scene scene(tf);
   scene.adopt(modelOf("map", {}), kNow);
-  ObjectContent content;
-  content.bounded.name = "/other/arm";
-  content.bounded.shapes = {{nullptr, Solid::kBox, {1, 2, 3}, Eigen::Affine3d::Identity()}};
-  content.frame = "map";
+  ObjectContent content = cuboid("/other/arm");
   content.stamp = 500;
   content.is_neighbour = true;
   scene.objects.put(*parseObjectName(content.bounded.name), content, kNow);

@@ -71,6 +71,15 @@ std::vector<Cuboid> rods(brute_force::Random& random, std::size_t count) {
   return result;
 }
 
+/// By first, then by second, in the order of the bodies.
+bool isInOrder(const DistanceArray& array) {
+  const auto number = [](const std::string& name) { return std::stoi(name.substr(2)); };
+  std::vector<std::pair<int, int>> pairs;
+  for (const Distance& distance : array.distances)
+    pairs.emplace_back(number(distance.first), number(distance.second));
+  return std::is_sorted(pairs.begin(), pairs.end());
+}
+
 void expectNearest(const ComputedDistances& found, const ComputedDistances& all, std::size_t max) {
   const std::vector<double> distances = sorted(found.array);
   const std::vector<double> expected = sorted(all.array);
@@ -84,6 +93,7 @@ void expectNearest(const ComputedDistances& found, const ComputedDistances& all,
   std::set<std::pair<std::string, std::string>> listed;
   for (const Distance& distance : found.array.distances)
     listed.insert({distance.first, distance.second});
+  ASSERT_TRUE(isInOrder(found.array) && isInOrder(all.array));
   std::size_t missing = 0;
   for (const Distance& distance : all.array.distances) {
     if (listed.count({distance.first, distance.second})) continue;
