@@ -64,7 +64,7 @@ class HullSearch {
              PairMemory& memory)
       : first_(first),
         second_(second),
-        goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps},
+        goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
         rounding_(pairRounding(first, second)),
         steps_left_(goal.max_steps) {}
@@ -84,7 +84,7 @@ class HullSearch {
   }
 
  private:
-  double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
+  double farEnough() const { return goal_.enough(witness_.distance); }
 
   /// The pair that was nearest before comes first, then those with the nearest boxes.
   std::vector<Candidate> candidates(const PairMemory& before) const {
@@ -123,8 +123,8 @@ class HullSearch {
     const bool is_nearest = before.is_known && before.first_shape == candidate.first &&
                             before.second_shape == candidate.second;
     Simplex simplex = is_nearest ? placed(before.simplex, pair) : Simplex();
-    const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, kHullTolerance * goal_.accuracy,
-                           kHullSteps};
+    const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
+    const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, tolerance, kHullSteps};
     const ShapeHull a{pair.first}, b{pair.second};
     const Eigen::Vector3d start = startOf(candidate);
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);

@@ -83,7 +83,9 @@ class BodyDistances::Memories {
     if (!a.placed() || !b.placed()) return std::nullopt;
     if (const auto far = distanceBeyond(limit, *a.placed(), *b.placed())) return far;
     PairMemory memory;
-    return placedDistance(*a.placed(), *b.placed(), {goal.accuracy, limit, goal.max_steps}, memory);
+    DistanceGoal goal_once = goal;
+    goal_once.limit = limit;
+    return placedDistance(*a.placed(), *b.placed(), goal_once, memory);
   }
 
   void forgetUnused() {
@@ -181,7 +183,8 @@ class BodyDistances::Memories {
   }
 
   bool reachesGoal(const BodyDistance& distance) const {
-    return distance.lower > goal.limit || distance.upper - distance.lower <= goal.accuracy;
+    return distance.lower > goal.limit ||
+           distance.upper - distance.lower <= goal.tolerance(distance.upper);
   }
 
   /// Whether `last` of the pair is good enough at the poses of now.

@@ -76,7 +76,7 @@ class NodeSearch {
 
  private:
   /// A pair that is proven to be so far apart cannot change the result.
-  double farEnough() const { return std::min(goal_.limit, witness_.distance - goal_.accuracy); }
+  double farEnough() const { return goal_.enough(witness_.distance); }
 
   /// Compares what is open, until nothing is.
   void empty() {
@@ -319,8 +319,8 @@ class NodeSearch {
   void compareSets(const NodePair& pair, const First& first, const Second& second,
                    Separation& all) {
     Simplex simplex;
-    const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, kLeafTolerance * goal_.accuracy,
-                           kLeafSteps};
+    const double tolerance = kLeafTolerance * goal_.tolerance(hulls_.lower);
+    const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, tolerance, kLeafSteps};
     Separation sets = pair.separation;
     raise(sets, gjk(first, pair_.first_at, second, pair_.second_at, pair.separation.normal,
                     gjk_goal, simplex));

@@ -57,6 +57,10 @@ inline std::string geometry(const std::string& value) {
   return is_known ? "" : "must be visual, collision or both";
 }
 
+inline std::string share(double value) {
+  return value >= 0 && value <= 0.5 ? "" : "must be a number from 0 to 0.5";
+}
+
 inline std::string markerStyle(const std::string& value) {
   const bool is_known = value == "edges" || value == "faces" || value == "both";
   return is_known ? "" : "must be edges, faces or both";
@@ -170,6 +174,8 @@ void visitParameters(AnyParameters& p, Visitor&& visit) {
         "metres, 0 to 1e6; pairs of bodies with distance <= it are in ~distances");
   visit("distance_accuracy", p.distance_accuracy, rules::positiveLength,
         "metres, > 0, at most 1e6; distances are refined until distance_max - distance <= it");
+  visit("distance_relative_accuracy", p.distance_relative_accuracy, rules::share,
+        "0 to 0.5; or until distance_max - distance <= that part of distance_max, which is faster");
   visit("distance_warning", p.distance_warning, rules::length,
         "metres, 0 to 1e6; /diagnostics warns while ~nearest is at or below it; 0 = never");
   visit("swept_span", p.swept_span, rules::notNegative,

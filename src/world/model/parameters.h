@@ -35,6 +35,7 @@ struct Parameters {
   int max_pairs = 10000;
   double distance_limit = 0.1;
   double distance_accuracy = 1e-4;
+  double distance_relative_accuracy = 0;
   double distance_warning = 0.0;
   double swept_span = 0.0;
   std::map<std::string, double> deceleration;

@@ -35,7 +35,8 @@ std::optional<ComputedDistances> SceneDistances::compute(const MomentPtr& moment
   const Parameters& parameters = moment->model->parameters;
   const double limit = parameters.distance_limit;
   bodies_.update(moment, now);
-  bodies_.setGoal({parameters.distance_accuracy, limit, kMaxSteps});
+  bodies_.setGoal(
+      {parameters.distance_accuracy, limit, kMaxSteps, parameters.distance_relative_accuracy});
   if (!findCandidates(moment, pairs, is_cancelled, concerns)) return std::nullopt;
   const auto max_pairs = static_cast<std::size_t>(parameters.max_pairs);
   const bool has_order = candidates_.size() > max_pairs;

@@ -175,6 +175,7 @@ DistanceRows measurePairs(const DistanceRobot& robot,
 DistanceRows measureUpdates(const DistanceRobot& robot) {
   std::vector<DistanceSetting> settings;
   addOurDistances(settings);
+  addRoughDistances(settings);
   DistanceRows result;
   for (const auto& [name, motion] : updateMotions(robot)) {
     for (const DistanceSetting& setting : settings) {

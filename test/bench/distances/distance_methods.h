@@ -44,11 +44,13 @@ class DistanceMethod {
 
 struct DistanceSetting {
   std::string method;
-  std::string level;  ///< "hull" or "mesh"
+  std::string level;  ///< "hull" or "mesh"; "mesh to 0.01": to that part of the distance
   std::function<std::unique_ptr<DistanceMethod>(const DistanceRobot& robot, double limit)> make;
 };
 
 void addOurDistances(std::vector<DistanceSetting>& settings);
+/// Ours with a relative accuracy, too.
+void addRoughDistances(std::vector<DistanceSetting>& settings);
 void addFclDistances(std::vector<DistanceSetting>& settings);
 void addBulletDistances(std::vector<DistanceSetting>& settings);
 

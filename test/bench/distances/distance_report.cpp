@@ -84,7 +84,7 @@ void print(const DistanceRow& row, std::ostream& out) {
   std::string name = row.robot;
   if (row.triangles) name += ", " + std::to_string(*row.triangles) + " triangles";
   out << std::left << std::setw(34) << name << std::setw(11) << row.motion << std::setw(10)
-      << row.which << std::setw(14) << row.method << std::setw(5) << row.level << std::right
+      << row.which << std::setw(14) << row.method << std::setw(13) << row.level << std::right
       << std::fixed << std::setprecision(2) << std::setw(6) << row.pairs << " pairs"
       << (row.which == "update" ? " together" : "         ") << std::setw(10)
       << median(row.ns) / 1e3 << std::setw(10) << share(row.ns, 0.9) / 1e3;

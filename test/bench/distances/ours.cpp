@@ -9,8 +9,9 @@ namespace {
 
 class OurDistances : public DistanceMethod {
  public:
-  OurDistances(const DistanceRobot& robot, double limit, bool has_triangles)
-      : count_(robot.links.size()), distances_({kAccuracy, limit}) {
+  OurDistances(const DistanceRobot& robot, double limit, bool has_triangles, double relative)
+      : count_(robot.links.size()),
+        distances_({kAccuracy, limit, DistanceGoal().max_steps, relative}) {
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       auto body = std::make_shared<Body>(robot.links[i].body);
       for (BodyShape& shape : body->shapes) {
@@ -48,17 +49,21 @@ class OurDistances : public DistanceMethod {
   BodyDistances distances_;
 };
 
-DistanceSetting setting(const std::string& level, bool has_triangles) {
-  return {"ours", level, [has_triangles](const DistanceRobot& robot, double limit) {
-            return std::make_unique<OurDistances>(robot, limit, has_triangles);
+DistanceSetting setting(const std::string& level, bool has_triangles, double relative) {
+  return {"ours", level, [has_triangles, relative](const DistanceRobot& robot, double limit) {
+            return std::make_unique<OurDistances>(robot, limit, has_triangles, relative);
           }};
 }
 
 }  // namespace
 
 void addOurDistances(std::vector<DistanceSetting>& settings) {
-  settings.push_back(setting("hull", false));
-  settings.push_back(setting("mesh", true));
+  settings.push_back(setting("hull", false, 0));
+  settings.push_back(setting("mesh", true, 0));
+}
+
+void addRoughDistances(std::vector<DistanceSetting>& settings) {
+  settings.push_back(setting("mesh to 0.01", true, 0.01));
 }
 
 }  // namespace link_bounds::bench

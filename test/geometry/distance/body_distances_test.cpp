@@ -37,6 +37,12 @@ struct Twin {
   std::optional<Eigen::Affine3d> pose;
 };
 
+/// 1e-10 is for rounding.
+bool reaches(const DistanceGoal& goal, const BodyDistance& found) {
+  return found.lower >= goal.limit ||
+         found.upper - found.lower <= goal.tolerance(found.upper) + 1e-10;
+}
+
 /// Both bounds are proven, so they must fit those of another proof.
 void expectSame(const std::optional<BodyDistance>& found, const Twin& a, const Twin& b,
                 const DistanceGoal& goal) {
@@ -47,8 +53,7 @@ void expectSame(const std::optional<BodyDistance>& found, const Twin& a, const T
   if (!found) return;
   ASSERT_LE(found->lower, fresh->upper);
   ASSERT_LE(fresh->lower, found->upper);
-  ASSERT_EQ(found->lower < goal.limit && found->upper - found->lower > goal.accuracy + 1e-10,
-            fresh->lower < goal.limit && fresh->upper - fresh->lower > goal.accuracy + 1e-10)
+  ASSERT_EQ(reaches(goal, *found), reaches(goal, *fresh))
       << found->lower << " " << found->upper << " " << fresh->lower << " " << fresh->upper;
 }
 
@@ -75,6 +80,7 @@ TEST(BodyDistances, AgreeWithAComputationWithoutMemory) {
   for (int sequence = 0; sequence < repetitions(10); ++sequence) {
     DistanceGoal goal{random.magnitude(-5, -2),
                       random.sign() > 0 ? kInfinity : random.magnitude(-2, 0)};
+    if (sequence % 2 == 1) goal.relative_accuracy = random.magnitude(-3, -0.5);
     BodyDistances distances(goal);
     std::vector<Twin> twins(kBodies);
     for (std::size_t i = 0; i < kBodies; ++i) {
@@ -139,8 +145,8 @@ void expectSameInMotion(const MeshBody& a, const MeshBody& b, const Eigen::Vecto
     const auto found = random.sign() > 0 ? distances.find(0, 1) : distances.follow(0, 1);
     expectSame(found, twins[0], twins[1], goal);
     const auto again = distances.find(0, 1);
-    const bool reaches = found->lower > goal.limit || found->upper - found->lower <= goal.accuracy;
-    ASSERT_TRUE(again->lower == found->lower || !reaches);
+    const bool is_reached = found->lower > goal.limit || found->lower >= goal.enough(found->upper);
+    ASSERT_TRUE(again->lower == found->lower || !is_reached);
     pose.linear() = rigid;
     if (step != 50) continue;
     const auto exact = distance_oracle::distance(a.placed(*twins[0].pose), b.placed(pose));
@@ -163,9 +169,32 @@ TEST(BodyDistances, AgreeInTheCoherentMotionOfMeshesWithBumps) {
     expectSameInMotion(a, b, {0.9, 0, 0}, {1e-5}, random);
     expectSameInMotion(a, a, {0.61, 0.1, 0}, {1e-6, 0.1}, random);
     expectSameInMotion(shell, a, {0.05, 0, 0}, {1e-4}, random);
+    expectSameInMotion(a, b, {0.9, 0, 0}, {1e-9, kInfinity, 1'000'000, 0.02}, random);
     // Where steps run out, bounds are wider but hold.
     expectSameInMotion(shell, a, {0.05, 0, 0}, {1, kInfinity, 20}, random);
   }
+}
+
+TEST(BodyDistances, ARelativeAccuracyIsUsedWhereItAllowsMore) {
+  MeshBody a;
+  a.add(bumpyBall(16, 0.01));
+  const Eigen::Affine3d rest = Eigen::Affine3d::Identity();
+  const auto found = [&](double gap, double relative) {
+    Eigen::Affine3d pose = rest;
+    pose.translation() = {0.6 + gap, 0.05, 0.02};
+    return bodyDistance(a.body, rest, a.body, pose, {1e-6, kInfinity, 1'000'000, relative}).value();
+  };
+  for (const double gap : {0.05, 0.3, 3.0}) {
+    const BodyDistance exact = found(gap, 0), rough = found(gap, 0.1);
+    EXPECT_LE(exact.upper - exact.lower, 1e-6 + 1e-12);
+    EXPECT_LE(rough.upper - rough.lower, 0.1 * rough.upper + 1e-12);
+    EXPECT_GT(rough.upper - rough.lower, 1e-4) << "it searches as long as before";
+    EXPECT_LE(rough.lower, exact.upper);
+    EXPECT_GE(rough.upper, exact.lower);
+  }
+  const BodyDistance touching = found(-0.1, 0.5);
+  EXPECT_EQ(touching.lower, 0);
+  EXPECT_LE(touching.upper, 1e-6);
 }
 
 /// A full simplex is left where two bodies meet. Rounding may put its nearest point farther from

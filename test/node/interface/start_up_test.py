@@ -33,6 +33,7 @@ BAD_PARAMETERS = {
     "overlap_margin": [-1.0, 1.1e6, float("nan")],
     "distance_limit": [-1.0, 1e308, float("inf")],
     "distance_accuracy": [0, 1.1e6],
+    "distance_relative_accuracy": [-0.1, 0.51, float("nan")],
     "distance_warning": [-1.0, 1.1e6],
     "mesh_timeout": [0, -1.0, "30", float("inf")],
     "max_mesh_bytes": [0, -1, 1e6, "1000"],

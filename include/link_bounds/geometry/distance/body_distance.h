@@ -3,6 +3,7 @@
 /// The distance of two bodies between two proven bounds.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -40,13 +41,24 @@ struct DistanceGoal {
   /// Max number of pairs of tree nodes that are compared. Where they do not suffice, both bounds
   /// hold, but differ by more than `accuracy`.
   std::size_t max_steps = 1'000'000;
+  /// From 0 to less than 1: `upper` - `lower` may also be that part of `upper`, if it is more than
+  /// `accuracy`.
+  double relative_accuracy = 0;
+
+  /// What the bounds may differ by, if the upper one is this [m].
+  double tolerance(double upper) const { return std::max(accuracy, relative_accuracy * upper); }
+
+  /// The least lower bound that suffices then [m].
+  double enough(double upper) const {
+    return std::min({limit, upper - accuracy, (1 - relative_accuracy) * upper});
+  }
 };
 
-/// `lower` and `upper` differ by at most goal.accuracy and rounding if each shape has triangles or
-/// is a solid with at most one point, and neither goal.limit nor goal.max_steps ended the search.
-/// Nothing if a body has no shape, or a pose gives no finite box. The other order of the bodies
-/// gives the same numbers, with the points swapped and the normal reversed. Poses may be any affine
-/// transform. Throws nothing but std::bad_alloc.
+/// `lower` and `upper` differ by at most goal.tolerance(upper) and rounding if each shape has
+/// triangles or is a solid with at most one point, and neither goal.limit nor goal.max_steps ended
+/// the search. Nothing if a body has no shape, or a pose gives no finite box. The other order of
+/// the bodies gives the same numbers, with the points swapped and the normal reversed. Poses may be
+/// any affine transform. Throws nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,
                                          const Eigen::Affine3d& world_from_second,

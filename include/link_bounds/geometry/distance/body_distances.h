@@ -13,8 +13,8 @@ namespace link_bounds {
 /// remembers what was nearest, and the next search of that pair begins there. A memory ends when
 /// one of the two bodies is replaced, or with forgetUnused(). Bounds of find() and of
 /// bodyDistance() hold alike and are as near to each other, but they may differ within
-/// goal.accuracy. A memory takes up to 97 KiB for a pair of meshes and less than 1 KiB for others.
-/// Throws nothing but std::bad_alloc. Not thread-safe.
+/// goal.tolerance(). A memory takes up to 97 KiB for a pair of meshes and less than 1 KiB for
+/// others. Throws nothing but std::bad_alloc. Not thread-safe.
 class BodyDistances {
  public:
   explicit BodyDistances(const DistanceGoal& goal = {});
