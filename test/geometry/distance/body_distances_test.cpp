@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "testing/distance_bodies.h"
 #include "testing/sanitized.h"
 
@@ -175,26 +177,31 @@ TEST(BodyDistances, AgreeInTheCoherentMotionOfMeshesWithBumps) {
   }
 }
 
-TEST(BodyDistances, ARelativeAccuracyIsUsedWhereItAllowsMore) {
-  MeshBody a;
-  a.add(bumpyBall(16, 0.01));
-  const Eigen::Affine3d rest = Eigen::Affine3d::Identity();
-  const auto found = [&](double gap, double relative) {
-    Eigen::Affine3d pose = rest;
-    pose.translation() = {0.6 + gap, 0.05, 0.02};
-    return bodyDistance(a.body, rest, a.body, pose, {1e-6, kInfinity, 1'000'000, relative}).value();
+TEST(BodyDistances, ARelativeAccuracyTakesFewerSteps) {
+  MeshBody ball, shell;
+  ball.add(bumpyBall(16, 0.01));
+  shell.add(bumpyBall(16, 0.003), Eigen::Affine3d(Eigen::Scaling(1.2)));
+  const Eigen::Affine3d rest = Eigen::Affine3d::Identity(),
+                        inside(Eigen::Translation3d(0.02, 0.01, 0));
+  const auto distance = [&](const DistanceGoal& goal) {
+    return bodyDistance(shell.body, rest, ball.body, inside, goal).value();
   };
-  for (const double gap : {0.05, 0.3, 3.0}) {
-    const BodyDistance exact = found(gap, 0), rough = found(gap, 0.1);
-    EXPECT_LE(exact.upper - exact.lower, 1e-6 + 1e-12);
-    EXPECT_LE(rough.upper - rough.lower, 0.1 * rough.upper + 1e-12);
-    EXPECT_GT(rough.upper - rough.lower, 1e-4) << "it searches as long as before";
+  const auto stepsNeeded = [&](DistanceGoal goal) {
+    for (goal.max_steps = 1; !reaches(goal, distance(goal)) && goal.max_steps < 10'000;)
+      ++goal.max_steps;
+    return goal.max_steps;
+  };
+  const BodyDistance exact = distance({1e-9});
+  std::size_t steps = stepsNeeded({1e-9});
+  for (const double part : {0.02, 0.3}) {
+    DistanceGoal goal{1e-9, kInfinity, 10'000, part};
+    const BodyDistance rough = distance(goal);
+    EXPECT_LE(rough.upper - rough.lower, part * rough.upper + 1e-12);
     EXPECT_LE(rough.lower, exact.upper);
     EXPECT_GE(rough.upper, exact.lower);
+    const std::size_t steps_before = std::exchange(steps, stepsNeeded(goal));
+    EXPECT_LT(steps, steps_before);
   }
-  const BodyDistance touching = found(-0.1, 0.5);
-  EXPECT_EQ(touching.lower, 0);
-  EXPECT_LE(touching.upper, 1e-6);
 }
 
 /// A full simplex is left where two bodies meet. Rounding may put its nearest point farther from
