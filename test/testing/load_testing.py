@@ -43,6 +43,14 @@ def cube(i, xyz, size=0.1):
     return marker
 
 
+def carried_cubes(count, frames):
+    """Each moves with one of the frames."""
+    cubes = touching_cubes(count, gap=0.1)
+    for i, marker in enumerate(cubes):
+        marker.header.frame_id = frames[i % len(frames)]
+    return cubes
+
+
 def overlapping_cubes(count):
     """Each overlaps each other one."""
     return [cube(i, (0.0001 * i, 1, 0), 1.0) for i in range(count)]
