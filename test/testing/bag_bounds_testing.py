@@ -108,7 +108,12 @@ class BagBoundsTest(unittest.TestCase):
         found = run(*bags, '--urdf', self.urdf, '--format', 'json', *arguments)
         self.assertEqual(found[0], code, found)
         self.assertRegex(found[2], '(?s)^' + err + '$' if not err else err)
-        return json.loads(found[1])
+        return json.loads(found[1], object_pairs_hook=self.unique)
+
+    def unique(self, pairs):
+        """An object of JSON, in which a key that stands twice would hide another value."""
+        self.assertEqual(len(dict(pairs)), len(pairs), pairs)
+        return dict(pairs)
 
     def check_refused(self, reason, *arguments):
         code, out, err = run(*arguments)

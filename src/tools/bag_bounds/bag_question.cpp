@@ -33,8 +33,9 @@ const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   inputs.insert(inputs.end(), {options.urdf, options.zones, options.static_from});
   checkOutput("--out", options.out, inputs);
   checkOutput("--series", options.series, inputs);
-  if (!options.series.empty() && options.series == options.out)
+  if (!options.series.empty() && isSameFile(options.series, options.out))
     throw UsageError("--series is the file of --out; name another file");
+  checkStandardInput({{"--urdf", options.urdf}, {"--zones", options.zones}});
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/bag_report.h"
 
 #include <array>
+#include <map>
 
 #include "tools/bag_bounds/bag_report_json.h"
 #include "tools/bag_bounds/report_words.h"
@@ -236,23 +237,32 @@ std::string withRemedy(const BoxRecord& box) {
   return box.reason + (box.remedy.empty() ? "" : "; " + box.remedy);
 }
 
+/// A name that is incomplete for several reasons stands there once, with all of them.
 Reasons incompleteOf(const BagReport& report) {
   Reasons reasons;
+  std::map<std::string, std::size_t> places;
+  const auto add = [&](const std::string& name, const std::string& reason) {
+    if (reason.empty()) return;
+    const auto [place, is_new] = places.emplace(name, reasons.size());
+    if (is_new) {
+      reasons.emplace_back(name, reason);
+    } else {
+      reasons[place->second].second += "; " + reason;
+    }
+  };
   for (const BoxRecord& box : report.boxes) {
-    if (!box.has_box && !box.reason.empty()) {
-      reasons.emplace_back(box.name, "never had a box: " + withRemedy(box));
+    if (!box.has_box) {
+      if (!box.reason.empty()) add(box.name, "never had a box: " + withRemedy(box));
       continue;
     }
-    if (!box.partial.empty()) reasons.emplace_back(box.name, box.partial);
-    const std::string loss = lossOf(box, report);
-    if (!loss.empty()) reasons.emplace_back(box.name, loss);
+    add(box.name, box.partial);
+    add(box.name, lossOf(box, report));
   }
-  for (const BoxAt& found : report.boxes_at) {
-    if (!found.problem.empty()) reasons.emplace_back(found.name, found.problem);
-  }
+  for (const BoxAt& found : report.boxes_at)
+    add(found.name, found.problem);
   for (const ZoneRecord& record : report.zones) {
     if (record.coverage < report.min_coverage)
-      reasons.emplace_back("zone " + record.zone.name, lossOf(record, report));
+      add("zone " + record.zone.name, lossOf(record, report));
   }
   return reasons;
 }

@@ -143,11 +143,9 @@ void BagRun::read() {
   }
 }
 
-/// Looks through the bags again, but only if a link never had a box.
+/// Looks through the bags again, but only where a remedy may name another topic.
 void BagRun::findOtherTopics() {
-  const std::vector<BoxRecord> boxes = boxes_.records();
-  const auto lacks = [](const BoxRecord& box) { return !box.has_box && !box.reason.empty(); };
-  if (!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), lacks)) return;
+  if (joints_ || (scene_.transforms() > 0 && !lacksLinkBox())) return;
   std::set<std::string> topics;
   BagReader reader(options_.bags, {}, isInterrupted, options_.jobs.value_or(coreCount()));
   for (BagMessage message{}; reader.next(message);) {
@@ -160,6 +158,15 @@ void BagRun::findOtherTopics() {
   if (!topics.empty())
     other_topics_ =
         "the bags have transforms on " + *topics.begin() + ", too; add " + other_topics_;
+}
+
+/// True if a link with shapes never had a box.
+bool BagRun::lacksLinkBox() const {
+  const std::vector<BoxRecord> boxes = boxes_.records();
+  for (std::size_t i = 0; i < std::min(model_->links.size(), boxes.size()); ++i) {
+    if (!boxes[i].has_box && !model_->links[i].shapes.empty()) return true;
+  }
+  return false;
 }
 
 void BagRun::readMessages() {
@@ -311,7 +318,7 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
   if (pairs_ || !options_.zones.empty())
     outcome.addOpen("late transforms, which change motions that were looked at",
-                    scene_.tf().intake().late);
+                    scene_.tf().neededIntake().late - intake_before_.late);
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
   if (!pairs_) return outcome;
   if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");

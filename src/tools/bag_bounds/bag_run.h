@@ -46,6 +46,7 @@ class BagRun {
   void begin();
   void takeStatic();
   void findOtherTopics();
+  bool lacksLinkBox() const;
   void readMessages();
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);

@@ -7,10 +7,12 @@
 namespace link_bounds {
 
 void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
-  // Later tf has forgotten it.
-  if (now < stamp_ || now - stamp_ > EdgeHistory::kLength) return;
-  if (!has_begun_) begin(scene);
-  if (missing_ == 0) return;
+  if (now < stamp_) return;
+  const bool is_first = !has_begun_;
+  if (is_first) begin(scene);
+  // Later tf has forgotten it. Ticks may be so far apart that the first look is later: what is
+  // static is known then, too.
+  if (missing_ == 0 || (!is_first && now - stamp_ > EdgeHistory::kLength)) return;
   const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
   for (Body& body : bodies_) {
     if (body.box) continue;

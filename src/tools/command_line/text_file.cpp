@@ -51,6 +51,24 @@ void checkOutput(const std::string& option_name, const std::string& output,
   }
 }
 
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(a, ignored);
+  return (!whole.empty() && whole == std::filesystem::weakly_canonical(b, ignored)) ||
+         std::filesystem::equivalent(a, b, ignored);
+}
+
+void checkStandardInput(const std::vector<std::pair<std::string, std::string>>& inputs) {
+  std::string reader;
+  for (const auto& [name, file] : inputs) {
+    if (file != "-") continue;
+    if (!reader.empty())
+      throw UsageError(reader + " and " + name +
+                       " cannot both come from standard input; name a file");
+    reader = name;
+  }
+}
+
 std::string folderOf(const std::string& file) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   return folder.empty() ? "." : folder;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace link_bounds {
@@ -17,6 +18,13 @@ std::string readText(const std::string& file, const std::string& what);
 /// that begin elsewhere.
 void checkOutput(const std::string& option_name, const std::string& output,
                  const std::vector<std::string>& inputs);
+
+/// Whether two outputs are one file, which need not exist yet.
+bool isSameFile(const std::string& a, const std::string& b);
+
+/// Throws UsageError if more than one of the inputs, a word for each and its file, is standard
+/// input: it can be read only once.
+void checkStandardInput(const std::vector<std::pair<std::string, std::string>>& inputs);
 
 /// Where relative names in that file start.
 std::string folderOf(const std::string& file);

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/urdf_bounds/certificate_head.h"
 
-#include <ostream>
-
+#include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
 
-void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, const Robot& robot,
-                          std::ostream& out) {
+std::ofstream beginCertificate(const char* kind, const UrdfBoundsOptions& options,
+                               const Robot& robot) {
+  std::ofstream out;
+  if (!options.certificate) return out;
+  out.open(*options.certificate);
   const char* const geometry = !options.collision ? "visual"
                                : options.visual   ? "both"
                                                   : "collision";
@@ -25,6 +27,13 @@ void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, co
     separator = ", ";
   }
   out << "}}\n";
+  if (!out.flush()) throw UsageError("cannot write " + *options.certificate);
+  return out;
+}
+
+void endCertificate(const UrdfBoundsOptions& options, std::ofstream& out) {
+  out.close();
+  if (!out) throw UsageError("cannot write " + *options.certificate);
 }
 
 }  // namespace link_bounds

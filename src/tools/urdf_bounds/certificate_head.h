@@ -3,7 +3,7 @@
 // The first line of a certificate, and how much one claims.
 #pragma once
 
-#include <iosfwd>
+#include <fstream>
 
 #include "link_bounds/robot/urdf/robot.h"
 #include "tools/urdf_bounds/urdf_bounds_options.h"
@@ -14,8 +14,13 @@ namespace link_bounds {
 /// intervals, most of them near the nearest pose.
 constexpr double kClaimed = 0.5;
 
-/// `kind` is what it is about: pairs, reach or path.
-void writeCertificateHead(const char* kind, const UrdfBoundsOptions& options, const Robot& robot,
-                          std::ostream& out);
+/// The file of --certificate with its first line, before the search for what it is to prove; not
+/// open without that option. `kind` is what it is about: pairs, reach or path. Throws UsageError if
+/// the file cannot be written.
+std::ofstream beginCertificate(const char* kind, const UrdfBoundsOptions& options,
+                               const Robot& robot);
+
+/// After the last line. Throws UsageError if the file could not be written.
+void endCertificate(const UrdfBoundsOptions& options, std::ofstream& out);
 
 }  // namespace link_bounds

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "robot/pairs/pair_certificate.h"
-#include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
 #include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/pair_words.h"
@@ -83,10 +82,8 @@ void writeEnd(std::size_t pairs, const std::map<Verdict, std::size_t>& left_out,
 std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robot,
                              const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
                              const std::vector<PairProof>& proofs,
-                             const std::function<bool()>& is_over) {
-  std::ofstream out(*options.certificate);
+                             const std::function<bool()>& is_over, std::ofstream& out) {
   const ProofCertificate certificate(options, robot, bounded, ranges);
-  writeCertificateHead("pairs", options, robot, out);
   std::map<Verdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (const PairProof& proof : proofs) {
@@ -97,8 +94,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
     }
   }
   writeEnd(covered, left_out, out);
-  out.close();
-  if (!out) throw UsageError("cannot write " + *options.certificate);
+  endCertificate(options, out);
   return left_out[Verdict::kNever] + left_out[Verdict::kAlways] + left_out[Verdict::kTouching];
 }
 

@@ -10,6 +10,7 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/pairs_certificate.h"
 #include "tools/urdf_bounds/pairs_srdf.h"
 
@@ -91,6 +92,7 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
   }
   const PairGoal goal{table.clearance, options.accuracy.value_or(kDefaultAccuracy),
                       options.touching.value_or(kDefaultTouching)};
+  std::ofstream certificate = beginCertificate("pairs", options, robot);
   const ProofControl control = controlFor(options);
   const PairChoice choice{options.adjacent, options.as_srdf};
   for (PairProof& proof : provePairs(robot, bounded, ranges, goal, control, choice))
@@ -103,8 +105,8 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
          " not decided: " + reason);
   std::size_t uncertified = 0;
   if (options.certificate) {
-    uncertified =
-        writeCertificate(options, robot, bounded, ranges, table.rows, controlFor(options).is_over);
+    uncertified = writeCertificate(options, robot, bounded, ranges, table.rows,
+                                   controlFor(options).is_over, certificate);
   }
   write(table, options);
   Outcome outcome = outcomeOf(table, goal);

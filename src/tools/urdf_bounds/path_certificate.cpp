@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "robot/pairs/pair_certificate.h"
-#include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
 #include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/pair_words.h"
@@ -65,10 +64,8 @@ class SegmentCertificate {
 std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& simple,
                                  const PathBodies& bodies, const std::vector<JointMotion>& motions,
                                  const std::vector<SegmentProof>& proofs,
-                                 const std::function<bool()>& is_over) {
-  std::ofstream out(*options.certificate);
+                                 const std::function<bool()>& is_over, std::ofstream& out) {
   const SegmentCertificate certificate(options.clearance.value_or(0), simple, bodies);
-  writeCertificateHead("path", options, simple, out);
   std::map<PathVerdict, std::size_t> left_out;
   std::size_t covered = 0;
   for (std::size_t i = 0; i < proofs.size(); ++i) {
@@ -86,8 +83,7 @@ std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& 
     separator = ", ";
   }
   out << "}}\n";
-  out.close();
-  if (!out) throw UsageError("cannot write " + *options.certificate);
+  endCertificate(options, out);
   return left_out[PathVerdict::kSafe];
 }
 

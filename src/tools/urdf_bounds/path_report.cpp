@@ -15,6 +15,7 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/pair_words.h"
 #include "tools/urdf_bounds/path_certificate.h"
 #include "tools/urdf_bounds/path_table.h"
@@ -136,13 +137,15 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
   const Robot simple = withSimpleJoints(robot);
   const std::vector<JointMotion> motions = motionsOf(table, given);
+  std::ofstream certificate = beginCertificate("path", options, simple);
   const std::vector<SegmentProof> proofs = prove(options, simple, bodies, motions);
   for (std::size_t i = 0; i < proofs.size(); ++i)
     result.segments.push_back(
         {i + 1, i + 2, proofs[i], poseOf(simple, motions[i].at(proofs[i].share))});
   std::size_t uncertified = 0;
   if (options.certificate) {
-    uncertified = writePathCertificate(options, simple, bodies, motions, proofs, budgetOf(options));
+    uncertified = writePathCertificate(options, simple, bodies, motions, proofs, budgetOf(options),
+                                       certificate);
   }
   write(result, options.format, std::cout);
   if (options.verbose) reportTimes(result);

@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "robot/reach/reach_bound.h"
-#include "tools/command_line/options.h"
 #include "tools/text/safe_text.h"
 #include "tools/urdf_bounds/certificate_head.h"
 
@@ -112,9 +111,7 @@ std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot&
                                   const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges,
                                   const std::vector<std::optional<Reach>>& reaches,
-                                  const std::function<bool()>& is_over) {
-  std::ofstream out(*options.certificate);
-  writeCertificateHead("reach", options, robot, out);
+                                  const std::function<bool()>& is_over, std::ofstream& out) {
   const ReachCertificate certificate(robot, bounded, ranges,
                                      options.accuracy.value_or(kDefaultAccuracy), is_over);
   std::size_t covered = 0;
@@ -124,8 +121,7 @@ std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot&
     ++(is_covered ? covered : left_out);
   }
   out << "{\"links\": " << covered << ", \"not_covered\": " << left_out << "}\n";
-  out.close();
-  if (!out) throw UsageError("cannot write " + *options.certificate);
+  endCertificate(options, out);
   return left_out;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <optional>
 
 #include "robot/reach/reach.h"
@@ -14,11 +15,11 @@ namespace link_bounds {
 /// Writes why the link of each reach never leaves a box, which is larger than that of the reach by
 /// up to --accuracy, or by more where a table of 64 cells does not suffice. Says for how many links
 /// there is no reason in the file: `is_over` said so, or a floating or planar joint moves them.
-/// Throws UsageError if the file cannot be written.
+/// `out` is that of beginCertificate(). Throws UsageError if it cannot be written.
 std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot& robot,
                                   const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges,
                                   const std::vector<std::optional<Reach>>& reaches,
-                                  const std::function<bool()>& is_over);
+                                  const std::function<bool()>& is_over, std::ofstream& out);
 
 }  // namespace link_bounds

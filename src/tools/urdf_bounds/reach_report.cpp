@@ -11,6 +11,7 @@
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
+#include "tools/urdf_bounds/certificate_head.h"
 #include "tools/urdf_bounds/reach_certificate.h"
 #include "tools/urdf_bounds/reach_table.h"
 
@@ -79,6 +80,7 @@ void warnOfGaps(const ReachTable& table, bool was_stopped) {
 
 Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
                    const BoundedRobot& bounded, const std::vector<JointRange>& ranges) {
+  std::ofstream certificate = beginCertificate("reach", options, robot);
   const ReachGoal goal = goalOf(options);
   const auto reaches = reachOf(robot, bounded, ranges, goal);
   const bool was_stopped = goal.stop();
@@ -89,8 +91,8 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
   warnOfGaps(table, was_stopped);
   std::size_t uncertified = 0;
   if (options.certificate) {
-    uncertified =
-        writeReachCertificate(options, robot, bounded, ranges, reaches, goalOf(options).stop);
+    uncertified = writeReachCertificate(options, robot, bounded, ranges, reaches,
+                                        goalOf(options).stop, certificate);
   }
   if (options.as_markers) {
     writeMarkers(table, std::cout);

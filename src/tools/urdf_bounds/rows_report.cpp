@@ -148,6 +148,7 @@ class RowsRun {
         table.incomplete.emplace_back(link.name,
                                       "its size and pose give no finite distance in a row");
     }
+    addIncompleteGroup(table.incomplete);
     return table;
   }
 

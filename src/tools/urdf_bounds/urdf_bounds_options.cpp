@@ -4,6 +4,7 @@
 #include "tools/urdf_bounds/urdf_bounds_options.h"
 
 #include "tools/command_line/options.h"
+#include "tools/command_line/text_file.h"
 
 namespace link_bounds {
 
@@ -188,28 +189,14 @@ void checkTable(const UrdfBoundsOptions& options) {
         "give only one of the two");
 }
 
-/// Two inputs cannot both come from there.
-void checkStandardInput(const UrdfBoundsOptions& options) {
-  const std::pair<std::string, std::optional<std::string>> inputs[] = {
-      {"the URDF", options.file},
-      {"--poses", options.poses},
-      {"--objects", options.objects},
-      {"--srdf", options.srdf}};
-  std::string reader;
-  for (const auto& [name, file] : inputs) {
-    if (file != "-") continue;
-    if (!reader.empty())
-      throw UsageError(reader + " and " + name +
-                       " cannot both come from standard input; name a file");
-    reader = name;
-  }
-}
-
 /// Options that only some reports have.
 void checkReport(const UrdfBoundsOptions& options) {
   checkProof(options);
   checkTable(options);
-  checkStandardInput(options);
+  checkStandardInput({{"the URDF", options.file},
+                      {"--poses", options.poses.value_or("")},
+                      {"--objects", options.objects.value_or("")},
+                      {"--srdf", options.srdf.value_or("")}});
   const Report report = options.report;
   if (report != Report::kReach && report != Report::kPairs) refuseRanges(options);
   if (report == Report::kPose) return;

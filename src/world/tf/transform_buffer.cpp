@@ -132,7 +132,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
   }
   if (is_other) settled_ = std::max({settled_, stamp, edge.newest});
   if (stamp < edge.newest) {
-    ++intake_.late;
+    count(&TfIntake::late, edge.needs > 0);
     return false;
   }
   edge.newest = edge.is_static ? 0 : stamp;

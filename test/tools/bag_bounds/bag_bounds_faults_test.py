@@ -72,6 +72,10 @@ class ArgumentsTest(BagBoundsTest):
                 ('--out is .*arms.bag, which is read', *good, '--out', bag),
                 ('--series is .*arms.bag, which is read', *good, '--series', bag),
                 ('--series is the file of --out', *good, '--out', 'a', '--series', 'a'),
+                ('--series is the file of --out', *good, '--out', self.path('new'), '--series',
+                 os.path.relpath(self.path('./new'))),
+                ('--urdf and --zones cannot both come from standard input', bag, '--urdf', '-',
+                 '--zones', '-'),
                 ('none/a.csv: cannot be written', *good, '--series', self.path('none/a.csv')),
                 ('none/out.bag: cannot be written', *good, '--out', self.path('none/out.bag'))):
             with self.subTest(reason):

@@ -243,6 +243,22 @@ class MomentsTest(BagBoundsTest):
         found = self.report(bag, '--at', '60', code=INCOMPLETE, err='incomplete names: 1')
         self.assertIn('the report ends before', found['incomplete']['--at'])
 
+    def test_a_name_is_incomplete_for_two_reasons(self):
+        right = [moving_arms(i, links=('right',)) for i in range(250, 600)]
+        found = self.report(self.bag(arms(250) + right), '--at', '8', code=INCOMPLETE,
+                            err='incomplete names: 2')
+        self.assertRegex(found['incomplete']['left'], 'had no box 1 time, .*; no box at ')
+
+    def test_a_time_in_a_long_pause(self):
+        """What does not move has a box there."""
+        hour = 3600
+        bag = self.bag(arms(3) + [moving_arms(hour / PERIOD)])
+        for at in (1800, 1811.7, 1823.4, 1835.1):
+            found = self.report(bag, '--at', str(at), code=INCOMPLETE, err='incomplete names: 3')
+            self.assertEqual([box['name'] for box in found['boxes'] if 'min' in box],
+                             ['base', 'mast'])
+            self.assertIn('no box at', found['incomplete']['left'])
+
 
 class JointStatesTest(BagBoundsTest):
     """Positions of joints beside the transforms that robot_state_publisher would have sent."""

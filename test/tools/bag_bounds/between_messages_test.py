@@ -204,6 +204,14 @@ class PostTest(BagBoundsTest):
         self.zone(messages, text=free, code=INCOMPLETE,
                   err='late transforms, which change motions that were looked at: 1')
         self.zone(messages, '--allow-incomplete', text=free)
+        self.zone(messages, '--start', '0.9', text=free)  # it came before
+
+    def test_a_late_transform_that_no_box_needs(self):
+        messages = swing(5)
+        for i in (3, 2):
+            cup = transform('hand', 'cup', messages[i][2], (0, 0, 0))
+            messages.append(('/tf', TFMessage([cup]), messages[-1][2]))
+        self.zone(messages, text=zone_text('far', [5, 5, 5], [6, 6, 6]))
 
     def test_every_format_has_the_clearance(self):
         bag = self.bag([marker(1.1, 0, 0.05)] + swing(5))
