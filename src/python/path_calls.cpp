@@ -3,7 +3,6 @@
 #include "python/path_calls.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "python/joint_input.h"
@@ -11,6 +10,7 @@
 #include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
 #include "robot/posed/row_threads.h"
+#include "tools/command_line/interrupt.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/objects.h"
 #include "tools/urdf_bounds/srdf_check.h"
@@ -19,8 +19,6 @@ namespace py = pybind11;
 
 namespace link_bounds {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Poses, or their derivatives: one row per way point.
 JointRows rowsOf(const SharedRobot& shared, const py::object& given, const char* name) {
@@ -138,8 +136,7 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
                                          return exempt.reasonOf(first, second) != nullptr;
                                        });
   const auto proofs = interruptible([&](const StopFlag& stop) {
-    const auto end = Clock::now() + std::chrono::duration<double>(request.budget);
-    PathControl control{[&stop, end] { return stop || Clock::now() >= end; },
+    PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),
                         request.jobs == 0 ? coreCount() : request.jobs};
     return provePath(shared.robot(), bodies, motions, {request.clearance}, control);
   });

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/proof_calls.h"
 
-#include <chrono>
 #include <sstream>
 
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -10,13 +9,12 @@
 #include "python/text.h"
 #include "robot/urdf/joints_above.h"
 #include "robot/urdf/simple_joints.h"
+#include "tools/command_line/interrupt.h"
 
 namespace py = pybind11;
 
 namespace link_bounds {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::vector<JointRange> rangesOf(const SharedRobot& shared, const ProofRequest& request) {
   checkPositive("accuracy", request.accuracy, "metres");
@@ -29,11 +27,6 @@ std::vector<JointRange> rangesOf(const SharedRobot& shared, const ProofRequest& 
       throw JointError("fixed_base keeps \"" + name + "\" at 0; give only one of the two");
   }
   return jointRanges(shared.robot(), given);
-}
-
-std::function<bool()> overAfter(double budget, const StopFlag& stop) {
-  const std::chrono::duration<double> allowed(budget);
-  return [start = Clock::now(), allowed, &stop] { return stop || Clock::now() - start >= allowed; };
 }
 
 /// Why nothing is proven of a link.
@@ -77,7 +70,7 @@ py::dict reachOfRobot(const SharedRobot& shared, const ProofRequest& request) {
   const std::vector<JointRange> ranges = rangesOf(shared, request);
   const auto reaches = interruptible([&](const StopFlag& stop) {
     ReachGoal goal{request.accuracy};
-    goal.stop = overAfter(request.budget, stop);
+    goal.stop = overAfter(request.budget, [&stop] { return stop.load(); });
     return reachOf(shared.robot(), shared.bounded(), ranges, goal);
   });
   py::dict result;
@@ -103,7 +96,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
   const std::vector<JointRange> ranges = rangesOf(shared, request);
   const std::vector<PairProof> proofs = interruptible([&](const StopFlag& stop) {
     ProofControl control;
-    control.is_over = overAfter(request.budget, stop);
+    control.is_over = overAfter(request.budget, [&stop] { return stop.load(); });
     control.threads = jobs;
     const PairGoal goal{clearance, request.accuracy, touching};
     return provePairs(shared.robot(), shared.bounded(), ranges, goal, control, {adjacent, false});

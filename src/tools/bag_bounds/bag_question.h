@@ -25,7 +25,6 @@ class BagQuestion {
 
   const std::shared_ptr<const Model>& model() const { return model_; }
   const std::vector<Zone>& zones() const { return zones_; }
-  const std::string& urdf() const { return urdf_; }
 
   LoadedMesh loadMesh(const std::string& uri);
   LoadedTree loadTree(const std::string& uri);

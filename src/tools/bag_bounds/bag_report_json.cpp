@@ -15,10 +15,6 @@
 namespace link_bounds {
 namespace {
 
-std::string quoted(const std::string& text) {
-  return "\"" + text + "\"";
-}
-
 /// The words of one report, whose times begin with the first message.
 class JsonWriter {
  public:
@@ -116,8 +112,8 @@ class JsonWriter {
       times += comma + time(extreme.when.recorded);
       stamps += comma + exactSeconds(extreme.when.stamp);
     }
-    return quoted(key) + ": [" + values + "], " + quoted(key + "_time") + ": [" + times + "], " +
-           quoted(key + "_stamp") + ": [" + stamps + "]";
+    return jsonString(key) + ": [" + values + "], " + jsonString(key + "_time") + ": [" + times +
+           "], " + jsonString(key + "_stamp") + ": [" + stamps + "]";
   }
 
   std::string toJson(const BoxRecord& box) const {
@@ -143,7 +139,7 @@ class JsonWriter {
   std::string toJson(const Stay& stay) const {
     return "{\"name\": " + jsonString(stay.name) + ", \"entered\": {" + when(stay.entered) +
            after(stay.outside_at) + "}, \"end\": {" + when(stay.left) + after(stay.inside_at) +
-           "}, \"how\": " + quoted(toText(stay.end)) + "}";
+           "}, \"how\": " + jsonString(toText(stay.end)) + "}";
   }
 
   std::string approachTo(const ZoneRecord& record) const {

@@ -17,11 +17,10 @@ namespace {
 constexpr char kNode[] = "/link_bounds_publisher";
 
 BagTopic boxesTopic() {
-  using Traits = AxisAlignedBoxArray;
   return {std::string(kNode) + "/boxes",
-          ros::message_traits::datatype<Traits>(),
-          ros::message_traits::md5sum<Traits>(),
-          ros::message_traits::definition<Traits>(),
+          ros::message_traits::datatype<AxisAlignedBoxArray>(),
+          ros::message_traits::md5sum<AxisAlignedBoxArray>(),
+          ros::message_traits::definition<AxisAlignedBoxArray>(),
           kNode,
           true};
 }

@@ -42,8 +42,8 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
     told.emplace(message.name[i], message.position[i]);
   for (const auto& [name, value] : told) {
     const auto found = followers_.find(name);
-    if (found != followers_.end()) is_met_[name] = true;
     if (found != followers_.end()) {
+      is_met_[name] = true;
       for (const Follower& follower : found->second) {
         const Joint& joint = robot_.joints[follower.joint];
         if (joint.name == name || told.count(joint.name) == 0)

@@ -75,7 +75,6 @@ class PairMotionSearch {
 
   double clearance() const { return std::min(clearance_, nearest_); }
   bool isUndecided() const { return is_undecided_; }
-  double nearest() const { return nearest_; }
   std::int64_t stamp() const { return stamp_; }
 
  private:

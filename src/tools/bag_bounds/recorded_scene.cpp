@@ -149,7 +149,6 @@ bool RecordedScene::takeObjects(const BagMessage& message) {
   if (*message.type == kBoxArray) {
     AxisAlignedBoxArray boxes;
     deserialize(message, boxes);
-    ++markers_;
     feed_.onNeighbour(boxes, {*message.publisher}, toRosTime(now_));
     return true;
   }
@@ -160,7 +159,6 @@ bool RecordedScene::takeObjects(const BagMessage& message) {
   } else {
     deserialize(message, array.markers.emplace_back());
   }
-  ++markers_;
   return feedMarkers(array.markers, *message.publisher) && loadMeshes();
 }
 

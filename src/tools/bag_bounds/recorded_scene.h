@@ -57,7 +57,6 @@ class RecordedScene {
 
   /// Messages that were taken.
   std::uint64_t transforms() const { return transforms_; }
-  std::uint64_t markers() const { return markers_; }
 
   /// Messages that could not be read.
   std::uint64_t damaged() const { return damaged_; }
@@ -85,7 +84,6 @@ class RecordedScene {
   TfMessage tf_message_;
   std::vector<std::string> wanted_meshes_;
   std::uint64_t transforms_ = 0;
-  std::uint64_t markers_ = 0;
   std::uint64_t damaged_ = 0;
 };
 

@@ -4,8 +4,10 @@
 #include "tools/command_line/interrupt.h"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <initializer_list>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -28,6 +30,14 @@ void catchInterrupts() {
 
 bool isInterrupted() {
   return interrupted;
+}
+
+std::function<bool()> overAfter(double seconds, std::function<bool()> is_cancelled) {
+  using Clock = std::chrono::steady_clock;
+  return [start = Clock::now(), budget = std::chrono::duration<double>(seconds),
+          is_cancelled = std::move(is_cancelled)] {
+    return is_cancelled() || Clock::now() - start >= budget;
+  };
 }
 
 }  // namespace link_bounds

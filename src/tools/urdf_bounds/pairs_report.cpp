@@ -3,7 +3,6 @@
 // Proofs first, then the comparison with the SRDF.
 #include "tools/urdf_bounds/pairs_report.h"
 
-#include <chrono>
 #include <iostream>
 #include <utility>
 
@@ -19,12 +18,8 @@ namespace {
 
 /// Ends when the budget is used up, or at Ctrl-C.
 ProofControl controlFor(const UrdfBoundsOptions& options) {
-  const std::chrono::duration<double> budget(options.budget.value_or(kDefaultBudget));
-  const auto start = std::chrono::steady_clock::now();
   ProofControl control;
-  control.is_over = [start, budget] {
-    return isInterrupted() || std::chrono::steady_clock::now() - start >= budget;
-  };
+  control.is_over = overAfter(options.budget.value_or(kDefaultBudget));
   if (hasTerminal()) {
     control.progress = [](std::size_t decided, std::size_t total) {
       drawBar(decided, total, "pairs");

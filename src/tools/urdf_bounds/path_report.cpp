@@ -4,7 +4,6 @@
 #include "tools/urdf_bounds/path_report.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 
 #include "robot/pairs/srdf.h"
@@ -96,9 +95,7 @@ std::vector<std::pair<std::string, double>> poseOf(const Robot& simple,
 
 /// Ends when the budget is used up, or at Ctrl-C.
 std::function<bool()> budgetOf(const UrdfBoundsOptions& options) {
-  const std::chrono::duration<double> budget(options.budget.value_or(kDefaultBudget));
-  const auto start = std::chrono::steady_clock::now();
-  return [=] { return isInterrupted() || std::chrono::steady_clock::now() - start >= budget; };
+  return overAfter(options.budget.value_or(kDefaultBudget));
 }
 
 std::vector<SegmentProof> prove(const UrdfBoundsOptions& options, const Robot& simple,

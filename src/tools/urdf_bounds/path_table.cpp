@@ -108,8 +108,7 @@ void writeJson(const PathTable& table, std::ostream& out) {
 }  // namespace
 
 void write(const PathTable& table, Format format, std::ostream& out) {
-  writerFor<void(const PathTable&, std::ostream&)>(format, writeTable, writeCsv, writeJson)(table,
-                                                                                            out);
+  writerFor(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 }  // namespace link_bounds

@@ -4,7 +4,6 @@
 #include "tools/urdf_bounds/reach_report.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 
 #include "robot/urdf/joints_above.h"
@@ -18,17 +17,13 @@
 namespace link_bounds {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 void drawProgress(std::size_t done, std::size_t total, double max_gap) {
   drawBar(done, total, "links, the largest gap is " + shortLength(max_gap) + "\033[K");
 }
 
 ReachGoal goalOf(const UrdfBoundsOptions& options) {
-  const std::chrono::duration<double> budget(options.budget.value_or(kDefaultBudget));
-  const auto start = Clock::now();
   ReachGoal goal{options.accuracy.value_or(kDefaultAccuracy)};
-  goal.stop = [=] { return isInterrupted() || Clock::now() - start >= budget; };
+  goal.stop = overAfter(options.budget.value_or(kDefaultBudget));
   if (hasTerminal()) goal.progress = drawProgress;
   return goal;
 }

@@ -130,8 +130,7 @@ void writeJson(const RowsTable& table, std::ostream& out) {
 }  // namespace
 
 void write(const RowsTable& table, Format format, std::ostream& out) {
-  writerFor<void(const RowsTable&, std::ostream&)>(format, writeTable, writeCsv, writeJson)(table,
-                                                                                            out);
+  writerFor(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 }  // namespace link_bounds

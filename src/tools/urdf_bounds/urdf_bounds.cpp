@@ -8,13 +8,13 @@
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "packages/package_path.h"
+#include "robot/posed/posed_robot.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/input.h"
-#include "tools/urdf_bounds/link_distances.h"
 #include "tools/urdf_bounds/objects.h"
 #include "tools/urdf_bounds/pairs_report.h"
 #include "tools/urdf_bounds/path_report.h"
@@ -86,6 +86,19 @@ Outcome outcomeOf(const Reasons& incomplete, const std::optional<DistanceTable>&
   outcome.addOpen("distances less accurate than " + shortLength(DistanceGoal().accuracy),
                   roughPairs(*distances));
   return outcome;
+}
+
+/// All pairs of links whose proven distance is at most `limit` [m].
+DistanceTable linkDistances(PosedRobot& posed, const BoundedRobot& bounded, double limit) {
+  const PoseDistances found = posed.distances(limit);
+  DistanceTable table{limit, {}, {}, posed.hasPairs()};
+  for (const LinkPairDistance& pair : found.pairs)
+    table.pairs.push_back(
+        {bounded.links[pair.first].name, bounded.links[pair.second].name, pair.distance});
+  for (const std::size_t link : found.unmeasured)
+    table.incomplete.emplace_back(bounded.links[link].name,
+                                  "its size and pose give no finite distance");
+  return table;
 }
 
 /// Boxes and distances of one pose.
