@@ -19,7 +19,7 @@ namespace {
 /// descents 2.9 times. Few find less in robots with more joints.
 constexpr int kSamples = 300;
 constexpr std::size_t kDescents = 3;
-constexpr int kDescentSteps = 600;
+constexpr int kDescentSteps = 3000;
 
 /// Between two pairs that are worked on in turn.
 constexpr int kSamplesPerSlice = 30;
@@ -234,20 +234,34 @@ void PairSearch::offer(const KnownPose& pose) {
 }
 
 /// Steps along one variable or, in the valleys of the distance, along any direction; smaller ones
-/// where none of these leads downhill.
+/// where none of these leads downhill. What led downhill is tried again first, with half of what
+/// led there before: along a valley.
 void PairSearch::descend(KnownPose pose) {
   const std::size_t count = path_.variables.size();
+  PathValues trend(count, 0.0);
   int left = kDescentSteps;
   for (double step = kFirstStep; step > kLastStep && left > 0 && !isTouch(pose.upper);) {
     bool is_lower = false;
-    for (std::size_t i = 0; i < 4 * count && !is_lower; ++i, --left) {
-      const KnownPose other = measured(stepped(pose.values, step, i), pose.upper);
+    for (std::size_t i = 0; i <= 4 * count && !is_lower; ++i, --left) {
+      const PathValues values =
+          i == 0 ? moved(pose.values, trend) : stepped(pose.values, step, i - 1);
+      const KnownPose other = measured(values, pose.upper);
       is_lower = other.upper < pose.upper;
+      for (std::size_t v = 0; v < count && (is_lower || i == 0); ++v)
+        trend[v] = is_lower ? trend[v] / 2 + other.values[v] - pose.values[v] : 0;
       if (is_lower) pose = other;
     }
     if (!is_lower) step /= 2;
   }
   offer(pose);
+}
+
+PathValues PairSearch::moved(PathValues values, const PathValues& way) const {
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const Limits& range = path_.ranges[v];
+    values[v] = std::min(std::max(values[v] + way[v], range.lower), range.upper);
+  }
+  return values;
 }
 
 /// The first directions are both along each variable, further ones are random.

@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSlicesPerPose = 100;  ///< of work, for each random pose
 constexpr int kMaxSlices = 100000;
+constexpr int kSlicesInValley = 1000;
 
 int randomPoses() {
   const char* text = std::getenv("LINK_BOUNDS_TEST_POSES");
@@ -149,6 +150,53 @@ TEST(PairProofsOfRobots, NoRandomPoseOfPublicRobotsContradictsThem) {
     checkRobot(path, [&](const std::string& name) { return (folder / name).string(); });
     if (HasFatalFailure()) return;
   }
+}
+
+/// The model without all links but two.
+void keepTwo(const std::string& first, const std::string& second, BoundedRobot& bounded) {
+  BoundedRobot kept;
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    if (bounded.links[i].name != first && bounded.links[i].name != second) continue;
+    kept.links.push_back(bounded.links[i]);
+    kept.indices.push_back(bounded.indices[i]);
+    kept.bodies.push_back(bounded.bodies[i]);
+  }
+  bounded = std::move(kept);
+}
+
+/// All other joints rest.
+GivenRanges onlyTheRightArm(const Robot& robot) {
+  GivenRanges given;
+  const std::vector<JointRange> ranges = jointRanges(robot);
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    if (!hasValue(joint.motion) || joint.mimic || joint.name.compare(0, 2, "r_") == 0) continue;
+    const double value = std::min(std::max(0.0, ranges[i].lower), ranges[i].upper);
+    given[joint.name] = {value, value};
+  }
+  return given;
+}
+
+/// At the end of a valley of the distance: steps along single joints, and random ones, ended 0.1 mm
+/// before the wheel.
+TEST(PairProofsOfRobots, ASearchFollowsAValleyToItsEnd) {
+  const char* data = std::getenv("LINK_BOUNDS_DATA");
+  if (!data)
+    GTEST_SKIP() << "skipped: a finger and a wheel of the PR2: LINK_BOUNDS_DATA is not set";
+  const fs::path folder = fs::canonical(fs::path(data) / "robots");
+  Model model = readModel(folder / "pr2_description/urdf/pr2.urdf",
+                          [&](const std::string& name) { return (folder / name).string(); });
+  keepTwo("bl_caster_l_wheel_link", "r_gripper_l_finger_link", model.bounded);
+  ProofControl control;
+  int left = kSlicesInValley;
+  control.threads = 1;
+  control.is_over = [&] { return --left < 0; };
+  const std::vector<PairProof> proofs =
+      provePairs(model.robot, model.bounded, jointRanges(model.robot, onlyTheRightArm(model.robot)),
+                 {}, control);
+  ASSERT_EQ(proofs.size(), 1);
+  EXPECT_EQ(proofs.front().verdict, Verdict::kSometimes) << proofs.front().nearest;
+  std::cout << kSlicesInValley - left << " slices\n";
 }
 
 }  // namespace
