@@ -7,7 +7,7 @@
 #include <map>
 
 #include "tools/bag_bounds/bag_report_json.h"
-#include "tools/bag_bounds/report_words.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/text/table_text.h"
 
 namespace link_bounds {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "tools/bag_bounds/report_words.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/text/table_text.h"
 #include "world/moment/distance_message.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tools/bag_bounds/line_file.h"
-#include "tools/bag_bounds/report_words.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/text/safe_text.h"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When something was found, in record time.
+// When something was found, in record time, and times as text.
 #pragma once
 
 #include <ros/time.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 namespace link_bounds {
 
@@ -24,5 +25,11 @@ inline ros::Time toRosTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(
       static_cast<std::uint64_t>(std::clamp<std::int64_t>(nanoseconds, 0, kMaxTime)));
 }
+
+/// Nanoseconds as seconds, from integers, so that none is lost.
+std::string exactSeconds(std::int64_t nanoseconds);
+
+/// Seconds from `begin` to `time` [ns] for people.
+std::string shortSeconds(std::int64_t time, std::int64_t begin);
 
 }  // namespace link_bounds

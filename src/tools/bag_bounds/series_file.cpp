@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "tools/bag_bounds/box_records.h"
-#include "tools/bag_bounds/report_words.h"
+#include "tools/bag_bounds/record_time.h"
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {

@@ -8,6 +8,18 @@
 
 namespace link_bounds {
 
+const char* toText(StayEnd end) {
+  switch (end) {
+    case StayEnd::kLeft:
+      return "left";
+    case StayEnd::kLost:
+      return "lost";
+    case StayEnd::kReportEnded:
+      break;
+  }
+  return "report_ended";
+}
+
 ZoneWatch::ZoneWatch(const std::vector<Zone>& zones, std::function<bool()> gives_up)
     : gives_up_(std::move(gives_up)) {
   for (const Zone& zone : zones)

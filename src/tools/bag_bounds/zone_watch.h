@@ -22,6 +22,9 @@ namespace link_bounds {
 /// How a stay in a zone ended: the box left, there was no box any more, or the report ended.
 enum class StayEnd { kLeft, kLost, kReportEnded };
 
+/// As in all formats.
+const char* toText(StayEnd end);
+
 /// Between two messages it is found when the body had already entered or left, and that it had not
 /// at an earlier time.
 struct Stay {

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Times are printed from integers.
-#include "tools/bag_bounds/report_words.h"
+#include "tools/bag_bounds/record_time.h"
 
 #include <cinttypes>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -26,18 +25,6 @@ std::string shortSeconds(std::int64_t time, std::int64_t begin) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3f", static_cast<double>(time - begin) / kSecond);
   return text;
-}
-
-const char* toText(StayEnd end) {
-  switch (end) {
-    case StayEnd::kLeft:
-      return "left";
-    case StayEnd::kLost:
-      return "lost";
-    case StayEnd::kReportEnded:
-      break;
-  }
-  return "report_ended";
 }
 
 }  // namespace link_bounds
