@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "node/interface/topics.h"
 #include "node/outputs/drawable.h"
 #include "node/outputs/label_layout.h"
 
