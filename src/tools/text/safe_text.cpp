@@ -72,4 +72,18 @@ std::string exactNumber(double value) {
   return out.str();
 }
 
+std::string shortestNumber(double value) {
+  for (int digits = 1; digits < 17; ++digits) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(digits);
+    out << value + 0.0;
+    std::istringstream in(out.str());
+    in.imbue(std::locale::classic());
+    double read = 0;
+    if (in >> read && read == value) return out.str();
+  }
+  return exactNumber(value);
+}
+
 }  // namespace link_bounds

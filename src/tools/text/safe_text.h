@@ -25,4 +25,7 @@ std::string jsonString(const std::string& text);
 /// 17 significant digits, from which the same double is read back; with a point in every locale.
 std::string exactNumber(double value);
 
+/// With as few digits as give the same double; with a point in every locale.
+std::string shortestNumber(double value);
+
 }  // namespace link_bounds

@@ -8,8 +8,9 @@
 #include <set>
 
 #include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
 #include "tools/text/safe_text.h"
-#include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
 namespace {
@@ -299,6 +300,29 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
     throw UsageError((file == "-" ? "standard input" : file) +
                      " is empty; its first line has the names of joints");
   return reader.result();
+}
+
+JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple) {
+  std::vector<std::string> given;
+  for (const auto& joint : options.joints)
+    given.push_back(joint.first);
+  JointTable table = parseJointTable(readText(*options.poses, "a table of joint values"),
+                                     *options.poses, options.columns, simple, given);
+  for (const std::string& note : table.notes)
+    warn(note);
+  for (const std::string& problem : table.problems) {
+    if (options.demand.strict)
+      throw UsageError(problem + "; --strict accepts only tables without a fault");
+    warn(problem);
+  }
+  return table;
+}
+
+JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given) {
+  for (std::size_t i = 0; i < table.joints.size(); ++i)
+    given[table.joints[i]] =
+        table.positions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
+  return given;
 }
 
 }  // namespace link_bounds

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "link_bounds/robot/urdf/robot.h"
+#include "tools/urdf_bounds/urdf_bounds_options.h"
 
 namespace link_bounds {
 
@@ -34,5 +35,15 @@ struct JointTable {
 JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
                            const std::vector<std::string>& given);
+
+/// Reads the file of --poses, and warns of what is wrong with it. `simple` has simple joints.
+/// Throws UsageError; with --strict also where anything is wrong.
+JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple);
+
+/// What is the same in all rows of a table: the values that the command line gives.
+using JointValues = std::vector<double>;
+
+/// One value per joint of the robot in that row.
+JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given);
 
 }  // namespace link_bounds

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/urdf_bounds/pair_words.h"
 
-#include <locale>
-#include <sstream>
-
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
@@ -38,20 +35,6 @@ std::string argumentsOf(const PairProof& proof) {
 
 std::string inAllPoses(const PairProof& proof) {
   return "all " + std::to_string(proof.poses) + " poses that were tried";
-}
-
-std::string shortestNumber(double value) {
-  for (int digits = 1; digits < 17; ++digits) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(digits);
-    out << value + 0.0;
-    std::istringstream in(out.str());
-    in.imbue(std::locale::classic());
-    double read = 0;
-    if (in >> read && read == value) return out.str();
-  }
-  return exactNumber(value);
 }
 
 }  // namespace link_bounds

@@ -27,7 +27,4 @@ std::string argumentsOf(const PairProof& proof);
 /// "all 300 poses that were tried".
 std::string inAllPoses(const PairProof& proof);
 
-/// With as few digits as give the same double.
-std::string shortestNumber(double value);
-
 }  // namespace link_bounds

@@ -9,7 +9,6 @@
 #include "robot/pairs/pair_certificate.h"
 #include "tools/text/safe_text.h"
 #include "tools/urdf_bounds/certificate_head.h"
-#include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
 namespace {

@@ -3,7 +3,9 @@
 // Whether a robot collides on its way along the rows of a table, on standard output.
 #pragma once
 
-#include "tools/urdf_bounds/rows_report.h"
+#include "link_bounds/robot/robot_loader.h"
+#include "tools/urdf_bounds/joint_table.h"
+#include "tools/urdf_bounds/urdf_bounds_options.h"
 
 namespace link_bounds {
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "tools/text/safe_text.h"
-#include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
 namespace {

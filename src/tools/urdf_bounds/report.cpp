@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
 
 #include "tools/command_line/terminal.h"
+#include "tools/urdf_bounds/volume_table.h"
 
 namespace link_bounds {
 namespace {

@@ -3,10 +3,12 @@
 // The volumes of links on standard output.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "link_bounds/geometry/shape/bounded_link.h"
+#include "tools/urdf_bounds/distance_table.h"
 #include "tools/urdf_bounds/urdf_bounds_options.h"
 
 namespace link_bounds {

@@ -15,7 +15,7 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
-#include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/distance_table.h"
 #include "tools/urdf_bounds/rows_table.h"
 
 namespace link_bounds {
@@ -255,29 +255,6 @@ class RowsRun {
 };
 
 }  // namespace
-
-JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple) {
-  std::vector<std::string> given;
-  for (const auto& joint : options.joints)
-    given.push_back(joint.first);
-  JointTable table = parseJointTable(readText(*options.poses, "a table of joint values"),
-                                     *options.poses, options.columns, simple, given);
-  for (const std::string& note : table.notes)
-    warn(note);
-  for (const std::string& problem : table.problems) {
-    if (options.demand.strict)
-      throw UsageError(problem + "; --strict accepts only tables without a fault");
-    warn(problem);
-  }
-  return table;
-}
-
-JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given) {
-  for (std::size_t i = 0; i < table.joints.size(); ++i)
-    given[table.joints[i]] =
-        table.positions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
-  return given;
-}
 
 /// Of those that the summary names.
 static std::size_t roughPairs(const RowsTable& table) {

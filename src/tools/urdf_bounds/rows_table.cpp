@@ -4,7 +4,6 @@
 #include "tools/urdf_bounds/rows_table.h"
 
 #include "tools/text/safe_text.h"
-#include "tools/urdf_bounds/pair_words.h"
 
 namespace link_bounds {
 namespace {

@@ -9,13 +9,19 @@
 
 #include "robot/urdf/joint_ranges.h"
 #include "tools/command_line/outcome.h"
-#include "tools/urdf_bounds/volume_table.h"
+#include "tools/text/table_text.h"
 
 namespace link_bounds {
 
 /// What is printed: boxes of one pose or of the rows of a table, or proofs about all poses or about
 /// the motion from row to row.
 enum class Report { kPose, kRows, kPath, kReach, kPairs };
+
+/// Of the paper's Figure 2; kBox is axis-aligned.
+enum class VolumeKind { kBox, kSphere, kOrientedBox };
+
+/// The three pairs of vectors (a, b) of the paper's Figure 3.
+enum class Representation { kMinMax, kMinWidth, kCenterRadius };
 
 /// Of --reach and --pairs.
 constexpr double kDefaultAccuracy = 0.01;  // m

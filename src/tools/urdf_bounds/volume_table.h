@@ -14,14 +14,9 @@
 #include "link_bounds/geometry/volumes/oriented_box.h"
 #include "tools/text/table_text.h"
 #include "tools/urdf_bounds/distance_table.h"
+#include "tools/urdf_bounds/urdf_bounds_options.h"
 
 namespace link_bounds {
-
-/// Of the paper's Figure 2; kBox is axis-aligned.
-enum class VolumeKind { kBox, kSphere, kOrientedBox };
-
-/// The three pairs of vectors (a, b) of the paper's Figure 3.
-enum class Representation { kMinMax, kMinWidth, kCenterRadius };
 
 /// A volume of any kind in its text forms.
 struct Volume {
