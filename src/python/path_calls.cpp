@@ -9,7 +9,7 @@
 #include "python/text.h"
 #include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/objects.h"

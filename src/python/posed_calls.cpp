@@ -10,7 +10,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "python/joint_input.h"
 #include "python/text.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 
 namespace py = pybind11;
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <system_error>
@@ -27,6 +28,15 @@ inline bool forbidThreads() {
   } catch (const std::system_error&) {
     return true;
   }
+}
+
+/// Whether it is true in a fork in which no thread can start.
+template <class Function>
+bool isTrueWithoutThreads(const Function& is_true) {
+  const pid_t child = fork();
+  if (child == 0) _exit(forbidThreads() && is_true() ? 0 : 1);
+  int status = -1;
+  return waitpid(child, &status, 0) == child && status == 0;
 }
 
 }  // namespace link_bounds

@@ -5,13 +5,13 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
 #include <new>
 #include <thread>
+
+#include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {
@@ -32,44 +32,6 @@ double secondsSince(const timespec& time) {
   clock_gettime(CLOCK_REALTIME, &now);
   return static_cast<double>(now.tv_sec) - static_cast<double>(time.tv_sec) +
          1e-9 * static_cast<double>(now.tv_nsec - time.tv_nsec);
-}
-
-/// Starts fewer threads than `count` if the system refuses more.
-std::vector<std::thread> startThreads(std::size_t count, const std::function<void()>& work) {
-  std::vector<std::thread> threads;
-  threads.reserve(count);
-  try {
-    for (std::size_t i = 0; i < count; ++i)
-      threads.emplace_back(work);
-  } catch (const std::exception&) {
-    // The threads that started and the calling one do the work.
-  }
-  return threads;
-}
-
-/// Calls job(0) ... job(count - 1), each once, on as many threads as there are cores. Throws what a
-/// job throws; the jobs that have not begun then are left out.
-void inParallel(std::size_t count, const std::function<void(std::size_t)>& job) {
-  if (count == 0) return;
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++)
-        job(i);
-    } catch (...) {
-      next = count;
-      const std::lock_guard<std::mutex> lock(mutex);
-      failure = std::current_exception();
-    }
-  };
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::thread> helpers = startThreads(std::min(cores, count) - 1, work);
-  work();
-  for (std::thread& helper : helpers)
-    helper.join();
-  if (failure) std::rethrow_exception(failure);
 }
 
 bool hasTriangles(MeshContent content) {
@@ -216,7 +178,7 @@ std::vector<LoadedMesh> MeshStore::load(const std::vector<MeshFile>& files,
   }
   std::mutex mutex;
   std::size_t done = 0;
-  inParallel(missing.size(), [&](std::size_t i) {
+  forRows(0, missing.size(), coreCount(), 1, [&](unsigned, std::size_t i, std::size_t) {
     *missing[i].second = importAndRemember(*missing[i].first, request);
     const std::lock_guard<std::mutex> lock(mutex);
     ++done;

@@ -4,10 +4,9 @@
 #include "robot/pairs/pair_queue.h"
 
 #include <algorithm>
-#include <future>
-#include <system_error>
-#include <thread>
 #include <tuple>
+
+#include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {
@@ -33,18 +32,8 @@ PairQueue::PairQueue(const std::vector<std::size_t>& pairs, PairWork work,
 }
 
 void PairQueue::run() {
-  const unsigned threads =
-      control_.threads > 0 ? control_.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> workers;
-  try {
-    for (unsigned i = 1; i < threads; ++i)
-      workers.push_back(std::async(std::launch::async, [this] { work(); }));
-  } catch (const std::system_error&) {
-    // The system gives no more threads: these do the work.
-  }
-  work();
-  for (std::future<void>& worker : workers)
-    worker.get();
+  const unsigned threads = control_.threads > 0 ? control_.threads : coreCount();
+  forRows(0, threads, threads, 1, [this](unsigned, std::size_t, std::size_t) { work(); });
   for (Task& task : tasks_) {
     if (task.search) store(task);
     task.search = nullptr;

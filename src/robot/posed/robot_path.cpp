@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "link_bounds/robot/urdf/overlap_filter.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {

@@ -4,14 +4,11 @@
 #include "robot/reach/reach.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/threads/row_threads.h"
 #include "robot/urdf/joints_above.h"
 
 namespace link_bounds {
@@ -182,21 +179,9 @@ void ReachSearch::refineAll(int cells) {
     const bool is_first = cells == kFirstCells;
     if (reaches_[i] && (is_first || reaches_[i]->maxGap() > goal_.accuracy)) waiting.push_back(i);
   }
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < waiting.size() && !goal_.stop(); i = next++)
-      refine(waiting[i], cells);
-  };
-  std::vector<std::future<void>> helpers;
-  try {
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-      helpers.push_back(std::async(std::launch::async, work));
-  } catch (const std::system_error&) {
-    // The system gives no more threads: these do the work.
-  }
-  work();
-  for (std::future<void>& helper : helpers)
-    helper.get();
+  forRows(0, waiting.size(), coreCount(), 1, [&](unsigned, std::size_t i, std::size_t) {
+    if (!goal_.stop()) refine(waiting[i], cells);
+  });
 }
 
 std::vector<std::optional<Reach>> ReachSearch::run() {

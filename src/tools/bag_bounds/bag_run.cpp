@@ -9,7 +9,7 @@
 
 #include "link_bounds/robot/urdf/robot.h"
 #include "node/interface/topics.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 #include "tools/bag_bounds/record_time.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"

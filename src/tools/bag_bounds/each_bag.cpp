@@ -22,7 +22,7 @@
 #include <new>
 #include <system_error>
 
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 #include "tools/bag_bounds/bag_line.h"
 #include "tools/bag_bounds/line_file.h"
 #include "tools/command_line/interrupt.h"

@@ -3,16 +3,14 @@
 #include "tools/cloud_filter/filtered_robot.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <future>
 #include <iomanip>
 #include <map>
 #include <sstream>
-#include <thread>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
+#include "robot/threads/row_threads.h"
 #include "world/cloud/scan_poses.h"
 #include "world/model/model.h"
 
@@ -76,21 +74,18 @@ class GridMaker {
       originals.push_back(originalOf(i));
       if (originals.back() == i) places_.push_back(i);
     }
-    const std::size_t threads =
-        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMaxThreads);
-    std::vector<std::future<void>> others;
-    for (std::size_t i = 1; i < threads; ++i)
-      others.push_back(std::async(std::launch::async, [this] { work(); }));
-    work();
-    for (auto& other : others)
-      other.get();
+    try {
+      forRows(0, places_.size(), std::min(coreCount(), kMaxThreads), 1,
+              [this](unsigned, std::size_t i, std::size_t) { make(places_[i]); });
+    } catch (const Cancelled&) {
+    }
     for (std::size_t i = 0; i < count; ++i)
       grids_[i] = grids_[originals[i]];
     return std::move(grids_);
   }
 
  private:
-  static constexpr std::size_t kMaxThreads = 4;
+  static constexpr unsigned kMaxThreads = 4;
   struct Cancelled {};
 
   /// The first link of the same body and padding: wheels and fingers have one mesh.
@@ -102,26 +97,19 @@ class GridMaker {
     return i;
   }
 
-  void work() {
+  void make(std::size_t link) {
     const auto check_interrupt = [this] {
       if (is_cancelled_()) throw Cancelled();
     };
-    try {
-      for (std::size_t i = next_++; i < places_.size(); i = next_++) {
-        const std::size_t link = places_[i];
-        const GridOptions options{robot_.links[link].padding, kMaxMotionError};
-        grids_[link] = std::make_shared<BodyGrid>(BodySurface(robot_.bodies[link], check_interrupt),
-                                                  options, check_interrupt);
-      }
-    } catch (const Cancelled&) {
-    }
+    const GridOptions options{robot_.links[link].padding, kMaxMotionError};
+    grids_[link] = std::make_shared<BodyGrid>(BodySurface(robot_.bodies[link], check_interrupt),
+                                              options, check_interrupt);
   }
 
   const BoundedRobot& robot_;
   const std::function<bool()>& is_cancelled_;
   std::vector<std::size_t> places_;  ///< links that need a grid of their own
   std::vector<std::shared_ptr<const BodyGrid>> grids_;
-  std::atomic<std::size_t> next_{0};
 };
 
 std::string summaryOf(const FilteredRobot& robot, std::chrono::duration<double> duration) {

@@ -8,7 +8,7 @@
 
 #include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"

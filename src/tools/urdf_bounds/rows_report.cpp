@@ -11,7 +11,7 @@
 #include <set>
 
 #include "robot/posed/posed_robot.h"
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"

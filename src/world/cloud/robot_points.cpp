@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
+#include "robot/threads/row_threads.h"
 #include "world/cloud/link_cells.h"
 
 namespace link_bounds {
@@ -169,17 +169,13 @@ std::vector<RobotPoint> robotPoints(const PointQuery& query, std::size_t threads
   const std::size_t size = query.points.size();
   const std::size_t parts = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(size, 1));
   const Plan plan(query);
-  std::vector<std::future<std::vector<RobotPoint>>> others;
-  for (std::size_t i = 1; i < parts; ++i) {
-    others.push_back(std::async(std::launch::async, [&, i] {
-      return Labels(plan).of(size * i / parts, size * (i + 1) / parts);
-    }));
-  }
-  std::vector<RobotPoint> result = Labels(plan).of(0, size / parts);
-  for (auto& other : others) {
-    const std::vector<RobotPoint> found = other.get();
-    result.insert(result.end(), found.begin(), found.end());
-  }
+  std::vector<std::vector<RobotPoint>> found(parts);
+  forRows(0, parts, static_cast<unsigned>(parts), 1, [&](unsigned, std::size_t i, std::size_t) {
+    found[i] = Labels(plan).of(size * i / parts, size * (i + 1) / parts);
+  });
+  std::vector<RobotPoint> result = std::move(found.front());
+  for (std::size_t i = 1; i < parts; ++i)
+    result.insert(result.end(), found[i].begin(), found[i].end());
   return result;
 }
 

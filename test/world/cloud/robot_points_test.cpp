@@ -10,6 +10,7 @@
 
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
+#include "testing/ordinary_user.h"
 #include "testing/sanitized.h"
 #include "world/cloud/nearest_points.h"
 
@@ -249,6 +250,28 @@ TEST(RobotPoints, BehindTheEndOfTfMayCome) {
   const ScanPoses endless = scanned.poses({begin, begin + 6000000000});
   EXPECT_NE(endless.problem, "");
   EXPECT_FALSE(endless.may_come);
+}
+
+bool areEqual(const std::vector<RobotPoint>& a, const std::vector<RobotPoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const RobotPoint& x, const RobotPoint& y) {
+                      return x.point == y.point && x.link == y.link;
+                    });
+}
+
+TEST(RobotPoints, AreTheSameOnAnyNumberOfThreadsAndWhereNoneCanStart) {
+  Random random(8);
+  Scanned scanned;
+  addArm(scanned, random, 1);
+  const sensor_msgs::PointCloud2 cloud = cloudOf(pointsAround(scanned, random, 200));
+  const CloudLayout layout = layoutOf(cloud);
+  const ScanPoses poses = scanned.poses(*timeSpan(layout.points));
+  const PointQuery query{layout.points, scanned.grids, poses};
+  const std::vector<RobotPoint> expected = robotPoints(query, 1);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_TRUE(areEqual(robotPoints(query, 3), expected));
+  EXPECT_TRUE(areEqual(robotPoints(query, 1000), expected));
+  EXPECT_TRUE(isTrueWithoutThreads([&] { return areEqual(robotPoints(query, 3), expected); }));
 }
 
 TEST(RobotPoints, NearTheSensorCountIfAsked) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Many rows of joint values on all cores.
+// Many rows of work, such as sets of joint values, on several threads.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@ namespace link_bounds {
 /// Rows begin <= row < end, on the thread of that number.
 using RowWork = std::function<void(unsigned thread, std::size_t begin, std::size_t end)>;
 
-/// Calls `work` for all rows, so many at once, on so many threads, which are numbered from 0.
-/// Returns when all is done. Throws what one of them threw.
+/// Calls `work` for all rows, so many at once, on so many threads, which are numbered from 0; the
+/// first is the calling one. Where the system gives fewer threads, these do the work. Returns when
+/// all is done. Throws what one of them threw; rows that have not begun then are left out.
 void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,
              const RowWork& work);
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/posed/row_threads.h"
+#include "robot/threads/row_threads.h"
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <future>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -22,15 +22,21 @@ void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t a
     for (;;) {
       const std::size_t first = next.fetch_add(at_once);
       if (first >= end) return;
-      work(thread, first, std::min(first + at_once, end));
+      try {
+        work(thread, first, std::min(first + at_once, end));
+      } catch (...) {
+        next = end;
+        throw;
+      }
     }
   };
+  const std::size_t useful = end > begin ? (end - begin - 1) / at_once + 1 : 0;
   std::vector<std::future<void>> workers;
   try {
-    for (unsigned thread = 1; thread < threads; ++thread)
+    for (unsigned thread = 1; thread < std::min<std::size_t>(threads, useful); ++thread)
       workers.push_back(std::async(std::launch::async, take, thread));
-  } catch (const std::system_error&) {
-    // The system gives no more threads: these do the work.
+  } catch (const std::exception&) {
+    // The system gives no more threads, or no memory for them: these do the work.
   }
   take(0);
   for (std::future<void>& worker : workers)
