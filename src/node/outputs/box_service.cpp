@@ -98,13 +98,13 @@ BoxService::~BoxService() {
 }
 
 void BoxService::onTurn(Call& call, Params& params) {
-  if (!call.state && !call.is_long && hasSpan(params.request)) {
+  if (call.isNew() && hasSpan(params.request)) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
   }
   GetBoxes::Response response;
   try {
-    answer(call, params, response);
+    queue_.answer(call, [&] { answer(call, params, response); });
     response.success = true;
   } catch (const std::exception& error) {
     response = GetBoxes::Response();

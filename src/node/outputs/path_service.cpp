@@ -60,13 +60,13 @@ bool PathService::forgetIfUnused() {
 }
 
 void PathService::onTurn(Call& call, Params& params) {
-  if (!call.state && !call.is_long) {
+  if (call.isNew()) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
   }
   CheckPath::Response response;
   try {
-    response = answer(call, params);
+    queue_.answer(call, [&] { response = answer(call, params); });
   } catch (const std::exception& error) {
     response.message = logText(error.what());
   }

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <memory>
 
 #include "node/threads/worker.h"
@@ -32,6 +33,10 @@ class TurnQueue : public ros::CallbackQueueInterface {
     std::chrono::steady_clock::time_point arrival;
     bool is_long = false;         ///< its next turn is on the worker for long calls
     std::shared_ptr<void> state;  ///< what the handler keeps; is freed after the answer was sent
+    std::exception_ptr error;     ///< that answer() caught on the worker for long calls
+
+    /// Whether this is its first turn.
+    bool isNew() const { return !is_long && !state && !error; }
   };
 
   /// Both workers must live longer.
@@ -39,6 +44,23 @@ class TurnQueue : public ros::CallbackQueueInterface {
 
   /// The call that runs on the calling thread. There must be one.
   static Call& current();
+
+  /// For handlers: calls `make`, which throws NextTurn, or why there is no answer. Throws that
+  /// reason on the worker for short calls, to be sent from there: in a further turn if the call is
+  /// long. If that worker is stopping, throws it at once.
+  template <class Make>
+  void answer(Call& call, Make&& make) {
+    if (call.error) std::rethrow_exception(call.error);
+    try {
+      make();
+    } catch (const std::exception&) {
+      if (!call.is_long || short_.isStopping()) throw;
+      call.error = std::current_exception();
+      call.state.reset();
+      call.is_long = false;
+      throw NextTurn();
+    }
+  }
 
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner = 0) override;
   void removeByID(std::uint64_t owner) override;

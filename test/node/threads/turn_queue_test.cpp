@@ -13,6 +13,8 @@
 #include <map>
 #include <mutex>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -79,11 +81,14 @@ class TurnQueueTest : public testing::Test {
 
   /// Returns when both workers have nothing to do.
   void drain() {
-    for (Worker* worker : {&short_, &long_}) {
-      std::promise<void> done;
-      ASSERT_TRUE(worker->post("drain", [&done] { done.set_value(); }));
-      ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
-    }
+    drainOne(short_);
+    drainOne(long_);
+  }
+
+  static void drainOne(Worker& worker) {
+    std::promise<void> done;
+    worker.post("drain", [&done] { done.set_value(); });
+    ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
   }
 
   /// The long worker is busy until then.
@@ -147,6 +152,59 @@ TEST_F(TurnQueueTest, ALongCallMayEndAmongTheShortOnes) {
   EXPECT_EQ(threads[0], threads[3]);
   EXPECT_EQ(threads[1], threads[2]);
   EXPECT_NE(threads[0], threads[1]);
+}
+
+/// Its state is freed where it was made.
+TEST_F(TurnQueueTest, WhyALongCallFailedIsAnsweredAmongTheShortOnes) {
+  std::vector<std::thread::id> turns;
+  std::promise<std::string> answer;
+  std::thread::id freed;
+  add([&](TurnQueue::Call& call) {
+    turns.push_back(std::this_thread::get_id());
+    if (call.isNew()) {
+      call.is_long = true;
+      throw TurnQueue::NextTurn();
+    }
+    try {
+      queue_.answer(call, [&] {
+        call.state = {&turns, [&](void*) { freed = std::this_thread::get_id(); }};
+        throw std::runtime_error("why");
+      });
+    } catch (const std::exception& error) {
+      answer.set_value(error.what());
+    }
+  });
+  auto result = answer.get_future();
+  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
+  EXPECT_EQ(result.get(), "why");
+  ASSERT_EQ(turns.size(), 3u);
+  EXPECT_EQ(turns[2], turns[0]);
+  EXPECT_NE(turns[1], turns[0]);
+  EXPECT_EQ(freed, turns[1]);
+}
+
+TEST_F(TurnQueueTest, WhyALongCallFailedIsAnsweredAtOnceAtTheEnd) {
+  std::promise<std::string> answer;
+  std::atomic<bool> is_held{true};
+  add([&](TurnQueue::Call& call) {
+    if (call.isNew()) {
+      call.is_long = true;
+      throw TurnQueue::NextTurn();
+    }
+    while (is_held)
+      std::this_thread::yield();
+    try {
+      queue_.answer(call, [] { throw std::runtime_error("it stops"); });
+    } catch (const std::exception& error) {
+      answer.set_value(error.what());
+    }
+  });
+  drainOne(short_);
+  short_.stop();
+  is_held = false;
+  auto result = answer.get_future();
+  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
+  EXPECT_EQ(result.get(), "it stops");
 }
 
 TEST_F(TurnQueueTest, ACallWhoseClientIsGoneGetsNoFurtherTurn) {
