@@ -107,7 +107,9 @@ void SceneDistances::leaveOut(std::size_t first, std::size_t second) {
 ComputedDistances SceneDistances::result(const MomentPtr& moment,
                                          const std::vector<FoundPair>& pairs) const {
   const Parameters& parameters = moment->model->parameters;
-  ComputedDistances result{moment, {}, {}, {}, left_out_};
+  ComputedDistances result;
+  result.moment = moment;
+  result.left_out = left_out_;
   DistanceArray& array = result.array;
   array.header = moment->header;
   array.limit = parameters.distance_limit;
@@ -115,16 +117,19 @@ ComputedDistances SceneDistances::result(const MomentPtr& moment,
   array.distances.reserve(pairs.size());
   for (const FoundPair& pair : pairs) {
     array.distances.push_back(toMessage(*moment, pair));
+    result.pairs.emplace_back(pair.first, pair.second);
     ++result.levels[array.distances.back().level];
   }
   result.nearest = nearestOf(array.distances, parameters.distance_limit);
   for (const BoxPair& pair : not_compared_)
     array.not_compared.push_back(toMessage(*moment, pair));
-  addNames(*moment, array);
+  addNames(result);
   return result;
 }
 
-void SceneDistances::addNames(const Moment& moment, DistanceArray& array) const {
+void SceneDistances::addNames(ComputedDistances& result) const {
+  const Moment& moment = *result.moment;
+  DistanceArray& array = result.array;
   array.incomplete = moment.incomplete;
   std::set<std::string> incomplete(array.incomplete.begin(), array.incomplete.end());
   for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
@@ -133,8 +138,9 @@ void SceneDistances::addNames(const Moment& moment, DistanceArray& array) const 
   }
   for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
     const std::string& name = moment.name(moment.bodies[i]);
-    if (is_compared_[i] && are_pairs_listed_[i] && incomplete.count(name) == 0)
-      array.complete.push_back(name);
+    result.is_complete.push_back(is_compared_[i] && are_pairs_listed_[i] &&
+                                 incomplete.count(name) == 0);
+    if (result.is_complete.back()) array.complete.push_back(name);
   }
 }
 

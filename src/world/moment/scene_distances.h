@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "link_bounds/DistanceArray.h"
@@ -22,6 +23,10 @@ struct ComputedDistances {
   Distance nearest;
   std::array<std::size_t, 3> levels{};  ///< pairs in the array by what decided them
   std::size_t left_out = 0;             ///< pairs that may be within the limit, see max_pairs
+
+  // The same as in the array, but by indices of the moment's bodies: names need not be unique.
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of each of its distances
+  std::vector<bool> is_complete;                           ///< of each body
 };
 
 /// Not thread-safe; belongs to one thread.
@@ -54,7 +59,7 @@ class SceneDistances {
   void measure(const BoxPair& pair, double limit, PairHeap& nearest);
   void leaveOut(std::size_t first, std::size_t second);
   ComputedDistances result(const MomentPtr& moment, const std::vector<FoundPair>& pairs) const;
-  void addNames(const Moment& moment, DistanceArray& array) const;
+  void addNames(ComputedDistances& result) const;
 
   LiveBodies bodies_;
   bool are_carried_;

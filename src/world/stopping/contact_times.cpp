@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include "world/stopping/contact_reach.h"
@@ -29,7 +28,6 @@ class Contacts {
       : moment_(*boxes.moment), end_(end), first_(end) {
     for (std::size_t i = 0; i < boxes.ways.size(); ++i) {
       reaches_.emplace_back(boxes.ways[i], moment_.bodies[i].box, rules);
-      bodies_.emplace(moment_.name(moment_.bodies[i]), i);
     }
   }
 
@@ -38,22 +36,12 @@ class Contacts {
     return link_bounds::canMeet(reaches_[a], reaches_[b]);
   }
 
-  /// A pair that was measured.
-  void add(const Distance& distance) {
-    const std::size_t a = bodies_.at(distance.first);
-    const std::size_t b = bodies_.at(distance.second);
-    measured_.insert({a, b});
-    const auto time = earliestContact(reaches_[a], reaches_[b], distance.distance, end_);
-    if (!time) return;
-    found_.push_back({a, b, distance.distance, *time});
-    first_ = std::min(first_, *time);
-  }
-
-  void setLimit(const DistanceArray& distances) {
-    limit_ = distances.limit;
-    complete_.assign(reaches_.size(), false);
-    for (const std::string& name : distances.complete)
-      complete_[bodies_.at(name)] = true;
+  /// The pairs that were measured.
+  void add(const ComputedDistances& computed) {
+    limit_ = computed.array.limit;
+    complete_ = computed.is_complete;
+    for (std::size_t i = 0; i < computed.pairs.size(); ++i)
+      add(computed.pairs[i].first, computed.pairs[i].second, computed.array.distances[i].distance);
   }
 
   /// Bodies farther apart cannot touch before what was found so far [m].
@@ -114,11 +102,18 @@ class Contacts {
     std::int64_t time;
   };
 
+  void add(std::size_t a, std::size_t b, double distance) {
+    measured_.insert({a, b});
+    const auto time = earliestContact(reaches_[a], reaches_[b], distance, end_);
+    if (!time) return;
+    found_.push_back({a, b, distance, *time});
+    first_ = std::min(first_, *time);
+  }
+
   const Moment& moment_;
   const std::int64_t end_;
   std::int64_t first_;  ///< the earliest time so far
   std::vector<ContactReach> reaches_;
-  std::unordered_map<std::string, std::size_t> bodies_;
   std::set<std::pair<std::size_t, std::size_t>> measured_;
   std::vector<Found> found_;
   std::vector<bool> complete_;
@@ -143,9 +138,7 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
   };
   const auto computed = distances_.compute(boxes.moment, pairs_, now, is_cancelled, can_meet);
   if (!computed) return std::nullopt;
-  contacts.setLimit(computed->array);
-  for (const Distance& distance : computed->array.distances)
-    contacts.add(distance);
+  contacts.add(*computed);
   if (contacts.needsOthers()) {
     std::vector<BoxPair> others;
     const auto read = [&others](const NearPairs& near) { others = near.compared; };

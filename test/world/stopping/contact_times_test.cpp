@@ -162,9 +162,9 @@ TEST(ContactTimes, WhatHasNoPoseEndsAllValidity) {
 using Names = std::vector<std::string>;
 
 /// A box that reaches from x = 1.5 m on, in front of the right cart.
-void putBox(MovingRobot& robot, const std::string& frame) {
+void putBox(MovingRobot& robot, const std::string& frame, const std::string& name = "scene/1") {
   ObjectContent content;
-  content.bounded.name = "scene/1";
+  content.bounded.name = name;
   Eigen::Affine3d place = Eigen::Affine3d::Identity();
   place.translation().x() = 2;
   content.bounded.shapes = {{nullptr, Solid::kBox, {1, 1, 1}, place}};
@@ -182,6 +182,18 @@ TEST(ContactTimes, WhatStandsIsReachedByTheRobotAlone) {
   ASSERT_EQ(array.contacts.size(), 3u);
   EXPECT_EQ(array.contacts[0].second, "scene/1");
   EXPECT_NEAR(untilOf(array), kStamp + 0.2 / 0.5, 1e-3);
+}
+
+TEST(ContactTimes, AnObjectMayHaveTheNameOfALink) {
+  for (const double limit : {2.0, 0.1}) {
+    MovingRobot robot(carts(), parametersOf("rail", limit));
+    stand(robot, {0, 1.2});
+    putBox(robot, "rail", "left");
+    const EarliestContactArray array = robot.earliest();
+    ASSERT_FALSE(array.contacts.empty());
+    EXPECT_NEAR(array.contacts[0].distance, 0.2, 1e-4);
+    EXPECT_NEAR(untilOf(array), kStamp + 0.2 / 0.5, 1e-3) << "the right cart moves alone";
+  }
 }
 
 /// Nobody says how fast a base is. Links of one robot do not care.
