@@ -98,9 +98,13 @@ void DistanceThread::forgetIfUnwanted() {
   if (current_ && Clock::now() - last_wanted_ >= keep_) forget();
 }
 
+/// current_ does not wait any more, even if it was not published.
 void DistanceThread::forget() {
   distances_ = SceneDistances(requests_, true);
   current_ = nullptr;
+  published_ = current_number_;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  errors_.clear();
 }
 
 }  // namespace link_bounds

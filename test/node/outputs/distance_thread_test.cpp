@@ -73,7 +73,11 @@ class DistanceThreadTest : public testing::Test {
     return {[this](const std::string&, const auto& points) {
               ++requested_;
               if (fails_.exchange(false)) throw std::bad_alloc();
-              thread_->give({points, triangleTree(boxMesh({1, 1, 1})), ""});
+              if (has_trees_) {
+                thread_->give({points, triangleTree(boxMesh({1, 1, 1})), ""});
+              } else {
+                thread_->give({points, nullptr, "why"});
+              }
             },
             [](const auto&) {}};
   }
@@ -82,6 +86,7 @@ class DistanceThreadTest : public testing::Test {
     thread_ = std::make_unique<DistanceThread>(
         requests(), pairs_,
         DistanceThread::Callbacks{[this](const ComputedDistances& computed) {
+                                    if (cannot_publish_.exchange(false)) throw std::bad_alloc();
                                     const std::lock_guard<std::mutex> lock(mutex_);
                                     results_.push_back(computed);
                                     published_.notify_all();
@@ -96,6 +101,8 @@ class DistanceThreadTest : public testing::Test {
   std::vector<ComputedDistances> results_;  ///< guarded by mutex_
   std::atomic<bool> is_wanted_{true};
   std::atomic<bool> fails_{false};
+  std::atomic<bool> cannot_publish_{false};  ///< once
+  std::atomic<bool> has_trees_{true};
   std::atomic<int> requested_{0};
   std::unique_ptr<DistanceThread> thread_;  ///< last: it ends first
 };
@@ -133,6 +140,23 @@ TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
   thread_->give(moment);
   ASSERT_TRUE(waitForGap(0.5));
   EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
+}
+
+TEST_F(DistanceThreadTest, AMomentWhoseComputationFailedDoesNotWait) {
+  start(seconds(10));
+  cannot_publish_ = true;
+  thread_->give(madeMoment(0.5));
+  ASSERT_TRUE(becomesTrue([this] { return !cannot_publish_; }));
+  EXPECT_TRUE(becomesTrue([this] { return thread_->behind() == 0; }));
+}
+
+TEST_F(DistanceThreadTest, ForgetsWhyThereAreNoTrianglesWhenNobodyWantsThem) {
+  start(milliseconds(100));
+  has_trees_ = false;
+  thread_->give(madeMoment(0.5));
+  ASSERT_TRUE(becomesTrue([this] { return !thread_->errors().empty(); }));
+  is_wanted_ = false;
+  EXPECT_TRUE(becomesTrue([this] { return thread_->errors().empty(); }));
 }
 
 TEST_F(DistanceThreadTest, ForgetsEverythingWhenNobodyWantsIt) {
