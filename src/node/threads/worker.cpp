@@ -265,7 +265,7 @@ Worker::Next Worker::next() {
   const auto is_due = [this] { return inbox_->is_stopped || !inbox_->isEmpty(); };
   if (!is_due()) {
     lock.unlock();
-    bool ticks = false;
+    bool ticks = true;
     guarded([&] { ticks = options_.on_tick(); });
     lock.lock();
     if (ticks) {

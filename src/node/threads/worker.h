@@ -29,7 +29,7 @@ class Worker : public ros::CallbackQueueInterface {
     /// begins with what is posted 1 ms later.
     bool is_nice = false;
     /// Called on the thread at its start, after all that waits was done, and then every
-    /// `tick_period` while it returns true.
+    /// `tick_period` while it returns true or throws.
     std::function<bool()> on_tick = [] { return false; };
     std::chrono::milliseconds tick_period{50};
     std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  ///< see post()

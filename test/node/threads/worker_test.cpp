@@ -262,6 +262,22 @@ TEST(Worker, TicksWhileItIsWanted) {
   EXPECT_GE(ticks, 4);
 }
 
+TEST(Worker, TicksOnAfterATickThatThrows) {
+  ros::Time::init();  // for the log
+  Worker::Options options = named("test");
+  std::atomic<int> ticks{0};
+  options.tick_period = std::chrono::milliseconds(1);
+  options.on_tick = [&ticks] {
+    if (++ticks < 3) throw std::runtime_error("a test");
+    return false;
+  };
+  Worker worker(options);
+  const auto end = std::chrono::steady_clock::now() + kDeadline;
+  while (ticks < 3 && std::chrono::steady_clock::now() < end)
+    std::this_thread::yield();
+  EXPECT_EQ(ticks, 3);
+}
+
 TEST(Worker, RemovesTheCallbacksOfAnOwnerAndWaitsForTheOneThatRuns) {
   Worker worker(named("test"));
   std::promise<void> begun, added;
