@@ -46,21 +46,22 @@ class MovingBox {
   void findDirections();
   bool askLink();
   void fold(std::size_t index);
-  void foldTurn(const MovingStep& step, const Ball& ball,
+  void foldTurn(const MovingStep& step, const SweptBall& ball,
                 const std::vector<Eigen::Matrix3d>& parents,
                 const std::vector<Eigen::Matrix3d>& children);
-  void swing(const MovingStep& step, const Ball& ball, const std::vector<Eigen::Matrix3d>& parents,
+  void swing(const MovingStep& step, const SweptBall& ball,
+             const std::vector<Eigen::Matrix3d>& parents,
              const std::vector<Eigen::Matrix3d>& children);
   void slide(const MovingStep& step, const std::vector<Eigen::Matrix3d>& directions);
-  void drive(const MovingStep& step, const Ball& ball,
+  void drive(const MovingStep& step, const SweptBall& ball,
              const std::vector<Eigen::Matrix3d>& directions);
   void pad(double length);
-  void clip(const Ball& ball, const std::vector<Eigen::Matrix3d>& directions);
+  void clip(const SweptBall& ball, const std::vector<Eigen::Matrix3d>& directions);
 
   const BoundedLink& link_;
   Eigen::Affine3d pose_;
   std::vector<MovingStep> steps_;
-  std::vector<Ball> balls_;  ///< of S after each joint, and last of the link
+  std::vector<SweptBall> balls_;  ///< of S after each joint, and last of the link
   std::vector<std::vector<Eigen::Matrix3d>>
       directions_;  ///< before each joint, and last of the link
   std::vector<Supports> supports_;
@@ -85,7 +86,7 @@ bool MovingBox::placeBalls() {
     const Limits& offsets = steps_[i].offsets;
     const double middle = (offsets.lower + offsets.upper) / 2;
     const double half = (offsets.upper - offsets.lower) / 2;
-    Ball ball = balls_[i + 1];
+    SweptBall ball = balls_[i + 1];
     if (joint.kind == Kind::kTurn) {
       ball.radius += chordOf(half) * distanceFrom(joint, ball.center);
       ball.center = joint.origin + Eigen::AngleAxisd(middle, joint.axis) *
@@ -150,7 +151,7 @@ void MovingBox::slide(const MovingStep& step, const std::vector<Eigen::Matrix3d>
 
 /// The path ends in the hull of all points that are no farther away than its length, in directions
 /// that deviate by no more than its spread.
-void MovingBox::drive(const MovingStep& step, const Ball& ball,
+void MovingBox::drive(const MovingStep& step, const SweptBall& ball,
                       const std::vector<Eigen::Matrix3d>& directions) {
   const MovingJoint& joint = *step.joint;
   const auto support = [&](double cosine) {
@@ -189,11 +190,11 @@ class Between {
 };
 
 /// Where an axis is nearest to the centre of the ball.
-Eigen::Vector3d nearestOnAxis(const MovingJoint& joint, const Ball& ball) {
+Eigen::Vector3d nearestOnAxis(const MovingJoint& joint, const SweptBall& ball) {
   return joint.origin + joint.axis * joint.axis.dot(ball.center - joint.origin);
 }
 
-void MovingBox::foldTurn(const MovingStep& step, const Ball& ball,
+void MovingBox::foldTurn(const MovingStep& step, const SweptBall& ball,
                          const std::vector<Eigen::Matrix3d>& parents,
                          const std::vector<Eigen::Matrix3d>& children) {
   const Eigen::Vector3d& axis = step.joint->axis;
@@ -242,7 +243,7 @@ double gainOfCap(double height, double radius, double fall) {
 }
 
 /// The middle alone: the centre of the ball turns as a point, and what is around it as a cap.
-void MovingBox::swing(const MovingStep& step, const Ball& ball,
+void MovingBox::swing(const MovingStep& step, const SweptBall& ball,
                       const std::vector<Eigen::Matrix3d>& parents,
                       const std::vector<Eigen::Matrix3d>& children) {
   const Eigen::Vector3d& axis = step.joint->axis;
@@ -270,7 +271,7 @@ void MovingBox::swing(const MovingStep& step, const Ball& ball,
 
 void MovingBox::fold(std::size_t index) {
   const MovingStep& step = steps_[index];
-  const Ball& ball = balls_[index + 1];
+  const SweptBall& ball = balls_[index + 1];
   if (step.joint->kind == Kind::kSlide) {
     slide(step, directions_[index]);
   } else if (step.joint->kind == Kind::kFree) {
@@ -284,7 +285,7 @@ void MovingBox::fold(std::size_t index) {
 }
 
 /// To the ball around all places of the link.
-void MovingBox::clip(const Ball& ball, const std::vector<Eigen::Matrix3d>& directions) {
+void MovingBox::clip(const SweptBall& ball, const std::vector<Eigen::Matrix3d>& directions) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Eigen::Vector3d center = directions[i] * ball.center;
     supports_[i].along = supports_[i].along.cwiseMin((center.array() + ball.radius).matrix());

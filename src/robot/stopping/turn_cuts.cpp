@@ -28,7 +28,7 @@ std::size_t nextCuts(const MovingStep& step, std::size_t cuts) {
 }
 
 /// What a turn adds at most to a face beyond what is attained, about [m].
-double lossOf(const MovingStep& step, const Ball& ball, std::size_t cuts) {
+double lossOf(const MovingStep& step, const SweptBall& ball, std::size_t cuts) {
   const double half = widthOf(step) / 2;
   if (cuts == 1) return ball.radius * chordOf(half);
   return ball.radius * (1 / std::cos(half / static_cast<double>(cuts - 1)) - 1);
@@ -48,7 +48,7 @@ void cut(MovingStep& step, std::size_t cuts) {
 
 }  // namespace
 
-void chooseCuts(std::vector<MovingStep>& steps, const std::vector<Ball>& balls) {
+void chooseCuts(std::vector<MovingStep>& steps, const std::vector<SweptBall>& balls) {
   std::vector<std::size_t> cuts(steps.size(), 1);
   std::size_t leaves = 1;
   for (;;) {

@@ -12,7 +12,8 @@
 
 namespace link_bounds {
 
-struct Ball {
+/// Holds all places of a link while joints move.
+struct SweptBall {
   Eigen::Vector3d center;
   double radius;  ///< [m]
 };
@@ -32,6 +33,6 @@ inline double chordOf(double angle) {
 
 /// Sets how the turns are examined. `balls` are around all places of the link while the joints from
 /// each one on move, and last around the link.
-void chooseCuts(std::vector<MovingStep>& steps, const std::vector<Ball>& balls);
+void chooseCuts(std::vector<MovingStep>& steps, const std::vector<SweptBall>& balls);
 
 }  // namespace link_bounds

@@ -52,7 +52,7 @@ struct ObjectContent {
 bool isSame(const ObjectContent& a, const ObjectContent& b);
 
 /// Where an object was placed once. Another fixed frame later does not change this.
-struct Placement {
+struct ObjectPlacement {
   FrameTracker::Frame fixed_frame;  ///< of that time
   Eigen::Affine3d fixed_from_header;
 };
@@ -74,7 +74,7 @@ struct LiveObject {
   TransformBuffer::Hold hold;     ///< of content->frame
   FrameTracker::Frame frame = 0;  ///< the same
   FrameTracker::Handle header;    ///< the same, of an object that follows it
-  std::optional<Placement> placement;
+  std::optional<ObjectPlacement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
   ros::Duration lifetime;     ///< that of the last receipt

@@ -23,7 +23,7 @@ ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
       return {hasWaitedLong(object.waiting_since, now) ? TransformProblem::kGivenUp
                                                        : TransformProblem::kWaiting};
     }
-    object.placement = Placement{*frames_.fixedFrame(), *pose};
+    object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
   }
   const std::optional<Eigen::Affine3d> pose = carried(*object.placement);
   if (!pose) return {TransformProblem::kNotCarried};
@@ -51,7 +51,7 @@ bool ObjectPlacer::hasWaitedLong(std::int64_t since, ros::Time now) const {
 }
 
 /// Fixed from header frame, if the placement is known in the present fixed frame.
-std::optional<Eigen::Affine3d> ObjectPlacer::carried(const Placement& placement) const {
+std::optional<Eigen::Affine3d> ObjectPlacer::carried(const ObjectPlacement& placement) const {
   if (placement.fixed_frame == frames_.fixedFrame()) return placement.fixed_from_header;
   const std::optional<Eigen::Affine3d>& carry = carries_.at(placement.fixed_frame).fixed_from_old;
   if (!carry) return std::nullopt;

@@ -59,7 +59,7 @@ class ObjectPlacer {
   };
 
   std::optional<Eigen::Affine3d> poseAt(std::int64_t stamp, Frame frame);
-  std::optional<Eigen::Affine3d> carried(const Placement& placement) const;
+  std::optional<Eigen::Affine3d> carried(const ObjectPlacement& placement) const;
 
   FrameTracker& frames_;
   std::map<Frame, Carry> carries_;  ///< by old fixed frame
