@@ -69,7 +69,6 @@ void callPiece(const std::shared_ptr<Awaited>& awaited, ros::CallbackQueueInterf
 struct Worker::Posted {
   std::string key;
   Work work;
-  std::size_t bytes;
 };
 
 struct Worker::Urgent {
@@ -85,7 +84,6 @@ struct Worker::Inbox {
   std::list<Posted> posted;
   std::unordered_map<std::string, std::list<Posted>::iterator> by_key;
   std::vector<std::shared_ptr<const void>> discarded;
-  std::size_t bytes = 0;  ///< of posted
   std::thread::id thread;
   std::string running_key;
   std::uint64_t running_owner = 0;
@@ -101,7 +99,6 @@ struct Worker::Inbox {
 
   Posted take(std::list<Posted>::iterator item) {
     Posted taken = std::move(*item);
-    bytes -= taken.bytes;
     by_key.erase(taken.key);
     posted.erase(item);
     return taken;
@@ -120,26 +117,20 @@ Worker::Worker(Options options)
       inbox_(std::make_shared<Inbox>()),
       thread_(startThread(options_.name, [this] { run(); })) {}
 
-bool Worker::post(const std::string& key, Work work, std::size_t bytes) {
+void Worker::post(const std::string& key, Work work) {
   {
     const std::lock_guard<std::mutex> lock(inbox_->mutex);
-    if (inbox_->is_stopped) return false;
+    if (inbox_->is_stopped) return;
     const auto found = inbox_->by_key.find(key);
-    const bool is_waiting = found != inbox_->by_key.end();
-    const std::size_t others = inbox_->bytes - (is_waiting ? found->second->bytes : 0);
-    if (others > 0 && others + bytes > options_.max_bytes) return false;
-    inbox_->bytes = others + bytes;
     if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
-    if (is_waiting) {
+    if (found != inbox_->by_key.end()) {
       std::swap(found->second->work, work);  // the older one is freed without the lock
-      found->second->bytes = bytes;
     } else {
-      inbox_->posted.push_back({key, std::move(work), bytes});
+      inbox_->posted.push_back({key, std::move(work)});
       inbox_->by_key[key] = std::prev(inbox_->posted.end());
     }
   }
   inbox_->wake.notify_one();
-  return true;
 }
 
 void Worker::cancel(const std::string& key) {
@@ -158,11 +149,6 @@ bool Worker::isCancelled() const {
 bool Worker::isStopping() const {
   if (ros::isInitialized() && (ros::isShuttingDown() || !ros::ok())) return true;
   return inbox_->is_stopped;
-}
-
-std::size_t Worker::waitingBytes() const {
-  const std::lock_guard<std::mutex> lock(inbox_->mutex);
-  return inbox_->bytes;
 }
 
 bool Worker::await(ros::CallbackQueueInterface& queue, std::function<bool()> piece,
@@ -207,7 +193,6 @@ void Worker::stop() {
   std::swap(posted, inbox_->posted);
   std::swap(discarded, inbox_->discarded);
   inbox_->by_key.clear();
-  inbox_->bytes = 0;
 }
 
 void Worker::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {

@@ -6,10 +6,8 @@
 #include <ros/callback_queue_interface.h>
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -32,7 +30,6 @@ class Worker : public ros::CallbackQueueInterface {
     /// `tick_period` while it returns true or throws.
     std::function<bool()> on_tick = [] { return false; };
     std::chrono::milliseconds tick_period{50};
-    std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  ///< see post()
   };
 
   /// Throws std::runtime_error if the thread cannot be started.
@@ -43,10 +40,9 @@ class Worker : public ros::CallbackQueueInterface {
 
   // All functions may be called on any thread and, unless they say so, return at once.
 
-  /// Work that waits under the same key is replaced, in its place. `bytes` is what the work keeps
-  /// alive. False, and the work is not taken, if the worker is stopped, or if more than `max_bytes`
-  /// would wait; a single work larger than that is taken while none other waits.
-  bool post(const std::string& key, Work work, std::size_t bytes = 0);
+  /// Work that waits under the same key is replaced, in its place. A worker that is stopped takes
+  /// none.
+  void post(const std::string& key, Work work);
 
   /// Forgets the work that waits under the key, and tells the one that runs: see isCancelled().
   void cancel(const std::string& key);
@@ -57,9 +53,6 @@ class Worker : public ros::CallbackQueueInterface {
 
   /// True from stop() on, and while roscpp shuts down.
   bool isStopping() const;
-
-  /// Sum of the bytes of what waits.
-  std::size_t waitingBytes() const;
 
   /// On the worker's thread: has `piece` called on the thread that serves `queue` until it returns
   /// true. That thread does what else waits in between. Throws what `piece` throws. False, and

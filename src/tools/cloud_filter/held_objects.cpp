@@ -165,9 +165,7 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
       take(key, request, frame, grid, problem);
     });
   };
-  const auto& shapes = held.content->bounded.shapes;
-  const bool has_points = !shapes.empty() && shapes.front().points;
-  worker_.post(keyOf(key), make, has_points ? shapes.front().points->bytes() : 0);
+  worker_.post(keyOf(key), make);
 }
 
 /// That of an earlier content is better than that of a still earlier one. What was asked for before
