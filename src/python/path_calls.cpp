@@ -12,8 +12,8 @@
 #include "robot/threads/row_threads.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/objects.h"
-#include "tools/urdf_bounds/srdf_check.h"
+#include "tools/urdf_bounds/pairs/srdf_check.h"
+#include "tools/urdf_bounds/request/objects.h"
 
 namespace py = pybind11;
 

@@ -19,9 +19,14 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'world/log', 'world/tf', 'world/model', 'world/bodies', 'world/moment', 'world/history',
          'world/stopping', 'world/path', 'world/cloud',
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
-         'node/outputs', 'node/upkeep', 'node',
-         'tools/text', 'tools/command_line', 'tools/urdf_bounds', 'tools/mesh_worker',
-         'tools/bag_bounds/bag', 'tools/bag_bounds', 'tools/cloud_filter', 'python',
+         'node/outputs/messages', 'node/outputs/markers', 'node/outputs/topic',
+         'node/outputs/copies', 'node/outputs', 'node/services', 'node/upkeep', 'node',
+         'tools/text', 'tools/command_line', 'tools/urdf_bounds/request',
+         'tools/urdf_bounds/poses', 'tools/urdf_bounds/reach', 'tools/urdf_bounds/pairs',
+         'tools/urdf_bounds/path', 'tools/urdf_bounds', 'tools/mesh_worker',
+         'tools/bag_bounds/bag/records', 'tools/bag_bounds/bag', 'tools/bag_bounds/scene',
+         'tools/bag_bounds/boxes', 'tools/bag_bounds/watch', 'tools/bag_bounds/run',
+         'tools/bag_bounds/lines', 'tools/bag_bounds', 'tools/cloud_filter', 'python',
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
          'bench/cloud', 'bench/pipeline', 'bench/node', 'bench/tools']
 ROOTS = ['include/link_bounds', 'src', 'test']

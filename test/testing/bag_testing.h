@@ -17,7 +17,7 @@
 
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/bag/bag_writer.h"
-#include "tools/bag_bounds/bag/record_bytes.h"
+#include "tools/bag_bounds/bag/records/record_bytes.h"
 
 namespace link_bounds {
 

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "node/outputs/distance_markers.h"
-#include "node/outputs/queues.h"
+#include "node/outputs/markers/distance_markers.h"
+#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

@@ -14,7 +14,7 @@
 
 #include "node/interface/topics.h"
 #include "node/outputs/distance_thread.h"
-#include "node/outputs/output.h"
+#include "node/outputs/topic/output.h"
 #include "world/log/guarded.h"
 
 namespace link_bounds {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "link_bounds/EarliestContactArray.h"
-#include "node/outputs/output.h"
-#include "node/outputs/way_scenes.h"
+#include "node/outputs/copies/way_scenes.h"
+#include "node/outputs/topic/output.h"
 #include "world/log/guarded.h"
 #include "world/stopping/contact_times.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "node/interface/topics.h"
-#include "node/outputs/queues.h"
+#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

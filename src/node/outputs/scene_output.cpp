@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "node/outputs/box_message.h"
-#include "node/outputs/footprint.h"
-#include "node/outputs/queues.h"
+#include "node/outputs/messages/box_message.h"
+#include "node/outputs/messages/footprint.h"
+#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

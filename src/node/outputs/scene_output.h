@@ -13,8 +13,8 @@
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "node/outputs/distance_output.h"
 #include "node/outputs/optional_outputs.h"
-#include "node/outputs/output.h"
-#include "node/outputs/paced_output.h"
+#include "node/outputs/topic/output.h"
+#include "node/outputs/topic/paced_output.h"
 #include "world/bodies/scene.h"
 
 namespace link_bounds {

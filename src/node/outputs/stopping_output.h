@@ -13,10 +13,10 @@
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/BoxOverlapArray.h"
-#include "node/outputs/output.h"
-#include "node/outputs/overlap_message.h"
-#include "node/outputs/paced_output.h"
-#include "node/outputs/way_scenes.h"
+#include "node/outputs/copies/way_scenes.h"
+#include "node/outputs/messages/overlap_message.h"
+#include "node/outputs/topic/output.h"
+#include "node/outputs/topic/paced_output.h"
 #include "world/model/parameters.h"
 
 namespace link_bounds {

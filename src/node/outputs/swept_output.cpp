@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "node/interface/topics.h"
-#include "node/outputs/box_message.h"
-#include "node/outputs/queues.h"
-#include "node/outputs/swept_markers.h"
+#include "node/outputs/markers/swept_markers.h"
+#include "node/outputs/messages/box_message.h"
+#include "node/outputs/topic/queues.h"
 #include "world/history/past_boxes.h"
 
 namespace link_bounds {

@@ -9,9 +9,9 @@
 #include <atomic>
 
 #include "link_bounds/AxisAlignedBoxArray.h"
-#include "node/outputs/output.h"
-#include "node/outputs/paced_output.h"
-#include "node/outputs/scene_copier.h"
+#include "node/outputs/copies/scene_copier.h"
+#include "node/outputs/topic/output.h"
+#include "node/outputs/topic/paced_output.h"
 #include "world/model/parameters.h"
 
 namespace link_bounds {

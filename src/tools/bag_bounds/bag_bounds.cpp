@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "tools/bag_bounds/bag_run.h"
-#include "tools/bag_bounds/each_bag.h"
-#include "tools/bag_bounds/merged_report.h"
+#include "tools/bag_bounds/lines/each_bag.h"
+#include "tools/bag_bounds/lines/merged_report.h"
+#include "tools/bag_bounds/run/bag_run.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 

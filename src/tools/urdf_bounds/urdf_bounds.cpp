@@ -14,13 +14,13 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/input.h"
-#include "tools/urdf_bounds/objects.h"
-#include "tools/urdf_bounds/pairs_report.h"
-#include "tools/urdf_bounds/path_report.h"
-#include "tools/urdf_bounds/reach_report.h"
-#include "tools/urdf_bounds/report.h"
-#include "tools/urdf_bounds/rows_report.h"
+#include "tools/urdf_bounds/pairs/pairs_report.h"
+#include "tools/urdf_bounds/path/path_report.h"
+#include "tools/urdf_bounds/poses/report.h"
+#include "tools/urdf_bounds/poses/rows_report.h"
+#include "tools/urdf_bounds/reach/reach_report.h"
+#include "tools/urdf_bounds/request/input.h"
+#include "tools/urdf_bounds/request/objects.h"
 
 namespace link_bounds {
 

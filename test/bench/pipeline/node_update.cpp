@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "node/outputs/box_message.h"
+#include "node/outputs/messages/box_message.h"
 
 namespace link_bounds::bench {
 

@@ -10,7 +10,7 @@
 #include <boost/make_shared.hpp>
 #include <stdexcept>
 
-#include "node/outputs/box_message.h"
+#include "node/outputs/messages/box_message.h"
 #include "world/tf/frame_names.h"
 #include "world/tf/tf_message.h"
 

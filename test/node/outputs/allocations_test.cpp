@@ -8,9 +8,9 @@
 #include <cmath>
 #include <iostream>
 
-#include "node/outputs/box_message.h"
-#include "node/outputs/overlap_message.h"
-#include "node/outputs/part_boxes.h"
+#include "node/outputs/messages/box_message.h"
+#include "node/outputs/messages/overlap_message.h"
+#include "node/outputs/messages/part_boxes.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/replaced_new.h"
 #include "world/tf/tf_message.h"

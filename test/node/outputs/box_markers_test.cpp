@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Cubes contain their boxes; no marker is left behind, none is deleted twice.
-#include "node/outputs/box_markers.h"
+#include "node/outputs/markers/box_markers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A line per pair, a thicker one and a number for the nearest; nothing is left behind.
-#include "node/outputs/distance_markers.h"
+#include "node/outputs/markers/distance_markers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The polygon contains the box, and its corners have the documented order.
-#include "node/outputs/footprint.h"
+#include "node/outputs/messages/footprint.h"
 
 #include <gtest/gtest.h>
 
-#include "node/outputs/box_message.h"
+#include "node/outputs/messages/box_message.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Labels follow their boxes and are kept apart.
-#include "node/outputs/label_layout.h"
+#include "node/outputs/markers/label_layout.h"
 
 #include <gtest/gtest.h>
 

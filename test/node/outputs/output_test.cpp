@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which subscriber gets which message, and what waits for one that does not read.
-#include "node/outputs/output.h"
+#include "node/outputs/topic/output.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>

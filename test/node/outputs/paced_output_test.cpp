@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "node/outputs/paced_output.h"
+#include "node/outputs/topic/paced_output.h"
 
 #include <gtest/gtest.h>
 

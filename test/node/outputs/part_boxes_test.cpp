@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts have the poses of the boxes in the moment.
-#include "node/outputs/part_boxes.h"
+#include "node/outputs/messages/part_boxes.h"
 
 #include <gtest/gtest.h>
 

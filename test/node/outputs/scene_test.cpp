@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "node/outputs/box_message.h"
+#include "node/outputs/messages/box_message.h"
 #include "testing/live_boxes_testing.h"
 
 namespace link_bounds {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces and edges of all boxes in two markers; nothing is left behind.
-#include "node/outputs/swept_markers.h"
+#include "node/outputs/markers/swept_markers.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "testing/random_motion.h"
 #include "testing/sanitized.h"
-#include "tools/bag_bounds/zone_search.h"
+#include "tools/bag_bounds/watch/zone_search.h"
 
 namespace link_bounds {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // An interrupt ends a message of markers in its middle. Frames without news are forgotten.
-#include "tools/bag_bounds/recorded_scene.h"
+#include "tools/bag_bounds/scene/recorded_scene.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>

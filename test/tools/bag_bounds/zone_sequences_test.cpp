@@ -13,8 +13,8 @@
 #include "testing/marker_testing.h"
 #include "testing/random_tf.h"
 #include "testing/sanitized.h"
-#include "tools/bag_bounds/recorded_scene.h"
-#include "tools/bag_bounds/zone_watch.h"
+#include "tools/bag_bounds/scene/recorded_scene.h"
+#include "tools/bag_bounds/watch/zone_watch.h"
 
 namespace link_bounds {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/bag_bounds/bag/record_bytes.h"
+#include "tools/bag_bounds/bag/records/record_bytes.h"
 
 namespace link_bounds {
 namespace {

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "tools/bag_bounds/bag/bag_reader.h"
-#include "tools/bag_bounds/bag/bytes.h"
 #include "tools/bag_bounds/bag/chunks_ahead.h"
 #include "tools/bag_bounds/bag/connections.h"
-#include "tools/bag_bounds/bag/record.h"
+#include "tools/bag_bounds/bag/records/bytes.h"
+#include "tools/bag_bounds/bag/records/record.h"
 
 namespace link_bounds {
 

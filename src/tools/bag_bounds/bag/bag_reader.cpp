@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "tools/bag_bounds/bag/bag_file.h"
-#include "tools/bag_bounds/bag/bytes.h"
+#include "tools/bag_bounds/bag/records/bytes.h"
 
 namespace link_bounds {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bag_bounds/bag/record_bytes.h"
+#include "tools/bag_bounds/bag/records/record_bytes.h"
 
 namespace link_bounds {
 

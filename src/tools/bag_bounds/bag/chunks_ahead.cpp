@@ -6,7 +6,7 @@
 #include <exception>
 #include <system_error>
 
-#include "tools/bag_bounds/bag/record.h"
+#include "tools/bag_bounds/bag/records/record.h"
 
 namespace link_bounds {
 namespace {

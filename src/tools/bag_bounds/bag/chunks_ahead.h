@@ -18,8 +18,8 @@
 #include <thread>
 #include <vector>
 
-#include "tools/bag_bounds/bag/bytes.h"
-#include "tools/bag_bounds/bag/chunk.h"
+#include "tools/bag_bounds/bag/records/bytes.h"
+#include "tools/bag_bounds/bag/records/chunk.h"
 
 namespace link_bounds {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "tools/bag_bounds/bag/chunk.h"
+#include "tools/bag_bounds/bag/records/chunk.h"
 
 namespace link_bounds {
 namespace {

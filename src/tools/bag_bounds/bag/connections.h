@@ -8,8 +8,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "tools/bag_bounds/bag/bytes.h"
-#include "tools/bag_bounds/bag/record.h"
+#include "tools/bag_bounds/bag/records/bytes.h"
+#include "tools/bag_bounds/bag/records/record.h"
 
 namespace link_bounds {
 

@@ -10,7 +10,7 @@
 #include "testing/replaced_new.h"
 #include "testing/sanitized.h"
 #include "tools/bag_bounds/bag/bag_file.h"
-#include "tools/bag_bounds/bag/chunk.h"
+#include "tools/bag_bounds/bag/records/chunk.h"
 
 namespace link_bounds {
 namespace {

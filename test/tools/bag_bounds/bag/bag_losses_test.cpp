@@ -6,7 +6,7 @@
 #include "testing/bag_testing.h"
 #include "testing/temporary_folder.h"
 #include "tools/bag_bounds/bag/bag_reader.h"
-#include "tools/bag_bounds/bag/chunk.h"
+#include "tools/bag_bounds/bag/records/chunk.h"
 
 namespace link_bounds {
 namespace {

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Two markers with ids that never change, so that nothing is left over in rviz.
+#include "node/outputs/markers/swept_markers.h"
+
+#include "link_bounds/ros/messages.h"
+#include "node/outputs/markers/drawable.h"
+
+namespace link_bounds {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
+struct Look {
+  const char* ns;
+  float red;
+  float green;
+  float blue;
+};
+
+constexpr Look kSweptLook{"link_bounds/swept", 1, 0.5F, 0};
+constexpr Look kStoppingLook{"link_bounds/stopping", 1, 0, 0.6F};
+
+constexpr double kSweptLineWidth = 0.002;  ///< [m]
+/// The robot and its boxes stay visible inside.
+constexpr float kFaceAlpha = 0.15F;
+constexpr float kEdgeAlpha = 0.6F;
+
+Marker marker(const std_msgs::Header& header, const Look& look, int id, int type, float alpha) {
+  Marker result;
+  result.header = header;
+  result.ns = look.ns;
+  result.id = id;
+  result.type = type;
+  result.pose.orientation.w = 1;
+  result.color.r = look.red;
+  result.color.g = look.green;
+  result.color.b = look.blue;
+  result.color.a = alpha;
+  result.frame_locked = true;
+  return result;
+}
+
+void addFaces(const std::array<Eigen::Vector3d, 8>& corner, Marker& triangles) {
+  for (const auto& quad : kQuads) {
+    for (const int k : {0, 1, 2, 0, 2, 3}) {
+      const int number = quad[static_cast<std::size_t>(k)];
+      triangles.points.push_back(toPoint(corner[static_cast<std::size_t>(number)]));
+    }
+  }
+}
+
+void addEdges(const std::array<Eigen::Vector3d, 8>& corner, Marker& lines) {
+  for (const auto& edge : edges()) {
+    for (const int number : edge)
+      lines.points.push_back(toPoint(corner[static_cast<std::size_t>(number)]));
+  }
+}
+
+visualization_msgs::MarkerArray motionMarkers(const AxisAlignedBoxArray& boxes, const Look& look) {
+  Marker faces = marker(boxes.header, look, 0, Marker::TRIANGLE_LIST, kFaceAlpha);
+  faces.scale.x = faces.scale.y = faces.scale.z = 1;
+  Marker lines = marker(boxes.header, look, 1, Marker::LINE_LIST, kEdgeAlpha);
+  lines.scale.x = kSweptLineWidth;
+  for (const AxisAlignedBox& message : boxes.boxes) {
+    const Aabb box = toAabb(message);
+    if (!isDrawable(box)) continue;
+    const std::array<Eigen::Vector3d, 8> corner = corners(box);
+    addFaces(corner, faces);
+    addEdges(corner, lines);
+  }
+  faces.action = lines.action = faces.points.empty() ? Marker::DELETE : Marker::ADD;
+  visualization_msgs::MarkerArray array;
+  array.markers = {std::move(faces), std::move(lines)};
+  return array;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray sweptMarkers(const AxisAlignedBoxArray& boxes) {
+  return motionMarkers(boxes, kSweptLook);
+}
+
+visualization_msgs::MarkerArray stoppingMarkers(const AxisAlignedBoxArray& boxes) {
+  return motionMarkers(boxes, kStoppingLook);
+}
+
+}  // namespace link_bounds

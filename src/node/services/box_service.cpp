@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From a request to what is computed of it, and back to messages.
+#include "node/services/box_service.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "node/interface/topics.h"
+#include "node/outputs/messages/box_message.h"
+#include "node/services/request_limits.h"
+#include "world/history/past_boxes.h"
+#include "world/log/log_text.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::hours kNoPause(1000);
+
+/// No further span is begun while the copies for those begun take so much. The largest copy, of 200
+/// edges at 1 kHz, takes 140 MB.
+constexpr std::size_t kMaxCopiedBytes = 32 << 20;
+
+/// tf's names have no slash at their beginning.
+std::string tfFrame(const std::string& name) {
+  return name.compare(0, 1, "/") == 0 ? name.substr(1) : name;
+}
+
+/// Reads the beginning of a request, without its names, which may be many.
+bool hasSpan(const ros::SerializedMessage& request) {
+  constexpr std::size_t kBeginning = 16;  // bytes of stamp and span
+  if (request.num_bytes < kBeginning) return false;
+  ros::serialization::IStream stream(request.message_start,
+                                     static_cast<std::uint32_t>(request.num_bytes));
+  GetBoxes::Request message;
+  stream.next(message.stamp);
+  stream.next(message.span);
+  return message.span.toNSec() > 0;  // > looks at the seconds alone, of numbers that do not fit
+}
+
+BoxRequest toRequest(GetBoxes::Request& message) {
+  BoxRequest request;
+  request.stamp = static_cast<std::int64_t>(message.stamp.toNSec());
+  request.span = message.span.toNSec();
+  request.frame = tfFrame(message.frame);
+  request.names = std::move(message.names);
+  if (request.span < 0) {
+    throw std::runtime_error("span is " + std::to_string(message.span.toSec()) +
+                             " s; it must be 0 or more");
+  }
+  return request;
+}
+
+std::string messageOf(const PastBoxes& boxes) {
+  std::string text = logText(boxes.problem);
+  if (boxes.late > 0) {
+    text += "; " + std::to_string(boxes.late) +
+            " boxes were not computed within 10 s: ask for a shorter span or for fewer names";
+  }
+  return text;
+}
+
+}  // namespace
+
+/// What was computed until the next turn.
+struct BoxService::Job {
+  Job(BoxRequest box_request, std::unique_ptr<PastScene> copy, std::atomic<std::size_t>& bytes)
+      : request(std::move(box_request)),
+        scene(std::move(copy)),
+        maker(*scene, request),
+        copied_bytes(bytes) {
+    copied_bytes += scene->excerpt.bytes();
+  }
+  ~Job() { copied_bytes -= scene->excerpt.bytes(); }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  BoxRequest request;
+  std::unique_ptr<PastScene> scene;
+  PastBoxMaker maker;
+  std::atomic<std::size_t>& copied_bytes;
+};
+
+BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
+    : scenes_(scenes),
+      moments_({"requests for boxes"}),
+      spans_({"requests for spans", true}),
+      queue_(moments_, spans_),
+      service_(private_node, kGetBoxesService, queue_,
+               [this](Call& call, Params& params) { onTurn(call, params); }) {}
+
+/// A request may wait for the update thread, which calls this.
+BoxService::~BoxService() {
+  moments_.stop();
+  spans_.stop();
+}
+
+void BoxService::onTurn(Call& call, Params& params) {
+  if (call.isNew() && hasSpan(params.request)) {
+    call.is_long = true;
+    throw TurnQueue::NextTurn();
+  }
+  GetBoxes::Response response;
+  try {
+    queue_.answer(call, [&] { answer(call, params, response); });
+    response.success = true;
+  } catch (const std::exception& error) {
+    response = GetBoxes::Response();
+    response.message = logText(error.what());
+  }
+  params.response = ros::serialization::serializeServiceResponse(true, response);
+}
+
+/// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
+/// for requests at one time, which is not nice.
+void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& response) {
+  Worker& worker = call.is_long ? spans_ : moments_;
+  if (!call.state) call.state = begin(worker, call, params);
+  Job& job = *std::static_pointer_cast<Job>(call.state);
+  const auto gives_up = [&] {
+    return worker.isStopping() || Clock::now() >= call.arrival + kDeadline;
+  };
+  const std::chrono::nanoseconds budget = call.is_long ? kLongestTurn : kNoPause;
+  if (!job.maker.proceed(budget, gives_up)) throw TurnQueue::NextTurn();
+  if (worker.isStopping()) throw std::runtime_error(kStopping);
+  if (std::exchange(call.is_long, false)) throw TurnQueue::NextTurn();
+  const PastBoxes boxes = job.maker.take();
+  fillBoxes(boxes.moment, response.boxes);
+  response.message = messageOf(boxes);
+}
+
+/// Throws why there is no answer, or NextTurn while there is no room for another span.
+std::shared_ptr<BoxService::Job> BoxService::begin(Worker& worker, const Call& call,
+                                                   const Params& params) {
+  const auto deadline = call.arrival + kDeadline;
+  const bool is_late = Clock::now() >= deadline;
+  if (call.is_long && copied_bytes_ >= kMaxCopiedBytes && !is_late) throw TurnQueue::NextTurn();
+  if (is_late) throw std::runtime_error(kTooBusy);
+  Received<GetBoxes::Request> message = service_.read(params, "ask for fewer names");
+  BoxRequest box_request = toRequest(message);
+  if (!scenes_.model()) {
+    throw std::runtime_error(
+        "there are no boxes yet, because no robot was loaded; ask again after the first ~boxes");
+  }
+  std::unique_ptr<PastScene> scene = scenes_.copy(worker, box_request, deadline);
+  if (!scene) throw std::runtime_error(worker.isStopping() ? kStopping : kTooBusy);
+  const std::string refusal = whyRefused(*scene);
+  if (!refusal.empty()) throw std::runtime_error(refusal);
+  return std::make_shared<Job>(std::move(box_request), std::move(scene), copied_bytes_);
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From a request to proofs about its segments, and back to a message.
+#include "node/services/path_service.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "node/interface/topics.h"
+#include "node/services/request_limits.h"
+#include "world/log/log_text.h"
+#include "world/path/path_check.h"
+
+namespace link_bounds {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Of the deadline, loading triangles may take so much.
+constexpr std::chrono::seconds kLoading(7);
+
+/// A pair of meshes may take 80 KiB while it is examined.
+constexpr std::size_t kMaxPairs = 10'000;
+constexpr std::size_t kMaxBegun = 3;
+
+/// An hour at 5 Hz. A point of a robot with 50 joints takes 1.2 KB.
+constexpr std::size_t kMaxPoints = 20'000;
+
+/// Triangles are kept for so long, and it is looked at so often.
+constexpr std::chrono::seconds kKeep(10);
+constexpr std::chrono::milliseconds kForgetEvery(500);
+
+}  // namespace
+
+/// What was proven until the next turn.
+struct PathService::Job {
+  Job(std::unique_ptr<PastScene> copy, CheckPath::Request& request, const PathBodyMaker& maker,
+      const PathLimits& limits)
+      : scene(std::move(copy)), check(*scene, request, maker, limits) {}
+
+  std::string problem;  ///< of its trees; those of another job may come before this one ends
+  std::unique_ptr<PastScene> scene;
+  PathCheck check;
+};
+
+PathService::PathService(ros::NodeHandle& private_node, const SceneCopier& scenes,
+                         Worker& answering, PathTrees::Load load)
+    : scenes_(scenes),
+      trees_(std::move(load)),
+      paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kForgetEvery}),
+      queue_(answering, paths_),
+      service_(private_node, kCheckPathService, queue_,
+               [this](Call& call, Params& params) { onTurn(call, params); }) {}
+
+bool PathService::forgetIfUnused() {
+  if (begun_ > 0 || Clock::now() - last_used_ < kKeep) return true;
+  trees_.forget();
+  return false;
+}
+
+void PathService::onTurn(Call& call, Params& params) {
+  if (call.isNew()) {
+    call.is_long = true;
+    throw TurnQueue::NextTurn();
+  }
+  CheckPath::Response response;
+  try {
+    queue_.answer(call, [&] { response = answer(call, params); });
+  } catch (const std::exception& error) {
+    response.message = logText(error.what());
+  }
+  params.response = ros::serialization::serializeServiceResponse(true, response);
+}
+
+/// Throws why there is no answer, or NextTurn. The answer is sent by the thread that is not nice.
+CheckPath::Response PathService::answer(Call& call, const Params& params) {
+  if (!call.is_long) return std::move(*std::static_pointer_cast<CheckPath::Response>(call.state));
+  last_used_ = Clock::now();
+  if (!call.state) call.state = begin(call, params);
+  Job& job = *std::static_pointer_cast<Job>(call.state);
+  const auto is_over = [&] {
+    return paths_.isStopping() || Clock::now() >= call.arrival + kDeadline;
+  };
+  if (!job.check.proceed(kLongestTurn, is_over)) throw TurnQueue::NextTurn();
+  if (paths_.isStopping()) throw std::runtime_error(kStopping);
+  auto response = std::make_shared<CheckPath::Response>(job.check.take());
+  if (!response->message.empty() && !job.problem.empty()) response->message += "; " + job.problem;
+  response->message = logText(response->message);
+  call.state = std::move(response);
+  call.is_long = false;
+  throw TurnQueue::NextTurn();
+}
+
+/// Throws if the request is too large, or announces more than there is.
+Received<CheckPath::Request> PathService::read(const Params& params) {
+  Received<CheckPath::Request> request = service_.read(params, "send the trajectory in pieces");
+  if (request.trajectory.points.size() > kMaxPoints)
+    throw std::runtime_error("the trajectory has " +
+                             std::to_string(request.trajectory.points.size()) +
+                             " points, more than " + std::to_string(kMaxPoints) +
+                             "; send it in pieces, each from the last point of the one before");
+  if (!(std::isfinite(request.clearance) && request.clearance >= 0))
+    throw std::runtime_error("clearance is " + std::to_string(request.clearance) +
+                             " m; it must be 0 or more");
+  return request;
+}
+
+/// Throws why there is no answer, or NextTurn while there is no room for another request.
+std::shared_ptr<PathService::Job> PathService::begin(const Call& call, const Params& params) {
+  const auto deadline = call.arrival + kDeadline;
+  if (Clock::now() >= deadline) throw std::runtime_error(kTooBusy);
+  if (begun_ >= kMaxBegun) throw TurnQueue::NextTurn();
+  Received<CheckPath::Request> request = read(params);
+  const std::shared_ptr<const Model> model = scenes_.model();
+  if (!model || !model->robot)
+    throw std::runtime_error("no robot was loaded; ask again after the first ~boxes of its links");
+  std::unique_ptr<PastScene> scene = scenes_.copy(paths_, pathRequest(), deadline);
+  if (!scene) throw std::runtime_error(paths_.isStopping() ? kStopping : kTooBusy);
+  if (!scene->model->robot || scene->unknown_frame)
+    throw std::runtime_error("tf does not know the fixed frame; ask again after the first ~boxes");
+  trees_.prepare(*scene,
+                 [&] { return paths_.isStopping() || Clock::now() >= call.arrival + kLoading; });
+  std::string problem = trees_.problem();
+  const PathLimits limits{kMaxPairs,
+                          [&] { return paths_.isStopping() || Clock::now() >= deadline; }};
+  auto job = std::make_unique<Job>(std::move(scene), request, trees_.maker(), limits);
+  job->problem = std::move(problem);
+  ++begun_;
+  return {job.release(), [this](Job* finished) {
+            --begun_;
+            delete finished;
+          }};
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One record of a bag: http://wiki.ros.org/Bags/Format/2.0
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "tools/bag_bounds/bag/records/bytes.h"
+
+namespace link_bounds {
+
+enum class RecordOp : std::uint8_t {
+  kMessage = 2,
+  kBagHeader = 3,
+  kIndex = 4,
+  kChunk = 5,
+  kChunkInfo = 6,
+  kConnection = 7,
+};
+
+/// The fields of a record's header. Those that its kind does not have are 0 or empty. Texts are
+/// views, valid until the next bytes are asked for.
+struct Record {
+  RecordOp op{};
+  std::uint32_t connection = 0;
+  std::int64_t time = 0;  ///< [ns]
+  std::uint64_t index_position = 0;
+  std::uint32_t chunk_count = 0;
+  std::uint32_t count = 0;  ///< entries of an index or of a chunk info
+  std::string_view topic;
+  std::string_view compression;
+  std::string_view encryptor;
+  std::uint64_t data = 0;  ///< where the data begins
+  std::uint32_t data_size = 0;
+
+  std::uint64_t end() const { return data + data_size; }
+};
+
+enum class RecordState {
+  kGood,
+  kCut,      ///< the bytes end within the record
+  kDamaged,  ///< no such record exists
+};
+
+/// Reads the header of the record at `offset`. All of the record is there if it is good, except the
+/// data of a chunk, which may be cut.
+RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record);
+
+/// Where the first good record begins from `offset` on; the size of the bytes if there is none.
+/// Records inside of chunks count only if these are not compressed: parts of compressed data look
+/// like records. Where it is interrupted, if so.
+std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
+                         const IsInterrupted& is_interrupted);
+
+/// The header of a connection, which is the data of its record.
+struct ConnectionHeader {
+  std::string_view type;
+  std::string_view publisher;
+};
+
+/// False if it is damaged.
+bool readConnectionHeader(const std::uint8_t* data, std::uint32_t size, ConnectionHeader& header);
+
+}  // namespace link_bounds

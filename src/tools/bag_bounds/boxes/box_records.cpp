@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares each box with what is recorded of its name.
+#include "tools/bag_bounds/boxes/box_records.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace link_bounds {
+namespace {
+
+void extend(BoxRecord& record, const Aabb& box, const RecordTime& now) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    if (!record.has_box || box.min()[k] < record.min[axis].value)
+      record.min[axis] = {box.min()[k], now};
+    if (!record.has_box || box.max()[k] > record.max[axis].value)
+      record.max[axis] = {box.max()[k], now};
+  }
+  record.has_box = true;
+}
+
+void addSpeed(BoxRecord& record, const Aabb& box, const RecordTime& now, double timeout) {
+  const auto speed = record.last
+                         ? centreSpeed(*record.last, record.last_stamp, box, now.stamp, timeout)
+                         : std::nullopt;
+  if (speed && (!record.speed || *speed > record.speed->value)) record.speed = {*speed, now};
+  record.last = box;
+  record.last_stamp = now.stamp;
+}
+
+void endGap(BoxRecord& record, std::int64_t now) {
+  if (record.gap) record.gaps_length += std::max<std::int64_t>(now - *record.gap, 0);
+  record.gap.reset();
+}
+
+/// Before its first box a name has no gap.
+template <class GetReason>
+void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout,
+         const GetReason& reason) {
+  if (!state.box) record.last.reset();
+  if (state.box) {
+    endGap(record, now);
+    if (state.incomplete && record.partial.empty()) record.partial = reason();
+    extend(record, *state.box, {now, state.stamp});
+    addSpeed(record, *state.box, {now, state.stamp}, timeout);
+  } else if (!record.has_box) {
+    record.reason = reason();
+  } else if (!record.gap) {
+    if (record.gaps++ == 0) {
+      record.first_gap = now;
+      record.reason = reason();
+    }
+    record.gap = now;
+  }
+}
+
+}  // namespace
+
+std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, const Aabb& to,
+                                  std::int64_t to_stamp, double timeout) {
+  const double seconds = static_cast<double>(to_stamp - from_stamp) / 1e9;
+  if (from_stamp == 0 || to_stamp <= from_stamp || (timeout > 0 && seconds > timeout))
+    return std::nullopt;
+  const double speed = (to.center() - from.center()).norm() / seconds;
+  return std::isfinite(speed) ? std::optional(speed) : std::nullopt;
+}
+
+bool BoxRecords::add(const Scene& scene, std::int64_t now) {
+  const double timeout = scene.model()->parameters.timeout;
+  bool has_changed = false;
+  links_.resize(scene.model()->links.size());
+  scene.forEach([&](const SceneBody& body) {
+    BoxRecord* record = recordOf(body);
+    if (!record) return;
+    if (record->name.empty()) record->name = body.name;
+    const bool had_box = record->has_box && !record->gap;
+    has_changed |= body.link && had_box != body.state.box.has_value();
+    link_bounds::add(*record, body.state, now, timeout, [&] { return scene.reason(body); });
+  });
+  return has_changed;
+}
+
+/// Null if the record has no place.
+BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
+  if (body.link) return &links_[*body.link];
+  const auto found = objects_.find(*body.key);
+  if (found != objects_.end()) return &found->second;
+  if (objects_.size() < kMaxObjects) return &objects_[*body.key];
+  ++left_out_;
+  return nullptr;
+}
+
+void BoxRecords::finish(std::int64_t now) {
+  const auto finish = [now](BoxRecord& record) {
+    record.is_lost = record.gap.has_value();
+    endGap(record, now);
+  };
+  for (BoxRecord& link : links_)
+    finish(link);
+  for (auto& [key, record] : objects_)
+    finish(record);
+}
+
+std::vector<BoxRecord> BoxRecords::records() const {
+  std::vector<BoxRecord> result = links_;
+  for (const auto& [key, record] : objects_)
+    result.push_back(record);
+  return result;
+}
+
+bool BoxRecords::hasLinkBox() const {
+  return std::any_of(links_.begin(), links_.end(), [](const auto& link) { return link.has_box; });
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/bag_bounds/boxes/boxes_at.h"
+
+#include "world/history/pose_gap.h"
+
+namespace link_bounds {
+
+void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
+  if (now < stamp_) return;
+  const bool is_first = !has_begun_;
+  if (is_first) begin(scene);
+  // Later tf has forgotten it. Ticks may be so far apart that the first look is later: what is
+  // static is known then, too.
+  if (missing_ == 0 || (!is_first && now - stamp_ > EdgeHistory::kLength)) return;
+  const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
+  for (Body& body : bodies_) {
+    if (body.box) continue;
+    const std::optional<TransformBuffer::Frame> frame = tf.find(body.frame);
+    const auto pose = frame ? tf.pose(fixed, *frame, stamp_) : std::nullopt;
+    if (!pose) continue;
+    body.box = linkBox(*body.link, MatrixPose(*pose).affine * body.frame_from_body);
+    body.stamp = isStaticPath(tf, fixed, *frame) ? 0 : stamp_;
+    if (body.box) --missing_;
+  }
+}
+
+void BoxesAt::begin(const Scene& scene) {
+  has_begun_ = true;
+  scene.forEach([&](const SceneBody& body) {
+    if (body.object && !body.state.box) return;
+    const BoxSource source = scene.boxSource(body);
+    if (source.bounded.shapes.empty()) return;
+    bodies_.push_back(
+        {body.name, &source.bounded, source.object, scene.frames.tf().name(source.frame),
+         source.frame_from_body ? *source.frame_from_body : Eigen::Affine3d::Identity(),
+         std::nullopt, 0});
+  });
+  missing_ = bodies_.size();
+}
+
+std::vector<BoxAt> BoxesAt::boxes(const Scene& scene) const {
+  if (!has_begun_) return {{"--at", std::nullopt, 0, "the report ends before that time"}};
+  std::vector<BoxAt> result;
+  for (const Body& body : bodies_) {
+    std::string problem;
+    if (!body.box)
+      problem = "no box at " + secondsText(stamp_) + ": tf does not connect it with " +
+                scene.model()->fixed_frame + " at that time";
+    result.push_back({body.name, body.box, body.stamp, problem});
+  }
+  return result;
+}
+
+}  // namespace link_bounds

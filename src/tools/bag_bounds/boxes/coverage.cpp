@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Time without transforms counts when the next one comes.
+#include "tools/bag_bounds/boxes/coverage.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "world/tf/frame_paths.h"
+
+namespace link_bounds {
+namespace {
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// What stands before "/LINK" in the names of frames that tf has.
+std::set<std::string> prefixesOf(const std::string& link, const TransformBuffer& tf) {
+  std::set<std::string> prefixes;
+  for (TransformBuffer::Frame frame = 0; frame < tf.size(); ++frame) {
+    const std::string& name = tf.name(frame);
+    if (tf.isMet(frame) && endsWith(name, "/" + link))
+      prefixes.insert(name.substr(0, name.size() - link.size() - 1));
+  }
+  return prefixes;
+}
+
+}  // namespace
+
+void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
+  const std::vector<BoxState>& states = scene.links.states();
+  const bool is_first = links_.empty();
+  links_.resize(states.size());
+  const std::int64_t passed = is_first ? 0 : std::max<std::int64_t>(now - last_, 0);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    add(links_[i], scene.links.frame(i), tf, passed);
+    links_[i].has_box = states[i].box.has_value();
+  }
+  last_ = now;
+  version_ = tf.version();
+}
+
+void Coverage::add(Link& link, TransformBuffer::Frame frame, const TransformBuffer& tf,
+                   std::int64_t passed) const {
+  if (!std::exchange(link.has_begun, link.has_begun || tf.isMet(frame))) return;
+  link.open_time += passed;
+  if (link.has_box) link.open_covered += passed;
+  const bool lasts = !tf.hasParent(frame) || tf.isStatic(frame);
+  if (!lasts && !tf.isNewerThan(version_, frame)) return;
+  link.time += std::exchange(link.open_time, 0);
+  link.covered += std::exchange(link.open_covered, 0);
+}
+
+std::vector<double> Coverage::shares() const {
+  std::vector<double> result;
+  for (const Link& link : links_) {
+    const double no_time = link.has_box ? 1 : 0;
+    result.push_back(link.time > 0
+                         ? static_cast<double>(link.covered) / static_cast<double>(link.time)
+                         : no_time);
+  }
+  return result;
+}
+
+std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer& tf) {
+  const Model& model = *scene.model();
+  if (scene.links.problem(i) != TransformProblem::kNoTransform) return "";
+  const std::string& frame = model.frames[i];
+  const std::string link = tfName("", model.links[i].name);
+  if (!tf.isMet(scene.links.frame(i))) {
+    const std::set<std::string> prefixes = prefixesOf(link, tf);
+    std::string names;
+    for (const std::string& prefix : prefixes)
+      names += (names.empty() ? "--tf-prefix " : " or --tf-prefix ") + prefix;
+    if (!prefixes.empty()) return "tf has \"" + *prefixes.begin() + "/" + link + "\"; add " + names;
+    const auto bare = tf.find(link);
+    if (frame != link && bare && tf.isMet(*bare))
+      return "tf has \"" + link + "\"; leave out --tf-prefix";
+  }
+  const std::string& top = tf.name(wayUp(tf, scene.links.frame(i)).back());
+  return "nothing leads up from \"" + top +
+         "\"; if its static transform was recorded elsewhere, as in the first part of a split "
+         "recording, add --static-from FIRST.bag";
+}
+
+}  // namespace link_bounds

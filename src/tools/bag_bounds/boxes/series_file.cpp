@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes that did not change are not repeated.
+#include "tools/bag_bounds/boxes/series_file.h"
+
+#include <stdexcept>
+
+#include "tools/bag_bounds/boxes/box_records.h"
+#include "tools/bag_bounds/scene/record_time.h"
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::size_t kMaxNames = 50'000;  // of objects that come and go; then all are new
+
+}  // namespace
+
+SeriesFile::SeriesFile(const std::string& file) : file_(file), out_(file) {
+  out_ << "time,stamp,name,other,min_x,min_y,min_z,max_x,max_y,max_z,distance,speed\n"
+       << std::flush;
+  if (!out_) throw std::runtime_error("--series " + file_ + ": cannot be written");
+}
+
+void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances, std::int64_t now,
+                     std::int64_t begin) {
+  const std::string time = exactSeconds(now - begin);
+  const double timeout = scene.model()->parameters.timeout;
+  scene.forEach([&](const SceneBody& body) { addBox(body.name, body.state, time, timeout); });
+  for (const Distance& distance : distances) {
+    out_ << time << ',' << exactSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
+         << csvField(distance.first) << ',' << csvField(distance.second) << ",,,,,,,"
+         << exactNumber(distance.distance) << ",\n";
+  }
+}
+
+/// A box that was lost leaves a row without numbers. Objects that are gone have no state.
+void SeriesFile::addBox(const std::string& name, const BoxState& state, const std::string& time,
+                        double timeout) {
+  if (last_.size() > kMaxNames) last_.clear();
+  Last& last = last_[name];
+  const bool has_box = state.box.has_value();
+  const bool is_same =
+      last.has_box == has_box &&
+      (!has_box || (last.stamp == state.stamp && last.box.min() == state.box->min() &&
+                    last.box.max() == state.box->max()));
+  if (is_same) return;
+  const auto speed = last.has_box && has_box
+                         ? centreSpeed(last.box, last.stamp, *state.box, state.stamp, timeout)
+                         : std::nullopt;
+  last.has_box = has_box;
+  last.stamp = state.stamp;
+  if (has_box) last.box = *state.box;
+  out_ << time << ',' << (has_box ? exactSeconds(state.stamp) : "") << ',' << csvField(name) << ',';
+  for (int k = 0; k < 6; ++k) {
+    out_ << ',';
+    if (has_box) out_ << exactNumber(k < 3 ? state.box->min()[k] : state.box->max()[k - 3]);
+  }
+  out_ << ",," << (speed ? exactNumber(*speed) : "") << '\n';
+}
+
+void SeriesFile::close() {
+  out_.close();
+  if (!out_)
+    throw std::runtime_error("--series " + file_ + ": cannot be written; is the disk full?");
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Standard input and pipes can be read only once, so texts are kept.
+#include "tools/bag_bounds/run/bag_question.h"
+
+#include <set>
+
+#include "link_bounds/robot/mesh/mesh_uri.h"
+#include "packages/package_path.h"
+#include "tools/bag_bounds/run/fingerprint.h"
+#include "tools/command_line/interrupt.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
+
+namespace link_bounds {
+namespace {
+
+Parameters parametersOf(const BagBoundsOptions& options) {
+  Parameters parameters;
+  parameters.fixed_frame = options.fixed_frame;
+  parameters.geometry = options.geometry;
+  parameters.tf_prefix = options.tf_prefix;
+  parameters.padding = options.padding;
+  parameters.timeout = options.timeout;
+  parameters.ignore_pairs = options.ignore_pairs;
+  parameters.distance_limit = options.distances.value_or(0);
+  return parameters;
+}
+
+const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
+  std::vector<std::string> inputs = options.bags;
+  inputs.insert(inputs.end(), {options.urdf, options.zones, options.static_from});
+  checkOutput("--out", options.out, inputs);
+  checkOutput("--series", options.series, inputs);
+  if (!options.series.empty() && isSameFile(options.series, options.out))
+    throw UsageError("--series is the file of --out; name another file");
+  checkStandardInput({{"--urdf", options.urdf}, {"--zones", options.zones}});
+  return options;
+}
+
+/// Options that change no line, and those whose files count, not their names.
+bool isCounted(const std::string& option_name) {
+  static const std::set<std::string> kOthers{"each", "jobs",  "resume",
+                                             "urdf", "zones", "static-from"};
+  return kOthers.count(option_name) == 0;
+}
+
+}  // namespace
+
+BagQuestion::BagQuestion(const BagBoundsOptions& options)
+    : options_(checkedOut(options)),
+      mesh_source_{rosPackages(), folderOf(options.urdf), progressBar(), {}, isInterrupted},
+      zones_text_(options.zones.empty() ? "" : readText(options.zones, "zones")),
+      zones_(options.zones.empty() ? std::vector<Zone>() : parseZones(zones_text_, options.zones)),
+      urdf_(readText(options.urdf, "a URDF")),
+      model_(std::make_shared<const Model>(makeModelOf(urdf_))) {
+  mesh_source_.progress = nullptr;
+}
+
+Model BagQuestion::makeModelOf(const std::string& urdf) {
+  Model model = makeModel(urdf, parametersOf(options_), loader_, mesh_source_);
+  if (model.links.empty())
+    throw UsageError("no link of the robot has geometry of the kind " + options_.geometry +
+                     "; choose another --geometry");
+  for (const std::string& problem : model.problems)
+    warn(problem);
+  for (const std::string& warning : model.warnings)
+    warn(warning);
+  return model;
+}
+
+LoadedMesh BagQuestion::loadMesh(const std::string& uri) {
+  return loader_.loadMeshes({uri}, mesh_source_).front();
+}
+
+LoadedTree BagQuestion::loadTree(const std::string& uri) {
+  const auto found = trees_.find(uri);
+  return found == trees_.end() ? loader_.loadTrees({uri}, mesh_source_).front() : found->second;
+}
+
+void BagQuestion::loadTrees() {
+  std::vector<std::string> uris;
+  for (const auto& [uri, points] : model_->mesh_uris)
+    uris.push_back(uri);
+  const std::vector<LoadedTree> trees = loader_.loadTrees(uris, mesh_source_);
+  for (std::size_t i = 0; i < uris.size(); ++i)
+    trees_[uris[i]] = trees[i];
+}
+
+std::string BagQuestion::fingerprint() const {
+  Fingerprint result;
+  const auto add_file = [&result](const std::string& file) {
+    if (!result.addFile(file)) throw UsageError("cannot read " + file + " again");
+  };
+  result.add(LINK_BOUNDS_VERSION);
+  result.add(urdf_);
+  result.add(zones_text_);
+  for (const auto& [uri, points] : model_->mesh_uris) {
+    result.add(uri);
+    add_file(resolveMeshUri(uri, mesh_source_.package_path, mesh_source_.base_folder).path);
+  }
+  for (const auto& [name, values] : options_.given) {
+    if (!isCounted(name)) continue;
+    result.add(name);
+    for (const std::string& value : values)
+      result.add(value);
+  }
+  if (!options_.static_from.empty()) add_file(options_.static_from);
+  return result.text();
+}
+
+}  // namespace link_bounds

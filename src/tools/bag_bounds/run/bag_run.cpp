@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The order of time: before --start transforms are taken, but nothing is recorded.
+#include "tools/bag_bounds/run/bag_run.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "link_bounds/robot/urdf/robot.h"
+#include "node/interface/topics.h"
+#include "robot/threads/row_threads.h"
+#include "tools/bag_bounds/scene/record_time.h"
+#include "tools/command_line/interrupt.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
+
+constexpr char kStaticEnd[] = "_static";
+
+std::string staticTopic(const BagBoundsOptions& options) {
+  return options.tf_topic + kStaticEnd;
+}
+
+/// "/tf" of both "/tf" and "/tf_static".
+std::string withoutStatic(const std::string& topic) {
+  const std::size_t end = topic.rfind(kStaticEnd);
+  const bool is_static = end != std::string::npos && end + sizeof(kStaticEnd) - 1 == topic.size();
+  return is_static ? topic.substr(0, end) : topic;
+}
+
+std::set<std::string> topicsOf(const BagBoundsOptions& options) {
+  std::set<std::string> topics = options.objects;
+  if (options.joint_states.empty()) {
+    topics.insert({options.tf_topic, staticTopic(options)});
+  } else {
+    topics.insert(options.joint_states);
+  }
+  return topics;
+}
+
+/// Nanoseconds, of any number of seconds.
+std::int64_t after(std::int64_t begin, double seconds) {
+  constexpr double kFar = 4e9;  // s
+  return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
+}
+
+/// Transforms that boxes needed, and that none was made of. Repeated ones say nothing new, unless
+/// they contradict.
+void addRefusals(const TfIntake& before, const TfIntake& after, std::vector<std::string>& losses) {
+  const auto add = [&](std::uint64_t TfIntake::*what, const std::string& why) {
+    const std::uint64_t count = after.*what - before.*what;
+    if (count > 0)
+      losses.push_back(std::to_string(count) + (count == 1 ? " transform" : " transforms") +
+                       " left out, " + why);
+  };
+  add(&TfIntake::unusable, "which tf2 refuses, too; a warning names a frame");
+  add(&TfIntake::too_old, "more than 10 s older than others of their frame; record them in time");
+  add(&TfIntake::other,
+      "because another pose of the same frame and stamp came first; end one of the publishers");
+  add(&TfIntake::dropped, "of the time before a jump of the clock");
+}
+
+}  // namespace
+
+BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress)
+    : options_(options),
+      question_(question),
+      on_progress_(std::move(on_progress)),
+      reader_(
+          options.bags, topicsOf(options), [this] { return glance(); },
+          options.jobs.value_or(coreCount())),
+      model_(question.model()),
+      scene_([this](const std::string& uri) { return question_.loadMesh(uri); },
+             [this](std::int64_t now) { onNews(now); },
+             [this](std::int64_t now, bool is_tick) { onStep(now, is_tick); }, options.tf_topic),
+      zones_(question.zones(), isInterrupted),
+      unused_topics_(options.objects) {
+  if (options.distances)
+    pairs_.emplace([this](const std::string& uri) { return question_.loadTree(uri); });
+  if (!options.joint_states.empty())
+    joints_ = std::make_unique<JointTransforms>(*model_->robot, options.tf_prefix);
+  if (!options.out.empty()) out_.emplace(options.out);
+  if (!options.series.empty()) series_.emplace(options.series);
+}
+
+/// The first message may be of any topic, as for rosbag play. If reading it was interrupted, the
+/// report begins at 0 and ends there.
+void BagRun::begin() {
+  BagMessage first{};
+  BagReader all(options_.bags, {}, isInterrupted);
+  if (!all.next(first) && !all.wasInterrupted()) {
+    const auto& losses = all.losses();
+    throw std::runtime_error("there is no message to read" +
+                             (losses.empty() ? "; the bags are empty" : ": " + losses.front()));
+  }
+  begin_ = first.time;
+  from_ = after(begin_, options_.start);
+  to_ = options_.end ? after(begin_, *options_.end) : std::numeric_limits<std::int64_t>::max();
+  if (options_.start == 0) from_ = std::numeric_limits<std::int64_t>::min();
+  last_ = begin_;
+  if (options_.at) boxes_at_.emplace(after(begin_, *options_.at));
+  scene_.adopt(model_, begin_);
+  zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
+  if (joints_) scene_.takeJoints(options_.joint_states, *joints_);
+  if (!options_.static_from.empty()) takeStatic();
+  onStep(begin_, false);
+}
+
+/// As if they had been sent at the begin.
+void BagRun::takeStatic() {
+  BagReader reader({options_.static_from}, {staticTopic(options_)}, isInterrupted);
+  BagMessage message{};
+  bool is_empty = true;
+  for (; reader.next(message); is_empty = false)
+    scene_.takeStatic(message);
+  static_losses_ = reader.losses();
+  if (is_empty && !reader.wasInterrupted())
+    throw UsageError("--static-from " + options_.static_from + " has no message on " +
+                     staticTopic(options_) + "; name the bag of the first part of the recording");
+}
+
+void BagRun::read() {
+  begin();
+  readMessages();
+  on_progress_(1);
+  coverage_.sample(scene_.scene(), scene_.tf(), last_);
+  boxes_.finish(last_);
+  zones_.finish(last_);
+  if (out_) out_->close();
+  if (series_) series_->close();
+  findOtherTopics();
+  for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
+    warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
+  if (was_interrupted_) {
+    say("interrupted " + shortSeconds(scene_.now(), begin_) + " s after the begin, " +
+        std::to_string(static_cast<int>(100 * reader_.progress())) +
+        " % of the bags were read; the report ends there");
+  }
+}
+
+/// Looks through the bags again, but only where a remedy may name another topic.
+void BagRun::findOtherTopics() {
+  if (joints_ || (scene_.transforms() > 0 && !lacksLinkBox())) return;
+  std::set<std::string> topics;
+  BagReader reader(options_.bags, {}, isInterrupted, options_.jobs.value_or(coreCount()));
+  for (BagMessage message{}; reader.next(message);) {
+    const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
+    if (is_tf) topics.insert(withoutStatic(*message.topic));
+  }
+  topics.erase(options_.tf_topic);
+  for (const std::string& topic : topics)
+    other_topics_ += (other_topics_.empty() ? "--tf-topic " : " or --tf-topic ") + topic;
+  if (!topics.empty())
+    other_topics_ =
+        "the bags have transforms on " + *topics.begin() + ", too; add " + other_topics_;
+}
+
+/// True if a link with shapes never had a box.
+bool BagRun::lacksLinkBox() const {
+  const std::vector<BoxRecord> boxes = boxes_.records();
+  for (std::size_t i = 0; i < std::min(model_->links.size(), boxes.size()); ++i) {
+    if (!boxes[i].has_box && !model_->links[i].shapes.empty()) return true;
+  }
+  return false;
+}
+
+void BagRun::readMessages() {
+  BagMessage message;
+  while (reader_.next(message)) {
+    if (message.time > to_) {
+      was_interrupted_ = !scene_.passTo(to_);
+      return;
+    }
+    if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
+    if (scene_.take(message)) ++messages_;
+    was_interrupted_ = isInterrupted();
+    if (was_interrupted_) return;
+  }
+  was_interrupted_ = reader_.wasInterrupted();
+}
+
+/// Called by the reader now and then.
+bool BagRun::glance() {
+  on_progress_(reader_.progress());
+  return isInterrupted();
+}
+
+void BagRun::onNews(std::int64_t now) {
+  zones_.onNews(now, isReported(now));
+  if (isReported(now)) record(now);
+}
+
+/// What is there when the report begins is recorded, too.
+void BagRun::onStep(std::int64_t now, bool is_tick) {
+  if (++steps_ % kStepsPerGlance == 0) on_progress_(reader_.progress());
+  zones_.onStep(now, is_tick, isReported(now));
+  if (boxes_at_) boxes_at_->look(scene_.scene(), scene_.tf(), now);
+  if (!isReported(now)) {
+    if (!has_recorded_) intake_before_ = scene_.tf().neededIntake();
+    return;
+  }
+  last_ = now;
+  if (is_tick) coverage_.sample(scene_.scene(), scene_.tf(), now);
+  if (has_recorded_) return;
+  zones_.onNews(now, true);
+  record(now);
+}
+
+void BagRun::record(std::int64_t now) {
+  has_recorded_ = true;
+  last_ = now;
+  if (boxes_.add(scene_.scene(), now)) coverage_.sample(scene_.scene(), scene_.tf(), now);
+  if (pairs_) pairs_->add(scene_.scene(), scene_.tf(), now);
+  if (out_) out_->write(scene_.scene(), now);
+  if (series_) {
+    series_->add(scene_.scene(), pairs_ ? pairs_->latest() : std::vector<Distance>(), now, begin_);
+  }
+}
+
+BagReport BagRun::report() const {
+  BagReport report;
+  report.frame = model_->fixed_frame;
+  report.begin = begin_;
+  report.from = std::max(from_, begin_);
+  report.to = last_;
+  report.messages = messages_;
+  report.boxes = boxes_.records();
+  addCoverage(report.boxes);
+  if (boxes_at_) {
+    report.at = boxes_at_->stamp();
+    report.boxes_at = boxes_at_->boxes(scene_.scene());
+  }
+  report.min_coverage = options_.min_coverage;
+  report.zones = zones_.records();
+  if (pairs_) report.distances = pairs_->pairs();
+  report.has_compared = pairs_ && pairs_->hasCompared();
+  report.distance_limit = options_.distances.value_or(0);
+  report.losses = reader_.losses();
+  report.losses.insert(report.losses.end(), static_losses_.begin(), static_losses_.end());
+  if (scene_.damaged() > 0) {
+    const bool is_one = scene_.damaged() == 1;
+    report.losses.push_back(std::to_string(scene_.damaged()) +
+                            (is_one ? " message is" : " messages are") +
+                            " too short and left out; the bag is damaged, record it again");
+  }
+  addRefusals(intake_before_, scene_.tf().neededIntake(), report.losses);
+  if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
+  return report;
+}
+
+/// Links come first. Those without shapes never have a box.
+void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
+  const std::vector<double> shares = coverage_.shares();
+  for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
+    if (model_->links[i].shapes.empty()) continue;
+    boxes[i].coverage = shares[i];
+    if (!boxes[i].has_box && joints_) {
+      std::string names;
+      for (const std::string& name : joints_->missing())
+        names += (names.empty() ? "" : ", ") + name;
+      if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;
+    } else if (!boxes[i].has_box) {
+      boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
+                        frameRemedy(i, scene_.scene(), scene_.tf());
+    }
+  }
+}
+
+/// Who interrupts knows that there may be more.
+std::string BagRun::whyUseless(const BagReport& report) const {
+  if (was_interrupted_) return "";
+  if (scene_.transforms() == 0 && joints_)
+    return "there is no message on " + options_.joint_states +
+           "; see rosbag info for the topics of the bags";
+  if (scene_.transforms() == 0)
+    return "there is no message on " + options_.tf_topic + " or " + staticTopic(options_) + "; " +
+           (other_topics_.empty() ? "record them, or name the bags that have them" : other_topics_);
+  if (!has_recorded_)
+    return "nothing was recorded between --start and --end; the bags end " +
+           shortSeconds(scene_.now(), begin_) + " s after their begin";
+  if (!boxes_.hasLinkBox())
+    return "no link ever had a box: " + withRemedy(report.boxes.front()) +
+           "; is it the bag of this robot, and does --fixed-frame exist in it?";
+  if (const Zone* zone = zones_.neverCompared())
+    return "zone \"" + zone->name +
+           "\" was never compared with a link: tf does not connect its frame \"" + zone->frame +
+           "\" with the robot; correct the frame, or record what connects it";
+  return "";
+}
+
+Outcome BagRun::outcome(const BagReport& report) const {
+  Outcome outcome;
+  for (const std::string& loss : report.losses)
+    warn(loss);
+  if (pairs_) {
+    for (const std::string& problem : pairs_->problems())
+      warn("distances to the convex hull only: " + problem);
+  }
+  for (const ZoneRecord& zone : report.zones) {
+    if (zone.undecided > 0)
+      warn("zone \"" + zone.zone.name + "\": " + std::to_string(zone.undecided) +
+           " motions between two messages are not decided, the first of " + zone.first_undecided +
+           "; record tf at a higher rate");
+  }
+  const std::string useless = whyUseless(report);
+  if (!useless.empty()) say("error: " + useless);
+  outcome.is_unusable = !useless.empty();
+  outcome.has_finding = zones_.wasEntered() || (pairs_ && pairs_->wasUndercut());
+  outcome.lost_geometry = !model_->problems.empty();
+  outcome.addOpen("losses while reading", report.losses.size());
+  outcome.addOpen("incomplete names", incompleteOf(report).size());
+  outcome.addOpen("topics without any message", unused_topics_.size());
+  outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
+  if (pairs_ || !options_.zones.empty())
+    outcome.addOpen("late transforms, which change motions that were looked at",
+                    scene_.tf().neededIntake().late - intake_before_.late);
+  outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
+  if (!pairs_) return outcome;
+  if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
+  outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
+  if (pairs_->undecided() > 0)
+    warn(std::to_string(pairs_->undecided()) +
+         " motions of two bodies between two messages are not decided, the first of " +
+         pairs_->firstUndecided() + "; record tf at a higher rate");
+  outcome.addOpen("motions of pairs that are not decided", pairs_->undecided());
+  outcome.addOpen("distances of further pairs", pairs_->pairsLeftOut());
+  outcome.addOpen("meshes without triangles", pairs_->problems().size());
+  return outcome;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From bags to a report: reads, moves the scene, and records what is to be reported.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tools/bag_bounds/boxes/boxes_bag.h"
+#include "tools/bag_bounds/boxes/coverage.h"
+#include "tools/bag_bounds/boxes/series_file.h"
+#include "tools/bag_bounds/run/bag_bounds_options.h"
+#include "tools/bag_bounds/run/bag_question.h"
+#include "tools/bag_bounds/run/bag_report.h"
+#include "tools/bag_bounds/scene/recorded_scene.h"
+
+namespace link_bounds {
+
+class BagRun {
+ public:
+  /// Called now and then with the share of the bags that was read, 0 to 1, and with 1
+  /// at the end.
+  using OnProgress = std::function<void(double share)>;
+
+  /// Opens all files. Throws std::exception. What it refers to must outlive it.
+  BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgress on_progress);
+  BagRun(const BagRun&) = delete;
+  BagRun& operator=(const BagRun&) = delete;
+
+  /// Reads the bags to the end of what is to be reported. Throws std::exception.
+  void read();
+
+  /// After read().
+  BagReport report() const;
+
+  /// Why the report is about nothing; "" if it is about something, or was interrupted.
+  std::string whyUseless(const BagReport& report) const;
+
+  /// What the report says; warns of losses, and says why it is about nothing.
+  Outcome outcome(const BagReport& report) const;
+
+ private:
+  void begin();
+  void takeStatic();
+  void findOtherTopics();
+  bool lacksLinkBox() const;
+  void readMessages();
+  bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
+  void onNews(std::int64_t now);
+  void onStep(std::int64_t now, bool is_tick);
+  void record(std::int64_t now);
+  bool glance();
+  void addCoverage(std::vector<BoxRecord>& boxes) const;
+  const BagBoundsOptions& options_;
+  BagQuestion& question_;
+  OnProgress on_progress_;
+  BagReader reader_;
+  std::unique_ptr<JointTransforms> joints_;
+  const std::shared_ptr<const Model> model_;
+  RecordedScene scene_;
+  ZoneWatch zones_;  ///< after the scene, whose frames it holds
+  BoxRecords boxes_;
+  Coverage coverage_;
+  std::optional<BoxesAt> boxes_at_;
+  std::optional<NearestPairs> pairs_;
+  std::optional<BoxesBag> out_;
+  std::optional<SeriesFile> series_;
+  std::int64_t begin_ = 0;  ///< record time of the first message [ns]
+  std::int64_t from_ = 0;   ///< what is reported, likewise
+  std::int64_t to_ = 0;
+  std::int64_t last_ = 0;  ///< the newest that is reported, likewise
+  bool has_recorded_ = false;
+  bool was_interrupted_ = false;
+  std::uint64_t messages_ = 0;
+  std::uint64_t steps_ = 0;
+  std::set<std::string> unused_topics_;
+  std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
+  std::vector<std::string> static_losses_;  ///< of the bag of --static-from
+  TfIntake intake_before_;                  ///< of needed edges, before the report
+};
+
+}  // namespace link_bounds

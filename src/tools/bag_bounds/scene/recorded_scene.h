@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene that recorded messages move. Time is that of their recording.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/bag_bounds/bag/bag_reader.h"
+#include "tools/bag_bounds/scene/joint_transforms.h"
+#include "world/bodies/scene_feed.h"
+#include "world/model/model.h"
+
+namespace link_bounds {
+
+class RecordedScene {
+ public:
+  /// Loads the mesh of an object.
+  using LoadMesh = std::function<LoadedMesh(const std::string& uri)>;
+  /// Called as SceneFeed::Handlers::on_news, at the record time [ns].
+  using OnNews = std::function<void(std::int64_t now)>;
+  /// Called after each message and tick, at the record time [ns].
+  using OnStep = std::function<void(std::int64_t now, bool is_tick)>;
+
+  /// `tf_topic` has transforms; the static ones are on its name with "_static".
+  RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
+                const std::string& tf_topic = "/tf");
+
+  /// To be called before the first message, at the time of that one.
+  void adopt(std::shared_ptr<const Model> model, std::int64_t now);
+
+  /// Lets time pass to that of the message, with the ticks on the way, then takes the message.
+  /// False if it was interrupted before the end; then the message was not taken, or in part, and
+  /// nothing may be taken any more. Throws UsageError if the topic has messages of another type
+  /// than transforms or markers.
+  bool take(const BagMessage& message);
+
+  /// Takes the positions of joints on this topic as transforms. To be called before the first
+  /// message; takes the fixed joints at once. `joints` must outlive this.
+  void takeJoints(const std::string& topic, JointTransforms& joints);
+
+  /// Takes static transforms at once, whatever their topic and time. Not to be called after take().
+  void takeStatic(const BagMessage& message);
+
+  /// Lets time pass, with its ticks, without a message. False if it was interrupted on the way.
+  bool passTo(std::int64_t time);
+
+  std::int64_t now() const { return now_; }
+
+  Scene& scene() { return feed_.scene(); }
+  const Scene& scene() const { return feed_.scene(); }
+  TransformBuffer& tf() { return feed_.tf(); }
+  const TransformBuffer& tf() const { return feed_.tf(); }
+
+  /// Messages that were taken.
+  std::uint64_t transforms() const { return transforms_; }
+
+  /// Messages that could not be read.
+  std::uint64_t damaged() const { return damaged_; }
+
+ private:
+  ros::SteadyTime passed() const;
+  void tick(std::int64_t time);
+  void takeTransforms(const BagMessage& message, bool is_static);
+  void takeJointState(const BagMessage& message);
+  bool takeObjects(const BagMessage& message);
+  bool feedMarkers(std::vector<visualization_msgs::Marker>& markers, const std::string& publisher);
+  bool loadMeshes();
+
+  const std::string tf_topic_;
+  const std::string static_topic_;
+  std::string joints_topic_;
+  JointTransforms* joints_ = nullptr;
+  LoadMesh load_mesh_;
+  OnNews on_news_;
+  OnStep on_step_;
+  std::int64_t now_ = 0;        ///< record time [ns]
+  std::int64_t next_tick_ = 0;  ///< likewise
+  std::int64_t passed_ = 0;     ///< time that has passed, where record time goes forward [ns]
+  SceneFeed feed_;
+  TfMessage tf_message_;
+  std::vector<std::string> wanted_meshes_;
+  std::uint64_t transforms_ = 0;
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace link_bounds

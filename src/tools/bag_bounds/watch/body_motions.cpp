@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/bag_bounds/watch/body_motions.h"
+
+#include <utility>
+
+#include "world/history/swept_box.h"
+
+namespace link_bounds {
+
+double radiusOf(const BodyMotion& motion) {
+  const double radius = radiusOf(*motion.link);
+  if (!motion.source_from_link) return radius;
+  const Eigen::Affine3d& moved = *motion.source_from_link;
+  return moved.translation().norm() + moved.linear().norm() * radius;
+}
+
+BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
+    : scene_(scene),
+      view_(view),
+      ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
+      target_(view ? view->frame() : *scene.frames.fixedFrame()),
+      timeout_(scene.model()->parameters.timeout * 1e9),
+      last_links_(scene.model()->links.size()),
+      last_number_(last_links_.size()) {
+  for (std::size_t i = 0; i < last_links_.size(); ++i) {
+    radii_.push_back(radiusOf(scene.model()->links[i]));
+    last_links_[i].number = i;
+  }
+}
+
+/// In the scene's own frame a body that does not follow another one stands.
+FrameView::Placed BodyMotions::placedInScene(const SceneBody& body) const {
+  if (body.link) return {body.state, body.state.stamp};
+  const bool moves = body.state.box && !scene_.boxSource(body).frame_from_body;
+  return {body.state, moves ? body.object->header.pose().stamp : 0};
+}
+
+BodyMotions::Last& BodyMotions::lastOf(const ObjectKey& key) {
+  const auto [entry, is_new] = last_objects_.try_emplace(key);
+  if (is_new) entry->second.number = ++last_number_;
+  entry->second.seen = pass_;
+  return entry->second;
+}
+
+const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
+                                    const FrameView::Placed& placed) {
+  const bool had_box = std::exchange(last.has_box, placed.state.box.has_value());
+  if (!last.has_box) return nullptr;
+  const BoxSource source = scene_.boxSource(body);
+  const std::int64_t passed = placed.pose_stamp - last.stamp;
+  const bool has_moved = had_box && last.object == source.object && last.stamp != 0 && passed > 0 &&
+                         (timeout_ == 0 || static_cast<double>(passed) <= timeout_);
+  if (has_moved) {
+    motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
+               source.frame_from_body};
+    const double radius = body.link ? radii_[*body.link] : radiusOf(motion_);
+    motion_.way = ways_.of(source.frame, radius, motion_.span);
+  }
+  last.stamp = placed.pose_stamp;
+  last.box = *placed.state.box;
+  last.object = source.object;
+  return has_moved ? &motion_ : nullptr;
+}
+
+void BodyMotions::forgetObjects() {
+  if (last_objects_.size() == scene_.objects.objects().size()) return;
+  for (auto last = last_objects_.begin(); last != last_objects_.end();)
+    last = last->second.seen == pass_ ? std::next(last) : last_objects_.erase(last);
+}
+
+}  // namespace link_bounds

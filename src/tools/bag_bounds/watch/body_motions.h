@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How the bodies of a scene moved from one look at them to the next, in one frame.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/bag_bounds/watch/frame_view.h"
+#include "world/history/way_bound.h"
+
+namespace link_bounds {
+
+/// A motion, as tf2 interpolates it. Valid until tf changes.
+struct BodyMotion {
+  MotionSpan span;  ///< the stamps of both boxes
+  Aabb before;      ///< the box at its begin
+  double way;       ///< that no point of the body exceeds [m]; may be infinite
+  TransformBuffer::Frame target;
+  TransformBuffer::Frame source;  ///< the frame of the body, or the one in which it was placed
+  const BoundedLink* link;        ///< its shapes
+  const Eigen::Affine3d* source_from_link;  ///< null: as they are
+};
+
+/// Tells bodies apart faster than their names: a link has its index, an object its own number for
+/// as long as it is there.
+using BodyNumber = std::uint64_t;
+
+/// All points of the shapes are at most so far from the origin of the motion's source [m].
+double radiusOf(const BodyMotion& motion);
+
+/// A body moves while the stamp of its box grows, from one transform to a later one. It does not
+/// move, but is another one, where its box was lost meanwhile, where a marker came again, where the
+/// clock jumped back, and where nothing was known of it for longer than `timeout`.
+class BodyMotions {
+ public:
+  /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
+  /// this.
+  BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
+
+  /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
+  /// since the last call.
+  template <class Visit>
+  void forEach(Visit&& visit) {
+    ++pass_;
+    scene_.forEach([&](const SceneBody& body) {
+      const FrameView::Placed placed = view_ ? view_->placed(body) : placedInScene(body);
+      Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      const BodyMotion* motion = next(last, body, placed);
+      visit(last.number, body.name, placed.state, motion);
+    });
+    forgetObjects();
+  }
+
+ private:
+  struct Last {
+    bool has_box = false;
+    std::int64_t stamp = 0;  ///< of the pose; 0: does not move
+    Aabb box;
+    std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
+    BodyNumber number = 0;
+    std::uint64_t seen = 0;  ///< pass
+  };
+
+  FrameView::Placed placedInScene(const SceneBody& body) const;
+  Last& lastOf(const ObjectKey& key);
+  const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
+  void forgetObjects();
+
+  Scene& scene_;
+  FrameView* view_;
+  WayBound ways_;
+  TransformBuffer::Frame target_;
+  double timeout_;             ///< [ns]; 0: never
+  std::vector<double> radii_;  ///< of the links
+  std::vector<Last> last_links_;
+  std::map<ObjectKey, Last> last_objects_;
+  std::uint64_t pass_ = 0;
+  BodyNumber last_number_;  ///< of the newest body
+  BodyMotion motion_;
+};
+
+}  // namespace link_bounds

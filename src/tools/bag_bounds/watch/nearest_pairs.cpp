@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Trees come back within the request, so that nothing waits for them.
+#include "tools/bag_bounds/watch/nearest_pairs.h"
+
+#include <algorithm>
+
+#include "tools/command_line/interrupt.h"
+#include "world/moment/distance_message.h"
+#include "world/moment/object_body.h"
+
+namespace link_bounds {
+namespace {
+
+/// Time stands still: lists of markers settle at once.
+constexpr TriangleTrees::Time kNow{};
+constexpr TriangleTrees::Time kSettled = kNow + std::chrono::hours(1);
+
+/// A contact is one for any limit.
+bool isFinding(const Distance& distance, double limit) {
+  return distance.distance < limit || distance.distance == 0;
+}
+
+struct Interrupted {};
+
+void throwIfInterrupted() {
+  if (isInterrupted()) throw Interrupted();
+}
+
+}  // namespace
+
+NearestPairs::NearestPairs(LoadTree load_tree)
+    : load_tree_(std::move(load_tree)), distances_(requests()) {}
+
+TreeRequests NearestPairs::requests() {
+  TreeRequests requests;
+  requests.mesh = [this](const auto& uri, const auto& points) {
+    const LoadedTree tree = load_tree_(uri);
+    MadeTree made{points, nullptr, tree.error};
+    if (tree.points == points) {
+      made.triangles = tree.triangles;
+    } else if (made.error.empty()) {
+      made.error = uri + " was replaced meanwhile; run this again";
+    }
+    if (!made.error.empty()) problems_.insert(made.error);
+    distances_.trees().add(made);
+  };
+  requests.list = [this](const std::shared_ptr<const ObjectContent>& list) {
+    throwIfInterrupted();
+    distances_.trees().add(listTree(*list, throwIfInterrupted));
+  };
+  return requests;
+}
+
+void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
+  latest_.clear();
+  const auto computed = compute(momentOf(scene));
+  if (!computed) return;
+  const DistanceArray& array = computed->array;
+  has_compared_ |= !array.complete.empty() || !array.distances.empty();
+  for (std::size_t i = computed->moment->incomplete.size(); i < array.incomplete.size(); ++i)
+    incomplete_.insert(array.incomplete[i]);
+  const double limit = scene.model()->parameters.distance_limit;
+  latest_ = array.distances;
+  for (const Distance& distance : latest_) {
+    was_undercut_ |= isFinding(distance, limit);
+    keep(distance, {now, static_cast<std::int64_t>(distance.stamp.toNSec())});
+  }
+  lookBetween(computed->moment, tf, now);
+}
+
+void NearestPairs::lookBetween(const MomentPtr& moment, const TransformBuffer& tf,
+                               std::int64_t now) {
+  const double limit = moment->model->parameters.distance_limit;
+  PairMotions::Handlers handlers;
+  handlers.wanted = [&](std::size_t first, std::size_t second) -> std::optional<double> {
+    const auto found =
+        pairs_.find({moment->name(moment->bodies[first]), moment->name(moment->bodies[second])});
+    if (found == pairs_.end()) return limit;
+    if (found->second.clearance <= 0) return std::nullopt;
+    return std::max(found->second.distance.distance - kPairAccuracy, 0.0);
+  };
+  handlers.on_motion = [&](const PairMotion& motion) { take(*moment, motion, now); };
+  handlers.gives_up = isInterrupted;
+  motions_.look(moment, moment_pairs_, distances_.bodies(), tf, handlers);
+}
+
+void NearestPairs::take(const Moment& moment, const PairMotion& motion, std::int64_t now) {
+  const double limit = moment.model->parameters.distance_limit;
+  if (motion.nearest && motion.nearest->lower <= limit) {
+    Distance distance = toMessage(moment, FoundPair{motion.first, motion.second, *motion.nearest});
+    distance.stamp.fromNSec(static_cast<std::uint64_t>(motion.stamp));
+    was_undercut_ |= isFinding(distance, limit);
+    keep(distance, {now - motion.duration, motion.stamp});
+  }
+  const auto& first = moment.name(moment.bodies[motion.first]);
+  const auto& second = moment.name(moment.bodies[motion.second]);
+  const auto found = pairs_.find({first, second});
+  if (found != pairs_.end())
+    found->second.clearance = std::min(found->second.clearance, motion.clearance);
+  if (!motion.undecided.empty() && undecided_++ == 0)
+    first_undecided_ = first + " and " + second + ": " + motion.undecided;
+}
+
+/// Nothing if it was interrupted: without all trees, distances are smaller than they need be.
+std::optional<ComputedDistances> NearestPairs::compute(const MomentPtr& moment) try {
+  auto computed = distances_.compute(moment, moment_pairs_, kNow, isInterrupted);
+  const std::uint64_t version = distances_.trees().version();
+  distances_.trees().requestSettled(kSettled);
+  if (distances_.trees().version() != version)
+    computed = distances_.compute(moment, moment_pairs_, kNow, isInterrupted);
+  return computed;
+} catch (const Interrupted&) {
+  return std::nullopt;
+}
+
+void NearestPairs::keep(const Distance& distance, const RecordTime& when) {
+  const std::pair<std::string, std::string> names{distance.first, distance.second};
+  const auto found = pairs_.find(names);
+  if (found != pairs_.end()) {
+    NearestPair& pair = found->second;
+    if (distance.distance >= pair.distance.distance) return;
+    pair = {distance, when, std::min(pair.clearance, distance.distance)};
+  } else if (pairs_.size() < kMaxPairs) {
+    pairs_[names] = {distance, when, distance.distance};
+  } else {
+    ++left_out_;
+  }
+}
+
+std::vector<NearestPair> NearestPairs::pairs() const {
+  std::vector<NearestPair> result;
+  for (const auto& [names, pair] : pairs_)
+    result.push_back(pair);
+  return result;
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How near each pair of bodies came, by proven distances.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link_bounds/Distance.h"
+#include "link_bounds/robot/robot_loader.h"
+#include "tools/bag_bounds/scene/record_time.h"
+#include "tools/bag_bounds/watch/pair_motions.h"
+#include "world/moment/scene_distances.h"
+
+namespace link_bounds {
+
+struct NearestPair {
+  Distance distance;  ///< that of the smallest lower bound, of all poses that were looked at
+  RecordTime when;
+  double clearance = 0;  ///< proven: they never came nearer, also between messages [m]
+};
+
+/// Pairs, limit and accuracy are those of the model. Triangles are loaded when they are first
+/// needed, before the distance is computed.
+class NearestPairs {
+ public:
+  static constexpr std::size_t kMaxPairs = 10'000;  ///< further ones are only counted
+
+  using LoadTree = std::function<LoadedTree(const std::string& uri)>;
+
+  explicit NearestPairs(LoadTree load_tree);
+  NearestPairs(const NearestPairs&) = delete;
+  NearestPairs& operator=(const NearestPairs&) = delete;
+
+  /// The scene must have a model. Looks at the motions since the last call, too. Adds nothing if it
+  /// is interrupted.
+  void add(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
+
+  /// Of the last add().
+  const std::vector<Distance>& latest() const { return latest_; }
+
+  /// In alphabetical order.
+  std::vector<NearestPair> pairs() const;
+
+  std::uint64_t pairsLeftOut() const { return left_out_; }
+
+  /// Whether a distance was below the limit of the model.
+  bool wasUndercut() const { return was_undercut_; }
+
+  /// Whether any two bodies were compared, whatever their distance.
+  bool hasCompared() const { return has_compared_; }
+
+  /// Motions between messages of which it is not known how near two bodies came.
+  std::uint64_t undecided() const { return undecided_; }
+  /// The first of these, in words.
+  const std::string& firstUndecided() const { return first_undecided_; }
+
+  /// Names of which not all distances are known, although they have boxes.
+  const std::set<std::string>& incomplete() const { return incomplete_; }
+
+  /// Meshes that count as their convex hull, with the reason.
+  const std::set<std::string>& problems() const { return problems_; }
+
+ private:
+  TreeRequests requests();
+  std::optional<ComputedDistances> compute(const MomentPtr& moment);
+  void lookBetween(const MomentPtr& moment, const TransformBuffer& tf, std::int64_t now);
+  void take(const Moment& moment, const PairMotion& motion, std::int64_t now);
+  void keep(const Distance& distance, const RecordTime& when);
+
+  LoadTree load_tree_;
+  MomentPairs moment_pairs_;
+  SceneDistances distances_;
+  PairMotions motions_;
+  std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
+  std::vector<Distance> latest_;
+  std::set<std::string> problems_;
+  std::set<std::string> incomplete_;
+  std::uint64_t undecided_ = 0;
+  std::string first_undecided_;
+  std::uint64_t left_out_ = 0;  ///< distances of further pairs
+  bool was_undercut_ = false;
+  bool has_compared_ = false;
+};
+
+}  // namespace link_bounds

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Proofs first, then the comparison with the SRDF.
+#include "tools/urdf_bounds/pairs/pairs_report.h"
+
+#include <iostream>
+#include <utility>
+
+#include "tools/command_line/interrupt.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/pairs/pairs_certificate.h"
+#include "tools/urdf_bounds/pairs/pairs_srdf.h"
+#include "tools/urdf_bounds/request/certificate_head.h"
+
+namespace link_bounds {
+namespace {
+
+/// Ends when the budget is used up, or at Ctrl-C.
+ProofControl controlFor(const UrdfBoundsOptions& options) {
+  ProofControl control;
+  control.is_over = overAfter(options.budget.value_or(kDefaultBudget));
+  if (hasTerminal()) {
+    control.progress = [](std::size_t decided, std::size_t total) {
+      drawBar(decided, total, "pairs");
+    };
+  }
+  return control;
+}
+
+/// The search ended before the clearance was as accurate as it should be.
+bool isRough(const PairProof& proof, const PairGoal& goal) {
+  constexpr double kRounding = 1e-9;  // m
+  return proof.nearest - proof.clearance > goal.accuracy + kRounding;
+}
+
+Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
+  std::size_t examined = 0;
+  std::size_t undecided = 0;
+  std::size_t rough = 0;
+  for (const std::vector<PairProof>* proofs : {&table.rows, &table.rigid}) {
+    for (const PairProof& proof : *proofs) {
+      if (proof.verdict != Verdict::kAdjacent) ++examined;
+      if (proof.verdict == Verdict::kUndecided) ++undecided;
+      if (proof.verdict == Verdict::kNever && isRough(proof, goal)) ++rough;
+    }
+  }
+  Outcome outcome;
+  outcome.has_finding = table.srdf && !table.srdf->wrong.empty();
+  outcome.lost_geometry = !table.incomplete.empty();
+  if (examined == 0) outcome.open.emplace_back("no pair was examined");
+  outcome.addOpen("incomplete names", table.incomplete.size());
+  outcome.addOpen("UNDECIDED pairs", undecided);
+  outcome.addOpen("clearances that did not reach --accuracy", rough);
+  return outcome;
+}
+
+void write(const PairsTable& table, const UrdfBoundsOptions& options) {
+  if (options.as_srdf) {
+    writeSrdf(table, options.accept_sampled, std::cout);
+    writeUndecided(table, std::cerr);
+  } else if (options.format == Format::kJson) {
+    return writeJson(table, std::cout);
+  } else if (options.format == Format::kCsv) {
+    writeCsv(table, std::cout);
+  } else {
+    return writeTable(table, std::cout);
+  }
+  if (table.srdf) writeCheck(*table.srdf, table.links, options.as_srdf, std::cerr);
+}
+
+}  // namespace
+
+Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
+                   const BoundedRobot& bounded, const std::vector<JointRange>& ranges) {
+  std::string old;
+  std::vector<DisabledPair> exempt;
+  if (options.srdf) {
+    old = readText(*options.srdf, "a SRDF");
+    exempt = parseSrdf(old, robot, *options.srdf);
+  }
+  PairsTable table;
+  table.clearance = options.clearance.value_or(0);
+  for (const BoundedLink& link : bounded.links) {
+    table.links.push_back(link.name);
+    if (!link.isWhole()) table.incomplete.emplace_back(link.name, link.missing);
+  }
+  const PairGoal goal{table.clearance, options.accuracy.value_or(kDefaultAccuracy),
+                      options.touching.value_or(kDefaultTouching)};
+  std::ofstream certificate = beginCertificate("pairs", options, robot);
+  const ProofControl control = controlFor(options);
+  const PairChoice choice{options.adjacent, options.as_srdf};
+  for (PairProof& proof : provePairs(robot, bounded, ranges, goal, control, choice))
+    (proof.is_rigid ? table.rigid : table.rows).push_back(std::move(proof));
+  if (hasTerminal()) eraseBar();
+  if (options.srdf)
+    table.srdf = checkedSrdf(*options.srdf, old, Exemptions(exempt), table.links, table.rows);
+  for (const auto& [reason, count] : reasonsOf(table))
+    warn(std::to_string(count) + (count == 1 ? " pair is" : " pairs are") +
+         " not decided: " + reason);
+  std::size_t uncertified = 0;
+  if (options.certificate) {
+    uncertified = writeCertificate(options, robot, bounded, ranges, table.rows,
+                                   controlFor(options).is_over, certificate);
+  }
+  write(table, options);
+  Outcome outcome = outcomeOf(table, goal);
+  outcome.addOpen("proven pairs that are not in the certificate", uncertified);
+  return outcome;
+}
+
+}  // namespace link_bounds

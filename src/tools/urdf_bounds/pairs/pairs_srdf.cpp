@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Adjacent pairs first, then the others in the order of the table.
+#include "tools/urdf_bounds/pairs/pairs_srdf.h"
+
+#include <set>
+
+#include "tools/urdf_bounds/pairs/pair_words.h"
+
+namespace link_bounds {
+namespace {
+
+/// Of one table.
+class SrdfWriter {
+ public:
+  SrdfWriter(const PairsTable& table, bool accept_sampled)
+      : table_(table), accept_sampled_(accept_sampled) {}
+
+  std::vector<SrdfLine> lines() const {
+    std::vector<SrdfLine> lines;
+    for (const bool is_adjacent : {true, false}) {
+      for (const auto* proofs : {&table_.rows, &table_.rigid}) {
+        for (const PairProof& proof : *proofs) {
+          if ((proof.verdict == Verdict::kAdjacent) != is_adjacent) continue;
+          SrdfLine line = lineOf(proof);
+          if (line.pair || !line.comment.empty()) lines.push_back(std::move(line));
+        }
+      }
+    }
+    for (DisabledPair& pair : othersOfTheOldOne())
+      lines.push_back({std::move(pair), ""});
+    return lines;
+  }
+
+ private:
+  SrdfLine lineOf(const PairProof& proof) const {
+    const char* reason = reasonFor(proof.verdict);
+    if (accept_sampled_ && proof.verdict == Verdict::kContactSampled) reason = "Always";
+    if (reason) return {pairOf(proof, reason), commentOf(proof)};
+    const std::string* old = oldReason(proof);
+    if (!old || judged(proof, *old) == Exemption::kWrong) return {std::nullopt, commentOf(proof)};
+    const bool is_open = judged(proof, *old) == Exemption::kUndecided;
+    return {pairOf(proof, *old), is_open ? "not decided: " + names(proof) : commentOf(proof)};
+  }
+
+  std::string commentOf(const PairProof& proof) const {
+    if (proof.verdict == Verdict::kUndecided) return "not decided: " + names(proof);
+    if (proof.verdict != Verdict::kContactSampled) return "";
+    return "not proven: " + names(proof) + " collided in " + inAllPoses(proof);
+  }
+
+  std::string names(const PairProof& proof) const { return namesOf(proof, table_.links); }
+
+  DisabledPair pairOf(const PairProof& proof, const std::string& reason) const {
+    return {table_.links[proof.first], table_.links[proof.second], reason};
+  }
+
+  const std::string* oldReason(const PairProof& proof) const {
+    if (!table_.srdf) return nullptr;
+    return table_.srdf->exempt.reasonOf(table_.links[proof.first], table_.links[proof.second]);
+  }
+
+  /// Of links without geometry, of which there are no proofs.
+  std::vector<DisabledPair> othersOfTheOldOne() const {
+    std::vector<DisabledPair> others;
+    if (!table_.srdf) return others;
+    const std::set<std::string> links(table_.links.begin(), table_.links.end());
+    for (DisabledPair& pair : table_.srdf->exempt.pairs()) {
+      const bool is_known = links.count(pair.first) > 0 && links.count(pair.second) > 0;
+      if (!is_known || pair.first == pair.second) others.push_back(std::move(pair));
+    }
+    return others;
+  }
+
+  const PairsTable& table_;
+  const bool accept_sampled_;
+};
+
+}  // namespace
+
+void writeSrdf(const PairsTable& table, bool accept_sampled, std::ostream& out) {
+  const std::vector<SrdfLine> lines = SrdfWriter(table, accept_sampled).lines();
+  if (table.srdf) {
+    out << mergedSrdf(table.srdf->text, lines);
+    return;
+  }
+  for (const SrdfLine& line : lines)
+    out << toSrdf(line) << '\n';
+}
+
+void writeUndecided(const PairsTable& table, std::ostream& out) {
+  for (const auto* proofs : {&table.rows, &table.rigid}) {
+    for (const PairProof& proof : *proofs) {
+      const std::string &first = table.links[proof.first], &second = table.links[proof.second];
+      const bool is_kept = table.srdf && table.srdf->exempt.reasonOf(first, second);
+      if (proof.verdict != Verdict::kUndecided || is_kept) continue;
+      out << namesOf(proof, table.links) << " are not decided, and so not disabled\n";
+    }
+  }
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdicts about pairs of links as text: a table to read, CSV or JSON.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tools/text/table_text.h"
+#include "tools/urdf_bounds/pairs/srdf_check.h"
+
+namespace link_bounds {
+
+struct PairsTable {
+  double clearance = 0;            ///< links that are as near collide [m]
+  std::vector<std::string> links;  ///< names
+  std::vector<PairProof> rows;     ///< in the order of the links
+  std::vector<PairProof> rigid;    ///< of links that are rigidly joined; only for a SRDF
+  std::optional<SrdfCheck> srdf;   ///< of `rows`
+  Reasons incomplete;
+};
+
+/// Why nothing is known about pairs, and about how many.
+std::map<std::string, std::size_t> reasonsOf(const PairsTable& table);
+
+/// For people.
+void writeTable(const PairsTable& table, std::ostream& out);
+
+void writeCsv(const PairsTable& table, std::ostream& out);
+
+void writeJson(const PairsTable& table, std::ostream& out);
+
+}  // namespace link_bounds

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Each refusal says what could be given instead.
+#include "tools/urdf_bounds/request/input.h"
+
+#include <locale>
+#include <sstream>
+
+#include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/simple_joints.h"
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+
+namespace link_bounds {
+namespace {
+
+void checkNames(const Robot& robot, const GivenRanges& given) {
+  for (const auto& [name, range] : given) {
+    const std::string reason = whyNoJoint(robot, name);
+    if (!reason.empty()) throw UsageError(reason);
+    const Joint& joint = movableJoint(robot, name);
+    if (joint.mimic) warn(whyIgnored(joint));
+  }
+}
+
+/// `subject` is what is printed. One warning for all of them.
+void checkLimits(const Robot& robot, const GivenRanges& given, const std::string& subject) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  for (const Joint& joint : robot.joints) {
+    const auto found = given.find(joint.name);
+    if (found == given.end() || joint.mimic || !joint.limits) continue;
+    const auto [lower, upper] = *joint.limits;
+    const auto [from, to] = found->second;
+    if (from >= lower && to <= upper) continue;
+    text << (text.tellp() > 0 ? ", \"" : "\"") << joint.name << "\" at " << from;
+    if (from < to) text << " to " << to;
+    text << " (limits " << lower << " to " << upper << ")";
+  }
+  if (text.tellp() > 0)
+    warn("beyond the limits of its joint in the URDF: " + text.str() + "; " + subject +
+         " all the same");
+}
+
+/// A <limit> without lower and upper means 0 and 0, which its author may not have meant.
+void warnOfStill(const Robot& robot, const GivenRanges& given) {
+  std::string names;
+  for (const Joint& joint : robot.joints) {
+    const bool is_still = joint.limits && joint.limits->lower == joint.limits->upper;
+    if (!is_still || joint.mimic || given.count(joint.name)) continue;
+    names += (names.empty() ? "\"" : ", \"") + joint.name + "\"";
+  }
+  if (!names.empty())
+    warn("the lower limit is equal to the upper one, so these joints stay there: " + names);
+}
+
+/// Floating and planar joints of the root do not move.
+void fixBase(const Robot& robot, GivenRanges& given) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (!movesBase(robot, i)) continue;
+    const std::string& name = robot.joints[i].name;
+    if (!given.emplace(name, Limits{0, 0}).second)
+      throw UsageError("--base fixed keeps \"" + name + "\" at 0; give only one of the two");
+  }
+}
+
+}  // namespace
+
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given) {
+  checkNames(robot, given);
+  checkLimits(robot, given, "the boxes are those of this pose");
+  std::map<std::string, double> values;
+  for (const auto& [name, range] : given)
+    values.emplace(name, range.lower);
+  return jointValues(robot, values);
+}
+
+std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base) {
+  checkNames(robot, given);
+  if (has_fixed_base) fixBase(robot, given);
+  checkLimits(robot, given, "the proof is about these values");
+  warnOfStill(robot, given);
+  return jointRanges(robot, given);
+}
+
+}  // namespace link_bounds

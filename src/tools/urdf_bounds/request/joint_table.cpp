@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// First the columns, then line after line. A cell that is no number spoils its row, not the table.
+#include "tools/urdf_bounds/request/joint_table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tools/command_line/options.h"
+#include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
+#include "tools/text/safe_text.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr char kTimeName[] = "time";
+constexpr char kVelocityEnd[] = ".velocity";
+constexpr char kAccelerationEnd[] = ".acceleration";
+
+/// Faults of single rows that are listed one by one.
+constexpr std::size_t kListedFaults = 5;
+
+enum class Quantity { kNothing, kTime, kPosition, kVelocity, kAcceleration };
+
+struct Column {
+  std::string name;
+  Quantity quantity = Quantity::kNothing;
+  std::size_t joint = 0;
+};
+
+std::string trimmed(const std::string& text, const char* what) {
+  const std::size_t begin = text.find_first_not_of(what);
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(what) - begin + 1);
+}
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.find(',', begin);
+    cells.push_back(trimmed(line.substr(begin, comma - begin), " \t\""));
+    if (comma == std::string::npos) return cells;
+    begin = comma + 1;
+  }
+}
+
+/// Without the end of `name`; nothing if it ends otherwise.
+std::optional<std::string> withoutEnd(const std::string& name, const std::string& end) {
+  if (name.size() <= end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return std::nullopt;
+  return name.substr(0, name.size() - end.size());
+}
+
+class TableReader {
+ public:
+  TableReader(std::string file, const Robot& robot) : file_(std::move(file)), robot_(robot) {
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      if (hasValue(robot.joints[i].motion)) index_.emplace(robot.joints[i].name, i);
+    }
+  }
+
+  void setColumns(const std::string& line, const std::vector<std::string>& given) {
+    std::set<std::string> names;
+    for (const std::string& name : cellsOf(line)) {
+      if (!names.insert(name).second)
+        throw UsageError(file_ + ": column \"" + name + "\" is there twice; remove one");
+      columns_.push_back(columnOf(name));
+    }
+    for (const Column& column : columns_) {
+      if (column.quantity == Quantity::kPosition) table_.joints.push_back(column.joint);
+    }
+    if (table_.joints.empty())
+      throw UsageError(file_ + " has no column of a joint; those that can be set:" + settable());
+    const std::set<std::string> known(given.begin(), given.end());
+    for (const std::string& name : given) {
+      if (names.count(name))
+        throw UsageError(file_ + ": column \"" + name + "\" and " + name +
+                         ":= give the same joint; leave one out");
+    }
+    warnOfMissing(names, known);
+    checkDerivatives(Quantity::kVelocity, kVelocityEnd);
+    checkDerivatives(Quantity::kAcceleration, kAccelerationEnd);
+    if (has(Quantity::kAcceleration) && !has(Quantity::kVelocity))
+      throw UsageError(file_ + " has accelerations but no velocities; add the columns" + " NAME" +
+                       kVelocityEnd);
+    if (has(Quantity::kVelocity) && !has(Quantity::kTime))
+      throw UsageError(file_ + " has velocities but no times; add the column " + kTimeName);
+  }
+
+  void add(const std::string& line, std::size_t line_number) {
+    const std::vector<std::string> cells = cellsOf(line);
+    std::vector<double> numbers(columns_.size(), 0.0);
+    std::string fault;
+    if (cells.size() != columns_.size()) {
+      fault = "has " + std::to_string(cells.size()) + " cells instead of " +
+              std::to_string(columns_.size());
+    }
+    for (std::size_t i = 0; i < columns_.size() && fault.empty(); ++i) {
+      if (columns_[i].quantity == Quantity::kNothing) continue;
+      const std::optional<double> number = toNumber(cells[i]);
+      if (number)
+        numbers[i] = *number;
+      else
+        fault = "column \"" + columns_[i].name + "\" is \"" + cells[i] +
+                "\", which is no finite number";
+    }
+    if (!fault.empty()) fault += " (line " + std::to_string(line_number) + ")";
+    table_.faults.push_back(fault);
+    numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
+  }
+
+  JointTable result() {
+    if (std::all_of(table_.faults.begin(), table_.faults.end(),
+                    [](const std::string& fault) { return !fault.empty(); }))
+      throw UsageError(file_ + " has no row that can be used" +
+                       (table_.faults.empty() ? "" : ": row 1 " + table_.faults.front()));
+    table_.positions = numbersOf(Quantity::kPosition);
+    table_.velocities = numbersOf(Quantity::kVelocity);
+    table_.accelerations = numbersOf(Quantity::kAcceleration);
+    const JointTable::Numbers times = numbersOf(Quantity::kTime);
+    table_.times.assign(times.data(), times.data() + times.size());
+    tellFaults();
+    for (std::size_t i = 0; i < table_.joints.size(); ++i)
+      checkLimits(i);
+    return std::move(table_);
+  }
+
+ private:
+  Column columnOf(const std::string& name) {
+    Column column{name};
+    const auto find = [&](const std::string& joint, Quantity quantity) {
+      const auto found = index_.find(joint);
+      if (found == index_.end()) return false;
+      column.joint = found->second;
+      column.quantity = quantity;
+      return true;
+    };
+    const std::optional<std::string> moving = withoutEnd(name, kVelocityEnd);
+    const std::optional<std::string> speeding = withoutEnd(name, kAccelerationEnd);
+    if (!find(name, Quantity::kPosition) && !(moving && find(*moving, Quantity::kVelocity)) &&
+        !(speeding && find(*speeding, Quantity::kAcceleration))) {
+      if (name == kTimeName)
+        column.quantity = Quantity::kTime;
+      else
+        table_.problems.push_back(file_ + ": column \"" + name +
+                                  "\" is no movable joint of the "
+                                  "robot and is ignored; those that can be set:" +
+                                  settable());
+    } else if (robot_.joints[column.joint].mimic) {
+      column.quantity = Quantity::kNothing;
+      mimics_ += (mimics_.empty() ? "\"" : ", \"") + name + "\"";
+    }
+    return column;
+  }
+
+  std::string settable() const {
+    std::string names;
+    for (const Joint& joint : robot_.joints) {
+      if (hasValue(joint.motion) && !joint.mimic) names += " " + joint.name;
+    }
+    return names.empty() ? " none" : names;
+  }
+
+  void warnOfMissing(const std::set<std::string>& names, const std::set<std::string>& given) {
+    std::string missing;
+    for (const Joint& joint : robot_.joints) {
+      if (!hasValue(joint.motion) || joint.mimic || names.count(joint.name) ||
+          given.count(joint.name))
+        continue;
+      missing += (missing.empty() ? "\"" : ", \"") + joint.name + "\"";
+    }
+    if (missing.empty()) return;
+    table_.problems.push_back(file_ + ": joints without a column stay at 0: " + missing +
+                              "; add columns, or give joint:=value");
+  }
+
+  bool has(Quantity quantity) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [=](const Column& column) { return column.quantity == quantity; });
+  }
+
+  /// All joints with a column have one of this quantity, or none has.
+  void checkDerivatives(Quantity quantity, const char* end) const {
+    if (!has(quantity)) return;
+    for (const std::size_t joint : table_.joints) {
+      if (columnsOf(quantity, joint).empty())
+        throw UsageError(file_ + " has columns of some joints that end in " + end + ", but not \"" +
+                         robot_.joints[joint].name + end + "\"; add it");
+    }
+    for (const Column& column : columns_) {
+      if (column.quantity == quantity && columnsOf(Quantity::kPosition, column.joint).empty())
+        throw UsageError(file_ + ": column \"" + column.name + "\" has no column of positions \"" +
+                         robot_.joints[column.joint].name + "\"; add it");
+    }
+  }
+
+  /// None or one.
+  std::vector<std::size_t> columnsOf(Quantity quantity, std::size_t joint) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (columns_[i].quantity == quantity && columns_[i].joint == joint) result.push_back(i);
+    }
+    return result;
+  }
+
+  /// Columns in the order of `joints`; that of the times alone.
+  JointTable::Numbers numbersOf(Quantity quantity) const {
+    std::vector<std::size_t> chosen;
+    if (quantity == Quantity::kTime) {
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (columns_[i].quantity == quantity) chosen.push_back(i);
+      }
+    } else if (has(quantity)) {
+      for (const std::size_t joint : table_.joints)
+        chosen.push_back(columnsOf(quantity, joint).front());
+    }
+    const auto rows = static_cast<Eigen::Index>(table_.rows());
+    const auto width = static_cast<Eigen::Index>(columns_.size());
+    const Eigen::Map<const JointTable::Numbers> all(numbers_.data(), rows, width);
+    JointTable::Numbers result(rows, static_cast<Eigen::Index>(chosen.size()));
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      result.col(static_cast<Eigen::Index>(i)) = all.col(static_cast<Eigen::Index>(chosen[i]));
+    return result;
+  }
+
+  void tellFaults() {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (table_.faults[row].empty()) continue;
+      if (++count <= kListedFaults)
+        table_.problems.push_back(file_ + ": row " + std::to_string(row + 1) +
+                                  " is left out: " + table_.faults[row]);
+    }
+    if (count > kListedFaults)
+      table_.problems.push_back(file_ + ": " + std::to_string(count - kListedFaults) +
+                                " more rows are left out");
+    if (!mimics_.empty())
+      table_.notes.push_back(file_ +
+                             ": columns of joints that follow another one are ignored: " + mimics_);
+  }
+
+  /// The rows in which a joint is outside its limits, and the first of them.
+  void checkLimits(std::size_t column) {
+    const Joint& joint = robot_.joints[table_.joints[column]];
+    if (!joint.limits) return;
+    std::size_t count = 0;
+    std::size_t first = 0;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const double value = valueAt(row, column);
+      if (!table_.faults[row].empty() ||
+          (value >= joint.limits->lower && value <= joint.limits->upper))
+        continue;
+      if (++count == 1) first = row;
+    }
+    if (count == 0) return;
+    table_.problems.push_back(
+        file_ + ": column \"" + joint.name + "\" is outside the limits " +
+        shortestNumber(joint.limits->lower) + " to " + shortestNumber(joint.limits->upper) +
+        (count == 1 ? " in row " : " in " + std::to_string(count) + " rows, first in row ") +
+        std::to_string(first + 1) + ": " + shortestNumber(valueAt(first, column)));
+  }
+
+  double valueAt(std::size_t row, std::size_t column) const {
+    return table_.positions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+  }
+
+  std::string file_;
+  const Robot& robot_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<Column> columns_;
+  std::string mimics_;
+  std::vector<double> numbers_;  ///< of all rows and columns
+  JointTable table_;
+};
+
+}  // namespace
+
+JointTable parseJointTable(const std::string& text, const std::string& file,
+                           const std::optional<std::string>& columns, const Robot& robot,
+                           const std::vector<std::string>& given) {
+  TableReader reader(file == "-" ? "standard input" : file, robot);
+  bool has_columns = columns.has_value();
+  if (has_columns) reader.setColumns(*columns, given);
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = trimmed(text.substr(begin, end - begin), " \t\r");
+    begin = end + 1;
+    ++number;
+    if (line.empty() || line[0] == '#') continue;
+    if (has_columns)
+      reader.add(line, number);
+    else
+      reader.setColumns(line, given);
+    has_columns = true;
+  }
+  if (!has_columns)
+    throw UsageError((file == "-" ? "standard input" : file) +
+                     " is empty; its first line has the names of joints");
+  return reader.result();
+}
+
+JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple) {
+  std::vector<std::string> given;
+  for (const auto& joint : options.joints)
+    given.push_back(joint.first);
+  JointTable table = parseJointTable(readText(*options.poses, "a table of joint values"),
+                                     *options.poses, options.columns, simple, given);
+  for (const std::string& note : table.notes)
+    warn(note);
+  for (const std::string& problem : table.problems) {
+    if (options.demand.strict)
+      throw UsageError(problem + "; --strict accepts only tables without a fault");
+    warn(problem);
+  }
+  return table;
+}
+
+JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given) {
+  for (std::size_t i = 0; i < table.joints.size(); ++i)
+    given[table.joints[i]] =
+        table.positions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
+  return given;
+}
+
+}  // namespace link_bounds
