@@ -76,12 +76,14 @@ def counted(passed, skipped, failed=0):
 
 def cases(build):
     """The test cases that ran in all tests of ctest, by what became of them."""
-    scripts = map(int, re.findall(r'^Ran (\d+) tests? in ', details(build), re.MULTILINE))
+    scripts, skipped_in_scripts = (
+        sum(map(int, re.findall(pattern, details(build), re.MULTILINE)))
+        for pattern in (r'^Ran (\d+) tests? in ', r'^(?:OK|FAILED) \(.*skipped=(\d+)'))
     found = [case for root in results(build) for case in root.iter('testcase')]
     failed = sum(case.find('failure') is not None or case.find('error') is not None
                  for case in found)
-    skipped = sum(map(is_skipped, found))
-    return counted(len(found) + sum(scripts) - skipped - failed, skipped, failed)
+    skipped = sum(map(is_skipped, found)) + skipped_in_scripts
+    return counted(len(found) + scripts - skipped - failed, skipped, failed)
 
 
 def tests(build):

@@ -257,7 +257,7 @@ TEST(CloudLabels, OfTheDemoRobotAreWhatTheRaysHit) {
 
 TEST(CloudLabels, OfPublicRobotsAreWhatTheRaysHit) {
   const char* const data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "left out: the robots of LINK_BOUNDS_DATA, which is not set";
+  if (!data) GTEST_SKIP() << "skipped: clouds of public robots: LINK_BOUNDS_DATA is not set";
   const fs::path folder = fs::canonical(fs::path(data) / "robots");
   printHeader();
   std::uint64_t seed = 2;
