@@ -234,46 +234,50 @@ void PairSearch::offer(const KnownPose& pose) {
 }
 
 /// Steps along one variable or, in the valleys of the distance, along any direction; smaller ones
-/// where none of these leads downhill. What led downhill is tried again first, with half of what
-/// led there before: along a valley.
+/// where none of these leads downhill. After a step that led downhill comes the same way once more,
+/// with half of the ways before it: so a descent follows a valley.
 void PairSearch::descend(KnownPose pose) {
   const std::size_t count = path_.variables.size();
-  PathValues trend(count, 0.0);
+  const PathValues none(count, 0.0);
+  PathValues trend = none;
   int left = kDescentSteps;
   for (double step = kFirstStep; step > kLastStep && left > 0 && !isTouch(pose.upper);) {
     bool is_lower = false;
     for (std::size_t i = 0; i <= 4 * count && !is_lower; ++i, --left) {
-      const PathValues values =
-          i == 0 ? moved(pose.values, trend) : stepped(pose.values, step, i - 1);
-      const KnownPose other = measured(values, pose.upper);
+      const KnownPose other =
+          measured(moved(pose.values, i == 0 ? trend : way(step, i - 1)), pose.upper);
       is_lower = other.upper < pose.upper;
-      for (std::size_t v = 0; v < count && (is_lower || i == 0); ++v)
-        trend[v] = is_lower ? trend[v] / 2 + other.values[v] - pose.values[v] : 0;
-      if (is_lower) pose = other;
+      if (!is_lower) {
+        if (i == 0) trend = none;
+        continue;
+      }
+      for (std::size_t v = 0; v < count; ++v)
+        trend[v] = trend[v] / 2 + other.values[v] - pose.values[v];
+      pose = other;
     }
     if (!is_lower) step /= 2;
   }
   offer(pose);
 }
 
+/// The first ways are both along each variable, further ones are random.
+PathValues PairSearch::way(double step, std::size_t direction) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const std::size_t count = path_.variables.size();
+  PathValues result;
+  for (std::size_t v = 0; v < count; ++v) {
+    double share = direction % count == v ? (direction < count ? 1 : -1) : 0;
+    if (direction >= 2 * count) share = uniform(random_);
+    result.push_back(share * step * width(path_.ranges[v]));
+  }
+  return result;
+}
+
+/// Within the ranges.
 PathValues PairSearch::moved(PathValues values, const PathValues& way) const {
   for (std::size_t v = 0; v < values.size(); ++v) {
     const Limits& range = path_.ranges[v];
     values[v] = std::min(std::max(values[v] + way[v], range.lower), range.upper);
-  }
-  return values;
-}
-
-/// The first directions are both along each variable, further ones are random.
-PathValues PairSearch::stepped(PathValues values, double step, std::size_t direction) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const std::size_t count = values.size();
-  for (std::size_t v = 0; v < count; ++v) {
-    const Limits& range = path_.ranges[v];
-    double share = direction % count == v ? (direction < count ? 1 : -1) : 0;
-    if (direction >= 2 * count) share = uniform(random_);
-    values[v] =
-        std::min(std::max(values[v] + share * step * width(range), range.lower), range.upper);
   }
   return values;
 }

@@ -99,7 +99,7 @@ class PairSearch {
   void sample();
   void descend(KnownPose pose);
   PathValues moved(PathValues values, const PathValues& way) const;
-  PathValues stepped(PathValues values, double step, std::size_t direction);
+  PathValues way(double step, std::size_t direction);
   /// Of a pose that is farther than the limit it is only known that it is.
   KnownPose measured(const PathValues& values,
                      double limit = std::numeric_limits<double>::infinity());
