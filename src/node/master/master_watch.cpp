@@ -4,68 +4,45 @@
 #include "node/master/master_watch.h"
 
 #include <ros/console.h>
-#include <ros/init.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
-#include <chrono>
 #include <utility>
 
 #include "node/master/registration.h"
-#include "node/threads/start_thread.h"
-#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr std::chrono::seconds kPeriod(1);  // how late a new master is noticed
+constexpr std::chrono::milliseconds kPeriod(1000);  // how late a new master is noticed
 
 }  // namespace
 
-MasterWatch::MasterWatch() : thread_(startThread("master watch", [this] { run(); })) {}
+MasterWatch::MasterWatch()
+    : worker_({"master watch", false, [this] { return onTick(); }, kPeriod}) {}
 
-MasterWatch::~MasterWatch() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stops_ = true;
+bool MasterWatch::onTick() {
+  try {
+    poll();
+  } catch (const XmlRpc::XmlRpcException& error) {
+    // XmlRpcException does not derive from std::exception.
+    throw std::runtime_error("answer of the ROS master: " + error.getMessage());
   }
-  wake_up_.notify_all();
-  thread_.join();
-}
-
-bool MasterWatch::isStopping() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return stops_ || ros::isShuttingDown();
-}
-
-void MasterWatch::run() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (!wake_up_.wait_for(lock, kPeriod, [this] { return stops_; })) {
-    lock.unlock();
-    guarded([this] {
-      try {
-        poll();
-      } catch (const XmlRpc::XmlRpcException& error) {
-        // XmlRpcException does not derive from std::exception.
-        throw std::runtime_error("answer of the ROS master: " + error.getMessage());
-      }
-    });
-    lock.lock();
-  }
+  return true;
 }
 
 void MasterWatch::poll() {
   const auto caller = [this](const XmlRpcServer& server) -> XmlRpcCall {
     return [this, server](const std::string& method, const XmlRpc::XmlRpcValue& arguments) {
-      return callXmlRpc(server, method, arguments, [this] { return isStopping(); });
+      return callXmlRpc(server, method, arguments, [this] { return worker_.isStopping(); });
     };
   };
   const XmlRpcCall master = caller(rosMaster());
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
-  if (isStopping()) return;
+  if (worker_.isStopping()) return;
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) return reportLost("it does not answer");
   if (name_is_taken_) {

@@ -3,9 +3,7 @@
 // A thread that keeps the node known to the ROS master, also to one that was restarted.
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+#include "node/threads/worker.h"
 
 namespace link_bounds {
 
@@ -15,26 +13,21 @@ namespace link_bounds {
 class MasterWatch {
  public:
   MasterWatch();
-  ~MasterWatch();
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
 
  private:
-  void run();
+  bool onTick();
   void poll();
   void reportLost(const char* reason);
   void reportNameTaken();
   void reportBack();
-  bool isStopping();
 
   bool is_lost_ = false;
   bool is_name_told_ = false;  ///< that another node has the name, since it was lost
   bool name_is_taken_ = false;
   bool must_register_ = false;
-  std::mutex mutex_;
-  std::condition_variable wake_up_;
-  bool stops_ = false;  ///< guarded by mutex_
-  std::thread thread_;
+  Worker worker_;  ///< last: its thread ends before the rest goes
 };
 
 }  // namespace link_bounds

@@ -12,12 +12,13 @@
 #include <exception>
 #include <list>
 #include <mutex>
+#include <stdexcept>
+#include <system_error>
 #include <unordered_map>
 #include <vector>
 
 #include "node/threads/be_nice.h"
 #include "node/threads/queued_function.h"
-#include "node/threads/start_thread.h"
 #include "world/log/guarded.h"
 
 namespace link_bounds {
@@ -36,6 +37,16 @@ constexpr std::chrono::microseconds kAwake(200);
 /// on need the processors: the 99th percentile of the boxes' age was 1.9 times as high with all
 /// topics of what is ahead heard, and with this 1.0 times (`scripts/bench overload --stopping`).
 constexpr std::chrono::milliseconds kHeadStart(1);
+
+/// Throws std::runtime_error with the name of the thread and a remedy.
+std::thread startThread(const std::string& name, const std::function<void()>& body) {
+  try {
+    return std::thread(body);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("cannot start the " + name + " thread: " + error.what() +
+                             "; raise the limit of processes and threads");
+  }
+}
 
 /// What await() shares with the other thread.
 struct Awaited {
