@@ -5,18 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "link_bounds/ros/messages.h"
+
 namespace link_bounds {
 namespace {
 
 constexpr char kCloudName[] = "cloud";
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& point) {
-  geometry_msgs::Point result;
-  result.x = point.x();
-  result.y = point.y();
-  result.z = point.z();
-  return result;
-}
 
 Distance toDistance(const std::string& name, const NearestPoint& nearest) {
   Distance result;

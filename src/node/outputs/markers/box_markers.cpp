@@ -3,7 +3,6 @@
 // CUBE, LINE_LIST and TEXT markers per box, and DELETE markers.
 #include "node/outputs/markers/box_markers.h"
 
-#include "link_bounds/ros/messages.h"
 #include "node/outputs/markers/drawable.h"
 #include "node/outputs/markers/label_layout.h"
 #include "world/bodies/object_source.h"
@@ -31,30 +30,6 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
   return vector;
 }
 
-std_msgs::ColorRGBA toColor(const std::array<double, 4>& rgba) {
-  std_msgs::ColorRGBA color;
-  color.r = static_cast<float>(rgba[0]);
-  color.g = static_cast<float>(rgba[1]);
-  color.b = static_cast<float>(rgba[2]);
-  color.a = static_cast<float>(rgba[3]);
-  return color;
-}
-
-/// What the markers of one box have in common.
-Marker commonMarker(const std_msgs::Header& header, const std::string& ns, MarkerId id, int type,
-                    const Eigen::Vector3d& center) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = ns;
-  marker.id = id;
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.frame_locked = true;
-  marker.pose.position = toPoint(center);
-  marker.pose.orientation.w = 1;
-  return marker;
-}
-
 void addFaces(Marker marker, const Eigen::Vector3d& radius, const std_msgs::ColorRGBA& color,
               MarkerArray& array) {
   marker.scale = toVector(2 * radius);
@@ -64,11 +39,7 @@ void addFaces(Marker marker, const Eigen::Vector3d& radius, const std_msgs::Colo
 
 void addEdges(Marker marker, const Eigen::Vector3d& radius, std_msgs::ColorRGBA color,
               MarkerArray& array) {
-  const auto corner = corners(Aabb(-radius, radius));
-  for (const auto& edge : edges()) {
-    marker.points.push_back(toPoint(corner[static_cast<std::size_t>(edge[0])]));
-    marker.points.push_back(toPoint(corner[static_cast<std::size_t>(edge[1])]));
-  }
+  appendEdges(corners(Aabb(-radius, radius)), marker);
   color.a = 1;
   marker.color = color;
   marker.scale.x = kEdgeWidth;
@@ -90,7 +61,9 @@ void addBox(const Aabb& box, const std::string& name, const std::string& ns,
   const Eigen::Vector3d radius = exact_radius.cwiseMax(kMinSize / 2);
   const std_msgs::ColorRGBA color = toColor(parameters.marker_color);
   const auto marker = [&, &box_center = center](MarkerId id, int type) {
-    return commonMarker(header, ns, id, type, box_center);
+    Marker result = newMarker(header, ns, id, type);
+    result.pose.position = toPoint(box_center);
+    return result;
   };
   if (parameters.marker_style != "edges") {
     addFaces(marker(kFaces, Marker::CUBE), radius, color, array);

@@ -32,11 +32,7 @@ bool areDrawable(const Distance& distance) {
 /// Red, over yellow, to green.
 std_msgs::ColorRGBA colorOf(double distance, double red, double limit) {
   const double share = limit > red ? std::clamp((distance - red) / (limit - red), 0.0, 1.0) : 0;
-  std_msgs::ColorRGBA color;
-  color.r = static_cast<float>(std::min(1.0, 2 - 2 * share));
-  color.g = static_cast<float>(std::min(1.0, 2 * share) * 0.8);
-  color.a = 1;
-  return color;
+  return toColor({std::min(1.0, 2 - 2 * share), std::min(1.0, 2 * share) * 0.8, 0, 1});
 }
 
 void addLine(const Distance& distance, const std_msgs::ColorRGBA& color, Marker& lines) {
@@ -47,15 +43,9 @@ void addLine(const Distance& distance, const std_msgs::ColorRGBA& color, Marker&
 }
 
 Marker marker(const std_msgs::Header& header, int id, int type) {
-  Marker result;
-  result.header = header;
-  result.ns = kNamespace;
-  result.id = id;
-  result.type = type;
+  Marker result = newMarker(header, kNamespace, id, type);
   result.action = Marker::DELETE;
-  result.pose.orientation.w = 1;
   result.color.a = 1;
-  result.frame_locked = true;
   return result;
 }
 

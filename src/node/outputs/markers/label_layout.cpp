@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "node/outputs/markers/drawable.h"
+
 namespace link_bounds {
 namespace {
 
@@ -42,12 +44,7 @@ void putOnTop(const std::vector<Label>& neighbours, Label& label) {
 }  // namespace
 
 std_msgs::ColorRGBA labelColor() {
-  std_msgs::ColorRGBA color;
-  color.r = 0.85F;
-  color.g = 0.2F;
-  color.b = 0.55F;
-  color.a = 1;
-  return color;
+  return toColor({0.85, 0.2, 0.55, 1});
 }
 
 /// The square root keeps small boxes readable beside large ones.

@@ -3,7 +3,6 @@
 // Two markers with ids that never change, so that nothing is left over in rviz.
 #include "node/outputs/markers/swept_markers.h"
 
-#include "link_bounds/ros/messages.h"
 #include "node/outputs/markers/drawable.h"
 
 namespace link_bounds {
@@ -14,31 +13,20 @@ using visualization_msgs::Marker;
 /// ObjectSource ignores markers whose namespaces begin with "link_bounds/".
 struct Look {
   const char* ns;
-  float red;
-  float green;
-  float blue;
+  double red, green, blue;
 };
 
-constexpr Look kSweptLook{"link_bounds/swept", 1, 0.5F, 0};
-constexpr Look kStoppingLook{"link_bounds/stopping", 1, 0, 0.6F};
+constexpr Look kSweptLook{"link_bounds/swept", 1, 0.5, 0};
+constexpr Look kStoppingLook{"link_bounds/stopping", 1, 0, 0.6};
 
 constexpr double kSweptLineWidth = 0.002;  ///< [m]
 /// The robot and its boxes stay visible inside.
-constexpr float kFaceAlpha = 0.15F;
-constexpr float kEdgeAlpha = 0.6F;
+constexpr double kFaceAlpha = 0.15;
+constexpr double kEdgeAlpha = 0.6;
 
-Marker marker(const std_msgs::Header& header, const Look& look, int id, int type, float alpha) {
-  Marker result;
-  result.header = header;
-  result.ns = look.ns;
-  result.id = id;
-  result.type = type;
-  result.pose.orientation.w = 1;
-  result.color.r = look.red;
-  result.color.g = look.green;
-  result.color.b = look.blue;
-  result.color.a = alpha;
-  result.frame_locked = true;
+Marker marker(const std_msgs::Header& header, const Look& look, int id, int type, double alpha) {
+  Marker result = newMarker(header, look.ns, id, type);
+  result.color = toColor({look.red, look.green, look.blue, alpha});
   return result;
 }
 
@@ -48,13 +36,6 @@ void addFaces(const std::array<Eigen::Vector3d, 8>& corner, Marker& triangles) {
       const int number = quad[static_cast<std::size_t>(k)];
       triangles.points.push_back(toPoint(corner[static_cast<std::size_t>(number)]));
     }
-  }
-}
-
-void addEdges(const std::array<Eigen::Vector3d, 8>& corner, Marker& lines) {
-  for (const auto& edge : edges()) {
-    for (const int number : edge)
-      lines.points.push_back(toPoint(corner[static_cast<std::size_t>(number)]));
   }
 }
 
@@ -68,7 +49,7 @@ visualization_msgs::MarkerArray motionMarkers(const AxisAlignedBoxArray& boxes, 
     if (!isDrawable(box)) continue;
     const std::array<Eigen::Vector3d, 8> corner = corners(box);
     addFaces(corner, faces);
-    addEdges(corner, lines);
+    appendEdges(corner, lines);
   }
   faces.action = lines.action = faces.points.empty() ? Marker::DELETE : Marker::ADD;
   visualization_msgs::MarkerArray array;
