@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "world/model/parameter_error.h"
+#include "world/model/parameters.h"
 
 namespace link_bounds {
 

@@ -1,28 +1,46 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the parameters of the node.
+// Finds the parameters of a node on the server.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "node/interface/parameter_reader.h"
 #include "node/interface/parameter_server.h"
-#include "world/model/parameter_error.h"
-#include "world/model/parameters.h"
 
 namespace link_bounds {
 
+/// In the private namespace of that node or the nearest one above it, as robot_state_publisher
+/// finds it; "" if it is not set. Throws ParameterError, NoMaster.
+inline std::string foundTfPrefix(const ParameterServer& server, const std::string& node) {
+  const auto name = server.search(node, "tf_prefix");
+  auto value = name ? server.get(*name) : std::nullopt;
+  std::string prefix;
+  if (value && !fromXml(*value, prefix).empty()) {
+    throw ParameterError(wrongValue(*name, *value, "must be a string"));
+  }
+  return prefix;
+}
+
+template <class Parameters>
 struct ReadParameters {
   Parameters parameters;
   std::vector<std::string> warnings;  ///< one per unknown private name
 };
 
-/// Reads the private parameters of this node; tf_prefix also from the namespaces above.
-/// Throws ParameterError, NoMaster.
-ReadParameters readParameters(const ParameterServer& server);
-
-/// In the private namespace of that node or the nearest one above it, as robot_state_publisher
-/// finds it; "" if it is not set. Throws the same.
-std::string foundTfPrefix(const ParameterServer& server, const std::string& node);
+/// The private parameters of the node of that full name. `visit` calls a visitor with each, as
+/// visitParameters() does. Throws the same.
+template <class Parameters, class Visit>
+ReadParameters<Parameters> readParameters(const ParameterServer& server, const std::string& node,
+                                          const Visit& visit) {
+  XmlRpc::XmlRpcValue values = server.get(node).value_or(XmlRpc::XmlRpcValue());
+  ReadParameters<Parameters> result;
+  ParameterReader reader(values);
+  visit(result.parameters, reader);
+  result.parameters.tf_prefix = foundTfPrefix(server, node);
+  result.warnings = reader.warnings();
+  return result;
+}
 
 }  // namespace link_bounds

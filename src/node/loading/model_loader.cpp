@@ -3,10 +3,12 @@
 #include "node/loading/model_loader.h"
 
 #include <ros/init.h>
+#include <ros/this_node.h>
 
 #include <filesystem>
 #include <sstream>
 
+#include "node/interface/parameter_table.h"
 #include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
 #include "node/threads/queued_function.h"
@@ -32,7 +34,9 @@ ModelLoader::Loading::Handlers ModelLoader::loadingHandlers() {
   Loading::Handlers handlers;
   handlers.read = [this](const ParameterServer& server) {
     robot_loader_.forgetFailures();
-    return readParameters(server);
+    return readParameters<Parameters>(
+        server, ros::this_node::getName(),
+        [](auto& parameters, auto& reader) { visitParameters(parameters, reader); });
   };
   handlers.load = [this](const auto&... all) { return load(all...); };
   handlers.load_nothing = [](const Parameters& parameters) {

@@ -67,7 +67,7 @@ class ModelLoader {
   bool hasFailed() const { return loading_.hasFailed(); }
 
  private:
-  using Loading = RobotLoading<Model, ReadParameters>;
+  using Loading = RobotLoading<Model, Parameters>;
 
   Loading::Handlers loadingHandlers();
   Loading::Loaded load(const std::string& urdf, const Parameters& parameters,

@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -18,24 +19,32 @@
 #include <vector>
 
 #include "link_bounds/robot/urdf/robot.h"
-#include "node/interface/parameter_server.h"
 #include "node/interface/parameter_text.h"
+#include "node/interface/read_parameters.h"
 #include "node/interface/topics.h"
 #include "node/loading/hand_over.h"
-#include "node/loading/reloaded_text.h"
 #include "node/loading/robot_description.h"
 #include "node/threads/worker.h"
 #include "world/log/log_text.h"
 
 namespace link_bounds {
 
+/// The answer of a ~reload that succeeded: one line, with the first of its warnings.
+inline std::string reloadedText(const std::vector<std::string>& warnings) {
+  constexpr std::size_t kMaxAnsweredWarnings = 4;
+  if (warnings.empty()) return "reloaded";
+  std::string text = "reloaded, with " + std::to_string(warnings.size()) + " warning" +
+                     (warnings.size() > 1 ? "s" : "");
+  for (std::size_t i = 0; i < std::min(warnings.size(), kMaxAnsweredWarnings); ++i)
+    text += (i == 0 ? ": " : "; ") + warnings[i];
+  return logText(text + (warnings.size() > kMaxAnsweredWarnings ? "; see the log for all" : ""));
+}
+
 /// Makes something immutable of a description and parameters. Until there is a robot, the thread
-/// polls for the description. `Made` has `problems` and `warnings`, `Read` has `parameters` and
-/// `warnings`; all of these are logged.
-template <class Made, class Read>
+/// polls for the description. `Made` has `problems` and `warnings`, which are logged.
+template <class Made, class Parameters>
 class RobotLoading {
  public:
-  using Parameters = decltype(Read::parameters);
   using MadePtr = std::shared_ptr<const Made>;
 
   struct Loaded {
@@ -45,7 +54,7 @@ class RobotLoading {
 
   struct Handlers {
     /// At the start and for each ~reload.
-    std::function<Read(const ParameterServer& server)> read;
+    std::function<ReadParameters<Parameters>(const ParameterServer& server)> read;
     std::function<Loaded(const std::string& urdf, const Parameters& parameters,
                          const std::function<bool()>& is_stopping)>
         load;
@@ -128,7 +137,7 @@ class RobotLoading {
 
   /// Returns the warnings.
   std::vector<std::string> readParameters() {
-    Read read = handlers_.read(server_);
+    ReadParameters<Parameters> read = handlers_.read(server_);
     warn(read.warnings);
     parameters_ = std::move(read.parameters);
     return std::move(read.warnings);

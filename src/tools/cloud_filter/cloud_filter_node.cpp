@@ -14,6 +14,7 @@
 #include "world/cloud/without_points.h"
 #include "world/log/guarded.h"
 #include "world/log/log_text.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {
@@ -33,10 +34,6 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
 ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueueInterface& queue) {
   node.setCallbackQueue(&queue);
   return node;
-}
-
-std::string withoutSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
 }
 
 }  // namespace
@@ -82,7 +79,9 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
       {}, no_delay);
   Loading::Handlers handlers;
   handlers.read = [name = private_node.getNamespace()](const ParameterServer& server) {
-    return readFilterParameters(server, name);
+    return readParameters<FilterParameters>(server, name, [](auto& parameters, auto& reader) {
+      visitFilterParameters(parameters, reader);
+    });
   };
   handlers.load = [](const auto&... all) {
     const auto robot = filteredRobot(all...);
@@ -280,7 +279,7 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPo
   std::vector<RobotPoint> removed;
   if (!waiting.span) waiting.span = timeSpan(points);
   if (waiting.span) {
-    const std::string frame = withoutSlash(waiting.header().frame_id);
+    const std::string frame = tfName("", waiting.header().frame_id);
     const auto sensor = tf_.find(frame);
     if (!sensor) return {false, true, "tf does not know its frame \"" + frame + "\""};
     const FilterParameters& parameters = robot_->parameters;
@@ -300,7 +299,7 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPo
 /// Before the points are removed.
 void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoints& points,
                                   const std::vector<RobotPoint>& removed) {
-  const auto sensor = tf_.find(withoutSlash(header.frame_id));
+  const auto sensor = tf_.find(tfName("", header.frame_id));
   if (!sensor) return;
   const NearestPoints found = nearestPoints({points, removed, grids_, links_, tf_, *sensor});
   if (!found.problem.empty()) {

@@ -48,7 +48,7 @@ class CloudFilterNode {
  private:
   using Cloud = Received<sensor_msgs::PointCloud2>;
   using Scan = Received<sensor_msgs::LaserScan>;
-  using Loading = RobotLoading<FilteredRobot, ReadFilterParameters>;
+  using Loading = RobotLoading<FilteredRobot, FilterParameters>;
 
   /// A cloud or a scan.
   struct Waiting {

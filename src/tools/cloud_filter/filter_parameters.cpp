@@ -2,21 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/cloud_filter/filter_parameters.h"
 
-#include "node/interface/parameter_reader.h"
-#include "node/interface/read_parameters.h"
 #include "node/interface/usage.h"
 
 namespace link_bounds {
-
-ReadFilterParameters readFilterParameters(const ParameterServer& server, const std::string& name) {
-  XmlRpc::XmlRpcValue values = server.get(name).value_or(XmlRpc::XmlRpcValue());
-  ReadFilterParameters result;
-  ParameterReader reader(values);
-  visitFilterParameters(result.parameters, reader);
-  result.parameters.tf_prefix = foundTfPrefix(server, name);
-  result.warnings = reader.warnings();
-  return result;
-}
 
 std::string filterUsage() {
   const FilterParameters defaults;

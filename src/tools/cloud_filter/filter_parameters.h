@@ -4,23 +4,18 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "node/interface/parameter_server.h"
 #include "node/interface/parameter_table.h"
 #include "node/interface/topics.h"
 
 namespace link_bounds {
 
 /// Meanings and units are in visitFilterParameters().
-struct FilterParameters {
-  std::string geometry = "visual";
-  std::vector<std::string> links;
-  std::vector<std::string> ignore_links;
-  double padding = 0.01;
-  std::map<std::string, double> link_padding;
+struct FilterParameters : LinkParameters {
+  FilterParameters() { padding = 0.01; }
+
   double max_wait = 0.2;
   double timeout = 1;
   std::string late = "drop";
@@ -28,7 +23,6 @@ struct FilterParameters {
   double min_distance = 0;
   bool shadow = false;
   int threads = 1;
-  std::string tf_prefix;
 };
 
 namespace rules {
@@ -104,14 +98,6 @@ constexpr TopicName kFilterReload{
     "warnings that it logs; on failure keeps the old robot and says why"};
 
 constexpr std::array<TopicName, 1> kFilterServices{{kFilterReload}};
-
-struct ReadFilterParameters {
-  FilterParameters parameters;
-  std::vector<std::string> warnings;  ///< one per unknown private name
-};
-
-/// Of the node of that full name. Throws ParameterError, NoMaster.
-ReadFilterParameters readFilterParameters(const ParameterServer& server, const std::string& name);
 
 /// For --help.
 std::string filterUsage();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <iomanip>
-#include <map>
 #include <sstream>
 
 #include "link_bounds/robot/robot_loader.h"
@@ -16,36 +15,6 @@
 
 namespace link_bounds {
 namespace {
-
-Selection selectionOf(const FilterParameters& parameters) {
-  Selection selection;
-  selection.visual = parameters.geometry != "collision";
-  selection.collision = parameters.geometry != "visual";
-  selection.links = parameters.links;
-  selection.ignore_links = parameters.ignore_links;
-  selection.padding = parameters.padding;
-  selection.link_padding = parameters.link_padding;
-  selection.triangles = true;
-  return selection;
-}
-
-std::vector<std::string> unknownLinks(const Robot& robot, const FilterParameters& parameters) {
-  std::map<std::string, std::string> named;
-  for (const std::string& link : parameters.links)
-    named.emplace(link, "links");
-  for (const std::string& link : parameters.ignore_links)
-    named.emplace(link, "ignore_links");
-  for (const auto& [link, padding] : parameters.link_padding)
-    named.emplace(link, "link_padding");
-  std::vector<std::string> warnings;
-  for (const auto& [name, parameter] : named) {
-    const auto is_it = [&link_name = name](const Link& link) { return link.name == link_name; };
-    if (std::any_of(robot.links.begin(), robot.links.end(), is_it)) continue;
-    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
-                       "\", which the robot description does not have; correct the name");
-  }
-  return warnings;
-}
 
 bool isSame(const Shape& a, const Shape& b) {
   return a.points == b.points && a.solid == b.solid && a.size == b.size &&
@@ -133,14 +102,16 @@ std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& descriptio
   MeshSource source;
   source.package_path = rosPackages();
   source.is_cancelled = is_cancelled;
+  Selection selection = selectionOf(parameters);
+  selection.triangles = true;
   RobotLoader loader;
-  const BoundedRobot bounded = loader.load(robot, selectionOf(parameters), source);
+  const BoundedRobot bounded = loader.load(robot, selection, source);
   FilteredRobot result;
   result.parameters = parameters;
   result.problems = bounded.problems;
   result.problems.insert(result.problems.end(), bounded.body_problems.begin(),
                          bounded.body_problems.end());
-  result.warnings = unknownLinks(robot, parameters);
+  result.warnings = unknownLinks(parameters, linkNames(robot));
   for (const Link& link : robot.links)
     result.all_frames.insert(tfName(parameters.tf_prefix, link.name));
   for (const BoundedLink& link : bounded.links) {

@@ -12,7 +12,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/threads/worker.h"

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "packages/package_path.h"
-#include "world/model/parameter_error.h"
 
 namespace link_bounds {
 namespace {
@@ -18,18 +17,6 @@ std::string withoutSlashes(const std::string& text) {
   const std::size_t begin = text.find_first_not_of('/');
   if (begin == std::string::npos) return "";
   return text.substr(begin, text.find_last_not_of('/') - begin + 1);
-}
-
-Selection selectionOf(const Parameters& parameters) {
-  Selection selection;
-  selection.visual = parameters.geometry != "collision";
-  selection.collision = parameters.geometry != "visual";
-  selection.links = parameters.links;
-  selection.ignore_links = parameters.ignore_links;
-  selection.padding = parameters.padding;
-  selection.link_padding = parameters.link_padding;
-  selection.parts_per_link = parameters.parts_per_link;
-  return selection;
 }
 
 SceneGroup allLinks(std::size_t count) {
@@ -160,40 +147,27 @@ std::vector<std::string> unknownJoints(const Parameters& parameters, const Robot
   return warnings;
 }
 
-/// One warning per unknown name. Names with a slash may be those of objects.
-std::vector<std::string> unknownNames(const Parameters& parameters,
-                                      const std::vector<NamePair>& ignored_pairs,
-                                      const std::set<std::string>& links) {
-  std::map<std::string, std::string> unknown;
-  const auto check = [&](const std::string& name, const std::string& parameter) {
-    if (!links.count(name)) unknown.emplace(name, parameter);
-  };
-  for (const std::string& name : parameters.links)
-    check(name, "links");
-  for (const std::string& name : parameters.ignore_links)
-    check(name, "ignore_links");
-  for (const auto& [name, padding] : parameters.link_padding)
-    check(name, "link_padding");
+/// Names with a slash may be those of objects.
+std::map<std::string, std::string> otherNames(const Parameters& parameters,
+                                              const std::vector<NamePair>& ignored_pairs,
+                                              const std::set<std::string>& links) {
+  std::map<std::string, std::string> result;
   for (const auto& [name, objects] : parameters.attached)
-    check(name, "attached");
+    result.emplace(name, "attached");
   for (const auto& [group, members] : parameters.groups) {
     for (const std::string& name : members) {
-      if (name.find('/') == std::string::npos) check(name, "groups/" + group);
+      if (name.find('/') == std::string::npos) result.emplace(name, "groups/" + group);
     }
   }
   for (const NamePair& pair : ignored_pairs) {
     for (const std::string& name : {pair.first, pair.second}) {
       const auto fits = [&name](const std::string& link) { return fitsPattern(link, name); };
       const bool is_object = name.find('/') != std::string::npos;
-      if (!is_object && std::none_of(links.begin(), links.end(), fits)) check(name, "ignore_pairs");
+      if (!is_object && std::none_of(links.begin(), links.end(), fits))
+        result.emplace(name, "ignore_pairs");
     }
   }
-  std::vector<std::string> warnings;
-  for (const auto& [name, parameter] : unknown) {
-    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
-                       "\", which the robot description does not have; correct the name");
-  }
-  return warnings;
+  return result;
 }
 
 }  // namespace
@@ -202,6 +176,44 @@ std::string tfName(const std::string& tf_prefix, const std::string& link) {
   if (!link.empty() && link.front() == '/') return link.substr(1);
   const std::string prefix = withoutSlashes(tf_prefix);
   return prefix.empty() ? link : prefix + "/" + link;
+}
+
+Selection selectionOf(const LinkParameters& parameters) {
+  Selection selection;
+  selection.visual = parameters.geometry != "collision";
+  selection.collision = parameters.geometry != "visual";
+  selection.links = parameters.links;
+  selection.ignore_links = parameters.ignore_links;
+  selection.padding = parameters.padding;
+  selection.link_padding = parameters.link_padding;
+  return selection;
+}
+
+std::vector<std::string> unknownLinks(const LinkParameters& parameters,
+                                      const std::set<std::string>& links,
+                                      const std::map<std::string, std::string>& others) {
+  std::map<std::string, std::string> named;
+  for (const std::string& link : parameters.links)
+    named.emplace(link, "links");
+  for (const std::string& link : parameters.ignore_links)
+    named.emplace(link, "ignore_links");
+  for (const auto& [link, padding] : parameters.link_padding)
+    named.emplace(link, "link_padding");
+  named.insert(others.begin(), others.end());
+  std::vector<std::string> warnings;
+  for (const auto& [name, parameter] : named) {
+    if (links.count(name) > 0) continue;
+    warnings.push_back("parameter ~" + parameter + " names link \"" + name +
+                       "\", which the robot description does not have; correct the name");
+  }
+  return warnings;
+}
+
+std::set<std::string> linkNames(const Robot& robot) {
+  std::set<std::string> names;
+  for (const Link& link : robot.links)
+    names.insert(link.name);
+  return names;
 }
 
 Model modelWithoutRobot(const Parameters& parameters) {
@@ -226,12 +238,11 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,
                 const MeshSource& source) {
   const Robot robot = parseRobot(description);
-  std::set<std::string> names;
-  for (const Link& link : robot.links)
-    names.insert(link.name);
+  const std::set<std::string> names = linkNames(robot);
   checkIgnoredPairs(parameters, names);
   const std::vector<NamePair> ignored_pairs = ignoredPairs(parameters, names);
-  const Selection selection = selectionOf(parameters);
+  Selection selection = selectionOf(parameters);
+  selection.parts_per_link = parameters.parts_per_link;
   BoundedRobot bounded = loader.load(robot, selection, source);
   Model model;
   model.parameters = parameters;
@@ -253,7 +264,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
     model.mesh_bytes.emplace(path, points->bytes());
   model.mesh_uris = std::move(bounded.mesh_uris);
   model.problems = std::move(bounded.problems);
-  model.warnings = unknownNames(parameters, ignored_pairs, names);
+  model.warnings = unknownLinks(parameters, names, otherNames(parameters, ignored_pairs, names));
   const std::vector<std::string> unknown_joints = unknownJoints(parameters, robot);
   model.warnings.insert(model.warnings.end(), unknown_joints.begin(), unknown_joints.end());
   model.warnings.insert(model.warnings.end(), bounded.part_problems.begin(),

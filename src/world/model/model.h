@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,17 @@ struct Model {
 /// The name of a link in tf. Slashes at the ends of the prefix and one at the start of the link's
 /// name are stripped; a link name that begins with a slash takes no prefix.
 std::string tfName(const std::string& tf_prefix, const std::string& link);
+
+/// All but parts and triangles.
+Selection selectionOf(const LinkParameters& parameters);
+
+/// One warning per name of a link that the robot does not have. `others`: further names, each with
+/// its parameter.
+std::vector<std::string> unknownLinks(const LinkParameters& parameters,
+                                      const std::set<std::string>& links,
+                                      const std::map<std::string, std::string>& others = {});
+
+std::set<std::string> linkNames(const Robot& robot);
 
 /// For objects alone, while there is no description. The parameters must name the fixed frame.
 Model modelWithoutRobot(const Parameters& parameters);

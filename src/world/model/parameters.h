@@ -5,25 +5,35 @@
 
 #include <array>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace link_bounds {
 
+/// A parameter cannot be used. The message names it and says what it must be.
+class ParameterError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 constexpr char kRobotGroup[] = "robot";  ///< the group of all links
 
-/// Meanings and units are in node/interface/parameter_table.h.
-struct Parameters {
-  std::string fixed_frame;
+/// Meanings and units are in node/interface/parameter_table.h, as of those below.
+struct LinkParameters {
   std::string geometry = "visual";
   std::vector<std::string> links;
   std::vector<std::string> ignore_links;
   double padding = 0.0;
   std::map<std::string, double> link_padding;
+  std::string tf_prefix;
+};
+
+struct Parameters : LinkParameters {
+  std::string fixed_frame;
   std::map<std::string, std::vector<std::string>> groups;
   double max_rate = 0.0;
   double timeout = 2.0;
-  std::string tf_prefix;
   double marker_rate = 30.0;
   std::string marker_style = "both";
   std::array<double, 4> marker_color{{0.1, 0.7, 1.0, 0.25}};

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "world/model/parameter_error.h"
 
 namespace link_bounds {
 namespace {
