@@ -11,6 +11,7 @@
 #include "node/services/request_limits.h"
 #include "world/history/past_boxes.h"
 #include "world/log/log_text.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {
@@ -22,11 +23,6 @@ constexpr std::chrono::hours kNoPause(1000);
 /// No further span is begun while the copies for those begun take so much. The largest copy, of 200
 /// edges at 1 kHz, takes 140 MB.
 constexpr std::size_t kMaxCopiedBytes = 32 << 20;
-
-/// tf's names have no slash at their beginning.
-std::string tfFrame(const std::string& name) {
-  return name.compare(0, 1, "/") == 0 ? name.substr(1) : name;
-}
 
 /// Reads the beginning of a request, without its names, which may be many.
 bool hasSpan(const ros::SerializedMessage& request) {
@@ -44,7 +40,7 @@ BoxRequest toRequest(GetBoxes::Request& message) {
   BoxRequest request;
   request.stamp = static_cast<std::int64_t>(message.stamp.toNSec());
   request.span = message.span.toNSec();
-  request.frame = tfFrame(message.frame);
+  request.frame = tfName("", message.frame);
   request.names = std::move(message.names);
   if (request.span < 0) {
     throw std::runtime_error("span is " + std::to_string(message.span.toSec()) +

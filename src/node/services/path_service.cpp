@@ -35,9 +35,9 @@ constexpr std::chrono::milliseconds kForgetEvery(500);
 
 /// What was proven until the next turn.
 struct PathService::Job {
-  Job(std::unique_ptr<PastScene> copy, CheckPath::Request& request, const PathBodyMaker& maker,
+  Job(std::unique_ptr<PastScene> copy, CheckPath::Request& request, const PathTrees& trees,
       const PathLimits& limits)
-      : scene(std::move(copy)), check(*scene, request, maker, limits) {}
+      : scene(std::move(copy)), check(*scene, request, trees, limits) {}
 
   std::string problem;  ///< of its trees; those of another job may come before this one ends
   std::unique_ptr<PastScene> scene;
@@ -124,7 +124,7 @@ std::shared_ptr<PathService::Job> PathService::begin(const Call& call, const Par
   std::string problem = trees_.problem();
   const PathLimits limits{kMaxPairs,
                           [&] { return paths_.isStopping() || Clock::now() >= deadline; }};
-  auto job = std::make_unique<Job>(std::move(scene), request, trees_.maker(), limits);
+  auto job = std::make_unique<Job>(std::move(scene), request, trees_, limits);
   job->problem = std::move(problem);
   ++begun_;
   return {job.release(), [this](Job* finished) {

@@ -10,8 +10,8 @@
 
 #include "link_bounds/CheckPath.h"
 #include "node/outputs/copies/scene_copier.h"
-#include "node/services/path_trees.h"
 #include "node/services/turn_service.h"
+#include "world/path/path_trees.h"
 
 namespace link_bounds {
 

@@ -24,11 +24,11 @@ std::uint8_t toMessage(PathVerdict verdict) {
 
 }  // namespace
 
-PathCheck::PathCheck(PastScene& scene, CheckPath::Request& request, const PathBodyMaker& maker,
+PathCheck::PathCheck(PastScene& scene, CheckPath::Request& request, const PathTrees& trees,
                      const PathLimits& limits)
     : scene_(pathScene(scene,
                        plannedJoints(withSimpleJoints(*scene.model->robot), request.trajectory),
-                       maker, limits)),
+                       trees, limits)),
       trajectory_(scene_.robot, std::move(request.trajectory)),
       ranges_(trajectory_.ranges()),
       prover_(scene_.robot, scene_.bodies, scene_.pairs, ranges_, {request.clearance}) {

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 
 #include "link_bounds/CheckPath.h"
 #include "world/path/path_scene.h"
@@ -16,7 +15,7 @@ namespace link_bounds {
 class PathCheck {
  public:
   /// What pathScene() and PlannedTrajectory throw.
-  PathCheck(PastScene& scene, CheckPath::Request& request, const PathBodyMaker& maker,
+  PathCheck(PastScene& scene, CheckPath::Request& request, const PathTrees& trees,
             const PathLimits& limits);
   PathCheck(const PathCheck&) = delete;
   PathCheck& operator=(const PathCheck&) = delete;

@@ -4,7 +4,6 @@
 #include "world/path/path_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -44,13 +43,13 @@ std::vector<bool> movedJoints(const Robot& robot, const std::set<std::string>& n
 
 class SceneMaker {
  public:
-  SceneMaker(PastScene& scene, const PathBodyMaker& maker)
+  SceneMaker(PastScene& scene, const PathTrees& trees)
       : scene_(scene),
         model_(*scene.model),
         original_(*model_.robot),
         tf_(scene.excerpt.buffer()),
         tracker_(tf_),
-        maker_(maker),
+        trees_(trees),
         rigid_in_urdf_(rigidBodies(original_)) {
     tracker_.setTarget(scene.target, model_.parameters.timeout, scene.now);
     for (std::size_t i = 0; i < scene.robot_frames.size(); ++i) {
@@ -101,7 +100,7 @@ class SceneMaker {
     const std::string& name = body.bounded->name;
     std::string problem = body.incomplete || !body.bounded->isWhole() ? body.reason : "";
     if (body.link) {
-      push({model_.robot_links[*body.link], maker_.link(*body.bounded), body.bounded->isWhole()},
+      push({model_.robot_links[*body.link], trees_.bodyOf(*body.bounded), body.bounded->isWhole()},
            {&name, body.link}, problem);
       return;
     }
@@ -143,7 +142,7 @@ class SceneMaker {
                          tf_.name(scene_.target));
       return result;
     }
-    result.body = maker_.object(*body.object);
+    result.body = trees_.bodyOf(*body.object);
     for (BodyShape& shape : result.body.shapes)
       shape.shape.link_from_shape = link_from_object * shape.shape.link_from_shape;
     return result;
@@ -211,7 +210,7 @@ class SceneMaker {
   const Robot& original_;
   TransformBuffer& tf_;
   FrameTracker tracker_;
-  const PathBodyMaker& maker_;
+  const PathTrees& trees_;
   std::map<Frame, std::size_t> links_;  ///< of the robot
   const RigidBodies rigid_in_urdf_;
   RigidBodies rigid_;                  ///< of the robot whose other joints are fixed
@@ -228,9 +227,9 @@ BoxRequest pathRequest() {
   return request;
 }
 
-PathScene pathScene(PastScene& scene, const std::set<std::string>& joints,
-                    const PathBodyMaker& maker, const PathLimits& limits) {
-  return SceneMaker(scene, maker).make(joints, limits);
+PathScene pathScene(PastScene& scene, const std::set<std::string>& joints, const PathTrees& trees,
+                    const PathLimits& limits) {
+  return SceneMaker(scene, trees).make(joints, limits);
 }
 
 }  // namespace link_bounds

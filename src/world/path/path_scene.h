@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "robot/posed/path_prover.h"
-#include "world/history/past_scene.h"
-#include "world/model/model.h"
+#include "world/path/path_trees.h"
 
 namespace link_bounds {
 
@@ -27,12 +26,6 @@ struct PathScene {
   std::string problem;                  ///< why the first of them is that
 };
 
-/// The body of a link, in its frame, or of an object, in its own. May be without triangles.
-struct PathBodyMaker {
-  std::function<Body(const BoundedLink&)> link;
-  std::function<Body(const ObjectContent&)> object;
-};
-
 struct PathLimits {
   std::size_t max_pairs;          ///< of bodies
   std::function<bool()> is_over;  ///< true: there is no more time
@@ -41,10 +34,10 @@ struct PathLimits {
 /// What a request needs of a scene: see BoxRequest::has_robot_frames.
 BoxRequest pathRequest();
 
-/// `scene` was copied for pathRequest(), of a model with a robot. `joints` are those of
-/// plannedJoints(). Throws std::runtime_error, with the remedy, where tf does not say where another
-/// joint is, and where a limit is exceeded.
-PathScene pathScene(PastScene& scene, const std::set<std::string>& joints,
-                    const PathBodyMaker& maker, const PathLimits& limits);
+/// `scene` was copied for pathRequest(), of a model with a robot, and `trees` prepared for it.
+/// `joints` are those of plannedJoints(). Throws std::runtime_error, with the remedy, where tf does
+/// not say where another joint is, and where a limit is exceeded.
+PathScene pathScene(PastScene& scene, const std::set<std::string>& joints, const PathTrees& trees,
+                    const PathLimits& limits);
 
 }  // namespace link_bounds

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "world/path/path_scene.h"
+#include "link_bounds/robot/robot_loader.h"
+#include "world/history/past_scene.h"
+#include "world/model/model.h"
 
 namespace link_bounds {
 
@@ -28,8 +30,9 @@ class PathTrees {
   /// not there counts as its convex hull.
   void prepare(const PastScene& scene, const IsOver& is_over);
 
-  /// Bodies of the last prepare(). This must live longer.
-  PathBodyMaker maker() const;
+  /// The body of a link, in its frame, or of an object, in its own, as of the last prepare().
+  Body bodyOf(const BoundedLink& link) const;
+  Body bodyOf(const ObjectContent& content) const;
 
   /// Why the first body that lacks its triangles does so; "" if none does.
   const std::string& problem() const { return problem_; }

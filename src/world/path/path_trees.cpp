@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Files are read a few at a time, so that what was read until the end of a request serves the next.
-#include "node/services/path_trees.h"
+#include "world/path/path_trees.h"
 
 #include <iterator>
 
@@ -99,19 +99,16 @@ std::shared_ptr<const TriangleTree> PathTrees::treeOf(
   return found->second.triangles;
 }
 
-PathBodyMaker PathTrees::maker() const {
-  PathBodyMaker maker;
-  maker.link = [this](const BoundedLink& link) {
-    Body body;
-    for (const Shape& shape : link.shapes)
-      body.shapes.push_back({shape, shape.points ? treeOf(shape.points) : nullptr});
-    return body;
-  };
-  maker.object = [this](const ObjectContent& content) {
-    const bool has_tree = hasTree(content) && content.bounded.shapes.front().points;
-    return objectBody(content, has_tree ? treeOf(content.bounded.shapes.front().points) : nullptr);
-  };
-  return maker;
+Body PathTrees::bodyOf(const BoundedLink& link) const {
+  Body body;
+  for (const Shape& shape : link.shapes)
+    body.shapes.push_back({shape, shape.points ? treeOf(shape.points) : nullptr});
+  return body;
+}
+
+Body PathTrees::bodyOf(const ObjectContent& content) const {
+  const bool has_tree = hasTree(content) && content.bounded.shapes.front().points;
+  return objectBody(content, has_tree ? treeOf(content.bounded.shapes.front().points) : nullptr);
 }
 
 }  // namespace link_bounds
