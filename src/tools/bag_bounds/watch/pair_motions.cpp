@@ -22,8 +22,8 @@ Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset)
   return offset ? pose * *offset : pose;
 }
 
-std::optional<BodyDistance> measure(const PosedBody& first, const Eigen::Affine3d& first_pose,
-                                    const PosedBody& second, const Eigen::Affine3d& second_pose,
+std::optional<BodyDistance> measure(const MovedBody& first, const Eigen::Affine3d& first_pose,
+                                    const MovedBody& second, const Eigen::Affine3d& second_pose,
                                     double limit) {
   return bodyDistance(*first.body, with(first_pose, first.offset), *second.body,
                       with(second_pose, second.offset), {kPairAccuracy / 10, limit, kMaxSteps});
@@ -38,7 +38,7 @@ class PairMotionSearch {
   };
   using Placed = BodyAtTime<Made>;
 
-  PairMotionSearch(const PosedBody& first, const PosedBody& second, double wanted)
+  PairMotionSearch(const MovedBody& first, const MovedBody& second, double wanted)
       : first_(first), second_(second), wanted_(wanted) {}
 
   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& first_from_second) {
@@ -78,8 +78,8 @@ class PairMotionSearch {
   std::int64_t stamp() const { return stamp_; }
 
  private:
-  const PosedBody& first_;
-  const PosedBody& second_;
+  const MovedBody& first_;
+  const MovedBody& second_;
   double wanted_;
   double clearance_ = kInfinite;
   double nearest_ = kInfinite;
@@ -94,7 +94,7 @@ void PairMotions::look(const MomentPtr& moment, MomentPairs& pairs, const LiveBo
                        const TransformBuffer& tf, const Handlers& handlers) {
   begin(moment, tf);
   double way = 0;
-  for (const Mover& mover : movers_)
+  for (const MovedBody& mover : movers_)
     way = std::max(way, mover.way);
   if (last_ && way > 0) {
     const double margin = moment->model->parameters.distance_limit + 2 * way;
@@ -119,7 +119,7 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
   const double timeout = moment->model->parameters.timeout;
   const auto fixed = tf.find(moment->model->fixed_frame);
   for (const Moment::Body& body : moment->bodies) {
-    Mover mover = moverOf(body, tf);
+    MovedBody mover = moverOf(body, tf);
     mover.end = !body.object || body.object->follows() ? body.stamp : 0;
     movers_.push_back(mover);
   }
@@ -134,7 +134,7 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
     const Moment::Body& body = moment->bodies[i];
     const auto found = before.find({body.link.value_or(0), body.object.get()});
     if (found == before.end()) continue;
-    Mover& mover = movers_[i];
+    MovedBody& mover = movers_[i];
     mover.begin = mover.end == 0 ? 0 : found->second->stamp;
     const std::int64_t passed = mover.end - mover.begin;
     mover.was_there =
@@ -144,15 +144,15 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
       earliest = mover.begin;
   }
   // Of a pair, the motion is looked at that begins where the one of the older stamps was.
-  for (Mover& mover : movers_) {
+  for (MovedBody& mover : movers_) {
     const std::int64_t begin = std::min(earliest, mover.begin);
     if (mover.was_there && begin != 0 && begin < mover.end)
       mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
   }
 }
 
-PairMotions::Mover PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& tf) const {
-  Mover mover;
+MovedBody PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& tf) const {
+  MovedBody mover;
   const Model& model = *moment_->model;
   if (body.link) {
     mover.frame = tf.find(model.frames[*body.link]).value_or(0);
@@ -172,8 +172,8 @@ PairMotions::Mover PairMotions::moverOf(const Moment::Body& body, const Transfor
 
 void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
                          const Handlers& handlers) {
-  const Mover& first = movers_[pair.first];
-  const Mover& second = movers_[pair.second];
+  MovedBody& first = movers_[pair.first];
+  MovedBody& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
   const MotionSpan span{olderStamp(first.begin, second.begin), olderStamp(first.end, second.end)};
   if (span.begin == 0 || span.begin >= span.end) return;
@@ -192,13 +192,12 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
     handlers.on_motion(motion);
     return;
   }
-  const PosedBody first_body{&bodies.body(pair.first), first.frame, first.offset, first.radius};
-  const PosedBody second_body{&bodies.body(pair.second), second.frame, second.offset,
-                              second.radius};
+  first.body = &bodies.body(pair.first);
+  second.body = &bodies.body(pair.second);
   const std::optional<Tf2Pose> pose = tf.pose(first.frame, second.frame, span.end);
   std::optional<BodyDistance> now;
   if (pose)
-    now = measure(first_body, Eigen::Affine3d::Identity(), second_body, MatrixPose(*pose).affine,
+    now = measure(first, Eigen::Affine3d::Identity(), second, MatrixPose(*pose).affine,
                   *wanted + std::max(10 * way, 0.1));
   lease = {span.end, now ? now->lower : -kInfinite};
   motion.clearance = std::max(lease.distance - way, (before + lease.distance - way) / 2);
@@ -206,12 +205,12 @@ void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const Tr
     handlers.on_motion(motion);
     return;
   }
-  walk(first_body, second_body, span, *wanted, tf, handlers, motion);
+  walk(first, second, span, *wanted, tf, handlers, motion);
   handlers.on_motion(motion);
 }
 
 /// The points of the nearest pose are wanted in the fixed frame.
-void PairMotions::walk(const PosedBody& first, const PosedBody& second, MotionSpan span,
+void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSpan span,
                        double wanted, const TransformBuffer& tf, const Handlers& handlers,
                        PairMotion& motion) const {
   const Parameters& parameters = moment_->model->parameters;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,11 +34,16 @@ struct PairMotion {
   std::string undecided;  ///< why it may have come below `wanted` nevertheless; "" if it did not
 };
 
-struct PosedBody {
-  const Body* body;
-  TransformBuffer::Frame frame;
-  const Eigen::Affine3d* offset;  ///< of the body in that frame; null: none
-  double radius;                  ///< about the origin of the frame [m]
+/// A body of a moment.
+struct MovedBody {
+  const Body* body = nullptr;  ///< null until it is measured
+  TransformBuffer::Frame frame = 0;
+  const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
+  double radius = 0;                        ///< about the origin of the frame [m]
+  std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
+  std::int64_t end = 0;
+  bool was_there = false;  ///< in the last moment, the same one
+  double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
 };
 
 /// Remembers of each pair how far apart it was proven to be. It cannot come within a limit before
@@ -64,17 +68,6 @@ class PairMotions {
  private:
   using Frame = TransformBuffer::Frame;
 
-  /// A body of this moment.
-  struct Mover {
-    Frame frame = 0;
-    const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
-    double radius = 0;                        ///< about the origin of the frame [m]
-    std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
-    std::int64_t end = 0;
-    bool was_there = false;  ///< in the last moment, the same one
-    double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
-  };
-
   struct Lease {
     std::int64_t stamp = 0;
     double distance = 0;  ///< proven then [m]
@@ -83,16 +76,16 @@ class PairMotions {
   using Names = std::pair<std::string, std::string>;
 
   void begin(const MomentPtr& moment, const TransformBuffer& tf);
-  Mover moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
+  MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
               const Handlers& handlers);
 
-  void walk(const PosedBody& first, const PosedBody& second, MotionSpan span, double wanted,
+  void walk(const MovedBody& first, const MovedBody& second, MotionSpan span, double wanted,
             const TransformBuffer& tf, const Handlers& handlers, PairMotion& motion) const;
 
   MomentPtr moment_;
   MomentPtr last_;
-  std::vector<Mover> movers_;
+  std::vector<MovedBody> movers_;
   std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                           ///< by target
