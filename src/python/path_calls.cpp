@@ -12,7 +12,6 @@
 #include "robot/threads/row_threads.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/pairs/srdf_check.h"
 #include "tools/urdf_bounds/request/objects.h"
 
 namespace py = pybind11;
@@ -129,12 +128,9 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
     const std::string file = pathOf(request.srdf);
     disabled = parseSrdf(readText(file, "a SRDF"), shared.robot(), file);
   }
-  const Exemptions exempt(disabled);
   const BoundedRobot objects = objectsOf(shared, request.objects);
-  const PathBodies bodies = pathBodies(shared.described(), shared.bounded(), objects,
-                                       [&](const std::string& first, const std::string& second) {
-                                         return exempt.reasonOf(first, second) != nullptr;
-                                       });
+  const PathBodies bodies =
+      pathBodies(shared.described(), shared.bounded(), objects, Exemptions(disabled));
   const auto proofs = interruptible([&](const StopFlag& stop) {
     PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),
                         request.jobs == 0 ? coreCount() : request.jobs};

@@ -63,6 +63,10 @@ std::vector<tinyxml2::XMLNode*> nodesOf(const SrdfLine& line, tinyxml2::XMLDocum
   return nodes;
 }
 
+std::pair<std::string, std::string> sorted(const std::string& first, const std::string& second) {
+  return first < second ? std::make_pair(first, second) : std::make_pair(second, first);
+}
+
 }  // namespace
 
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
@@ -102,6 +106,25 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
     }
   }
   return pairs;
+}
+
+Exemptions::Exemptions(const std::vector<DisabledPair>& pairs) {
+  for (const DisabledPair& pair : pairs) {
+    const auto [entry, is_new] = reasons_.try_emplace(sorted(pair.first, pair.second), pair.reason);
+    if (!is_new && pair.reason == kAlways) entry->second = kAlways;
+  }
+}
+
+const std::string* Exemptions::reasonOf(const std::string& first, const std::string& second) const {
+  const auto found = reasons_.find(sorted(first, second));
+  return found == reasons_.end() ? nullptr : &found->second;
+}
+
+std::vector<DisabledPair> Exemptions::pairs() const {
+  std::vector<DisabledPair> result;
+  for (const auto& [names, reason] : reasons_)
+    result.push_back({names.first, names.second, reason});
+  return result;
 }
 
 std::string toSrdf(const SrdfLine& line) {

@@ -3,9 +3,11 @@
 // The pairs that a SRDF exempts from collision checks, and a SRDF with other ones.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "link_bounds/robot/urdf/robot.h"
@@ -25,6 +27,9 @@ struct DisabledPair {
   std::string reason;  ///< as written; may be empty; kByDefault
 };
 
+/// The reason of links that always collide.
+constexpr char kAlways[] = "Always";
+
 /// The reason of the pairs of a link with <disable_default_collisions>: those with all other links,
 /// but for the pairs of <enable_collisions>.
 constexpr char kByDefault[] = "Default";
@@ -34,6 +39,21 @@ constexpr char kByDefault[] = "Default";
 /// the robot.
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
+
+/// By the names of links, in either order.
+class Exemptions {
+ public:
+  explicit Exemptions(const std::vector<DisabledPair>& pairs);
+
+  /// The reason of the exemption, "Always" rather than another one; null if there is none.
+  const std::string* reasonOf(const std::string& first, const std::string& second) const;
+
+  /// All, once each.
+  std::vector<DisabledPair> pairs() const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::string> reasons_;
+};
 
 /// What a SRDF says of a pair.
 struct SrdfLine {

@@ -38,7 +38,7 @@ std::vector<Limits> rangesOf(const std::vector<JointMotion>& motions) {
 }  // namespace
 
 PathBodies pathBodies(const Robot& robot, const BoundedRobot& bounded, const BoundedRobot& objects,
-                      const IsExempt& is_exempt) {
+                      const Exemptions& exempt) {
   PathBodies result;
   addBodies(bounded, bounded.indices, result);
   addBodies(objects, std::vector<std::size_t>(objects.links.size(), robot.root), result);
@@ -50,7 +50,8 @@ PathBodies pathBodies(const Robot& robot, const BoundedRobot& bounded, const Bou
       // A link that never moves is where it is.
       const bool is_pair = is_object ? !areJoined(rigid, bounded.indices[i], robot.root, 0)
                                      : !areJoined(rigid, bounded.indices[i], bounded.indices[j]);
-      if (is_pair && !is_exempt(result.names[i], result.names[j])) result.pairs.emplace_back(i, j);
+      if (is_pair && !exempt.reasonOf(result.names[i], result.names[j]))
+        result.pairs.emplace_back(i, j);
     }
   }
   return result;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "link_bounds/robot/robot_loader.h"
+#include "robot/pairs/srdf.h"
 #include "robot/posed/path_prover.h"
 
 namespace link_bounds {
@@ -21,13 +22,10 @@ struct PathBodies {
   std::vector<std::pair<std::string, std::string>> incomplete;  ///< names and reasons
 };
 
-/// Whether two bodies of these names are no pair.
-using IsExempt = std::function<bool(const std::string& first, const std::string& second)>;
-
 /// Both have bodies; objects rest in the frame of the root link. Pairs are links that are not
-/// joined, and each object with each link that a joint can move.
+/// joined, and each object with each link that a joint can move, but for those that are exempt.
 PathBodies pathBodies(const Robot& robot, const BoundedRobot& bounded, const BoundedRobot& objects,
-                      const IsExempt& is_exempt);
+                      const Exemptions& exempt);
 
 struct PathControl {
   std::function<bool()> is_over;  ///< true: the rest is undecided; called from several threads

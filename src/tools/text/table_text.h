@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/distance/body_distance.h"
+#include "text/joined.h"
 #include "tools/text/safe_text.h"
 
 namespace link_bounds {
@@ -72,6 +73,23 @@ void addIncompleteGroup(Reasons& incomplete);
 
 /// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);
+
+/// A JSON object on one line. `pose` has pairs of a joint and its value.
+template <class Pose>
+std::string jsonPose(const Pose& pose) {
+  const auto to_json = [](const auto& joint) {
+    return jsonString(joint.first) + ": " + exactNumber(joint.second);
+  };
+  return "{" + joined(pose, ", ", to_json) + "}";
+}
+
+/// Of such a pose, as urdf_bounds takes them.
+template <class Pose>
+std::string argumentsOf(const Pose& pose) {
+  return joined(pose, " ", [](const auto& joint) {
+    return joint.first + ":=" + shortestNumber(joint.second);
+  });
+}
 
 /// BOX, HULL or MESH.
 const char* toText(DistanceLevel level);

@@ -26,13 +26,6 @@ std::string namesOf(const PairProof& proof, const std::vector<std::string>& link
   return printable(links[proof.first]) + " and " + printable(links[proof.second]);
 }
 
-std::string argumentsOf(const PairProof& proof) {
-  std::string result;
-  for (const auto& [joint, value] : proof.pose)
-    result += (result.empty() ? "" : " ") + joint + ":=" + shortestNumber(value);
-  return result;
-}
-
 std::string inAllPoses(const PairProof& proof) {
   return "all " + std::to_string(proof.poses) + " poses that were tried";
 }

@@ -21,9 +21,6 @@ const char* reasonFor(Verdict verdict);
 /// "a and b", printable.
 std::string namesOf(const PairProof& proof, const std::vector<std::string>& links);
 
-/// The pose, as arguments of urdf_bounds.
-std::string argumentsOf(const PairProof& proof);
-
 /// "all 300 poses that were tried".
 std::string inAllPoses(const PairProof& proof);
 

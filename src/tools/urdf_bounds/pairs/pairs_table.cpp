@@ -3,7 +3,6 @@
 // Rows are made one by one: a robot of a thousand links has half a million pairs.
 #include "tools/urdf_bounds/pairs/pairs_table.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,15 +20,12 @@ bool isUnknown(const PairProof& proof) {
 }
 
 std::string toJson(const PairProof& proof, const std::vector<std::string>& links) {
-  std::string joints;
-  for (const auto& [joint, value] : proof.pose)
-    joints += (joints.empty() ? "" : ", ") + jsonString(joint) + ": " + exactNumber(value);
   const bool is_sampled = proof.verdict == Verdict::kContactSampled;
   return "{\"first\": " + jsonString(links[proof.first]) +
          ", \"second\": " + jsonString(links[proof.second]) + ", \"verdict\": \"" +
          toText(proof.verdict) + "\", \"clearance\": " + exactNumber(proof.clearance) +
          ", \"nearest\": " + (isUnknown(proof) ? "null" : exactNumber(proof.nearest)) +
-         ", \"pose\": {" + joints + "}" +
+         ", \"pose\": " + jsonPose(proof.pose) +
          (is_sampled ? ", \"poses\": " + std::to_string(proof.poses) : "") +
          (proof.reason.empty() ? "" : ", \"reason\": " + jsonString(proof.reason)) + "}";
 }
@@ -37,12 +33,10 @@ std::string toJson(const PairProof& proof, const std::vector<std::string>& links
 /// A JSON array of pairs of names.
 std::string toJson(const std::vector<const PairProof*>& proofs,
                    const std::vector<std::string>& links) {
-  std::string result;
-  for (const PairProof* proof : proofs) {
-    result += (result.empty() ? "[" : ", [") + jsonString(links[proof->first]) + ", " +
-              jsonString(links[proof->second]) + "]";
-  }
-  return "[" + result + "]";
+  const auto names = [&](const PairProof* proof) {
+    return "[" + jsonString(links[proof->first]) + ", " + jsonString(links[proof->second]) + "]";
+  };
+  return "[" + joined(proofs, ", ", names) + "]";
 }
 
 Row cellsOf(const PairProof& proof, const std::vector<std::string>& links) {
@@ -94,7 +88,7 @@ void writeTable(const PairsTable& table, std::ostream& out) {
   out << alignment.line(head) << "  pose\n";
   for (const PairProof& proof : table.rows) {
     out << alignment.line(cellsOf(proof, table.links));
-    if (!proof.pose.empty()) out << "  " << printable(argumentsOf(proof));
+    if (!proof.pose.empty()) out << "  " << printable(argumentsOf(proof.pose));
     out << '\n';
   }
   writeSummary(table, out);
@@ -108,7 +102,7 @@ void writeCsv(const PairsTable& table, std::ostream& out) {
     out << csvField(table.links[proof.first]) << ',' << csvField(table.links[proof.second]) << ','
         << toText(proof.verdict) << ',' << exactNumber(proof.clearance) << ','
         << (isUnknown(proof) ? "" : exactNumber(proof.nearest)) << ','
-        << csvField(argumentsOf(proof)) << ',';
+        << csvField(argumentsOf(proof.pose)) << ',';
     if (proof.verdict == Verdict::kContactSampled) out << proof.poses;
     out << '\n';
   }

@@ -11,12 +11,6 @@
 namespace link_bounds {
 namespace {
 
-constexpr char kAlways[] = "Always";
-
-std::pair<std::string, std::string> sorted(const std::string& first, const std::string& second) {
-  return first < second ? std::make_pair(first, second) : std::make_pair(second, first);
-}
-
 std::string metres(double value) {
   return shortRow("", {value})[1] + " m";
 }
@@ -24,7 +18,7 @@ std::string metres(double value) {
 std::string whatIsKnown(const PairProof& proof) {
   if (!std::isfinite(proof.nearest)) return "no pose was tried";
   return "they are never nearer than " + metres(proof.clearance) + ", and " +
-         metres(proof.nearest) + " apart at " + printable(argumentsOf(proof));
+         metres(proof.nearest) + " apart at " + printable(argumentsOf(proof.pose));
 }
 
 /// Where all poses collide, another reason would be right.
@@ -34,25 +28,6 @@ std::string remedyFor(const PairProof& proof) {
 }
 
 }  // namespace
-
-Exemptions::Exemptions(const std::vector<DisabledPair>& pairs) {
-  for (const DisabledPair& pair : pairs) {
-    const auto [entry, is_new] = reasons_.try_emplace(sorted(pair.first, pair.second), pair.reason);
-    if (!is_new && pair.reason == kAlways) entry->second = kAlways;
-  }
-}
-
-const std::string* Exemptions::reasonOf(const std::string& first, const std::string& second) const {
-  const auto found = reasons_.find(sorted(first, second));
-  return found == reasons_.end() ? nullptr : &found->second;
-}
-
-std::vector<DisabledPair> Exemptions::pairs() const {
-  std::vector<DisabledPair> result;
-  for (const auto& [names, reason] : reasons_)
-    result.push_back({names.first, names.second, reason});
-  return result;
-}
 
 Exemption judged(const PairProof& proof, const std::string& reason) {
   const bool is_always = reason == kAlways;
@@ -82,7 +57,7 @@ void writeCheck(const SrdfCheck& check, const std::vector<std::string>& links, b
   const std::string file = "the SRDF \"" + printable(check.file) + "\"";
   for (const PairProof* proof : check.wrong) {
     out << file << " disables " << namesOf(*proof, links) << ", which collide at "
-        << printable(argumentsOf(*proof)) << remedyFor(*proof)
+        << printable(argumentsOf(proof->pose)) << remedyFor(*proof)
         << (is_merged ? "; no longer disabled" : "") << '\n';
   }
   for (const PairProof* proof : check.undecided) {

@@ -3,31 +3,14 @@
 // What a SRDF exempts, beside what is proven.
 #pragma once
 
-#include <map>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "robot/pairs/pair_proofs.h"
 #include "robot/pairs/srdf.h"
 
 namespace link_bounds {
-
-/// By the names of links, in either order.
-class Exemptions {
- public:
-  explicit Exemptions(const std::vector<DisabledPair>& pairs);
-
-  /// The reason of the exemption, "Always" rather than another one; null if there is none.
-  const std::string* reasonOf(const std::string& first, const std::string& second) const;
-
-  /// All, once each.
-  std::vector<DisabledPair> pairs() const;
-
- private:
-  std::map<std::pair<std::string, std::string>, std::string> reasons_;
-};
 
 enum class Exemption { kRight, kWrong, kUndecided };
 

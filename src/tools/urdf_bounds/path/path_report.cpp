@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "robot/pairs/srdf.h"
 #include "robot/posed/robot_path.h"
 #include "robot/threads/row_threads.h"
 #include "robot/urdf/simple_joints.h"
@@ -15,7 +14,6 @@
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/text/safe_text.h"
-#include "tools/urdf_bounds/pairs/srdf_check.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
 #include "tools/urdf_bounds/path/path_table.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
@@ -75,11 +73,7 @@ PathBodies bodiesOf(const UrdfBoundsOptions& options, const Robot& robot,
   }
   std::vector<DisabledPair> disabled;
   if (options.srdf) disabled = parseSrdf(readText(*options.srdf, "a SRDF"), robot, *options.srdf);
-  const Exemptions exempt(disabled);
-  return pathBodies(robot, bounded, objects.bounded,
-                    [&](const std::string& first, const std::string& second) {
-                      return exempt.reasonOf(first, second) != nullptr;
-                    });
+  return pathBodies(robot, bounded, objects.bounded, Exemptions(disabled));
 }
 
 /// The values of the joints that can be set.

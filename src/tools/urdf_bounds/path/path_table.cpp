@@ -17,14 +17,6 @@ bool isUnknown(const SegmentProof& proof) {
   return !std::isfinite(proof.nearest);
 }
 
-/// As arguments of urdf_bounds.
-std::string argumentsOf(const PathSegment& segment) {
-  std::string text;
-  for (const auto& [joint, value] : segment.pose)
-    text += (text.empty() ? "" : " ") + joint + ":=" + shortestNumber(value);
-  return text;
-}
-
 Row cellsOf(const PathSegment& segment) {
   const SegmentProof& proof = segment.proof;
   Row row = shortRow(toText(proof.verdict), {proof.clearance, proof.nearest, proof.share});
@@ -60,7 +52,7 @@ void writeTable(const PathTable& table, std::ostream& out) {
   for (const PathSegment& segment : table.segments) {
     if (segment.proof.verdict != PathVerdict::kCollides) continue;
     out << "from row " << segment.from << " to row " << segment.to << ", "
-        << namesOf(table, segment.proof) << " collide at " << printable(argumentsOf(segment))
+        << namesOf(table, segment.proof) << " collide at " << printable(argumentsOf(segment.pose))
         << '\n';
   }
   writeIncomplete(table.incomplete, out);
@@ -78,7 +70,7 @@ void writeCsv(const PathTable& table, std::ostream& out) {
     }
     out << exactNumber(proof.nearest) << ',' << csvField(table.bodies[proof.first]) << ','
         << csvField(table.bodies[proof.second]) << ',' << exactNumber(proof.share) << ','
-        << csvField(argumentsOf(segment)) << '\n';
+        << csvField(argumentsOf(segment.pose)) << '\n';
   }
 }
 
@@ -88,13 +80,10 @@ std::string toJson(const PathTable& table, const PathSegment& segment) {
                      ", \"to\": " + std::to_string(segment.to) + ", \"verdict\": \"" +
                      toText(proof.verdict) + "\", \"clearance\": " + exactNumber(proof.clearance);
   if (isUnknown(proof)) return text + ", \"nearest\": null, \"at\": null, \"pose\": {}}";
-  std::string pose;
-  for (const auto& [joint, value] : segment.pose)
-    pose += (pose.empty() ? "" : ", ") + jsonString(joint) + ": " + exactNumber(value);
   return text + ", \"nearest\": " + exactNumber(proof.nearest) +
          ", \"first\": " + jsonString(table.bodies[proof.first]) +
          ", \"second\": " + jsonString(table.bodies[proof.second]) +
-         ", \"at\": " + exactNumber(proof.share) + ", \"pose\": {" + pose + "}}";
+         ", \"at\": " + exactNumber(proof.share) + ", \"pose\": " + jsonPose(segment.pose) + "}";
 }
 
 void writeJson(const PathTable& table, std::ostream& out) {

@@ -56,23 +56,13 @@ void writeCsv(const ReachTable& table, std::ostream& out) {
   writeCsvIncomplete(table.incomplete, 2 * kFaces, out);
 }
 
-std::string toJson(const std::map<std::string, double>& pose) {
-  std::string result;
-  for (const auto& [joint, value] : pose)
-    result += (result.empty() ? "" : ", ") + jsonString(joint) + ": " + exactNumber(value);
-  return "{" + result + "}";
-}
-
 std::string toJson(const Reach& reach) {
   const Aabb box = reach.box();
-  std::string gaps;
-  std::string poses;
-  for (const ReachFace& face : reach.faces) {
-    gaps += (gaps.empty() ? "" : ", ") + exactNumber(face.gap());
-    poses += (poses.empty() ? "" : ",\n    ") + toJson(face.pose);
-  }
+  const auto gap = [](const ReachFace& face) { return exactNumber(face.gap()); };
+  const auto pose = [](const ReachFace& face) { return jsonPose(face.pose); };
   return "{\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max()) +
-         ",\n   \"gap\": [" + gaps + "],\n   \"attained\": [" + poses + "]}";
+         ",\n   \"gap\": [" + joined(reach.faces, ", ", gap) + "],\n   \"attained\": [" +
+         joined(reach.faces, ",\n    ", pose) + "]}";
 }
 
 void writeJson(const ReachTable& table, std::ostream& out) {
@@ -94,14 +84,11 @@ std::string pointOf(const Eigen::Vector3d& point) {
 void writeMarker(const ReachTable& table, const std::string& name, const Reach& reach,
                  std::size_t id, const std::string& look, std::ostream& out) {
   const std::array<Eigen::Vector3d, 8> points = corners(reach.box());
-  std::string text;
-  for (const std::array<int, 2>& edge : edges()) {
-    for (const int end : edge)
-      text += (text.empty() ? "" : ", ") + pointOf(points[static_cast<std::size_t>(end)]);
-  }
+  const auto end = [&](int number) { return pointOf(points[static_cast<std::size_t>(number)]); };
+  const auto line = [&](const auto& edge) { return joined(edge, ", ", end); };
   out << "- {header: {frame_id: " << jsonString(table.frame) << "}, ns: " << jsonString(name)
       << ", id: " << id << ", type: 5, pose: {orientation: {w: 1}}, scale: " << look
-      << ",\n   points: [" << text << "]}\n";
+      << ",\n   points: [" << joined(edges(), ", ", line) << "]}\n";
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists in one line of text.
+#pragma once
+
+#include <string>
+
+namespace link_bounds {
+
+/// What `to_text` makes of the elements, with the separator between them.
+template <class Elements, class ToText>
+std::string joined(const Elements& elements, const std::string& separator, const ToText& to_text) {
+  std::string result;
+  for (const auto& element : elements)
+    result += (result.empty() ? "" : separator) + to_text(element);
+  return result;
+}
+
+template <class Texts>
+std::string joined(const Texts& texts, const std::string& separator) {
+  return joined(texts, separator, [](const std::string& text) { return text; });
+}
+
+}  // namespace link_bounds
