@@ -6,6 +6,7 @@
 #include "packages/package_path.h"
 #include "python/text.h"
 #include "robot/urdf/simple_joints.h"
+#include "text/joined.h"
 
 namespace link_bounds {
 namespace {
@@ -40,11 +41,7 @@ Selection selectionOf(const RobotRequest& request) {
 }
 
 void refuseLosses(const std::vector<std::string>& problems) {
-  if (problems.empty()) return;
-  std::string text;
-  for (const std::string& problem : problems)
-    text += (text.empty() ? "" : "\n") + problem;
-  throw UnusableRobot(text);
+  if (!problems.empty()) throw UnusableRobot(joined(problems, "\n"));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "node/inputs/tf_receiver.h"
 #include "node/interface/topics.h"
 #include "node/upkeep/status.h"
+#include "text/joined.h"
 #include "world/log/log_text.h"
 
 namespace link_bounds {
@@ -110,13 +111,6 @@ void addLatePublishers(const LatePublishers::Texts& publishers, DiagnosticStatus
   }
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts)
-    result += (result.empty() ? "" : "; ") + text;
-  return result.empty() ? "none" : result;
-}
-
 /// `seconds` since the last status.
 void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus& status) {
   const auto count = static_cast<double>(health.times.count);
@@ -131,7 +125,7 @@ void addDistances(const DistanceHealth& health, double seconds, DiagnosticStatus
   add(status, "distance pairs decided by boxes", std::to_string(health.levels[Distance::BOX]));
   add(status, "distance pairs decided by hulls", std::to_string(health.levels[Distance::HULL]));
   add(status, "distance pairs decided by meshes", std::to_string(health.levels[Distance::MESH]));
-  add(status, "without triangles", joined(health.errors));
+  add(status, "without triangles", health.errors.empty() ? "none" : joined(health.errors, "; "));
   add(status, "distances per second", std::to_string(count / seconds));
   add(status, "time per distances, mean of the last second [ms]",
       text(count > 0, health.times.sum_ms / count));

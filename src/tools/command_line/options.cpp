@@ -53,6 +53,11 @@ unsigned jobsOption(const std::string& option_name, const std::string& text) {
                    std::to_string(kMaxJobs) + ", such as 2");
 }
 
+std::string geometryOption(const std::string& option_name, const std::string& text) {
+  return chosen<std::string>(option_name, text,
+                             {{"visual", "visual"}, {"collision", "collision"}, {"both", "both"}});
+}
+
 Option flag(const char* name, bool& target) {
   return {name, [&target](const auto&, const auto&) { target = true; }, false};
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "text/joined.h"
+
 namespace link_bounds {
 
 /// The command line cannot be used; what() is the reason, in words for the user.
@@ -34,11 +36,12 @@ Value chosen(const std::string& option_name, const std::string& name,
              const std::map<std::string, Value>& choices) {
   const auto found = choices.find(name);
   if (found != choices.end()) return found->second;
-  std::string names;
-  for (const auto& choice : choices)
-    names += (names.empty() ? "" : ", ") + choice.first;
-  throw UsageError(option_name + " is \"" + name + "\", but must be one of: " + names);
+  throw UsageError(option_name + " is \"" + name + "\", but must be one of: " +
+                   joined(choices, ", ", [](const auto& choice) { return choice.first; }));
 }
+
+/// visual, collision or both. Throws UsageError.
+std::string geometryOption(const std::string& option_name, const std::string& text);
 
 struct Option {
   /// Gets the name with its dashes, and the value.

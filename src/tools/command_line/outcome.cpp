@@ -3,6 +3,7 @@
 // Whoever sees 4 also sees why.
 #include "tools/command_line/outcome.h"
 
+#include "text/joined.h"
 #include "tools/command_line/terminal.h"
 
 namespace link_bounds {
@@ -12,10 +13,7 @@ constexpr int kLostGeometry = 2;
 constexpr int kFinding = 3;
 
 void warnOfOpen(const std::vector<std::string>& open) {
-  std::string text;
-  for (const std::string& what : open)
-    text += (text.empty() ? "" : "; ") + what;
-  warn("not everything was answered: " + text + "; --allow-incomplete accepts that");
+  warn("not everything was answered: " + joined(open, "; ") + "; --allow-incomplete accepts that");
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ namespace {
 
 BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
-  selection.visual = options.visual;
-  selection.collision = options.collision;
+  selection.visual = options.geometry != "collision";
+  selection.collision = options.geometry != "visual";
   selection.triangles =
       options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};

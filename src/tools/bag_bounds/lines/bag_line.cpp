@@ -23,13 +23,6 @@ std::string start(const BagIdentity& bag, const std::string& question, const std
          ", \"exit\": " + std::to_string(exit_code);
 }
 
-std::string jsonStrings(const std::vector<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts)
-    result += (result.empty() ? "" : ", ") + jsonString(text);
-  return "[" + result + "]";
-}
-
 BagLine lineWithout(const BagIdentity& bag, const std::string& question, const char* verdict,
                     const std::string& reason) {
   return {start(bag, question, verdict, kUnusable) + ", \"reason\": " + jsonString(reason) + "}\n",
@@ -57,7 +50,7 @@ BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun
   if (outcome.is_unusable) return unusableLine(bag, question, run.whyUseless(report));
   const int code = exitCode(outcome, demand);
   return {start(bag, question, verdictOf(code), code) + ", " + summaryJson(report) +
-              ", \"open\": " + jsonStrings(outcome.open) + "}\n",
+              ", \"open\": [" + joined(outcome.open, ", ", jsonString) + "]}\n",
           code};
 }
 

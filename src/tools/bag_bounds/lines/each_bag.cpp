@@ -309,19 +309,19 @@ void EachBag::endAll() {
 
 int EachBag::finish() const {
   int worst = 0;
-  std::string counts;
-  for (const auto& [code, count] : exit_codes_) {
+  for (const auto& [code, count] : exit_codes_)
     worst = worseCode(worst, code);
-    counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + verdictOf(code);
-  }
   if (isInterrupted()) {
     say("interrupted: " + std::to_string(done_) + " of " +
         std::to_string(waiting_.size() + readings_.size() + done_) +
         " bags are done, and have their lines; --resume goes on");
     if (!options_.demand.allow_incomplete) worst = worseCode(worst, kOpen);
   }
+  const auto count = [](const auto& entry) {
+    return std::to_string(entry.second) + " " + verdictOf(entry.first);
+  };
   if (worst != 0)
-    say(counts + "; the lines say why" +
+    say(joined(exit_codes_, ", ", count) + "; the lines say why" +
         (worst == kOpen ? "; --allow-incomplete accepts what is incomplete" : ""));
   return worst;
 }

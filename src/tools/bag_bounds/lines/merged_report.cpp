@@ -129,16 +129,17 @@ class MergedReport {
 
   /// Lines are repeated as they are.
   void writeJson(std::ostream& out) const {
-    std::string verdicts, zones;
-    for (const auto& [verdict, count] : verdicts_)
-      verdicts +=
-          (verdicts.empty() ? "" : ", ") + jsonString(verdict) + ": " + std::to_string(count);
-    for (const ZoneSum& zone : zones_)
-      zones += std::string(zones.empty() ? "" : ", ") + "{\"name\": " + jsonString(zone.name) +
-               ", \"entries\": " + std::to_string(zone.entries) +
-               ", \"bags\": " + std::to_string(zone.bags) + "}";
-    out << "{\"count\": " << lines_.size() << ",\n \"verdicts\": {" << verdicts
-        << "},\n \"worst\": " << worstJson() << ",\n \"zones\": [" << zones << "],\n \"bags\": "
+    const auto verdict = [](const auto& entry) {
+      return jsonString(entry.first) + ": " + std::to_string(entry.second);
+    };
+    const auto zone = [](const ZoneSum& sum) {
+      return "{\"name\": " + jsonString(sum.name) +
+             ", \"entries\": " + std::to_string(sum.entries) +
+             ", \"bags\": " + std::to_string(sum.bags) + "}";
+    };
+    out << "{\"count\": " << lines_.size() << ",\n \"verdicts\": {"
+        << joined(verdicts_, ", ", verdict) << "},\n \"worst\": " << worstJson()
+        << ",\n \"zones\": [" << joined(zones_, ", ", zone) << "],\n \"bags\": "
         << jsonList(lines_, [](const auto& entry) { return entry.second.text; }) << "}\n";
   }
 

@@ -113,11 +113,6 @@ double paddingOption(const std::string& option_name, const std::string& text) {
   return padding;
 }
 
-std::string geometryOption(const std::string& option_name, const std::string& text) {
-  return chosen<std::string>(option_name, text,
-                             {{"visual", "visual"}, {"collision", "collision"}, {"both", "both"}});
-}
-
 std::vector<Option> optionsInto(BagBoundsOptions& options) {
   const auto metres = [](const auto& name, const auto& text) { return limitOption(name, text); };
   const auto add_objects = [&](const auto& name, const auto& text) {

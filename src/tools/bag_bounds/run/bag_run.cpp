@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "link_bounds/robot/urdf/robot.h"
-#include "node/interface/topics.h"
 #include "robot/threads/row_threads.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/interrupt.h"
@@ -260,9 +258,7 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
     if (!boxes[i].has_box && joints_) {
-      std::string names;
-      for (const std::string& name : joints_->missing())
-        names += (names.empty() ? "" : ", ") + name;
+      const std::string names = joined(joints_->missing(), ", ");
       if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;
     } else if (!boxes[i].has_box) {
       boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +

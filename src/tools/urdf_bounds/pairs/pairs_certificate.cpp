@@ -32,15 +32,13 @@ class ProofCertificate {
         jointPath(robot_, ranges_, bounded_.indices[proof.first], bounded_.indices[proof.second]),
         bodies_[proof.first], bodies_[proof.second], claim);
     std::ostringstream tree;
-    std::string variables;
-    for (const std::size_t joint : pair.path().variables) {
-      variables += (variables.empty() ? "" : ", ") + jsonString(robot_.joints[joint].name);
-    }
+    const auto name = [&](std::size_t joint) { return jsonString(robot_.joints[joint].name); };
     if (!pair.writeTree(is_over, tree)) return false;
     out << "{\"first\": " << jsonString(bounded_.links[proof.first].name)
         << ", \"second\": " << jsonString(bounded_.links[proof.second].name) << ", \"verdict\": \""
         << toText(proof.verdict) << "\", \"distance\": " << exactNumber(claim.distance)
-        << ", \"variables\": [" << variables << "], \"tree\": " << tree.str() << "}\n";
+        << ", \"variables\": [" << joined(pair.path().variables, ", ", name)
+        << "], \"tree\": " << tree.str() << "}\n";
     return true;
   }
 
@@ -66,17 +64,6 @@ bool isProven(Verdict verdict) {
   return verdict == Verdict::kNever || verdict == Verdict::kAlways || verdict == Verdict::kTouching;
 }
 
-void writeEnd(std::size_t pairs, const std::map<Verdict, std::size_t>& left_out,
-              std::ostream& out) {
-  out << "{\"pairs\": " << pairs << ", \"not_covered\": {";
-  const char* separator = "";
-  for (const auto& [verdict, count] : left_out) {
-    out << separator << '"' << toText(verdict) << "\": " << count;
-    separator = ", ";
-  }
-  out << "}}\n";
-}
-
 }  // namespace
 
 std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robot,
@@ -93,8 +80,7 @@ std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robo
       ++left_out[proof.verdict];
     }
   }
-  writeEnd(covered, left_out, out);
-  endCertificate(options, out);
+  endCertificate(options, "pairs", covered, jsonCounts(left_out), out);
   return left_out[Verdict::kNever] + left_out[Verdict::kAlways] + left_out[Verdict::kTouching];
 }
 

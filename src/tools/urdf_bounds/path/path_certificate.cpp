@@ -75,14 +75,7 @@ std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& 
       ++left_out[proofs[i].verdict];
     }
   }
-  out << "{\"segments\": " << covered << ", \"not_covered\": {";
-  const char* separator = "";
-  for (const auto& [verdict, count] : left_out) {
-    out << separator << '"' << toText(verdict) << "\": " << count;
-    separator = ", ";
-  }
-  out << "}}\n";
-  endCertificate(options, out);
+  endCertificate(options, "segments", covered, jsonCounts(left_out), out);
   return left_out[PathVerdict::kSafe];
 }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "link_bounds/geometry/box/aabb.h"
-#include "link_bounds/geometry/distance/body_distance.h"
 #include "tools/text/table_text.h"
 
 namespace link_bounds {

@@ -73,26 +73,17 @@ class ReachCertificate {
     return result;
   }
 
-  static void writeVector(const Eigen::Vector3d& vector, std::ostream& out) {
-    out << "[" << exactNumber(vector.x()) << ", " << exactNumber(vector.y()) << ", "
-        << exactNumber(vector.z()) << "]";
-  }
-
   static void writeLink(const std::string& name, int cells, double step, const ProvenBox& proven,
                         const ReachBound& bound, std::ostream& out) {
-    out << "{\"link\": " << jsonString(name) << ", \"min\": ";
-    writeVector(proven.box.min(), out);
-    out << ", \"max\": ";
-    writeVector(proven.box.max(), out);
-    out << ", \"slack\": " << exactNumber(proven.slack) << ", \"cells\": " << cells
+    out << "{\"link\": " << jsonString(name) << ", \"min\": " << jsonNumbers(proven.box.min())
+        << ", \"max\": " << jsonNumbers(proven.box.max())
+        << ", \"slack\": " << exactNumber(proven.slack) << ", \"cells\": " << cells
         << ", \"step\": " << exactNumber(step) << ", \"tables\": [";
     for (std::size_t joint = 1; joint <= bound.joints(); ++joint) {
       out << (joint > 1 ? "], [" : "[");
       const char* separator = "";
-      for (const double support : bound.supportsAfter(joint)) {
-        out << separator << std::llround(support / step);
-        separator = ",";
-      }
+      for (const double support : bound.supportsAfter(joint))
+        out << std::exchange(separator, ",") << std::llround(support / step);
     }
     out << (bound.joints() > 0 ? "]]}\n" : "]}\n");
   }
@@ -120,8 +111,7 @@ std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot&
     const bool is_covered = reaches[i] && certificate.write(i, *reaches[i], out);
     ++(is_covered ? covered : left_out);
   }
-  out << "{\"links\": " << covered << ", \"not_covered\": " << left_out << "}\n";
-  endCertificate(options, out);
+  endCertificate(options, "links", covered, std::to_string(left_out), out);
   return left_out;
 }
 

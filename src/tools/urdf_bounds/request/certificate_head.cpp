@@ -12,26 +12,23 @@ std::ofstream beginCertificate(const char* kind, const UrdfBoundsOptions& option
   std::ofstream out;
   if (!options.certificate) return out;
   out.open(*options.certificate);
-  const char* const geometry = !options.collision ? "visual"
-                               : options.visual   ? "both"
-                                                  : "collision";
+  const auto given = [](const auto& joint) {
+    return jsonString(joint.first) + ": [" + exactNumber(joint.second.lower) + ", " +
+           exactNumber(joint.second.upper) + "]";
+  };
   out << "{\"certificate\": 1, \"of\": \"" << kind << "\", \"robot\": " << jsonString(robot.name)
-      << ", \"geometry\": \"" << geometry
+      << ", \"geometry\": \"" << options.geometry
       << "\", \"clearance\": " << exactNumber(options.clearance.value_or(0))
       << ", \"touching\": " << exactNumber(options.touching.value_or(kDefaultTouching))
-      << ", \"base\": \"" << (options.has_fixed_base ? "fixed" : "free") << "\", \"given\": {";
-  const char* separator = "";
-  for (const auto& [joint, range] : options.joints) {
-    out << separator << jsonString(joint) << ": [" << exactNumber(range.lower) << ", "
-        << exactNumber(range.upper) << "]";
-    separator = ", ";
-  }
-  out << "}}\n";
+      << ", \"base\": \"" << (options.has_fixed_base ? "fixed" : "free") << "\", \"given\": {"
+      << joined(options.joints, ", ", given) << "}}\n";
   if (!out.flush()) throw UsageError("cannot write " + *options.certificate);
   return out;
 }
 
-void endCertificate(const UrdfBoundsOptions& options, std::ofstream& out) {
+void endCertificate(const UrdfBoundsOptions& options, const char* what, std::size_t covered,
+                    const std::string& not_covered, std::ofstream& out) {
+  out << "{\"" << what << "\": " << covered << ", \"not_covered\": " << not_covered << "}\n";
   out.close();
   if (!out) throw UsageError("cannot write " + *options.certificate);
 }

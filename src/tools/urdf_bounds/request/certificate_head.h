@@ -20,7 +20,20 @@ constexpr double kClaimed = 0.5;
 std::ofstream beginCertificate(const char* kind, const UrdfBoundsOptions& options,
                                const Robot& robot);
 
-/// After the last line. Throws UsageError if the file could not be written.
-void endCertificate(const UrdfBoundsOptions& options, std::ofstream& out);
+/// With the last line: how many of `what` the certificate covers, and JSON about the others. Throws
+/// UsageError if the file could not be written.
+void endCertificate(const UrdfBoundsOptions& options, const char* what, std::size_t covered,
+                    const std::string& not_covered, std::ofstream& out);
+
+/// A JSON object on one line, of a map from verdicts to numbers.
+template <class Counts>
+std::string jsonCounts(const Counts& counts) {
+  return "{" +
+         joined(counts, ", ",
+                [](const auto& entry) {
+                  return jsonString(toText(entry.first)) + ": " + std::to_string(entry.second);
+                }) +
+         "}";
+}
 
 }  // namespace link_bounds

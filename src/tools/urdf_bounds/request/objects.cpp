@@ -43,13 +43,10 @@ class ObjectReader {
   void checkFields(const YAML::Node& node, const std::string& what,
                    const std::set<std::string>& known) const {
     if (!node.IsMap()) refuse(what + " has no fields; write a line such as " + kExample);
-    std::string names;
-    for (const std::string& field : known)
-      names += (names.empty() ? "" : ", ") + field;
     for (const auto& field : node) {
       const std::string key = scalar(field.first);
       if (!known.count(key))
-        refuse(what + " has no field \"" + key + "\"; the fields are " + names);
+        refuse(what + " has no field \"" + key + "\"; the fields are " + joined(known, ", "));
     }
   }
 

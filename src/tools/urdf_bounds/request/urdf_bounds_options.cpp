@@ -44,14 +44,6 @@ void addArgument(const std::string& argument, UrdfBoundsOptions& options) {
   }
 }
 
-void addGeometry(const std::string& name, UrdfBoundsOptions& options) {
-  enum Kind { kVisual = 1, kCollision = 2, kBoth = 3 };
-  const Kind kind = chosen<Kind>("--geometry", name,
-                                 {{"visual", kVisual}, {"collision", kCollision}, {"both", kBoth}});
-  options.visual = (kind & kVisual) != 0;
-  options.collision = (kind & kCollision) != 0;
-}
-
 double positive(const std::string& option_name, const std::string& text, const std::string& what) {
   const std::optional<double> value = toNumber(text);
   if (value && *value > 0) return *value;
@@ -106,7 +98,7 @@ std::vector<Option> optionsInto(UrdfBoundsOptions& options) {
     return Option{name, [&options, kind](const auto&, const auto&) { setReport(kind, options); },
                   false};
   };
-  return {{"geometry", [&](const auto&, const auto& text) { addGeometry(text, options); }},
+  return {{"geometry", into(options.geometry, geometryOption)},
           {"representation", into(options.representation, representationOption)},
           {"format", [&](const auto&, const auto& text) { addFormat(text, options); }},
           {"volume", into(options.volume, volumeOption)},

@@ -3,7 +3,6 @@
 // The command line of urdf_bounds.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -32,8 +31,7 @@ struct UrdfBoundsOptions {
   std::string file;    ///< "-" is standard input
   GivenRanges joints;  ///< rad or m; values, lower == upper, but of kReach and kPairs
   Report report = Report::kPose;
-  bool visual = true;
-  bool collision = false;
+  std::string geometry = "visual";  ///< or collision, or both
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
