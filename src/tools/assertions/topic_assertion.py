@@ -173,18 +173,67 @@ class Topic(NamedTuple):
 
 
 class Program(NamedTuple):
-    """One of the tests. A watch has `title`, `deadline` [s], `topics`, `life` (SignOfLife), `fault`
-    ('', or why it cannot pass at all), look(now) for what time alone changes, is_passed(now),
-    lose_publisher(topic, now), failure(now), and evidence() of what has passed; times are in s."""
+    """One of the tests."""
     name: str
     example: str  # parameters
     about: str
     parameters: tuple
-    watch: Callable  # from a dictionary of private parameters; throws ParameterError
+    watch: Callable  # a Watch, from a dictionary of private parameters; throws ParameterError
 
     def usage(self):
         return USAGE % (self.name, self.example, self.about,
                         '\n'.join(parameter.row() for parameter in self.parameters))
+
+
+class Watch:
+    """Compares messages with one assertion, and keeps the last one for the report. Times are in s.
+    A watch defines is_kept_by(message), failure(now), and told(): lines about the last message."""
+
+    fault = ''  # or why it cannot pass at all
+
+    def __init__(self, title, assertion, kind, life):
+        self.title = title
+        self.deadline = assertion.deadline
+        self.topics = [Topic(assertion.topic, kind, self.see)]
+        self.life = life
+        self._assertion = assertion
+        self._hold = Hold(assertion.hold)
+        self._last = None
+        self._is_kept = False  # by the last message
+        self._has_lost_publisher = False
+
+    def see(self, message, now):
+        self.life.see(message, now)
+        self._last = message
+        self._has_lost_publisher = False
+        self._is_kept = self.is_kept_by(message)
+        self.look(now)
+
+    def look(self, now):
+        """Silence is a break, until the next message or sign of life."""
+        self._hold.look(self._is_kept and not self._has_lost_publisher,
+                        self.life.silent_since(now), now)
+
+    def lose_publisher(self, _topic, now):
+        """Nobody publishes any more, so nobody knows whether the last message still holds."""
+        if self._last is None:
+            return
+        self._has_lost_publisher = True
+        self.look(now)
+
+    def is_passed(self, now):
+        return not self.fault and self._hold.is_kept(now)
+
+    def evidence(self):
+        """What the verdict rests on, where that needs to be said."""
+        return ''
+
+    def last_seen(self):
+        """For the report of a failure."""
+        if self._last is None:
+            return "no message came; is the topic's name right?"
+        lost = ['nobody publishes this topic any more'] if self._has_lost_publisher else []
+        return '\n'.join(self.told() + lost + self.life.told())
 
 
 class TopicTest(unittest.TestCase):
