@@ -43,10 +43,6 @@ ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& q
 
 }  // namespace
 
-void PublisherNode::guard(const std::function<void()>& body) {
-  guarded([&] { measure(body); });
-}
-
 void PublisherNode::measure(const std::function<void()>& body) {
   times_.measure([&] {
     feed_.update(ros::Time::now());
@@ -62,30 +58,22 @@ PublisherNode::PublisherNode()
     : node_(nodeHandle("", queue_)),
       private_node_(nodeHandle("~", queue_)),
       feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); }}),
-      output_(
-          periodic_, private_node_, scene_,
-          [this](const std::function<void()>& body) { guard(body); }, treeRequests()),
+      output_(periodic_, private_node_, scene_, guard_, treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {
                      times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
                    }),
       scene_copier_(
-          scene_, [this](const std::function<void()>& body) { measure(body); }, queue_),
+          scene_, [this](const auto& body) { measure(body); }, queue_),
       box_service_(private_node_, scene_copier_),
       path_service_(private_node_, scene_copier_, box_service_.answering(),
                     [this](const auto& uris, const auto& is_over) {
                       return loader_->loadTrees(uris, is_over);
                     }),
-      swept_output_(
-          periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
-          scene_copier_),
-      stopping_output_(
-          periodic_, private_node_, [this](const std::function<void()>& body) { guard(body); },
-          scene_copier_),
-      earliest_output_(
-          private_node_, [this](const std::function<void()>& body) { guard(body); }, scene_copier_,
-          treeRequests()) {
+      swept_output_(periodic_, private_node_, guard_, scene_copier_),
+      stopping_output_(periodic_, private_node_, guard_, scene_copier_),
+      earliest_output_(private_node_, guard_, scene_copier_, treeRequests()) {
   repeat(kTick, &PublisherNode::onTick);
   repeat(kLostFramesPeriod, &PublisherNode::warnOfLostFrames);
   repeat(kDiagnosticsPeriod, &PublisherNode::publishDiagnostics);
@@ -99,7 +87,7 @@ PublisherNode::PublisherNode()
   // What adopt() throws becomes ~reload's answer.
   handlers.adopt = [this](const auto& model) { measure([&] { adopt(model); }); };
   handlers.on_mesh = [this](const auto& uri, const auto& mesh) {
-    guard([&] { onMesh(uri, mesh); });
+    guard_([&] { feed_.onMesh(uri, mesh, ros::Time::now()); });
   };
   handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
   loader_ = std::make_unique<ModelLoader>(node_, private_node_, queue_, std::move(handlers));
@@ -166,7 +154,7 @@ void PublisherNode::give(const MadeTree& tree) {
 }
 
 void PublisherNode::repeat(ros::WallDuration period, void (PublisherNode::*function)()) {
-  periodic_.add(period, [this, function] { guard([&] { (this->*function)(); }); });
+  periodic_.add(period, [this, function] { guard_([&] { (this->*function)(); }); });
 }
 
 void PublisherNode::spin() {
@@ -191,7 +179,7 @@ void PublisherNode::callWaiting() {
   }
   tf_receiver_.skip(false);
   feed_.setJoining(false);
-  if (is_behind) guard([] {});  // the update
+  if (is_behind) guard_([] {});  // the update
   const auto delay = backlog.oldest + (std::chrono::steady_clock::now() - begin);
   if (backlog.count > 0) max_delay_ = std::max(max_delay_, delay);
 }
@@ -282,10 +270,6 @@ void PublisherNode::onNeighbour(const NeighbourEvent& event) {
   if (!incomplete_messages_.accept(*event.getConstMessage(), kNeighboursTopic.name, sender)) return;
   feed_.onNeighbour(*event.getConstMessage(), {sender, event.getConnectionHeaderPtr()},
                     ros::Time::now());
-}
-
-void PublisherNode::onMesh(const std::string& uri, const LoadedMesh& mesh) {
-  feed_.onMesh(uri, mesh, ros::Time::now());
 }
 
 void PublisherNode::onNews() {

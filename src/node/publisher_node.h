@@ -55,8 +55,7 @@ class PublisherNode {
   /// it takes.
   void measure(const std::function<void()>& body);
 
-  /// The same; lets no exception out.
-  void guard(const std::function<void()>& body);
+  /// Runs the callback of a message; lets no exception out.
   void guardMessage(const std::function<void()>& body);
 
   void callWaiting();
@@ -72,7 +71,6 @@ class PublisherNode {
   void onTransforms(const TfReceiver::Event& event, bool is_static);
   void onMarkers(Marker* markers, std::size_t count, const std::string& publisher);
   void onNeighbour(const NeighbourEvent& event);
-  void onMesh(const std::string& uri, const LoadedMesh& mesh);
   void onTick();
   void freeMemory();
   void onNews();
@@ -90,7 +88,9 @@ class PublisherNode {
   std::uint64_t updates_ = 0;
   std::size_t skipped_ = 0;                ///< messages of /tf, since the last status
   std::chrono::nanoseconds max_delay_{0};  ///< of a message in the node, since the last status
-  Periodic periodic_;                      ///< before the outputs, which have alarms there
+  /// The same as measure(); lets no exception out.
+  const Guard guard_ = [this](const auto& body) { guarded([&] { measure(body); }); };
+  Periodic periodic_;  ///< before the outputs, which have alarms there
   SceneOutput output_;
   LostFrames lost_frames_;
   Diagnostics diagnostics_;

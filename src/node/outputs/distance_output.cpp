@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "node/outputs/markers/distance_markers.h"
-#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

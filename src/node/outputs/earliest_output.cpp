@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "node/interface/topics.h"
-#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

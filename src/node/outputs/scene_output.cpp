@@ -8,7 +8,6 @@
 
 #include "node/outputs/messages/box_message.h"
 #include "node/outputs/messages/footprint.h"
-#include "node/outputs/topic/queues.h"
 
 namespace link_bounds {
 

@@ -5,7 +5,6 @@
 
 #include <geometry_msgs/Polygon.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>

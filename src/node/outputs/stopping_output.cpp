@@ -3,12 +3,9 @@
 // publish() runs on a thread of its own, everything else on the update thread.
 #include "node/outputs/stopping_output.h"
 
-#include <utility>
-
 #include "node/interface/topics.h"
 #include "node/outputs/markers/swept_markers.h"
 #include "node/outputs/messages/box_message.h"
-#include "node/outputs/topic/queues.h"
 #include "world/stopping/stopping_boxes.h"
 
 namespace link_bounds {

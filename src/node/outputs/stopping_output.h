@@ -8,7 +8,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <atomic>
-#include <memory>
 #include <string>
 
 #include "link_bounds/AxisAlignedBoxArray.h"

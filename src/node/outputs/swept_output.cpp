@@ -8,7 +8,6 @@
 #include "node/interface/topics.h"
 #include "node/outputs/markers/swept_markers.h"
 #include "node/outputs/messages/box_message.h"
-#include "node/outputs/topic/queues.h"
 #include "world/history/past_boxes.h"
 
 namespace link_bounds {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/history/tf2_rounding.h"
+#include "world/tf/tf2_pose.h"
 
 namespace link_bounds {
 namespace {

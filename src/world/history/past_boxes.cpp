@@ -10,7 +10,6 @@
 
 #include "world/history/pose_gap.h"
 #include "world/history/swept_box.h"
-#include "world/model/model.h"
 
 namespace link_bounds {
 namespace {

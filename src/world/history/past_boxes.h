@@ -6,9 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <string>
-#include <vector>
 
-#include "link_bounds/geometry/box/box_groups.h"
 #include "world/history/past_scene.h"
 #include "world/history/swept_box.h"
 #include "world/moment/moment.h"

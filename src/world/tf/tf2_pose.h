@@ -12,6 +12,13 @@
 
 namespace link_bounds {
 
+/// tf2 computes an angle from its cosine, which is wrong by a few 1e-16: the angle is then wrong by
+/// less than this [rad].
+constexpr double kAngleError = 1e-7;
+
+/// Quaternions that tf2 interpolates are longer than they should be by less than this.
+constexpr double kLengthError = 1e-14;
+
 /// A rotation, then a translation. Stored as a geometry_msgs/Transform is serialised, so that one
 /// copy brings it from the message to the history.
 struct Tf2Pose {

@@ -6,7 +6,6 @@
 #include <ros/console.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 namespace link_bounds {

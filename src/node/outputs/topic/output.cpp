@@ -18,11 +18,24 @@
 #include <system_error>
 #include <utility>
 
-#include "node/outputs/topic/subscriber_link.h"
 #include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {
+
+/// The connection behind it. roscpp gives it to nobody, and SingleSubscriberPublisher itself ends
+/// with the callback that it is given to. In an explicit instantiation C++ allows to name a private
+/// member. ROS 1 is frozen: the member stays.
+ros::SubscriberLinkPtr linkOf(const ros::SingleSubscriberPublisher& subscriber);
+
+template <ros::SubscriberLinkPtr ros::SingleSubscriberPublisher::*member>
+struct LinkAccess {
+  friend ros::SubscriberLinkPtr linkOf(const ros::SingleSubscriberPublisher& subscriber) {
+    return subscriber.*member;
+  }
+};
+
+template struct LinkAccess<&ros::SingleSubscriberPublisher::link_>;
 
 /// The header's number is the first field of a message, behind the message's length.
 void writeNumber(std::uint64_t number, ros::SerializedMessage& message) {

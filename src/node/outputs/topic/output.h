@@ -20,6 +20,12 @@
 
 namespace link_bounds {
 
+/// How many messages may wait for one subscriber: long enough on a busy machine. kMaxBytes below
+/// bounds their bytes.
+constexpr std::uint32_t kBoxesQueue = 200;
+constexpr std::uint32_t kMarkersQueue = 10;
+constexpr std::uint32_t kFootprintQueue = 10;
+
 /// All of an Output but the type of its messages.
 class OutputTopic {
  public:
