@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "python/joint_input.h"
-#include "python/text.h"
 #include "robot/threads/row_threads.h"
 
 namespace py = pybind11;

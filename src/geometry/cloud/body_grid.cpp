@@ -116,10 +116,8 @@ std::optional<BodyGrid::Cell> BodyGrid::classOf(const Block& block, BodySurface:
 void BodyGrid::fill(const Block& block, Cell cell) {
   for (std::size_t z = block.begin[2]; z < block.end[2]; ++z) {
     for (std::size_t y = block.begin[1]; y < block.end[1]; ++y) {
-      for (std::size_t x = block.begin[0]; x < block.end[0]; ++x) {
+      for (std::size_t x = block.begin[0]; x < block.end[0]; ++x)
         set(indexOf(x, y, z), cell);
-        undecided_ += cell >= Cell::kByDistance;
-      }
     }
   }
 }
@@ -133,10 +131,8 @@ void BodyGrid::findSides(const CheckInterrupt& check_interrupt) {
     if (is_seen[i] || !isOnOneSide(at(i))) continue;
     const std::vector<std::size_t> region = regionAt(i, is_seen);
     if (!isInside(region)) continue;
-    for (const std::size_t index : region) {
-      undecided_ -= at(index) == Cell::kByDistance;
+    for (const std::size_t index : region)
       set(index, Cell::kBody);
-    }
   }
 }
 

@@ -50,9 +50,8 @@ class BodyGrid {
   /// Bytes of the cells.
   std::size_t bytes() const { return cells_.size(); }
 
-  /// How many cells there are, and how many of them need the distance of each point.
+  /// How many cells there are.
   std::size_t cells() const { return counts_[0] * counts_[1] * counts_[2]; }
-  std::size_t undecidedCells() const { return undecided_; }
 
  private:
   enum class Cell : std::uint8_t {
@@ -98,7 +97,6 @@ class BodyGrid {
   std::array<std::size_t, 3> counts_{{0, 0, 0}};
   Eigen::Vector3d end_ = Eigen::Vector3d::Zero();  ///< counts_ as numbers
   std::vector<std::uint8_t> cells_;                ///< four in a byte, x first
-  std::size_t undecided_ = 0;
 };
 
 }  // namespace link_bounds

@@ -3,10 +3,8 @@
 #include "geometry/cloud/mesh_inside.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "geometry/distance/triangle_tree.h"
 

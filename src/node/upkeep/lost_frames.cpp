@@ -5,8 +5,6 @@
 
 #include <map>
 
-#include "world/log/log_text.h"
-
 namespace link_bounds {
 namespace {
 

@@ -4,7 +4,6 @@
 // extends along a direction.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "link_bounds/geometry/distance/body.h"

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/pairs/pair_body.h"
 
-#include <algorithm>
-
 namespace link_bounds {
 namespace {
 

@@ -3,7 +3,6 @@
 // Pairs without a verdict go first, then those that have had fewer turns.
 #include "robot/pairs/pair_queue.h"
 
-#include <algorithm>
 #include <tuple>
 
 #include "robot/threads/row_threads.h"

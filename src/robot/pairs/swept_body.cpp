@@ -5,7 +5,6 @@
 #include "robot/pairs/swept_body.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "geometry/distance/triangle_tree.h"

@@ -5,7 +5,6 @@
 // poses before.
 #include "robot/posed/posed_robot.h"
 
-#include <algorithm>
 #include <set>
 
 #include "link_bounds/robot/urdf/kinematics.h"

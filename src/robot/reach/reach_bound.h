@@ -36,7 +36,6 @@
 // kRoundoffsPerJoint u r per joint is more than all of these.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string>
 
 #include "link_bounds/geometry/parts/triangle_mesh.h"
 #include "link_bounds/robot/mesh/mesh_fault.h"

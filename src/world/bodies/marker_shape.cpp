@@ -4,7 +4,6 @@
 #include "world/bodies/marker_shape.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "link_bounds/geometry/box/length.h"
 

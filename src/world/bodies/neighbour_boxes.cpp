@@ -3,7 +3,6 @@
 // A box of a message becomes a solid box in the frame of the message's header.
 #include "world/bodies/neighbour_boxes.h"
 
-#include <cmath>
 #include <utility>
 
 #include "link_bounds/geometry/box/rounding.h"

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <iomanip>
-#include <set>
 #include <sstream>
 
 #include "world/bodies/marker_shape.h"

@@ -16,7 +16,6 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>

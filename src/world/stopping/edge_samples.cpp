@@ -4,7 +4,6 @@
 #include "world/stopping/edge_samples.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace link_bounds {
 namespace {

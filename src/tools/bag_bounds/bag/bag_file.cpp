@@ -3,7 +3,6 @@
 #include "tools/bag_bounds/bag/bag_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
