@@ -23,21 +23,12 @@ struct Assignment {
   std::string argument, left, right;
 };
 
-/// A visitor of the table of parameters.
-struct ParameterNames {
-  std::set<std::string> names;
-
-  template <class T, class Rule>
-  void operator()(const char* name, const T&, Rule, const char*) {
-    names.insert(name);
-  }
-};
-
 bool isParameter(const std::string& name) {
-  const Parameters ignored;
-  ParameterNames known;
-  visitParameters(ignored, known);
-  return known.names.count(name) != 0;
+  XmlRpcValue none;
+  Parameters ignored;
+  ParameterReader reader(none);
+  visitParameters(ignored, reader);
+  return reader.knows(name);
 }
 
 bool isName(const std::string& text) {

@@ -72,6 +72,9 @@ class ParameterReader {
       throw ParameterError(wrongValue("~" + std::string(name), values_[name], fault));
   }
 
+  /// Whether the table has that name.
+  bool knows(const std::string& name) const { return known_.count(name) > 0; }
+
   /// One warning per member of `values` that the table does not have.
   std::vector<std::string> warnings() const;
 

@@ -11,7 +11,6 @@
 #include <sstream>
 
 namespace link_bounds {
-namespace {
 
 std::string shortNumber(double value) {
   std::ostringstream out;
@@ -23,8 +22,6 @@ std::string shortNumber(double value) {
   }
   return out.str();
 }
-
-}  // namespace
 
 Row shortRow(const std::string& name, const Numbers& numbers) {
   Row row{name};

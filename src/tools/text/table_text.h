@@ -36,6 +36,7 @@ using Numbers = std::vector<double>;
 using Row = std::vector<std::string>;
 
 /// Rounds for people: to micrometres, and without a minus sign before a zero.
+std::string shortNumber(double value);
 Row shortRow(const std::string& name, const Numbers& numbers);
 
 /// A length in metres with its unit, to three digits, for people.

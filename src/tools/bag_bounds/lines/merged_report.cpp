@@ -78,10 +78,10 @@ class MergedReport {
       const auto& worst = line.worst;
       rows.push_back({printable(bag), printable(line.verdict),
                       worst ? printable(worst->first + " - " + worst->second) : "-",
-                      worst ? shortRow("", {worst->distance})[1] : "-",
+                      worst ? shortNumber(worst->distance) : "-",
                       worst ? shortTime(worst->time) : "-",
-                      worst ? shortRow("", {worst->clearance})[1] : "-",
-                      line.coverage ? shortRow("", {line.coverage->second})[1] : "-",
+                      worst ? shortNumber(worst->clearance) : "-",
+                      line.coverage ? shortNumber(line.coverage->second) : "-",
                       std::to_string(entriesOf(line))});
     }
     writeAligned(rows, out, 3);
@@ -93,7 +93,7 @@ class MergedReport {
     out << '\n';
     if (worst_)
       out << "nearest pair of all: " << printable(worst_->worst->first) << " - "
-          << printable(worst_->worst->second) << ", " << shortRow("", {worst_->worst->distance})[1]
+          << printable(worst_->worst->second) << ", " << shortNumber(worst_->worst->distance)
           << " m, in " << printable(worst_->bag.name) << " at " << shortTime(worst_->worst->time)
           << " s\n";
     for (const auto& [bag, line] : lines_) {

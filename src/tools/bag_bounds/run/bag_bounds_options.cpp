@@ -120,22 +120,22 @@ std::vector<Option> optionsInto(BagBoundsOptions& options) {
   };
   const auto add_ignored = [&](const auto& name, const auto& text) {
     checkRule(name, text, rules::ignorePairs({text}));
-    options.ignore_pairs.push_back(text);
+    options.parameters.ignore_pairs.push_back(text);
   };
   const auto add_resume = [&](const auto& name, const auto& text) {
     options.resume.push_back(nonEmpty(name, text));
   };
   return {{"urdf", into(options.urdf, nonEmpty)},
-          {"geometry", into(options.geometry, geometryOption)},
-          {"fixed-frame", into(options.fixed_frame, nonEmpty)},
+          {"geometry", into(options.parameters.geometry, geometryOption)},
+          {"fixed-frame", into(options.parameters.fixed_frame, nonEmpty)},
           {"zones", into(options.zones, nonEmpty)},
           {"distances", into(options.distances, metres)},
           {"objects", add_objects},
-          {"tf-prefix", into(options.tf_prefix, nonEmpty)},
+          {"tf-prefix", into(options.parameters.tf_prefix, nonEmpty)},
           {"tf-topic", into(options.tf_topic, topicName)},
           {"joint-states", into(options.joint_states, topicName)},
-          {"padding", into(options.padding, paddingOption)},
-          {"timeout", into(options.timeout, seconds)},
+          {"padding", into(options.parameters.padding, paddingOption)},
+          {"timeout", into(options.parameters.timeout, seconds)},
           {"ignore-pairs", add_ignored},
           {"static-from", into(options.static_from, nonEmpty)},
           {"min-coverage", into(options.min_coverage, shareOption)},

@@ -11,14 +11,14 @@
 
 #include "tools/command_line/outcome.h"
 #include "tools/text/table_text.h"
+#include "world/model/parameters.h"
 
 namespace link_bounds {
 
 struct BagBoundsOptions {
   std::vector<std::string> bags;
   std::string urdf;                 ///< "-" is standard input
-  std::string geometry = "visual";  ///< as the node's parameter
-  std::string fixed_frame;          ///< "": that of the root link
+  Parameters parameters;            ///< of the node, those that have an option
   std::string zones;                ///< a file; "": none
   std::optional<double> distances;  ///< limit [m], finite, >= 0; none: not computed
   double start = 0;                 ///< s after the first message
@@ -30,13 +30,9 @@ struct BagBoundsOptions {
   std::set<std::string> objects;  ///< topics
   std::string tf_topic = "/tf";   ///< static transforms are on this name with "_static"
   std::string joint_states;       ///< a topic that is instead of transforms; "": none
-  std::string tf_prefix;          ///< this and the next three: as the node's parameters
-  double padding = 0;
-  double timeout = 2;
-  std::vector<std::string> ignore_pairs;
-  std::string static_from;       ///< a bag whose static transforms are taken first; "": none
-  double min_coverage = 0.99;    ///< of each link, see Coverage, and of each zone
-  std::optional<unsigned> jobs;  ///< threads, or bags at once; > 0; none: one per core
+  std::string static_from;        ///< a bag whose static transforms are taken first; "": none
+  double min_coverage = 0.99;     ///< of each link, see Coverage, and of each zone
+  std::optional<unsigned> jobs;   ///< threads, or bags at once; > 0; none: one per core
   Demand demand;
   bool each = false;                                      ///< a line per bag, instead of one report
   std::vector<std::string> resume;                        ///< files of lines

@@ -16,18 +16,6 @@
 namespace link_bounds {
 namespace {
 
-Parameters parametersOf(const BagBoundsOptions& options) {
-  Parameters parameters;
-  parameters.fixed_frame = options.fixed_frame;
-  parameters.geometry = options.geometry;
-  parameters.tf_prefix = options.tf_prefix;
-  parameters.padding = options.padding;
-  parameters.timeout = options.timeout;
-  parameters.ignore_pairs = options.ignore_pairs;
-  parameters.distance_limit = options.distances.value_or(0);
-  return parameters;
-}
-
 const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   std::vector<std::string> inputs = options.bags;
   inputs.insert(inputs.end(), {options.urdf, options.zones, options.static_from});
@@ -59,10 +47,12 @@ BagQuestion::BagQuestion(const BagBoundsOptions& options)
 }
 
 Model BagQuestion::makeModelOf(const std::string& urdf) {
-  Model model = makeModel(urdf, parametersOf(options_), loader_, mesh_source_);
+  Parameters parameters = options_.parameters;
+  parameters.distance_limit = options_.distances.value_or(0);
+  Model model = makeModel(urdf, parameters, loader_, mesh_source_);
   if (model.links.empty())
-    throw UsageError("no link of the robot has geometry of the kind " + options_.geometry +
-                     "; choose another --geometry");
+    throw UsageError("no link of the robot has geometry of the kind " +
+                     options_.parameters.geometry + "; choose another --geometry");
   for (const std::string& problem : model.problems)
     warn(problem);
   for (const std::string& warning : model.warnings)

@@ -109,7 +109,7 @@ class Writer {
     std::vector<Row> rows{{"name", "max speed [m/s]", "at"}};
     for (const BoxRecord& box : report_.boxes) {
       if (box.speed && box.speed->value > 0)
-        rows.push_back({printable(box.name), shortRow("", {box.speed->value})[1],
+        rows.push_back({printable(box.name), shortNumber(box.speed->value),
                         shortTime(box.speed->when.recorded)});
     }
     if (rows.size() == 1) return;
@@ -138,10 +138,9 @@ class Writer {
       const std::string zone = printable(record.zone.name);
       const std::string entries = std::to_string(record.entries);
       if (record.nearest) {
-        nearest.push_back({zone, printable(record.nearest->name),
-                           shortRow("", {record.nearest->distance})[1],
-                           shortTime(record.nearest->when.recorded),
-                           shortRow("", {record.clearance})[1], entries});
+        nearest.push_back(
+            {zone, printable(record.nearest->name), shortNumber(record.nearest->distance),
+             shortTime(record.nearest->when.recorded), shortNumber(record.clearance), entries});
       } else {
         nearest.push_back({zone, "-", "-", "-", "-", entries});
       }
@@ -165,7 +164,7 @@ class Writer {
     out_ << '\n';
     if (report_.distances->empty()) {
       if (report_.has_compared) {
-        out_ << "(no pair was ever within " << shortRow("", {report_.distance_limit})[1] << " m)\n";
+        out_ << "(no pair was ever within " << shortNumber(report_.distance_limit) << " m)\n";
       } else {
         out_ << "(no two bodies were compared)\n";
       }
@@ -178,7 +177,7 @@ class Writer {
                          {pair.distance.distance, pair.distance.distance_max});
       row.insert(row.begin() + 1, printable(pair.distance.second));
       row.push_back(shortTime(pair.when.recorded));
-      row.push_back(shortRow("", {pair.clearance})[1]);
+      row.push_back(shortNumber(pair.clearance));
       row.emplace_back(toText(static_cast<DistanceLevel>(pair.distance.level)));
       rows.push_back(std::move(row));
     }
@@ -190,7 +189,7 @@ class Writer {
     std::vector<Row> rows{{"name", "coverage"}};
     for (const BoxRecord& box : report_.boxes) {
       if (box.coverage && *box.coverage < 1)
-        rows.push_back({printable(box.name), shortRow("", {*box.coverage})[1]});
+        rows.push_back({printable(box.name), shortNumber(*box.coverage)});
     }
     if (rows.size() == 1) return;
     out_ << '\n';
@@ -213,10 +212,10 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
   const bool is_short = box.coverage && *box.coverage < report.min_coverage;
   const bool counts = !box.coverage || box.is_lost || is_short;
   if (!box.has_box || !counts) return "";
-  const std::string share =
-      is_short ? "had a box in " + shortRow("", {*box.coverage})[1] + " of its time, less than " +
-                     shortRow("", {report.min_coverage})[1] + " of --min-coverage"
-               : "";
+  const std::string share = is_short ? "had a box in " + shortNumber(*box.coverage) +
+                                           " of its time, less than " +
+                                           shortNumber(report.min_coverage) + " of --min-coverage"
+                                     : "";
   if (box.gaps == 0) return share.empty() || box.reason.empty() ? share : share + ": " + box.reason;
   return (share.empty() ? share : share + "; ") + "had no box " + std::to_string(box.gaps) +
          (box.gaps == 1 ? " time, " : " times, ") + shortSeconds(box.gaps_length, 0) +
@@ -224,9 +223,8 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
 }
 
 std::string lossOf(const ZoneRecord& record, const BagReport& report) {
-  return "compared in " + shortRow("", {record.coverage})[1] +
-         " of the time in which links had boxes, less than " +
-         shortRow("", {report.min_coverage})[1] +
+  return "compared in " + shortNumber(record.coverage) +
+         " of the time in which links had boxes, less than " + shortNumber(report.min_coverage) +
          " of --min-coverage: tf did not connect its frame \"" + record.zone.frame +
          "\" with all of them; record what connects it";
 }

@@ -81,7 +81,7 @@ BagRun::BagRun(const BagBoundsOptions& options, BagQuestion& question, OnProgres
   if (options.distances)
     pairs_.emplace([this](const std::string& uri) { return question_.loadTree(uri); });
   if (!options.joint_states.empty())
-    joints_ = std::make_unique<JointTransforms>(*model_->robot, options.tf_prefix);
+    joints_ = std::make_unique<JointTransforms>(*model_->robot, options.parameters.tf_prefix);
   if (!options.out.empty()) out_.emplace(options.out);
   if (!options.series.empty()) series_.emplace(options.series);
 }

@@ -12,7 +12,7 @@ namespace link_bounds {
 namespace {
 
 std::string metres(double value) {
-  return shortRow("", {value})[1] + " m";
+  return shortNumber(value) + " m";
 }
 
 std::string whatIsKnown(const PairProof& proof) {
