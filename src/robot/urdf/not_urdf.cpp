@@ -21,10 +21,6 @@ const std::string kExpand =
     "expand it, in a launch file by <param name=\"robot_description\" command=\"xacro FILE\"/>, "
     "on a command line by xacro FILE > robot.urdf";
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 bool isFileName(const std::string& text) {
   const auto has = [&text](const char* any) {
     return text.find_first_of(any) != std::string::npos;

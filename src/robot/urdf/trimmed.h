@@ -1,17 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Text without the white space around it.
+// Texts without what stands at their ends.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace link_bounds {
 
-inline std::string trimmed(const std::string& text) {
-  constexpr char kBlanks[] = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
+/// Without any of these characters at both ends.
+inline std::string trimmed(const std::string& text, const char* characters = " \t\r\n") {
+  const std::size_t begin = text.find_first_not_of(characters);
   if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(characters) - begin + 1);
+}
+
+/// Nothing if the text ends otherwise.
+inline std::optional<std::string> withoutEnd(const std::string& text, const std::string& end) {
+  if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0)
+    return std::nullopt;
+  return text.substr(0, text.size() - end.size());
+}
+
+inline bool endsWith(const std::string& text, const std::string& end) {
+  return withoutEnd(text, end).has_value();
 }
 
 }  // namespace link_bounds

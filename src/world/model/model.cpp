@@ -9,15 +9,10 @@
 #include <set>
 
 #include "packages/package_path.h"
+#include "robot/urdf/trimmed.h"
 
 namespace link_bounds {
 namespace {
-
-std::string withoutSlashes(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of('/');
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of('/') - begin + 1);
-}
 
 SceneGroup allLinks(std::size_t count) {
   SceneGroup group;
@@ -33,12 +28,6 @@ struct KnownLinks {
   std::set<std::string> without_geometry;
 };
 
-/// The namespace "ns" of a member "ns/*"; nothing for other members.
-std::optional<std::string> namespaceOf(const std::string& member) {
-  if (member.size() < 2 || member.compare(member.size() - 2, 2, "/*") != 0) return std::nullopt;
-  return member.substr(0, member.size() - 2);
-}
-
 /// A name that fits a link and an object means the link.
 void addMember(SceneGroup& group, const std::string& member, const KnownLinks& known) {
   const auto found = known.bounded.find(member);
@@ -46,7 +35,7 @@ void addMember(SceneGroup& group, const std::string& member, const KnownLinks& k
     group.members.push_back(found->second);
   } else if (known.without_geometry.count(member)) {
     return;
-  } else if (const auto ns = namespaceOf(member)) {
+  } else if (const auto ns = withoutEnd(member, "/*")) {
     group.namespaces.push_back(*ns);
   } else if (const auto key = parseObjectName(member)) {
     group.objects.push_back(*key);
@@ -174,7 +163,7 @@ std::map<std::string, std::string> otherNames(const Parameters& parameters,
 
 std::string tfName(const std::string& tf_prefix, const std::string& link) {
   if (!link.empty() && link.front() == '/') return link.substr(1);
-  const std::string prefix = withoutSlashes(tf_prefix);
+  const std::string prefix = trimmed(tf_prefix, "/");
   return prefix.empty() ? link : prefix + "/" + link;
 }
 

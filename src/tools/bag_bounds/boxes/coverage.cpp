@@ -7,22 +7,18 @@
 #include <set>
 #include <utility>
 
+#include "robot/urdf/trimmed.h"
 #include "world/tf/frame_paths.h"
 
 namespace link_bounds {
 namespace {
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// What stands before "/LINK" in the names of frames that tf has.
 std::set<std::string> prefixesOf(const std::string& link, const TransformBuffer& tf) {
   std::set<std::string> prefixes;
   for (TransformBuffer::Frame frame = 0; frame < tf.size(); ++frame) {
-    const std::string& name = tf.name(frame);
-    if (tf.isMet(frame) && endsWith(name, "/" + link))
-      prefixes.insert(name.substr(0, name.size() - link.size() - 1));
+    const auto prefix = withoutEnd(tf.name(frame), "/" + link);
+    if (tf.isMet(frame) && prefix && !prefix->empty()) prefixes.insert(*prefix);
   }
   return prefixes;
 }

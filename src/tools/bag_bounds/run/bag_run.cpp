@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "robot/threads/row_threads.h"
+#include "robot/urdf/trimmed.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
@@ -26,9 +27,7 @@ std::string staticTopic(const BagBoundsOptions& options) {
 
 /// "/tf" of both "/tf" and "/tf_static".
 std::string withoutStatic(const std::string& topic) {
-  const std::size_t end = topic.rfind(kStaticEnd);
-  const bool is_static = end != std::string::npos && end + sizeof(kStaticEnd) - 1 == topic.size();
-  return is_static ? topic.substr(0, end) : topic;
+  return withoutEnd(topic, kStaticEnd).value_or(topic);
 }
 
 std::set<std::string> topicsOf(const BagBoundsOptions& options) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "robot/urdf/trimmed.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
@@ -30,12 +31,6 @@ struct Column {
   std::size_t joint = 0;
 };
 
-std::string trimmed(const std::string& text, const char* what) {
-  const std::size_t begin = text.find_first_not_of(what);
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(what) - begin + 1);
-}
-
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   for (std::size_t begin = 0;;) {
@@ -44,13 +39,6 @@ std::vector<std::string> cellsOf(const std::string& line) {
     if (comma == std::string::npos) return cells;
     begin = comma + 1;
   }
-}
-
-/// Without the end of `name`; nothing if it ends otherwise.
-std::optional<std::string> withoutEnd(const std::string& name, const std::string& end) {
-  if (name.size() <= end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0)
-    return std::nullopt;
-  return name.substr(0, name.size() - end.size());
 }
 
 class TableReader {
