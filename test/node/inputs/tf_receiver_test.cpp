@@ -7,10 +7,10 @@
 #include <std_msgs/Empty.h>
 
 #include <optional>
-#include <thread>
 
 #include "node/threads/timed_queue.h"
 #include "testing/own_master.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -26,8 +26,8 @@ class TfReceiverTest : public testing::Test {
     fence_subscriber_ = fence_node.subscribe<std_msgs::Empty>(
         "/fence", 1, [this](const std_msgs::EmptyConstPtr&) { has_fence_ = true; });
     receiver_.emplace(tf_node, [this](const TfReceiver::Event&, bool) { ++received_; });
-    while (tf_.getNumSubscribers() + fence_.getNumSubscribers() < 2)
-      std::this_thread::yield();
+    EXPECT_TRUE(
+        becomesTrue([this] { return tf_.getNumSubscribers() + fence_.getNumSubscribers() == 2; }));
   }
 
   /// Returns when all wait, or were dropped. roscpp sends on a thread of its own, topic by topic:
@@ -38,10 +38,10 @@ class TfReceiverTest : public testing::Test {
     for (int i = 0; i < 2; ++i) {
       has_fence_ = false;
       fence_.publish(std_msgs::Empty());
-      while (!has_fence_) {
-        fence_queue_.wait(std::chrono::milliseconds(10));
+      ASSERT_TRUE(becomesTrue([this] {
         fence_queue_.callOne();
-      }
+        return has_fence_;
+      }));
     }
   }
 

@@ -13,10 +13,12 @@ from bounds_testing import (NodeLog, Recorder, at, box_of, corners_of, differenc
 from diagnostic_msgs.msg import DiagnosticStatus
 from node_testing import (ALL, ARMS, DYNAMIC, NODE, STATIC, ArmsTf, Diagnostics, Repeater,
                           SimulatedClock, arm_bounds, value_of)
+from patience import PATIENCE
 from rosgraph_msgs.msg import Log
 
 TOLERANCE = 1e-12  # m
-BACK_AGAIN = 0.5  # wall seconds in which boxes of the new era must appear
+BACK_AGAIN = 0.5 * PATIENCE  # wall seconds in which boxes of the new era must appear
+TRIES = 3  # a busy machine may take longer, but not each time
 JUMPS = 10
 DOUBT = 0.5  # wall seconds after a jump in which stamps far ahead are dropped
 
@@ -73,11 +75,14 @@ class TimeJump(unittest.TestCase):
         self.assertEqual(names_of(self.boxes.messages[-1]), STATIC)
 
     def test_boxes_of_the_new_era_are_back_in_time(self):
-        new_now = self.jump_back()
-        start = time.monotonic()
-        self.tf.send(at(new_now), degrees=45)
-        self.wait_for_all(new_now, degrees=45)
-        self.assertLess(time.monotonic() - start, BACK_AGAIN)
+        def is_back():
+            self.setUp()
+            new_now = self.jump_back()
+            start = time.monotonic()
+            self.tf.send(at(new_now), degrees=45)
+            self.wait_for_all(new_now, degrees=45)
+            return time.monotonic() - start < BACK_AGAIN
+        self.assertTrue(any(is_back() for _ in range(TRIES)))
 
     def test_late_transform_that_races_the_clock_harms_nothing(self):
         self.clock.publish(self.now - 5)
@@ -114,13 +119,18 @@ class TimeJump(unittest.TestCase):
         self.wait_for_all(new_now + 3)
 
     def test_every_transform_in_order_after_a_jump_is_answered(self):
+        """Or is joined with a newer one while the machine is busy."""
+        self.diagnostics.wait_until_counted()
+        start = time.monotonic()
         new_now = self.jump_back()
         stamps = [at(new_now + 0.01 * i) for i in range(1, 41)]
         for stamp in stamps:
             self.tf.send(stamp)
         self.boxes.wait(lambda m: m.header.stamp == stamps[-1], "the last stamp")
         answered = [m.header.stamp for m in self.boxes.messages if "left" in names_of(m)]
-        self.assertEqual(answered, stamps)
+        self.assertEqual(answered, sorted(set(answered).intersection(stamps)))
+        self.diagnostics.wait_until_counted()
+        self.assertEqual(len(stamps) - len(answered), self.diagnostics.joined(start))
 
     def test_a_twentieth_of_a_second_back_is_no_jump(self):
         self.wait_for_level(DiagnosticStatus.OK)

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -26,6 +25,7 @@
 #include "node/load/storm_answers.h"
 #include "node/load/storm_scene.h"
 #include "node/load/storm_sender.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -35,13 +35,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr std::chrono::milliseconds kPoll(5);
 
-/// By how much a machine is slower than usual, as in test/testing/patience.py.
-double slowness() {
-  const char* text = std::getenv("LINK_BOUNDS_TEST_PATIENCE");
-  return text ? std::stod(text) : 1;
-}
-
-const Seconds kPatience(60 * slowness()), kAnswerLimit(10 * slowness());
+const Seconds kPatience(60 * patience()), kAnswerLimit(10 * patience());
 constexpr Seconds kWarmUp(2);
 constexpr Seconds kPeriod(kStormPeriod);
 constexpr Seconds kCubesPeriod(0.1), kListPeriod(0.25), kMeshPeriod(0.5);

@@ -6,38 +6,23 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <map>
 #include <mutex>
 #include <random>
 #include <thread>
 
+#include "testing/patience.h"
+
 namespace link_bounds {
 namespace {
 
 using IsCancelled = MeshReaders::IsCancelled;
 
-constexpr std::chrono::seconds kDeadline(60);
 constexpr std::uint64_t kLarge = 1 << 30;
 
 MeshReaders::Job job(std::uint64_t bytes, std::function<void(const IsCancelled&)> work) {
   return {[bytes] { return bytes; }, std::move(work)};
-}
-
-/// Waits until nobody waits for the work.
-void hang(const IsCancelled& is_cancelled) {
-  const auto end = std::chrono::steady_clock::now() + kDeadline;
-  while (!is_cancelled() && std::chrono::steady_clock::now() < end)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
-template <class Condition>
-bool waitFor(const Condition& condition) {
-  const auto end = std::chrono::steady_clock::now() + kDeadline;
-  while (!condition() && std::chrono::steady_clock::now() < end)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return condition();
 }
 
 TEST(MeshReaders, SmallMeshesWaitForNoLargeOne) {
@@ -47,16 +32,16 @@ TEST(MeshReaders, SmallMeshesWaitForNoLargeOne) {
   std::atomic<bool> is_large_done{false};
   readers.post("large", job(kLarge, [&](const IsCancelled&) {
                  begun.set_value();
-                 open.get_future().wait_for(kDeadline);
+                 open.get_future().wait_for(deadline());
                  is_large_done = true;
                }));
-  begun.get_future().wait();
+  valueOf(begun.get_future());
   for (int i = 0; i < 100; ++i)
     readers.post("small " + std::to_string(i), job(1, [&](const IsCancelled&) { ++done; }));
-  EXPECT_TRUE(waitFor([&] { return done == 100; }));
+  EXPECT_TRUE(becomesTrue([&] { return done == 100; }));
   EXPECT_FALSE(is_large_done);
   open.set_value();
-  EXPECT_TRUE(waitFor([&] { return is_large_done.load(); }));
+  EXPECT_TRUE(becomesTrue([&] { return is_large_done.load(); }));
 }
 
 TEST(MeshReaders, ASuccessorEndsTheOneThatRuns) {
@@ -67,13 +52,12 @@ TEST(MeshReaders, ASuccessorEndsTheOneThatRuns) {
       std::atomic<bool> is_told{false}, is_done{false};
       readers.post("a", job(first, [&](const IsCancelled& is_cancelled) {
                      begun.set_value();
-                     hang(is_cancelled);
-                     is_told = is_cancelled();
+                     is_told = becomesTrue(is_cancelled);
                    }));
-      begun.get_future().wait();
+      valueOf(begun.get_future());
       readers.post(
           "a", job(second, [&](const IsCancelled& is_cancelled) { is_done = !is_cancelled(); }));
-      EXPECT_TRUE(waitFor([&] { return is_told && is_done; }));
+      EXPECT_TRUE(becomesTrue([&] { return is_told && is_done; }));
     }
   }
 }
@@ -84,11 +68,10 @@ TEST(MeshReaders, StopEndsWhatRunsAndDoesNotDoWhatWaits) {
   std::atomic<int> done{0};
   readers.post("large", job(kLarge, [&](const IsCancelled& is_cancelled) {
                  begun.set_value();
-                 hang(is_cancelled);
-                 done += !is_cancelled();
+                 done += !becomesTrue(is_cancelled);
                }));
   readers.post("second", job(kLarge, [&](const IsCancelled&) { ++done; }));
-  begun.get_future().wait();
+  valueOf(begun.get_future());
   readers.stop();
   readers.post("third", job(1, [&](const IsCancelled&) { ++done; }));
   EXPECT_EQ(done, 0);
@@ -113,7 +96,7 @@ TEST(MeshReaders, RandomRequestsEndAsTheLastOfEachKey) {
                    }));
       if (random() % 4 == 0) std::this_thread::sleep_for(pause);
     }
-    EXPECT_TRUE(waitFor([&] {
+    EXPECT_TRUE(becomesTrue([&] {
       const std::lock_guard<std::mutex> lock(mutex);
       return answers == last;
     })) << "round "

@@ -11,16 +11,18 @@ import unittest
 
 import rospy
 import rostest
-from bounds_testing import (Recorder, box_link, box_of, corners_of, difference, load, names_of,
+from bounds_testing import (DEADLINE, Recorder, box_link, box_of, corners_of, difference, load, names_of,
                             robot, visual, wait_for)
 from node_testing import (ALL, ARMS, NODE, ArmsTf, Delays, Diagnostics, NodeProcess, Repeater,
                           value_of)
+from patience import PATIENCE
 from std_srvs.srv import Trigger
 
 TOLERANCE = 1e-12  # m
-MAX_CALLBACK = 50.0  # ms of the update thread's own time
-MAX_DELAY = 0.2  # wall seconds beyond what the machine takes
+MAX_CALLBACK = 50.0 * PATIENCE  # ms of the update thread's own time
+MAX_DELAY = 0.2 * PATIENCE  # wall seconds beyond what the machine takes
 TRIANGLES = 60000
+DOUBLINGS = 4
 
 
 def write_stl(path, size, triangles=1):
@@ -86,8 +88,8 @@ class Reload(unittest.TestCase):
         return mast and mast.max.x
 
     def test_rosservice_reaches_it(self):
-        answer = subprocess.run(["rosservice", "call", NODE + "/reload"], check=True, timeout=20,
-                                stdout=subprocess.PIPE).stdout.decode()
+        answer = subprocess.run(["rosservice", "call", NODE + "/reload"], check=True,
+                                timeout=DEADLINE, stdout=subprocess.PIPE).stdout.decode()
         self.assertIn("success: True", answer)
 
     def test_the_answer_has_the_warnings(self):
@@ -185,15 +187,22 @@ class Reload(unittest.TestCase):
         return other.name
 
     def check_delays(self, other, reload_time):
+        """False if the reload was too short to hold anything up."""
         machine, own = self.delays.longest(other), self.delays.longest(NODE)
         print("a reload of %.0f ms: boxes after at most %.1f ms, those of a node beside it %.1f ms"
               % (1e3 * reload_time, 1e3 * own, 1e3 * machine))
         self.assertLess(own, machine + MAX_DELAY)
-        self.assertGreater(reload_time, machine + MAX_DELAY, "too short to hold anything up")
+        return reload_time > machine + MAX_DELAY
 
     def test_tf_is_answered_while_a_large_mesh_loads(self):
+        """A mesh that loads too fast to hold anything up is followed by a larger one."""
         other = self.measure_delays()
-        write_stl(self.mesh, 1.0, TRIANGLES)
+        self.assertTrue(any(self.is_answered_while_loading(other, TRIANGLES << doublings)
+                            for doublings in range(DOUBLINGS + 1)))
+
+    def is_answered_while_loading(self, other, triangles):
+        """False if they are too few for a test."""
+        write_stl(self.mesh, 1.0, triangles)
         large = ARMS.replace('<link name="bare"/>', '<link name="bare">%s</link>' % visual(
             '<mesh filename="file://%s"/>' % self.mesh))
         self.boxes.clear()
@@ -215,8 +224,8 @@ class Reload(unittest.TestCase):
         status = self.diagnostics.wait_for_new(lambda *_: True, "a status")
         # A machine that is busy lets messages wait: they have boxes together with a newer one.
         self.assertLessEqual(len(unanswered), self.diagnostics.joined(start), unanswered)
-        self.check_delays(other, reload_time)
         self.assertLess(float(value_of(status, "longest callback, CPU [ms]")), MAX_CALLBACK)
+        return self.check_delays(other, reload_time)
 
 
 if __name__ == "__main__":

@@ -14,11 +14,12 @@ import rospy
 from bounds_testing import DEADLINE, Recorder, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
 from own_master import OwnMaster
+from patience import PATIENCE
 from std_srvs.srv import Trigger
 
 STRANGER = "stranger"  # the argument of a second process of this script
-BACK_AT_MASTER = 5.0  # wall seconds
-PROMPT = 10.0  # wall seconds for the end of a node on a busy machine
+BACK_AT_MASTER = 5.0 * PATIENCE  # wall seconds
+PROMPT = 10.0 * PATIENCE  # wall seconds for the end of a node on a busy machine
 RATE = 100  # Hz
 LOST = "lost the ROS master"
 BACK = "knows this node again"

@@ -20,13 +20,14 @@ from link_bounds.msg import Distance, DistanceArray
 from node_testing import (SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, SimulatedClock,
                           resident_bytes, value_of)
 from object_testing import ObjectSender, marker
+from patience import PATIENCE
 from visualization_msgs.msg import Marker
 
 SLIVERS = 20000 if SANITIZED else 200000
-MAX_DELAY = 0.3  # wall seconds beyond what the machine takes
+MAX_DELAY = 0.3 * PATIENCE  # wall seconds beyond what the machine takes
 MEBIBYTE = 1 << 20
 KEPT = 8 * MEBIBYTE
-PROMPT = 10.0  # s, for the end of a node
+PROMPT = 10.0 * PATIENCE  # s, for the end of a node
 
 
 def write_slivers(path, count, size=1.0):
@@ -134,7 +135,7 @@ class DistanceFaults(unittest.TestCase):
         self.addCleanup(mover.stop)
         distances = self.listen(node)
         found = distances.wait(lambda m: m.distances and m.distances[0].level == Distance.MESH,
-                               "triangles", 120.0)
+                               "triangles", 120.0 * PATIENCE)
         self.assertLessEqual(found.distances[0].distance, found.distances[0].distance_max)
         seen = len(distances.messages)
         wait_for(lambda: len(distances.messages) > seen + 20, "more of them")

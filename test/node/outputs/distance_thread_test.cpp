@@ -7,10 +7,10 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
 #include "testing/distance_bodies.h"
 #include "testing/live_boxes_testing.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -41,26 +41,14 @@ MomentPtr madeMoment(double gap) {
   return moment;
 }
 
-/// Looks again and again, for at most 20 s.
-template <class Condition>
-bool becomesTrue(const Condition& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + seconds(20);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::yield();
-  }
-  return true;
-}
-
 class DistanceThreadTest : public testing::Test {
  protected:
   /// Waits until something published satisfies the condition.
   template <class Condition>
   bool wait(const Condition& condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return published_.wait_for(lock, seconds(20), [&] {
-      return std::any_of(results_.begin(), results_.end(), condition);
-    });
+    return published_.wait_for(
+        lock, deadline(), [&] { return std::any_of(results_.begin(), results_.end(), condition); });
   }
 
   bool waitForGap(double gap) {

@@ -17,13 +17,14 @@ from bounds_testing import (DEADLINE, Recorder, TfSender, box_link, box_of, corn
 from dying_client import DyingClient
 from link_bounds.srv import GetBoxes, GetBoxesRequest
 from node_testing import SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, SimulatedClock
+from patience import PATIENCE
 from tf2_msgs.msg import TFMessage
 
 LINKS = 20
 SAMPLES = 200 if SANITIZED else 1000  # per link, in 10 s
 REQUESTS = 30 if SANITIZED else 100
-MAX_DELAY = 0.3  # wall seconds beyond what the machine takes
-PROMPT = 10.0  # s, for the end of a node
+MAX_DELAY = 0.3 * PATIENCE  # wall seconds beyond what the machine takes
+PROMPT = 10.0 * PATIENCE  # s, for the end of a node
 NAMES = ["arm_%d" % i for i in range(LINKS)]
 MANY = robot([box_link(name, (1, 1, 1)) for name in ["base"] + NAMES],
              [("base", name) for name in NAMES])
@@ -134,7 +135,8 @@ class GetBoxesFaults(unittest.TestCase):
             thread.start()
             if i % 10 == 0:
                 DyingClient(node.name + "/get_boxes", WHOLE)
-        wait_for(lambda: len(answers) + len(failures) == REQUESTS, "all answers", 120.0)
+        wait_for(lambda: len(answers) + len(failures) == REQUESTS, "all answers",
+                 120.0 * PATIENCE)
         mover.stop()
         self.assertEqual(failures, [])
         for answer in answers:

@@ -13,13 +13,15 @@ from bounds_testing import (Recorder, box_of, corners_of, difference, latched, l
 from footprint_test import is_rectangle
 from geometry_msgs.msg import Polygon
 from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
-from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, value_of
+from node_testing import (ALL, ARMS, NODE, ArmsTf, Delays, Diagnostics, NodeProcess,
+                          value_of)
 from object_testing import ObjectSender, deletion, marker
+from patience import PATIENCE
 
 UPDATES = 400
-LATE = 0.3  # wall seconds that a busy machine may add
-SLOW = 0.01  # Hz; one period is longer than any deadline here
-INTERVAL = 0.005  # wall seconds between updates, 200 Hz
+LATE = 0.3 * PATIENCE  # wall seconds beyond what the machine takes
+SLOW = 0.01 / PATIENCE  # Hz; one period is longer than any deadline here
+INTERVAL = 0.005 * PATIENCE  # wall seconds between updates
 
 
 class Arrivals:
@@ -50,9 +52,10 @@ class MaxRate(unittest.TestCase):
         self.boxes.clear()
         self.groups.clear()
 
-    def send_next(self):
+    def send_next(self, record=lambda stamp: None):
         MaxRate.now += 0.01
         stamp = rospy.Time.from_sec(self.now)
+        record(stamp)
         self.tf.send(stamp)
         return stamp
 
@@ -61,13 +64,13 @@ class MaxRate(unittest.TestCase):
         sent = self.timed_flood()
         return [stamp for _, stamp in sent], sent[-1][0] - sent[0][0]
 
-    def timed_flood(self):
+    def timed_flood(self, record=lambda stamp: None):
         """The same; returns when each was sent, and its stamp."""
         start = time.monotonic()
         sent = []
         while len(sent) < UPDATES:
             time.sleep(max(0.0, start + len(sent) * INTERVAL - time.monotonic()))
-            sent.append((time.monotonic(), self.send_next()))
+            sent.append((time.monotonic(), self.send_next(record)))
         return sent
 
     def wait_for_last(self, stamp):
@@ -89,30 +92,37 @@ class MaxRate(unittest.TestCase):
         self.assertEqual([m.header.stamp for m in self.groups.messages], answered)
 
     def test_a_limit_holds_and_the_newest_state_follows(self):
-        self.start(10.0)
+        rate = 10.0 / PATIENCE
+        self.start(rate)
         stamps, seconds = self.flood()
         self.wait_for_last(stamps[-1])
         answered = [m.header.stamp for m in self.boxes.messages]
         # One may come at the very start and one follows the end.
-        self.assertLessEqual(len(answered), 10 * seconds + 2)
+        self.assertLessEqual(len(answered), rate * seconds + 2)
         self.assertGreater(len(answered), 2)
         self.assertEqual(answered, sorted(set(answered)))
         self.assertEqual([m.header.stamp for m in self.groups.messages], answered)
 
     def test_what_is_shown_is_the_newest_and_at_most_a_period_late(self):
-        rate = 1.0
+        rate = 1.0 / PATIENCE
         self.start(rate)
+        beside = NodeProcess("beside", timeout=0.0)
+        self.addCleanup(beside.end)
+        delays = Delays(beside.name)
+        self.addCleanup(delays.end)
+        Recorder(beside.name + "/boxes").wait(lambda m: True, "the node beside it")
         arrivals = Arrivals(NODE + "/boxes")
         wait_for(lambda: arrivals.times, "the latched message")
-        sent = self.timed_flood()
+        sent = self.timed_flood(delays.record)
         self.wait_for_last(sent[-1][1])
+        late = LATE + delays.longest(beside.name)
         wait_for(lambda: arrivals.times[-1][1] == sent[-1][1], "the last arrival")
         for moment, stamp in arrivals.times[1:]:
-            known = [other for time_sent, other in sent if time_sent < moment - LATE]
+            known = [other for time_sent, other in sent if time_sent < moment - late]
             self.assertTrue(not known or stamp >= known[-1], "an old state is shown")
         for time_sent, stamp in sent:
             shown = next(moment for moment, other in arrivals.times if other >= stamp)
-            self.assertLess(shown - time_sent, 1 / rate + LATE)
+            self.assertLess(shown - time_sent, 1 / rate + late)
 
     def test_a_single_update_after_silence_is_shown(self):
         self.start(1.0)

@@ -13,6 +13,7 @@
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "testing/own_master.h"
+#include "testing/patience.h"
 #include "testing/process_census.h"
 #include "testing/sanitized.h"
 #include "testing/tcpros_reader.h"
@@ -71,16 +72,13 @@ void serve() {
   ros::getGlobalCallbackQueue()->callAvailable();
 }
 
-/// Serves callbacks for at most 20 s.
+/// Serves callbacks until then, or until the deadline.
 template <class Condition>
-bool becomesTrue(const Condition& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
+bool isServed(const Condition& condition) {
+  return becomesTrue([&] {
     serve();
-    std::this_thread::yield();
-  }
-  return true;
+    return condition();
+  });
 }
 
 Message message(std::uint32_t number, std::size_t bytes = 0) {
@@ -139,7 +137,7 @@ class PlainOutputTest : public OutputTest {
   std::unique_ptr<Reader> connected() {
     const int before = subscribers_;
     auto result = reader();
-    EXPECT_TRUE(becomesTrue([&] { return subscribers_ > before; }));
+    EXPECT_TRUE(isServed([&] { return subscribers_ > before; }));
     return result;
   }
 
@@ -155,7 +153,7 @@ TEST_F(PlainOutputTest, EverySubscriberGetsEachMessageWithTheNumbersOfRoscpp) {
   std::vector<std::uint32_t> here;
   const auto subscriber = node_.subscribe<Message>(
       kTopic, kQueue, [&](const auto& received) { here.push_back(received->header.seq); });
-  ASSERT_TRUE(becomesTrue([&] { return subscribers_ == 1; }));
+  ASSERT_TRUE(isServed([&] { return subscribers_ == 1; }));
   output_.publish(message(0));
   const auto first = connected();
   const auto second = connected();
@@ -169,14 +167,14 @@ TEST_F(PlainOutputTest, EverySubscriberGetsEachMessageWithTheNumbersOfRoscpp) {
       EXPECT_EQ(received.header.seq, i);
     }
   }
-  EXPECT_TRUE(becomesTrue([&] { return here.size() == 4; }));
+  EXPECT_TRUE(isServed([&] { return here.size() == 4; }));
   EXPECT_EQ(here, (std::vector<std::uint32_t>{0, 1, 2, 3}));
 }
 
 TEST_F(PlainOutputTest, AMessageWithoutHeaderIsSentAsItIs) {
   Output<std_msgs::String> texts(node_, "/output_test/texts", kQueue);
   Reader one("/output_test/texts", kCaller, [] { serve(); });
-  ASSERT_TRUE(becomesTrue([&] { return texts.hasSubscribers(); }));
+  ASSERT_TRUE(isServed([&] { return texts.hasSubscribers(); }));
   std_msgs::String text;
   text.data = "as it is";
   texts.publish(text);
@@ -201,7 +199,7 @@ TEST_F(PlainOutputTest, KnowsWhoIsThere) {
   output_.publish(message(1));
   EXPECT_EQ(next(*second), 1U);
   second.reset();
-  EXPECT_TRUE(becomesTrue([&] { return !output_.hasSubscribers(); }));
+  EXPECT_TRUE(isServed([&] { return !output_.hasSubscribers(); }));
   auto third = connected();
   output_.publish(message(2));
   EXPECT_EQ(next(*third), 2U);
@@ -264,16 +262,16 @@ TEST_F(PlainOutputTest, TellsWhenASubscriberThatMissedMessagesReadsAgain) {
 TEST_F(OutputTest, MessagesThatRoscppDropsAreMissed) {
   Output<Message> output(node_, kTopic, 3);
   const auto one = reader();
-  ASSERT_TRUE(becomesTrue([&] { return output.hasSubscribers(); }));
+  ASSERT_TRUE(isServed([&] { return output.hasSubscribers(); }));
   std::uint32_t sent = 0;
   while (sent < 200)
     output.publish(message(++sent, 100'000));  // more than the kernel buffers
-  ASSERT_TRUE(becomesTrue([&] {
+  ASSERT_TRUE(isServed([&] {
     output.publish(message(++sent, 100'000));
     return !output.takeLoss();
   })) << "it reads nothing";
   numbersUntil(*one, sent);
-  EXPECT_TRUE(becomesTrue([&] {
+  EXPECT_TRUE(isServed([&] {
     output.publish(message(++sent));
     return output.takeLoss();
   }));
@@ -298,7 +296,7 @@ class LatchedOutputTest : public OutputTest {
 TEST_F(LatchedOutputTest, NothingIsSentBeforeTheFirstMessage) {
   const auto one = reader();
   EXPECT_EQ(one->field("latching"), "1");
-  ASSERT_TRUE(becomesTrue([&] { return output_.hasSubscribers(); }));
+  ASSERT_TRUE(isServed([&] { return output_.hasSubscribers(); }));
   EXPECT_EQ(next(*one, kNothing), std::nullopt);
   output_.publish(message(1));
   EXPECT_EQ(next(*one), 1U);
@@ -311,15 +309,15 @@ TEST_F(LatchedOutputTest, EachNewSubscriberGetsTheLastMessageOnce) {
   EXPECT_EQ(next(*one), 2U);
   EXPECT_EQ(next(*one, kNothing), std::nullopt);
   one.reset();
-  ASSERT_TRUE(becomesTrue([&] { return !output_.hasSubscribers(); }));
+  ASSERT_TRUE(isServed([&] { return !output_.hasSubscribers(); }));
   one = reader();
   EXPECT_EQ(next(*one), 2U);
   std::vector<std::uint32_t> here;
   const auto subscriber = node_.subscribe<Message>(
       kTopic, kQueue, [&](const auto& received) { here.push_back(received->header.stamp.sec); });
-  ASSERT_TRUE(becomesTrue([&] { return !here.empty(); }));
+  ASSERT_TRUE(isServed([&] { return !here.empty(); }));
   output_.publish(message(3));
-  ASSERT_TRUE(becomesTrue([&] { return here.size() > 1; }));
+  ASSERT_TRUE(isServed([&] { return here.size() > 1; }));
   EXPECT_EQ(here, (std::vector<std::uint32_t>{2, 3}));
   EXPECT_EQ(next(*one), 3U);
 }
@@ -355,7 +353,7 @@ TEST_F(PlainOutputTest, DoesNotWaitForAMessageOfAnotherTopic) {
     output_.publish(message(1));
     return output_.hasSubscribers();
   });
-  EXPECT_EQ(sent.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  EXPECT_EQ(sent.wait_for(deadline()), std::future_status::ready);
   SlowMessage::may_end.set_value();
   slow.join();
   EXPECT_EQ(next(*one), 1U);

@@ -13,9 +13,9 @@ from bounds_testing import (Recorder, TfSender, box_link, load, names_of, transf
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import BoxOverlapArray, EarliestContactArray
 from node_testing import NODE, NodeProcess
+from patience import PATIENCE
 from sensor_msgs.msg import JointState
 from visualization_msgs.msg import Marker, MarkerArray
-
 
 
 def slide(rail, cart):
@@ -238,7 +238,7 @@ class StoppingTest(unittest.TestCase):
 
         def is_told(pairs):
             """Of the end of a motion, soon: the first ones come before the nodes have connected."""
-            stamp, end = send(gap), time.monotonic() + 1
+            stamp, end = send(gap), time.monotonic() + PATIENCE
 
             def is_newest(recorder, hits):
                 newest = recorder.messages[-1] if recorder.messages else None

@@ -8,7 +8,7 @@ from sequences_state import Entry, bounds_of
 from sequences_tf import SECOND, to_time
 from visualization_msgs.msg import Marker
 
-PATIENCE = 10  # s, where timeout is 0
+GIVEN_UP_AFTER = 10  # s of the clock, where timeout is 0
 LARGEST = 1e29
 FAR_AHEAD = SECOND // 2
 COUNTS = {Marker.ARROW: lambda n: n in (0, 2), Marker.LINE_STRIP: lambda n: n >= 2,
@@ -129,7 +129,7 @@ class Objects:
         self._objects = {key: o for key, o in self._objects.items() if not o.is_over(now)}
         self.settle()
         for thing in self._objects.values():
-            if thing.waits() and now - thing.waits_since > round((timeout or PATIENCE) * SECOND):
+            if thing.waits() and now - thing.waits_since > round((timeout or GIVEN_UP_AFTER) * SECOND):
                 thing.is_given_up = True
 
     def on_jump_back(self, past):

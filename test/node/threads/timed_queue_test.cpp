@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "node/threads/queued_function.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -39,8 +40,7 @@ TEST(TimedQueue, TellsForHowLongTheFirstOneWaits) {
   const auto before = std::chrono::steady_clock::now();
   add(queue, [] {});
   const auto after = std::chrono::steady_clock::now();
-  while (queue.backlog().oldest < std::chrono::milliseconds(5))
-    std::this_thread::yield();
+  EXPECT_TRUE(becomesTrue([&] { return queue.backlog().oldest >= std::chrono::milliseconds(5); }));
   add(queue, [] {});
   const auto oldest = queue.backlog().oldest;
   const auto now = std::chrono::steady_clock::now();

@@ -18,10 +18,10 @@
 #include <thread>
 #include <vector>
 
+#include "testing/patience.h"
+
 namespace link_bounds {
 namespace {
-
-constexpr std::chrono::seconds kDeadline(60);
 
 Worker::Options named(const std::string& name) {
   Worker::Options options;
@@ -88,7 +88,7 @@ class TurnQueueTest : public testing::Test {
   static void drainOne(Worker& worker) {
     std::promise<void> done;
     worker.post("drain", [&done] { done.set_value(); });
-    ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+    valueOf(done.get_future());
   }
 
   /// The long worker is busy until then.
@@ -96,9 +96,9 @@ class TurnQueueTest : public testing::Test {
     std::promise<void> begun;
     long_.post("hold", [this, &begun] {
       begun.set_value();
-      hold_.get_future().wait_for(kDeadline);
+      hold_.get_future().wait_for(deadline());
     });
-    begun.get_future().wait();
+    valueOf(begun.get_future());
   }
   void releaseLong() { hold_.set_value(); }
 
@@ -116,9 +116,7 @@ TEST_F(TurnQueueTest, AShortCallDoesNotWaitForLongOnes) {
     addLong(1, "long");
   std::promise<bool> is_long;
   add([&](TurnQueue::Call& call) { is_long.set_value(call.is_long); });
-  auto answer = is_long.get_future();
-  ASSERT_EQ(answer.wait_for(kDeadline), std::future_status::ready);
-  EXPECT_FALSE(answer.get());
+  EXPECT_FALSE(valueOf(is_long.get_future()));
   EXPECT_TRUE(done_.empty());
   releaseLong();
   drain();
@@ -132,7 +130,7 @@ TEST_F(TurnQueueTest, LongCallsTakeTurns) {
   addLong(2, "c");
   std::promise<void> moved;
   add([&](TurnQueue::Call&) { moved.set_value(); });
-  moved.get_future().wait();
+  valueOf(moved.get_future());
   releaseLong();
   drain();
   EXPECT_EQ(done_, (std::vector<std::string>{"a", "b", "c", "a", "c", "a"}));
@@ -148,7 +146,7 @@ TEST_F(TurnQueueTest, ALongCallMayEndAmongTheShortOnes) {
     call.is_long = threads.size() < 3;
     throw TurnQueue::NextTurn();
   });
-  ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+  valueOf(done.get_future());
   EXPECT_EQ(threads[0], threads[3]);
   EXPECT_EQ(threads[1], threads[2]);
   EXPECT_NE(threads[0], threads[1]);
@@ -174,9 +172,7 @@ TEST_F(TurnQueueTest, WhyALongCallFailedIsAnsweredAmongTheShortOnes) {
       answer.set_value(error.what());
     }
   });
-  auto result = answer.get_future();
-  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
-  EXPECT_EQ(result.get(), "why");
+  EXPECT_EQ(valueOf(answer.get_future()), "why");
   ASSERT_EQ(turns.size(), 3u);
   EXPECT_EQ(turns[2], turns[0]);
   EXPECT_NE(turns[1], turns[0]);
@@ -191,8 +187,7 @@ TEST_F(TurnQueueTest, WhyALongCallFailedIsAnsweredAtOnceAtTheEnd) {
       call.is_long = true;
       throw TurnQueue::NextTurn();
     }
-    while (is_held)
-      std::this_thread::yield();
+    becomesTrue([&] { return !is_held; });
     try {
       queue_.answer(call, [] { throw std::runtime_error("it stops"); });
     } catch (const std::exception& error) {
@@ -202,9 +197,7 @@ TEST_F(TurnQueueTest, WhyALongCallFailedIsAnsweredAtOnceAtTheEnd) {
   drainOne(short_);
   short_.stop();
   is_held = false;
-  auto result = answer.get_future();
-  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
-  EXPECT_EQ(result.get(), "it stops");
+  EXPECT_EQ(valueOf(answer.get_future()), "it stops");
 }
 
 TEST_F(TurnQueueTest, ACallWhoseClientIsGoneGetsNoFurtherTurn) {
@@ -222,7 +215,7 @@ TEST_F(TurnQueueTest, ACallWhoseClientIsGoneGetsNoFurtherTurn) {
         throw TurnQueue::NextTurn();
       },
       0, [&] { return is_gone.load(); });
-  ASSERT_EQ(second.get_future().wait_for(kDeadline), std::future_status::ready);
+  valueOf(second.get_future());
   drain();
   EXPECT_TRUE(state.expired());
 }
@@ -261,8 +254,7 @@ TEST_F(TurnQueueTest, AfterRemovingNoCallOfTheOwnerRuns) {
           },
           7);
     }
-    while (turns < round % 20)
-      std::this_thread::yield();
+    ASSERT_TRUE(becomesTrue([&] { return turns >= round % 20; }));
     queue_.removeByID(7);
     is_removed = true;
     drain();

@@ -17,11 +17,10 @@
 #include <vector>
 
 #include "node/threads/queued_function.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr std::chrono::seconds kDeadline(60);
 
 Worker::Options named(const std::string& name) {
   Worker::Options options;
@@ -36,9 +35,9 @@ class Gate {
     std::promise<void> begun;
     worker.post("gate", [this, &begun] {
       begun.set_value();
-      opened_.get_future().wait_for(kDeadline);
+      opened_.get_future().wait_for(deadline());
     });
-    begun.get_future().wait();
+    valueOf(begun.get_future());
   }
   void open() { opened_.set_value(); }
 
@@ -50,7 +49,7 @@ class Gate {
 void drain(Worker& worker) {
   std::promise<void> done;
   worker.post("drain", [&done] { done.set_value(); });
-  ASSERT_EQ(done.get_future().wait_for(kDeadline), std::future_status::ready);
+  valueOf(done.get_future());
 }
 
 TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
@@ -86,13 +85,11 @@ TEST(Worker, BeginsLaterIfItIsNice) {
     return false;
   };
   Worker worker(nice);
-  ASSERT_EQ(idle.get_future().wait_for(kDeadline), std::future_status::ready);
+  valueOf(idle.get_future());
   const auto posted = std::chrono::steady_clock::now();
   std::promise<std::chrono::steady_clock::time_point> begun;
   worker.post("a", [&begun] { begun.set_value(std::chrono::steady_clock::now()); });
-  auto begin = begun.get_future();
-  ASSERT_EQ(begin.wait_for(kDeadline), std::future_status::ready);
-  EXPECT_GE(begin.get() - posted, std::chrono::milliseconds(1));
+  EXPECT_GE(valueOf(begun.get_future()) - posted, std::chrono::milliseconds(1));
 }
 
 TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
@@ -102,12 +99,9 @@ TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
     std::atomic<bool> is_told{false};
     worker.post("a", [&] {
       begun.set_value();
-      const auto end = std::chrono::steady_clock::now() + kDeadline;
-      while (!worker.isCancelled() && std::chrono::steady_clock::now() < end)
-        std::this_thread::yield();
-      is_told = worker.isCancelled();
+      is_told = becomesTrue([&] { return worker.isCancelled(); });
     });
-    begun.get_future().wait();
+    valueOf(begun.get_future());
     worker.post("b", [] {});
     worker.cancel("b");
     EXPECT_FALSE(worker.isCancelled());
@@ -175,10 +169,10 @@ TEST(Worker, AwaitsAnotherThreadPieceByPiece) {
   std::promise<bool> answer;
   worker.post("a", [&] { answer.set_value(worker.await(queue, [&] { return ++pieces == 3; })); });
   auto result = answer.get_future();
-  const auto end = std::chrono::steady_clock::now() + kDeadline;
-  while (result.wait_for(std::chrono::milliseconds(0)) != std::future_status::ready &&
-         std::chrono::steady_clock::now() < end)
+  ASSERT_TRUE(becomesTrue([&] {
     queue.callOne(ros::WallDuration(0.001));
+    return result.wait_for(std::chrono::milliseconds(0)) == std::future_status::ready;
+  }));
   EXPECT_TRUE(result.get());
   EXPECT_EQ(pieces, 3);
 }
@@ -196,7 +190,7 @@ TEST(Worker, AwaitingThrowsWhatThePieceThrows) {
     }
   });
   queue.callOne(ros::WallDuration(60));
-  EXPECT_EQ(answer.get_future().get(), "no");
+  EXPECT_EQ(valueOf(answer.get_future()), "no");
 }
 
 TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
@@ -210,7 +204,7 @@ TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
       begun.set_value();
       answer = worker.await(queue, [&] { return ++pieces > 0; });
     });
-    begun.get_future().wait();
+    valueOf(begun.get_future());
     worker.stop();
     worker.post("b", [] { ADD_FAILURE() << "it was stopped"; });
   }
@@ -225,14 +219,10 @@ TEST(Worker, TicksWhileItIsWanted) {
   options.tick_period = std::chrono::milliseconds(1);
   options.on_tick = [&ticks] { return ++ticks < 3; };
   Worker worker(options);
-  const auto end = std::chrono::steady_clock::now() + kDeadline;
-  while (ticks < 3 && std::chrono::steady_clock::now() < end)
-    std::this_thread::yield();
+  EXPECT_TRUE(becomesTrue([&] { return ticks >= 3; }));
   EXPECT_EQ(ticks, 3);
   drain(worker);  // wakes it up, after which it ticks again
-  while (ticks < 4 && std::chrono::steady_clock::now() < end)
-    std::this_thread::yield();
-  EXPECT_GE(ticks, 4);
+  EXPECT_TRUE(becomesTrue([&] { return ticks >= 4; }));
 }
 
 TEST(Worker, TicksOnAfterATickThatThrows) {
@@ -245,9 +235,7 @@ TEST(Worker, TicksOnAfterATickThatThrows) {
     return false;
   };
   Worker worker(options);
-  const auto end = std::chrono::steady_clock::now() + kDeadline;
-  while (ticks < 3 && std::chrono::steady_clock::now() < end)
-    std::this_thread::yield();
+  EXPECT_TRUE(becomesTrue([&] { return ticks >= 3; }));
   EXPECT_EQ(ticks, 3);
 }
 
@@ -258,14 +246,11 @@ TEST(Worker, RemovesTheCallbacksOfAnOwnerAndWaitsForTheOneThatRuns) {
   boost::weak_ptr<QueuedFunction> waiting;
   worker.addCallback(boost::make_shared<QueuedFunction>([&] {
                        begun.set_value();
-                       added.get_future().wait_for(kDeadline);
-                       const auto end = std::chrono::steady_clock::now() + kDeadline;
-                       while (!waiting.expired() && std::chrono::steady_clock::now() < end)
-                         std::this_thread::yield();
-                       is_done = true;
+                       added.get_future().wait_for(deadline());
+                       is_done = becomesTrue([&] { return waiting.expired(); });
                      }),
                      7);
-  begun.get_future().wait();
+  valueOf(begun.get_future());
   auto removed = boost::make_shared<QueuedFunction>([&] { ADD_FAILURE() << "was removed"; });
   waiting = removed;
   worker.addCallback(std::move(removed), 7);
@@ -304,8 +289,7 @@ TEST(Worker, ARemovedCallbackThatRunsIsNotTriedAgain) {
   for (int round = 1; round <= 200; ++round) {
     const int calls = trier->calls;
     worker.addCallback(trier, 7);
-    while (trier->calls < calls + round % 20)
-      std::this_thread::yield();
+    ASSERT_TRUE(becomesTrue([&] { return trier->calls >= calls + round % 20; }));
     worker.removeByID(7);
     const int removed = trier->calls;
     drain(worker);
@@ -322,9 +306,7 @@ TEST(Worker, AwaitsNoLongerThanTheDeadline) {
     answer.set_value(worker.await(
         queue, [&] { return ++pieces > 0; }, std::chrono::steady_clock::now()));
   });
-  auto result = answer.get_future();
-  ASSERT_EQ(result.wait_for(kDeadline), std::future_status::ready);
-  EXPECT_FALSE(result.get());
+  EXPECT_FALSE(valueOf(answer.get_future()));
   queue.callAvailable();
   EXPECT_EQ(pieces, 0);
 }

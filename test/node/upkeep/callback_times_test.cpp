@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "testing/patience.h"
+
 namespace link_bounds {
 namespace {
 
@@ -42,12 +44,17 @@ TEST(CallbackTimes, RecentTfMessagesAreThoseSinceTheyWereTaken) {
   EXPECT_EQ(times.takeRecentTf().count, 1u);
   EXPECT_EQ(times.takeRecentTf().count, 0u);
   times.measureTf([] {});
-  times.measureTf([] {});
-  const Durations recent = times.takeRecentTf();
-  EXPECT_EQ(recent.count, 2u);
-  EXPECT_LT(recent.max, times.tf().max);
-  EXPECT_LE(recent.mean(), recent.max);
-  EXPECT_EQ(times.tf().count, 3u);
+  EXPECT_EQ(times.tf().count, 2u);
+  EXPECT_EQ(times.takeRecentTf().count, 1u);
+  // What does nothing may also take long, where the machine is busy, but not each time.
+  EXPECT_TRUE(becomesTrue([&] {
+    times.measureTf([] {});
+    times.measureTf([] {});
+    const Durations recent = times.takeRecentTf();
+    EXPECT_EQ(recent.count, 2u);
+    EXPECT_LE(recent.mean(), recent.max);
+    return recent.max < kWait;
+  }));
   EXPECT_GE(times.tf().max, kWait);
   EXPECT_EQ(times.longest(), times.tf().max);
 }

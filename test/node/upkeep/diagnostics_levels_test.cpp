@@ -4,13 +4,13 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 
 #include "node/inputs/tf_receiver.h"
 #include "node/upkeep/diagnostics.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/own_master.h"
+#include "testing/patience.h"
 
 namespace link_bounds {
 namespace {
@@ -35,11 +35,12 @@ class DiagnosticsLevels : public testing::Test {
     Health health;
     change(health);
     has_status_ = false;
-    while (subscriber_.getNumPublishers() == 0)
-      std::this_thread::yield();
+    EXPECT_TRUE(becomesTrue([this] { return subscriber_.getNumPublishers() > 0; }));
     diagnostics_.publish(scene_, health, times_);
-    while (!has_status_)
+    EXPECT_TRUE(becomesTrue([this] {
       ros::spinOnce();
+      return has_status_;
+    }));
     return status_;
   }
 

@@ -16,6 +16,7 @@ from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray, EarliestContac
 from node_testing import ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater, value_of
 from object_testing import ObjectSender, deletion, marker
 from page_testing import rows_below
+from patience import PATIENCE
 
 PAGE = rospkg.RosPack().get_path("link_bounds") + "/doc/deployment.md"
 MESH = "package://link_bounds/launch/demo/meshes/finger_ascii.stl"
@@ -25,11 +26,11 @@ MAXIMUM = "time per tf message, maximum of the last second [ms]"
 LAG = "longest lag of boxes behind their stamp [ms]"
 LONGEST = "time per tf message, longest [ms]"  # since the start
 CROWD = 400  # objects that all overlap
-GROUPS = 8000  # of the whole crowd
-LONG = 10.0  # ms; bounding those groups takes longer, and so does finding and sending 80,000 pairs
+GROUPS = 8000  # of the whole crowd, which take fifty times as long as a callback
+LONG = 10.0  # ms; finding and sending 80,000 pairs takes longer
 PERIODS = 5
 PERIOD = 1.0  # wall seconds
-LATE = 0.5  # wall seconds by which their mean may be off on a busy machine
+LATE = 0.5  # wall seconds by which their mean may be off, more on a slow machine
 
 
 class DiagnosticsTest(unittest.TestCase):
@@ -184,7 +185,7 @@ class DiagnosticsTest(unittest.TestCase):
         boxes.wait(lambda m: len(m.boxes) > CROWD, "the crowd")
         after = self.longest_callback(statuses)
         print("longest callback %.1f ms, then %.1f ms" % (before, after))
-        self.assertGreater(after, before + LONG)
+        self.assertGreater(after, 5 * before)
 
     def test_what_only_listeners_want_is_no_work_of_callbacks(self):
         """Beside a node to which nobody listens: a sanitizer slows both down."""
@@ -246,9 +247,10 @@ class DiagnosticsTest(unittest.TestCase):
     def test_comes_every_second(self):
         start = len(self.diagnostics.received)
         wait_for(lambda: len(self.diagnostics.received) > start + PERIODS, "some periods")
-        times = [received for _, _, received in self.diagnostics.received[start:]]
+        times = [stamp.to_sec() for stamp, _, _ in self.diagnostics.received[start:]]
         mean = (times[PERIODS] - times[0]) / PERIODS
-        self.assertLess(abs(mean - PERIOD), LATE)
+        self.assertGreater(mean, PERIOD - LATE)
+        self.assertLess(mean, PERIOD + LATE * PATIENCE)
 
 
 if __name__ == "__main__":

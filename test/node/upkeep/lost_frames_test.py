@@ -12,10 +12,11 @@ import rostest
 from bounds_testing import DEADLINE, Recorder, TfSender, names_of, wait_for
 from node_testing import ALL, ARMS, NodeProcess, Repeater, arm_transform
 from object_testing import ObjectSender, marker
+from patience import PATIENCE
 
-PATIENCE = 5.0  # wall seconds
-LATE = 3.0  # wall seconds on a busy machine
-WATCHED = 3 * PATIENCE  # after which there must still be one warning
+LOST = 5.0  # wall seconds until the warning
+LATE = 3.0 * PATIENCE  # wall seconds on a busy machine
+WATCHED = 2 * LOST + LATE  # after which there must still be one warning
 TIMEOUT = 0.5  # ROS seconds
 SILENT = ["/tf:=/silent", "/tf_static:=/silent"]  # as without a robot_state_publisher
 STARTED = "bounding 5 links"
@@ -83,8 +84,8 @@ class LostFrames(unittest.TestCase):
             self.assertIn(word, warnings[0])
         start, warned = [float(LINE.search(line).group(1))
                          for line in node.lines(STARTED) + warnings]
-        self.assertGreater(warned - start, PATIENCE - 0.1)
-        self.assertLess(warned - start, PATIENCE + LATE)
+        self.assertGreater(warned - start, LOST - 0.1)
+        self.assertLess(warned - start, LOST + LATE)
 
     def test_misspelt_fixed_frame(self):
         self.check_one_warning(self.misspelt, "no link", 'fixed_frame "wolrd"', "is misspelt",

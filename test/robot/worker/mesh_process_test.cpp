@@ -10,7 +10,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <system_error>
 #include <thread>
 
@@ -20,6 +19,7 @@
 #include "testing/emulated.h"
 #include "testing/mesh_texts.h"
 #include "testing/ordinary_user.h"
+#include "testing/patience.h"
 #include "testing/process_census.h"
 #include "testing/temporary_folder.h"
 
@@ -29,16 +29,6 @@ namespace {
 constexpr double kShortTimeout = 0.3;        // s
 constexpr double kDeadline = 20;             // s
 constexpr std::chrono::seconds kGivenUp(4);  // 2 s, and as long again for a busy machine
-
-/// Whether a condition becomes true.
-bool comesTrue(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kDeadline);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
 
 pid_t numberIn(const std::string& path) {
   pid_t number = 0;
@@ -216,7 +206,7 @@ TEST_F(MeshProcess, WhatAWorkerStartsEndsWithIt) {
   const auto expect_no_child = [&number](const char* what) {
     const pid_t child = numberIn(number);
     EXPECT_GT(child, 0) << what;
-    if (comesTrue([child] { return !isRunning(child); })) return;
+    if (becomesTrue([child] { return !isRunning(child); })) return;
     ADD_FAILURE() << what << ": its child lives on";
     kill(child, SIGKILL);
   };
@@ -253,7 +243,7 @@ int importBesideAStuckWorker(const std::string& stuck, const std::string& good,
   }
   if (!hasChildren()) return 3;
   std::ofstream(steps.number + ".given_up") << "";
-  if (!comesTrue([&] { return std::filesystem::exists(steps.released); })) return 4;
+  if (!becomesTrue([&] { return std::filesystem::exists(steps.released); })) return 4;
   importInProcess(good, mesh, {});
   return hasChildren() ? 5 : 0;
 }
@@ -265,20 +255,20 @@ TEST_F(MeshProcess, AWorkerThatDoesNotEndWhenItIsKilledHoldsNobodyUp) {
   const std::string stuck = script("echo $$ >'" + steps.number + "'; exec sleep 1000");
   const pid_t importer = fork();
   if (importer == 0) _exit(importBesideAStuckWorker(stuck, real_, stl_, steps));
-  EXPECT_TRUE(comesTrue([&] { return numberIn(steps.number) > 0; }));
+  EXPECT_TRUE(becomesTrue([&] { return numberIn(steps.number) > 0; }));
   const pid_t worker = numberIn(steps.number);
   const bool is_traced = ptrace(PTRACE_SEIZE, worker, nullptr, nullptr) == 0;
   std::ofstream(steps.traced) << "";
   const auto start = std::chrono::steady_clock::now();
   const auto given_up = [&] { return std::filesystem::exists(steps.number + ".given_up"); };
   if (is_traced) {
-    EXPECT_TRUE(comesTrue(given_up)) << "waits for the worker without end";
+    EXPECT_TRUE(becomesTrue(given_up)) << "waits for the worker without end";
     EXPECT_LT(std::chrono::steady_clock::now() - start, kGivenUp);
     EXPECT_EQ(waitpid(worker, nullptr, __WALL), worker);  // as its tracer
   }
   std::ofstream(steps.released) << "";
   int status = -1;
-  EXPECT_TRUE(comesTrue([&] { return waitpid(importer, &status, WNOHANG) == importer; }));
+  EXPECT_TRUE(becomesTrue([&] { return waitpid(importer, &status, WNOHANG) == importer; }));
   if (!is_traced) GTEST_SKIP() << "skipped: no process may be traced here";
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0);
