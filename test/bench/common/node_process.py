@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ROS master and nodes of one's own, for benchmarks; to be run in the build's environment."""
+"""For benchmarks: options, rows, targets, and a ROS master and nodes of one's own; to be run in the
+build's environment."""
+import argparse
+import json
 import os
 import random
 import socket
@@ -13,6 +16,21 @@ import rosgraph
 
 PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_bounds")
 DEADLINE = 30  # seconds
+
+
+def parser_of(doc, quick):
+    """The parser of --quick, which does that, and --json."""
+    parser = argparse.ArgumentParser(description=doc)
+    parser.add_argument("--quick", action="store_true", help=quick)
+    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    return parser
+
+
+def write_rows(rows, path):
+    """As JSON, if there is a path."""
+    if path:
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
 
 
 def wait_for(condition, what):

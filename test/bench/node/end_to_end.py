@@ -9,7 +9,6 @@ end_to_end.py [--links N ...] [--quick] [--json FILE]
 
 Ours and the relay run one right after the other, for a short time each, and the verdict is the
 median of their ratios: so neither the load nor the speed of the machine at one time decides."""
-import argparse
 import json
 import os
 import statistics
@@ -17,7 +16,8 @@ import subprocess
 import tempfile
 import time
 
-from node_process import PROGRAMS, Master, cpu_seconds, print_target, random_mesh, wait_for
+from node_process import (PROGRAMS, Master, cpu_seconds, parser_of, print_target, random_mesh,
+                          wait_for, write_rows)
 
 DEPTH = 10
 SHARED_MESHES = 16
@@ -171,11 +171,9 @@ def print_targets(runs, links, hz):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = parser_of(__doc__, quick="fewer repetitions")
     parser.add_argument("--links", type=int, nargs="+", default=[LINKS_OF_ALL],
                         choices=sorted(MAX_RATIO), help="numbers of links (default: %(default)s)")
-    parser.add_argument("--quick", action="store_true", help="fewer repetitions")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
     repetitions = QUICK_REPETITIONS if options.quick else REPETITIONS
     rows, results = [], {}
@@ -191,9 +189,7 @@ def main():
     for links in options.links:
         for hz in RATES:
             print_targets(results[links], links, hz)
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ this machine, while all links move at 100 Hz. get_boxes.py [--quick] [--json FIL
 
 The kinds of calls take turns, and the verdict is the median of their ratios: so neither the load
 nor the speed of the machine at one time decides."""
-import argparse
 import json
 import os
 import statistics
@@ -14,7 +13,7 @@ import subprocess
 import tempfile
 
 from end_to_end import DEPTH, SHARED_MESHES, description
-from node_process import PROGRAMS, Master, print_target, random_mesh
+from node_process import PROGRAMS, Master, parser_of, print_target, random_mesh, write_rows
 
 LINKS, HZ = 50, 100
 EMPTY, EMPTY_FRESH = "empty", "empty, fresh connection"
@@ -37,10 +36,7 @@ def measure(repetitions, calls):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="fewer repetitions")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="fewer repetitions").parse_args()
     runs = measure(*((5, 200) if options.quick else (11, 1000)))
     rows = [{"call": kind, "p50_us": round(statistics.median(run[kind] for run in runs), 1)}
             for kind in runs[0]]
@@ -53,9 +49,7 @@ def main():
         if kind != empty and "span" not in kind:
             print_target("p50, ~get_boxes / an empty service, %s" % kind, 2.0,
                          [run[kind] / run[empty] for run in runs])
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

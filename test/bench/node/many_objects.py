@@ -3,14 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What many objects cost the running node: a thousand that move at 100 Hz, and the memory of ten
 thousand that come and go. many_objects.py [--quick] [--json FILE]"""
-import argparse
 import io
-import json
 import statistics
 import time
 
 import rospy
-from node_process import Master, cpu_seconds, megabytes, wait_for
+from node_process import Master, cpu_seconds, megabytes, parser_of, wait_for, write_rows
 from visualization_msgs.msg import Marker, MarkerArray
 
 from link_bounds.msg import AxisAlignedBoxArray
@@ -100,10 +98,7 @@ def fill(publisher, boxes, pid):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="5 seconds instead of 20")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="5 seconds instead of 20").parse_args()
     with Master() as master:
         rospy.init_node("many_objects", disable_signals=True)
         master.parameters.setParam("/many/node/fixed_frame", "map")
@@ -116,9 +111,7 @@ def main():
         rospy.signal_shutdown("done")
     for row in rows:
         print(", ".join("%s: %s" % entry for entry in row.items()))
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

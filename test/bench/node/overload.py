@@ -12,7 +12,6 @@ as many bytes on as many topics as often: what roscpp, the listeners and the mac
 The age of a tf message is the time from sending it until boxes come that are as new. The rows take
 turns, and the verdict is the median of their ratios: so neither the load nor the speed of the
 machine at one time decides."""
-import argparse
 import json
 import os
 import statistics
@@ -22,7 +21,7 @@ import rospy
 from bounds_testing import box_link
 from link_bounds.msg import AxisAlignedBoxArray
 from load_testing import LINK_SIZE, description, link_names, touching_cubes
-from node_process import PROGRAMS, Master, print_target, wait_for
+from node_process import PROGRAMS, Master, parser_of, print_target, wait_for, write_rows
 from raw_subscriber import Reader
 from visualization_msgs.msg import MarkerArray
 
@@ -199,10 +198,8 @@ def print_table(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = parser_of(__doc__, quick="fewer and shorter repetitions")
     parser.add_argument("--stopping", action="store_true", help="only the topics of what is ahead")
-    parser.add_argument("--quick", action="store_true", help="fewer and shorter repetitions")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
     options = parser.parse_args()
     size = (3, 2) if options.quick else (11, 5)
     runs = measure_ahead(*size) if options.stopping else measure(*size)
@@ -216,9 +213,7 @@ def main():
                      ratios(runs, "every topic"))
         print_target("ms, oldest boxes at twice the rate that can be served", LIMIT_MS,
                      [run["max_ms"] for run in runs["every topic, overload"]])
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

@@ -3,8 +3,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From the start of the node's process to its first boxes that lack nothing, all meshes loaded; and
 the memory of the node then, and of its tables. start_up.py [--quick] [--json FILE]"""
-import argparse
-import json
 import os
 import pathlib
 import re
@@ -16,7 +14,7 @@ import xml.etree.ElementTree as ElementTree
 
 import rospy
 from geometry_msgs.msg import TransformStamped
-from node_process import DEADLINE, PROGRAMS, Master, megabytes
+from node_process import DEADLINE, PROGRAMS, Master, megabytes, parser_of, write_rows
 from tf2_msgs.msg import TFMessage
 
 from link_bounds.msg import AxisAlignedBoxArray
@@ -90,10 +88,7 @@ def measure(robot, repetitions, master):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="3 repetitions")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="3 repetitions").parse_args()
     if not DATA:
         print("LINK_BOUNDS_DATA is not set: only the demo's robot is measured")
     rows = []
@@ -105,9 +100,7 @@ def main():
                   "%(starts)d starts), node %(resident_mb).0f MB, at the peak %(peak_mb).0f MB; "
                   "%(files)d mesh files take %(tables_mb).1f MB" % rows[-1], flush=True)
         rospy.signal_shutdown("done")
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,6 @@
 """bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and
 deserialise its messages; the memory of each, of a short and of a long bag; and 50 bags with --each.
 bag.py [--quick] [--json FILE] [--minutes M]"""
-import argparse
-import json
 import os
 import statistics
 import subprocess
@@ -13,7 +11,7 @@ import tempfile
 import time
 
 import rosbag
-from node_process import PROGRAMS, print_target, random_mesh
+from node_process import PROGRAMS, parser_of, print_target, random_mesh, write_rows
 
 LINKS = 50
 FEW_LINKS = 10  # of the long bag, which then takes 700 MB on the disk
@@ -187,9 +185,7 @@ def print_targets(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a tenth of the length, 3 repetitions")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
+    parser = parser_of(__doc__, quick="a tenth of the length, 3 repetitions")
     parser.add_argument("--minutes", type=float, help="length of the bag, default 10; the long one "
                         "is %d times as long" % TIMES_LONGER)
     options = parser.parse_args()
@@ -210,9 +206,7 @@ def main():
                                [reader for reader in readers if reader in MEMORY])
         rows += measure_each(folder, 5 if options.quick else 20, 3)
     print_targets(rows)
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@
 rows per second, with all pairs within 5 cm, and with --path the time for an edge of 0.3 rad among
 20 objects. With LINK_BOUNDS_DATA a humanoid of 29 joints with collision meshes, made of the robots
 there, and the Panda; else the robot of the demo. paths.py [--quick] [--json FILE]"""
-import argparse
 import json
 import math
 import os
@@ -16,7 +15,7 @@ import subprocess
 import tempfile
 
 import humanoid
-from node_process import print_target
+from node_process import parser_of, print_target, write_rows
 
 PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
 DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
@@ -133,10 +132,7 @@ def report_edges(row):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="2,000 rows instead of 20,000")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="2,000 rows instead of 20,000").parse_args()
     with tempfile.TemporaryDirectory() as folder:
         name, text, geometry = robot()
         # Beside the meshes that it names, for those of the demo.
@@ -159,9 +155,7 @@ def main():
     slowest = min(row["rows_per_second"] for row in rows if row["step"] == STEPS[0])
     print_target("rows per second of a slow motion", TARGET, [slowest], at_most=False)
     report_edges(edges)
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows + [edges], file, indent=1)
+    write_rows(rows + [edges], options.json)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@
 """How long the proofs of urdf_bounds take: accuracy of --reach and decided pairs of --pairs against
 time, from the start of the program to its end, meshes included. With LINK_BOUNDS_DATA on the robots
 there, else on arms that are made here. proofs.py [--quick] [--json FILE]"""
-import argparse
 import json
 import os
 import subprocess
@@ -12,7 +11,7 @@ import tempfile
 import time
 import xml.etree.ElementTree
 
-from node_process import print_target
+from node_process import parser_of, print_target, write_rows
 from proof_pairs import large_robot_rows, made_rows, pair_rows, report_made, report_pairs
 
 PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
@@ -109,11 +108,7 @@ def report_reach(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true",
-                        help="no accuracies below 1 mm, 10 s for pairs")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="no accuracies below 1 mm, 10 s for pairs").parse_args()
     with tempfile.TemporaryDirectory() as folder:
         files = robots(folder)
         rows = [reach_row(name, file, accuracy) for name, file in files.items()
@@ -129,9 +124,7 @@ def main():
         report_pairs(pairs)
         made = made_rows(run, lambda name, text: write(folder, name, text))
         report_made(*made)
-    if options.json:
-        with open(options.json, "w", encoding="utf-8") as file:
-            json.dump(rows + pairs + made, file, indent=1)
+    write_rows(rows + pairs + made, options.json)
 
 
 if __name__ == "__main__":

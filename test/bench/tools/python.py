@@ -4,8 +4,6 @@
 """The module for Python: a single call of boxes [us], and rows of boxes and of distances per second beside
 a program in C++ that computes the same rows, each on one thread. With LINK_BOUNDS_DATA the robots there,
 else that of the demo. python.py [--quick] [--json FILE]"""
-import argparse
-import json
 import os
 import pathlib
 import subprocess
@@ -15,7 +13,7 @@ import time
 import numpy
 
 import link_bounds
-from node_process import PROGRAMS, print_target
+from node_process import PROGRAMS, parser_of, print_target, write_rows
 
 PROGRAM = os.path.join(PROGRAMS, "rows_posed")
 DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
@@ -74,10 +72,7 @@ def measured(name, urdf, count, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="300 rows instead of 3,000")
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    options = parser.parse_args()
+    options = parser_of(__doc__, quick="300 rows instead of 3,000").parse_args()
     with tempfile.TemporaryDirectory() as folder:
         rows = [measured(name, urdf, 300 if options.quick else 3000, folder)
                 for name, urdf in robots().items()]
@@ -94,8 +89,7 @@ def main():
     for what in ("boxes", "distances"):
         print_target("rows of %s per second, of those of C++" % what, MIN_SHARE,
                      [min(row[what + "_share"] for row in rows)], at_most=False)
-    if options.json:
-        pathlib.Path(options.json).write_text(json.dumps(rows, indent=1) + "\n")
+    write_rows(rows, options.json)
 
 
 if __name__ == "__main__":
