@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The library calls its own functions, whatever a program that links it defines.
 
-Templates such as Eigen's leave weak functions in a library. Those of a program go first by
-default: compiled there with other flags, they would change the last bits of boxes.
+Templates such as Eigen's become weak functions of the library. By default the dynamic linker would
+replace them by those of the program, whose compiler flags may give boxes other last bits.
 
 Usage: own_functions_test.py LIBRARY ...
 """

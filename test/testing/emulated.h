@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What qemu-user, which runs programs of another processor, does not do as it is asked. A real
-// machine does all of it, so there no test is skipped.
+// System calls that qemu-user, which runs programs of another processor, ignores. Tests that need
+// them are skipped there, and nowhere else.
 #pragma once
 
 #include <spawn.h>

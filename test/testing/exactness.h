@@ -13,7 +13,7 @@ namespace link_bounds {
 /// What a comparison found.
 struct Exactness {
   long compared = 0;  ///< faces
-  long ties = 0;      ///< faces that differ, by no more than points that tie within rounding can
+  long ties = 0;      ///< faces that differ by no more than rounding, where points tie
   long wrong = 0;     ///< faces that differ by more, or between paths of instructions
   Eigen::Matrix3d wrong_map = Eigen::Matrix3d::Zero();
 

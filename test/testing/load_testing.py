@@ -20,7 +20,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 OTHER = "/other_publisher"  # a node beside NODE, to whose optional topics nobody listens
 LINK_SIZE = (0.08, 0.1, 0.1)
-PATIENT = 120 * PATIENCE  # s, for what a node without the bounds takes very long for
+PATIENT = 120 * PATIENCE  # s, the deadline of what takes long under load
 
 
 def link_names(count):

@@ -59,7 +59,7 @@ class QuadStep {
         p1_(translation(newer)) {
     // After half a turn the sign that tf2 finds decides about the way.
     if (older.rotation().dot(newer.rotation()) < 0) q1_ = {-q1_.w, -q1_.x, -q1_.y, -q1_.z};
-    // There tf2 keeps the older one: its double has no smaller angle.
+    // Where its double is 0, tf2 keeps the older rotation.
     is_turning_ = tf2::angleShortestPath(older.rotation(), newer.rotation()) > 0;
     const Quad lengths = quadRoot(dot(q0_, q0_) * dot(q1_, q1_));
     const Quad cosine = dot(q0_, q1_) / lengths;

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Failures of rostests are printed at once: rosunit counts a failed subTest and an error of
-setUpClass, but shows neither."""
+"""Prints failures at once. rosunit alone counts a failed subTest and an error in setUpClass, but
+prints neither."""
 import sys
 import traceback
 

@@ -18,8 +18,8 @@ struct Target {
   std::vector<double> ratios;
 };
 
-/// One line: the limit, the median, whether it is reached, and the range; the last two arguments
-/// say what there is one ratio of, as singular and plural.
+/// One line: the limit, the median, whether it is reached, and the range. There is a ratio for each
+/// `one`, such as "mesh"; `many` is its plural.
 void print(const Target& target, const std::string& one, const std::string& many,
            std::ostream& out);
 

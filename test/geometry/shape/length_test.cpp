@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths, and the boxes that are made of them, by operations that every machine does alike.
+// Lengths, and the boxes made of them, have the same bits on every machine.
 #include "link_bounds/geometry/box/length.h"
 
 #include <gtest/gtest.h>

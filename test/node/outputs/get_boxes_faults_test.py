@@ -89,7 +89,7 @@ class GetBoxesFaults(unittest.TestCase):
         self.assertIn("no robot was loaded", answer.message)
 
     def test_spans_whose_nanoseconds_are_more_than_a_second(self):
-        """Others need not wait for them, as for any span."""
+        """They count as spans, which are long work; negative spans are refused."""
         node = self.start()
         call = self.service(node)
         request = GetBoxesRequest()

@@ -45,7 +45,7 @@ class SignOfLifeTest(unittest.TestCase):
         self.life = SignOfLife(1.0)
 
     def check_counts(self, until, begin):
-        """Up to then, looked at from then on."""
+        """Life lasts until then; looked at from `begin` on."""
         self.assertIsNone(self.life.silent_since(begin))
         self.assertIsNone(self.life.silent_since(until))
         self.assertEqual(self.life.told(), [])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions where the library tf2 decides otherwise than its formula as compiled here whether it
-// interpolates. Linked with fused_library.cpp, and with the random motions of
+// Motions at which the library tf2 interpolates and the same formula compiled here does not, or the
+// other way round. Linked with fused_library.cpp, and with the random motions of
 // swept_motions_test.cpp.
 #include <gtest/gtest.h>
 #include <tf2/time_cache.h>

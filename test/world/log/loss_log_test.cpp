@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A loss is reported once, after five seconds, and again only after it was right in between.
+// A loss is reported once, after five seconds, and again only if it ended in between.
 #include "world/log/loss_log.h"
 
 #include <gtest/gtest.h>
