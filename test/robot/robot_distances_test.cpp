@@ -4,11 +4,7 @@
 // triangles in long double.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
@@ -21,8 +17,6 @@
 
 namespace link_bounds {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kLimit = 0.15;                            // m
 constexpr double kComparisons = kIsSanitized ? 3e5 : 3e7;  ///< of triangles, for each robot
@@ -45,13 +39,11 @@ MeshBody linkOf(const Link& link, Purpose purpose, const PackagePath& package_pa
   return result;
 }
 
-Model readModel(const fs::path& urdf, Purpose purpose, const PackagePath& package_path) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  Model result{parseRobot(text.str()), {}};
+Model readModel(const RobotFile& file, Purpose purpose) {
+  Model result{parseRobot(textOf(file.urdf)), {}};
   for (const Link& link : result.robot.links) {
     try {
-      result.links.push_back(linkOf(link, purpose, package_path));
+      result.links.push_back(linkOf(link, purpose, file.package_path));
     } catch (const MeshError& error) {
       std::cout << "left out: link " << link.name << ": " << error.what() << "\n";
       result.links.emplace_back();
@@ -122,12 +114,12 @@ void compareModel(const Model& model, Tally& tally) {
   }
 }
 
-void compareRobot(const fs::path& urdf, const PackagePath& package_path) {
+void compareRobot(const RobotFile& file) {
   for (const Purpose purpose : {Purpose::kCollision, Purpose::kVisual}) {
-    const std::string name = urdf.stem().string() + " " + toText(purpose);
+    const std::string name = file.name() + " " + toText(purpose);
     SCOPED_TRACE(name);
     Tally tally;
-    compareModel(readModel(urdf, purpose, package_path), tally);
+    compareModel(readModel(file, purpose), tally);
     std::cout << name << ": " << tally.pairs[DistanceLevel::kBox] << " pairs by boxes, "
               << tally.pairs[DistanceLevel::kHull] << " by hulls, "
               << tally.pairs[DistanceLevel::kMesh] << " by triangles; " << tally.triangles
@@ -137,17 +129,14 @@ void compareRobot(const fs::path& urdf, const PackagePath& package_path) {
 }
 
 TEST(RobotDistances, OfTheDemoRobot) {
-  const fs::path demo = fs::canonical("../launch/demo/demo.urdf");
-  const fs::path package = demo.parent_path().parent_path().parent_path();
-  compareRobot(demo, [&package](const std::string&) { return package.string(); });
+  compareRobot(demoRobotFile());
 }
 
 TEST(RobotDistances, OfPublicRobots) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: links of public robots: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  for (const fs::path& path : robotFiles(folder)) {
-    compareRobot(path, [&](const std::string& name) { return (folder / name).string(); });
+  const std::vector<RobotFile> files = publicRobotFiles();
+  if (files.empty()) GTEST_SKIP() << "skipped: links of public robots: LINK_BOUNDS_DATA is not set";
+  for (const RobotFile& file : files) {
+    compareRobot(file);
     if (HasFatalFailure()) return;
   }
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "link_bounds/geometry/distance/body_distance.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/pairs/pair_proofs.h"
 
@@ -15,10 +16,7 @@ namespace link_bounds {
 
 constexpr double kTouch = 1e-7;  ///< m
 
-struct Model {
-  Robot robot;
-  BoundedRobot bounded;
-};
+using Model = LoadedRobot;
 
 /// The distance that urdf_bounds --distances prints for the pose of the proof.
 inline BodyDistance distanceInPose(const Model& model, const PairProof& proof) {

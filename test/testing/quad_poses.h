@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses and boxes of links in quadruple precision, from the values of joints.
+// Poses and boxes of links in quadruple precision, from their definition in URDF and the values of
+// joints.
 #pragma once
 
 #include <cmath>
@@ -13,45 +14,30 @@
 
 namespace link_bounds {
 
-/// A 3 x 3 matrix and a translation.
+using QuadMatrix = Eigen::Matrix<Quad, 3, 3>;
+using QuadColumn = Eigen::Matrix<Quad, 3, 1>;
+
 struct QuadPose {
-  Quad linear[3][3];
-  Quad translation[3];
+  QuadMatrix linear = QuadMatrix::Identity();
+  QuadColumn translation = QuadColumn::Zero();
+
+  QuadPose operator*(const QuadPose& other) const {
+    return {linear * other.linear, linear * other.translation + translation};
+  }
+  QuadColumn operator*(const QuadColumn& point) const { return linear * point + translation; }
 };
 
-inline QuadPose quadPose(const Eigen::Affine3d& pose) {
-  QuadPose result;
-  for (int i = 0; i < 3; ++i) {
-    result.translation[i] = pose.translation()[i];
-    for (int j = 0; j < 3; ++j)
-      result.linear[i][j] = pose.linear()(i, j);
-  }
-  return result;
-}
-
-inline QuadPose operator*(const QuadPose& a, const QuadPose& b) {
-  QuadPose result;
-  for (int i = 0; i < 3; ++i) {
-    result.translation[i] = a.translation[i];
-    for (int k = 0; k < 3; ++k)
-      result.translation[i] += a.linear[i][k] * b.translation[k];
-    for (int j = 0; j < 3; ++j) {
-      result.linear[i][j] = 0;
-      for (int k = 0; k < 3; ++k)
-        result.linear[i][j] += a.linear[i][k] * b.linear[k][j];
-    }
-  }
-  return result;
+template <class Pose>
+QuadPose toQuad(const Pose& pose) {
+  return {pose.linear().template cast<Quad>(), pose.translation().template cast<Quad>()};
 }
 
 /// About the axis, or along it.
-inline QuadPose quadJointMotion(const Joint& joint, double value) {
-  QuadPose result = quadPose(Eigen::Affine3d::Identity());
-  if (joint.motion == Motion::kTranslation) {
-    for (int i = 0; i < 3; ++i)
-      result.translation[i] = static_cast<Quad>(joint.axis[i]) * static_cast<Quad>(value);
-  }
-  if (joint.motion != Motion::kRotation) return result;
+inline QuadPose quadMotion(const Joint& joint, double value) {
+  QuadPose pose;
+  const QuadColumn axis = joint.axis.cast<Quad>();
+  if (joint.motion == Motion::kTranslation) pose.translation = axis * Quad(value);
+  if (joint.motion != Motion::kRotation) return pose;
   Quad angle = value;
   int halvings = 0;
   for (; std::abs(static_cast<double>(angle)) > 0.5; ++halvings)
@@ -63,26 +49,29 @@ inline QuadPose quadJointMotion(const Joint& joint, double value) {
     cosine = 1 - 2 * sine * sine;
     sine = doubled;
   }
-  Quad square = 0;
-  for (int i = 0; i < 3; ++i)
-    square += static_cast<Quad>(joint.axis[i]) * static_cast<Quad>(joint.axis[i]);
-  Quad n[3];
-  for (int i = 0; i < 3; ++i)
-    n[i] = static_cast<Quad>(joint.axis[i]) / quadRoot(square);
-  const Quad cross[3][3] = {{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      result.linear[i][j] =
-          (i == j ? cosine : Quad(0)) + sine * cross[i][j] + (1 - cosine) * n[i] * n[j];
+  const QuadColumn n = axis / quadRoot(axis.dot(axis));
+  QuadMatrix cross;
+  cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+  pose.linear = QuadMatrix::Identity() + cross * sine + cross * cross * (1 - cosine);
+  return pose;
+}
+
+/// In the frame of the root link; one value per joint of a robot with simple joints.
+inline std::vector<QuadPose> quadLinkPoses(const Robot& robot, const std::vector<double>& values) {
+  std::vector<QuadPose> poses(robot.links.size());
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    poses[joint.child] =
+        poses[joint.parent] * toQuad(joint.parent_from_joint) * quadMotion(joint, values[i]);
   }
-  return result;
+  return poses;
 }
 
 /// How far a solid extends along a direction from its center.
-inline Quad quadHalfExtent(const Shape& shape, const Quad (&row)[3]) {
+inline Quad quadHalfExtent(const Shape& shape, const QuadColumn& direction) {
   Quad parts[3];
   for (int k = 0; k < 3; ++k) {
-    const Quad part = row[k] * static_cast<Quad>(shape.size[k]) / 2;
+    const Quad part = direction[k] * static_cast<Quad>(shape.size[k]) / 2;
     parts[k] = part < 0 ? -part : part;
   }
   if (shape.solid == Solid::kBox) return parts[0] + parts[1] + parts[2];
@@ -102,14 +91,12 @@ inline QuadBox emptyQuadBox() {
 inline void extend(QuadBox& box, const Shape& shape, const QuadPose& placed,
                    const std::vector<Eigen::Vector3d>& points) {
   for (const Eigen::Vector3d& point : points) {
+    const QuadColumn center = placed * QuadColumn(point.cast<Quad>());
     for (int k = 0; k < 3; ++k) {
-      Quad center = placed.translation[k];
-      for (int j = 0; j < 3; ++j)
-        center += placed.linear[k][j] * static_cast<Quad>(point[j]);
-      const Quad half = quadHalfExtent(shape, placed.linear[k]);
+      const Quad half = quadHalfExtent(shape, placed.linear.row(k));
       const auto i = static_cast<std::size_t>(k);
-      box.min[i] = std::min(box.min[i], center - half);
-      box.max[i] = std::max(box.max[i], center + half);
+      box.min[i] = std::min<Quad>(box.min[i], center[k] - half);
+      box.max[i] = std::max<Quad>(box.max[i], center[k] + half);
     }
   }
 }

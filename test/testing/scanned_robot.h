@@ -7,15 +7,14 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "testing/brute_force.h"
 #include "testing/ray_caster.h"
+#include "testing/robot_files.h"
 #include "testing/sanitized.h"
 #include "world/cloud/robot_points.h"
 
@@ -58,16 +57,11 @@ class ScannedRobot {
     std::size_t link;  ///< of a robot
   };
 
-  ScannedRobot(const std::string& urdf_file, const PackagePath& packages, double padding)
-      : padding_(padding) {
-    std::ostringstream text;
-    text << std::ifstream(urdf_file).rdbuf();
+  ScannedRobot(const RobotFile& file, double padding) : padding_(padding) {
     Selection selection;
     selection.triangles = true;
     selection.padding = padding;
-    MeshSource source;
-    source.package_path = packages;
-    LoadedRobot loaded = loadRobot(text.str(), source, selection);
+    LoadedRobot loaded = loadRobot(textOf(file.urdf), {file.package_path}, selection);
     robot = std::move(loaded.robot);
     bodies = std::move(loaded.bounded.bodies);
     problems = std::move(loaded.bounded.problems);

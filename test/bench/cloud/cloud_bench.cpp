@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 
@@ -114,11 +113,10 @@ std::vector<Row> measureScene(const CloudScene& scene, bool quick) {
   return rows;
 }
 
-void measureLoading(const std::string& urdf) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
+void measureLoading(const RobotFile& file) {
+  const std::string urdf = textOf(file.urdf);
   const auto begin = Clock::now();
-  const FilteredRobot robot = *filteredRobot(text.str(), {}, [] { return false; });
+  const FilteredRobot robot = *filteredRobot(urdf, {}, [] { return false; });
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   std::size_t bytes = 0, largest = 0;
   std::vector<std::shared_ptr<const BodyGrid>> grids = robot.grids;
@@ -128,10 +126,9 @@ void measureLoading(const std::string& urdf) {
     bytes += grid->bytes();
     largest = std::max(largest, grid->bytes());
   }
-  std::cout << "from the description of " << std::filesystem::path(urdf).stem().string() << " to "
-            << grids.size() << " grids of " << robot.links.size() << " links: " << std::fixed
-            << std::setprecision(2) << seconds << " s, " << bytes / 1000 << " kB, the largest "
-            << largest / 1000 << " kB\n"
+  std::cout << "from the description of " << file.name() << " to " << grids.size() << " grids of "
+            << robot.links.size() << " links: " << std::fixed << std::setprecision(2) << seconds
+            << " s, " << bytes / 1000 << " kB, the largest " << largest / 1000 << " kB\n"
             << std::flush;
 }
 
@@ -179,18 +176,13 @@ void benchmarkClouds(bool quick, std::ostream* json) {
 #ifndef LINK_BOUNDS_WITH_PCL
   std::cout << "left out, because this system lacks it, or geometric_shapes: PCL's CropHull\n";
 #endif
-  namespace fs = std::filesystem;
-  const char* const data = std::getenv("LINK_BOUNDS_DATA");
-  std::string panda = LINK_BOUNDS_DEMO_URDF, pr2 = LINK_BOUNDS_DEMO_URDF;
-  const fs::path package = fs::canonical(panda).parent_path().parent_path().parent_path();
-  PackagePath packages = [package](const std::string&) { return package.string(); };
-  std::string ros_packages = package.string();
-  if (data) {
-    const fs::path folder = fs::canonical(fs::path(data) / "robots");
-    panda = folder / "franka_description/urdf/panda.urdf";
-    pr2 = folder / "pr2_description/urdf/pr2.urdf";
-    packages = [folder](const std::string& name) { return (folder / name).string(); };
-    ros_packages = folder.string();
+  const auto folder = robotsFolder();
+  RobotFile panda = demoRobotFile(LINK_BOUNDS_DEMO_URDF), pr2 = panda;
+  std::string ros_packages = panda.package_path("");
+  if (folder) {
+    panda = robotFile(*folder, "franka_description/urdf/panda.urdf");
+    pr2 = robotFile(*folder, "pr2_description/urdf/pr2.urdf");
+    ros_packages = folder->string();
   } else {
     std::cout << "LINK_BOUNDS_DATA is not set: the demo's robot stands in for public ones\n";
   }
@@ -203,8 +195,8 @@ void benchmarkClouds(bool quick, std::ostream* json) {
             << std::setw(9) << "robot %"
             << "\n";
   std::vector<Row> rows;
-  for (const auto& [make, urdf] : {std::pair(depthCamera, panda), std::pair(lidar, pr2)}) {
-    const std::vector<Row> more = measureScene(make(urdf, packages), quick);
+  for (const auto& [make, file] : {std::pair(depthCamera, panda), std::pair(lidar, pr2)}) {
+    const std::vector<Row> more = measureScene(make(file), quick);
     rows.insert(rows.end(), more.begin(), more.end());
   }
   printRatios(rows);

@@ -3,7 +3,6 @@
 #include "bench/cloud/cloud_scenes.h"
 
 #include <cmath>
-#include <filesystem>
 
 namespace link_bounds::bench {
 namespace {
@@ -12,9 +11,9 @@ constexpr double kStamp = 1000;  // s
 constexpr std::uint32_t kColumns = 2032, kLines = 128;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-std::unique_ptr<ScannedRobot> robotIn(const std::string& urdf, const PackagePath& packages,
+std::unique_ptr<ScannedRobot> robotIn(const RobotFile& file,
                                       const Eigen::Isometry3d& root_from_sensor, double speed) {
-  auto robot = std::make_unique<ScannedRobot>(urdf, packages, kPadding);
+  auto robot = std::make_unique<ScannedRobot>(file, kPadding);
   robot->makeGrids();
   brute_force::Random random(1);
   robot->move(random, speed, kStamp - 0.05, kStamp + 0.15, root_from_sensor);
@@ -38,11 +37,11 @@ CloudPoint measured(const ScannedRobot::Ray& ray, const Eigen::Vector3d& directi
 
 }  // namespace
 
-CloudScene depthCamera(const std::string& urdf, const PackagePath& packages) {
+CloudScene depthCamera(const RobotFile& file) {
   constexpr std::uint32_t kWidth = 640, kHeight = 480;
   constexpr double kFocalLength = 525;  // pixels, as that of a Kinect
-  CloudScene scene{std::filesystem::path(urdf).stem().string() + ", 640 x 480", nullptr, {}};
-  scene.robot = robotIn(urdf, packages, lookingAt({1.5, 0.6, 0.9}, {0.2, 0, 0.4}), 1);
+  CloudScene scene{file.name() + ", 640 x 480", nullptr, {}};
+  scene.robot = robotIn(file, lookingAt({1.5, 0.6, 0.9}, {0.2, 0, 0.4}), 1);
   const ScannedRobot::Ray ray(*scene.robot, static_cast<std::int64_t>(kStamp * 1e9));
   std::vector<CloudPoint> points;
   for (std::uint32_t v = 0; v < kHeight; ++v) {
@@ -56,11 +55,10 @@ CloudScene depthCamera(const std::string& urdf, const PackagePath& packages) {
   return scene;
 }
 
-CloudScene lidar(const std::string& urdf, const PackagePath& packages) {
-  CloudScene scene{
-      std::filesystem::path(urdf).stem().string() + ", lidar of 128 lines", nullptr, {}};
+CloudScene lidar(const RobotFile& file) {
+  CloudScene scene{file.name() + ", lidar of 128 lines", nullptr, {}};
   Eigen::Isometry3d root_from_sensor(Eigen::Translation3d(2.5, 0, 1.2));
-  scene.robot = robotIn(urdf, packages, root_from_sensor, 1);
+  scene.robot = robotIn(file, root_from_sensor, 1);
   std::vector<CloudPoint> points(std::size_t{kColumns} * kLines);
   for (std::uint32_t column = 0; column < kColumns; ++column) {
     const std::uint32_t time = column * (100'000'000u / kColumns);

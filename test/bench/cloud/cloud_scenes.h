@@ -20,10 +20,10 @@ constexpr double kPadding = 0.01;  // m
 
 /// A depth camera of 640 x 480 a metre and a half before the robot, which fills much of the
 /// picture. All points have the time of the header.
-CloudScene depthCamera(const std::string& urdf, const PackagePath& packages);
+CloudScene depthCamera(const RobotFile& file);
 
 /// A lidar of 128 lines and 260,096 points in 0.1 s, two and a half metres from the robot, whose
 /// joints turn at 1 rad/s. Each column has its own time.
-CloudScene lidar(const std::string& urdf, const PackagePath& packages);
+CloudScene lidar(const RobotFile& file);
 
 }  // namespace link_bounds::bench

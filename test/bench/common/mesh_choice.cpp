@@ -89,13 +89,6 @@ class Reader {
   std::set<std::string> seen_;
 };
 
-void addRobots(const fs::path& folder, Reader& reader, MeasuredMeshes& meshes) {
-  for (const fs::path& path : files<fs::recursive_directory_iterator>(folder)) {
-    if (path.extension() == ".urdf" && fs::relative(path, folder).string().rfind(kModels, 0) != 0)
-      reader.addRobot(path, meshes);
-  }
-}
-
 void addModels(const fs::path& folder, bool quick, Reader& reader, MeasuredMeshes& meshes) {
   const fs::path models = folder / kModels / "meshes";
   if (!fs::exists(models)) return;
@@ -107,10 +100,10 @@ void addModels(const fs::path& folder, bool quick, Reader& reader, MeasuredMeshe
 
 }  // namespace
 
-MeasuredMeshes chooseMeshes(const std::string& data_folder, const std::string& demo_folder,
-                            bool quick, std::ostream& notes) {
+MeasuredMeshes chooseMeshes(const std::string& demo_folder, bool quick, std::ostream& notes) {
   MeasuredMeshes meshes;
-  if (data_folder.empty()) {
+  const auto folder = robotsFolder();
+  if (!folder) {
     notes << "LINK_BOUNDS_DATA is not set: robots and scanned models are left out, the demo's "
              "meshes stand in for robots\n";
     Reader reader(demo_folder, quick, notes);
@@ -118,10 +111,10 @@ MeasuredMeshes chooseMeshes(const std::string& data_folder, const std::string& d
       if (path.extension() != ".mtl") reader.addFile(path, "robot", meshes);
     }
   } else {
-    const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
-    Reader reader(folder, quick, notes);
-    addRobots(folder, reader, meshes);
-    addModels(folder, quick, reader, meshes);
+    Reader reader(*folder, quick, notes);
+    for (const RobotFile& file : publicRobotFiles())
+      reader.addRobot(file.urdf, meshes);
+    addModels(*folder, quick, reader, meshes);
   }
   if (quick) notes << "--quick: only some robot meshes and models\n";
   addSyntheticMeshes(meshes);

@@ -10,10 +10,9 @@
 
 namespace link_bounds::bench {
 
-/// Every visual mesh of the robots in `data_folder`/robots, the scanned models there, and computed
-/// meshes; with `quick` some of each. Without a data folder the meshes of `demo_folder` stand in
-/// for robots, and there are no models. What is left out is said in `notes`.
-MeasuredMeshes chooseMeshes(const std::string& data_folder, const std::string& demo_folder,
-                            bool quick, std::ostream& notes);
+/// Every visual mesh of the robots of LINK_BOUNDS_DATA, the scanned models there, and computed
+/// meshes; with `quick` some of each. Where it is not set the meshes of `demo_folder` stand in for
+/// robots, and there are no models. What is left out is said in `notes`.
+MeasuredMeshes chooseMeshes(const std::string& demo_folder, bool quick, std::ostream& notes);
 
 }  // namespace link_bounds::bench

@@ -3,7 +3,6 @@
 // Boxes of single meshes, ours and the peers': core_bench [--cold] [--quick] [--json FILE]
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -49,14 +48,9 @@ void addBuilds(const MeasuredMeshes& meshes, Results& results) {
   }
 }
 
-MeasuredMeshes choose(bool quick) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  return chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
-}
-
 void benchmarkCore(bool quick, std::ostream* json) {
   printHead(std::cout);
-  const MeasuredMeshes meshes = choose(quick);
+  const MeasuredMeshes meshes = chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
   const std::string ours = nameOfOurs(queryPath());
   const Suite suite = makeSuite(meshes);
   printLeftOut(suite, std::cout);
@@ -90,7 +84,8 @@ Suite makeColdSuite(const MeasuredMeshes& meshes, const std::string& ours) {
 void benchmarkCold(bool quick, std::ostream* json) {
   printHead(std::cout);
   const QueryPath path = queryPath();
-  const Suite suite = makeColdSuite(choose(quick), nameOfOurs(path));
+  const Suite suite =
+      makeColdSuite(chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, std::cout), nameOfOurs(path));
   useQueryPath(path);
   std::cout << "measuring " << suite.size() << " cases\n\n" << std::flush;
   const Results results = runCold(suite, quick ? 15 : 25);

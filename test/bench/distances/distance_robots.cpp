@@ -4,10 +4,7 @@
 #include "bench/distances/distance_robots.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <ostream>
-#include <sstream>
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -18,8 +15,6 @@
 
 namespace link_bounds::bench {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRotation = 2.5;     ///< joints stay within plus and minus this [rad]
 constexpr double kTranslation = 0.1;  ///< [m]
@@ -103,17 +98,15 @@ std::vector<LinkPoses> motionOf(const Robot& robot, const std::vector<std::size_
   return result;
 }
 
-DistanceRobot readRobot(const fs::path& urdf, Purpose purpose, const PackagePath& package_path,
-                        std::size_t steps, std::ostream& notes) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  const Robot robot = parseRobot(text.str());
-  DistanceRobot result{urdf.stem().string() + " " + toText(purpose), {}, {}, {}, steps};
+DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps,
+                        std::ostream& notes) {
+  const Robot robot = parseRobot(textOf(file.urdf));
+  DistanceRobot result{file.name() + " " + toText(purpose), {}, {}, {}, steps};
   Files files;
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     try {
-      DistanceLink link = linkOf(robot.links[i], purpose, package_path, files);
+      DistanceLink link = linkOf(robot.links[i], purpose, file.package_path, files);
       if (link.body.shapes.empty()) continue;
       result.links.push_back(std::move(link));
       indices.push_back(i);
@@ -122,8 +115,8 @@ DistanceRobot readRobot(const fs::path& urdf, Purpose purpose, const PackagePath
             << error.what() << "\n";
     }
   }
-  for (const auto& file : files)
-    result.triangles += file.second.mesh.triangles.size();
+  for (const auto& [path, loaded] : files)
+    result.triangles += loaded.mesh.triangles.size();
   const RigidBodies bodies = rigidBodies(robot);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     for (std::size_t j = i + 1; j < indices.size(); ++j) {
@@ -137,25 +130,15 @@ DistanceRobot readRobot(const fs::path& urdf, Purpose purpose, const PackagePath
 
 }  // namespace
 
-std::vector<DistanceRobot> distanceRobots(const std::string& data_folder,
-                                          const std::string& demo_urdf, std::size_t steps,
+std::vector<DistanceRobot> distanceRobots(const std::string& demo_urdf, std::size_t steps,
                                           std::ostream& notes) {
   std::vector<DistanceRobot> result;
-  const auto read = [&](const fs::path& urdf, const PackagePath& package_path) {
+  for (const RobotFile& file : robotsOrDemo(demo_urdf, notes)) {
     for (const Purpose purpose : {Purpose::kCollision, Purpose::kVisual}) {
-      DistanceRobot robot = readRobot(urdf, purpose, package_path, steps, notes);
+      DistanceRobot robot = readRobot(file, purpose, steps, notes);
       if (!robot.pairs.empty()) result.push_back(std::move(robot));
     }
-  };
-  if (data_folder.empty()) {
-    notes << "LINK_BOUNDS_DATA is not set: the demo's robot stands in for public ones\n";
-    const fs::path package = fs::canonical(demo_urdf).parent_path().parent_path().parent_path();
-    read(demo_urdf, [&package](const std::string&) { return package.string(); });
-    return result;
   }
-  const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
-  for (const fs::path& path : robotFiles(folder))
-    read(path, [&folder](const std::string& name) { return (folder / name).string(); });
   return result;
 }
 

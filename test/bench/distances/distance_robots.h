@@ -30,11 +30,10 @@ struct DistanceRobot {
   std::size_t triangles = 0;       ///< of all mesh files, each counted once
 };
 
-/// Each motion has twelve times `steps` poses. The robots in `data_folder`/robots. Without a data
-/// folder, the robot of `demo_urdf`, which is in the folder launch/demo of its package. Writes to
-/// `notes` what is left out.
-std::vector<DistanceRobot> distanceRobots(const std::string& data_folder,
-                                          const std::string& demo_urdf, std::size_t steps,
+/// Each motion has twelve times `steps` poses. The robots of LINK_BOUNDS_DATA; where it is not set,
+/// the robot of `demo_urdf`, which is in the folder launch/demo of its package. Writes to `notes`
+/// what is left out.
+std::vector<DistanceRobot> distanceRobots(const std::string& demo_urdf, std::size_t steps,
                                           std::ostream& notes);
 
 }  // namespace link_bounds::bench

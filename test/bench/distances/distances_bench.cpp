@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Times distances of robots' links, ours and others: distances_bench [--quick] [--json FILE]
-#include <cstdlib>
 #include <iostream>
 
 #include "bench/common/benchmark_main.h"
@@ -56,7 +55,6 @@ std::optional<double> bytesPerTriangle(const DistanceRobot& robot) {
 
 void benchmarkDistances(bool quick, std::ostream* json) {
   printHead();
-  const char* const folder = std::getenv("LINK_BOUNDS_DATA");
   const std::vector<DistanceSetting> settings = distanceSettings();
   DistanceRows rows;
   std::vector<double> bytes_per_triangle;
@@ -67,7 +65,7 @@ void benchmarkDistances(bool quick, std::ostream* json) {
     }
   };
   for (const DistanceRobot& robot :
-       distanceRobots(folder ? folder : "", LINK_BOUNDS_DEMO_URDF, quick ? 5 : 50, std::cout)) {
+       distanceRobots(LINK_BOUNDS_DEMO_URDF, quick ? 5 : 50, std::cout)) {
     add(measurePairs(robot, settings));
     add(measureUpdates(robot));
     if (const auto bytes = bytesPerTriangle(robot)) bytes_per_triangle.push_back(*bytes);

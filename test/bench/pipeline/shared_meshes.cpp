@@ -4,7 +4,6 @@
 #include "bench/pipeline/shared_meshes.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "bench/common/mesh_choice.h"
 #include "geometry/support/table/direction_table.h"
@@ -17,8 +16,7 @@ constexpr std::size_t kSharedMeshes = 16;
 }  // namespace
 
 MeasuredMeshes sharedMeshes(bool quick, std::ostream& notes) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  MeasuredMeshes meshes = chooseMeshes(data ? data : "", LINK_BOUNDS_DEMO_MESHES, quick, notes);
+  MeasuredMeshes meshes = chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, notes);
   const auto end = std::remove_if(meshes.begin(), meshes.end(), [](const MeasuredMesh& mesh) {
     return mesh.kind != "robot" || mesh.points->size() <= kScannedPoints;
   });

@@ -4,7 +4,6 @@
 // robots of LINK_BOUNDS_DATA, else on that of the demo. Distances are those of convex hulls.
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 
@@ -42,9 +41,8 @@ struct Row {
   std::vector<double> earliest{};
 };
 
-Row measureRobot(const std::filesystem::path& file, const PackagePath& package_path,
-                 int repetitions) {
-  const std::string urdf = textOf(file);
+Row measureRobot(const RobotFile& file, int repetitions) {
+  const std::string urdf = textOf(file.urdf);
   const Robot description = parseRobot(urdf);
   Parameters parameters;
   parameters.base_deceleration = {{"linear", kBase}, {"angular", kBase}};
@@ -61,14 +59,14 @@ Row measureRobot(const std::filesystem::path& file, const PackagePath& package_p
     moving += moves;
   }
   MeshSource source;
-  source.package_path = package_path;
+  source.package_path = file.package_path;
   MovingRobot robot(urdf, parameters, importAlone, source);
   robot.move(values, speeds);
   const StopRules rules(robot.model());
   ContactTimes contacts({[](const auto&, const auto&) {}, [](const auto&) {}});
   const auto time = std::chrono::steady_clock::now();
   const auto scene = robot.copy();
-  Row row{file.stem().string(), moving, robot.model()->links.size()};
+  Row row{file.name(), moving, robot.model()->links.size()};
   const auto measure = [repetitions](std::vector<double>& times, const auto& function) {
     times.push_back(medianTime<std::micro>(repetitions, function));
   };
@@ -82,20 +80,9 @@ Row measureRobot(const std::filesystem::path& file, const PackagePath& package_p
 }
 
 std::vector<Row> measureAll(int repetitions) {
-  const char* const data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) {
-    const std::filesystem::path demo = LINK_BOUNDS_DEMO_URDF;
-    const std::string package = demo.parent_path().parent_path().parent_path().string();
-    return {measureRobot(
-        demo, [package](const std::string&) { return package; }, repetitions)};
-  }
-  const std::filesystem::path robots = std::filesystem::path(data) / "robots";
-  const PackagePath package_path = [&](const std::string& package) {
-    return (robots / package).string();
-  };
   std::vector<Row> rows;
-  for (const std::filesystem::path& file : robotFiles(robots))
-    rows.push_back(measureRobot(file, package_path, repetitions));
+  for (const RobotFile& file : robotsOrDemo(LINK_BOUNDS_DEMO_URDF, std::cout))
+    rows.push_back(measureRobot(file, repetitions));
   return rows;
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How tight parts are, by the max number per link: parts_bench [--quick] [--json FILE]
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <mutex>
@@ -20,16 +18,13 @@
 namespace link_bounds::bench {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kLevels[] = {1, 2, 4, 8, 16, 64};
 constexpr int kTurns = 100;
 constexpr int kFewTurns = 10;
 
 struct Model {
   std::string name;
-  fs::path urdf;
-  PackagePath package_path;
+  RobotFile file;
 };
 
 struct Row {
@@ -45,8 +40,8 @@ struct Row {
 /// A robot with all joints at 0, read once.
 class RestingRobot {
  public:
-  explicit RestingRobot(const Model& model)
-      : robot_(parseRobot(textOf(model.urdf))), package_path_(model.package_path) {
+  explicit RestingRobot(const RobotFile& file)
+      : robot_(parseRobot(textOf(file.urdf))), package_path_(file.package_path) {
     const auto poses = linkPoses(robot_, jointValues(robot_, {}));
     for (std::size_t i = 0; i < poses.size(); ++i)
       poses_.emplace(robot_.links[i].name, poses[i]);
@@ -121,28 +116,24 @@ class RestingRobot {
 
 /// The demo robot where there is no data.
 std::vector<Model> models() {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) {
-    const fs::path package = LINK_BOUNDS_PACKAGE;
+  const auto folder = robotsFolder();
+  if (!folder) {
     std::cout << "LINK_BOUNDS_DATA is not set: the demo robot stands in for robots and models\n";
-    return {{"demo", package / "launch/demo/demo.urdf",
-             [package](const std::string&) { return package; }}};
+    return {{"demo", demoRobotFile(LINK_BOUNDS_PACKAGE "/launch/demo/demo.urdf")}};
   }
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  const PackagePath packages = [folder](const std::string& package) { return folder / package; };
-  return {{"panda", folder / "franka_description/urdf/panda.urdf", packages},
-          {"ur5e", folder / "ur_description/urdf/ur5e.urdf", packages},
-          {"bunny", folder / "stanford_models/urdf/stanford_bunny.urdf", packages},
-          {"dragon", folder / "stanford_models/urdf/dragon_vrip_res2.urdf", packages}};
+  return {{"panda", robotFile(*folder, "franka_description/urdf/panda.urdf")},
+          {"ur5e", robotFile(*folder, "ur_description/urdf/ur5e.urdf")},
+          {"bunny", robotFile(*folder, "stanford_models/urdf/stanford_bunny.urdf")},
+          {"dragon", robotFile(*folder, "stanford_models/urdf/dragon_vrip_res2.urdf")}};
 }
 
 std::vector<Row> measureAll(int turns) {
   std::vector<Row> rows;
-  for (const Model& model : models()) {
-    RestingRobot robot(model);
+  for (const auto& [name, file] : models()) {
+    RestingRobot robot(file);
     for (const int level : kLevels) {
       rows.push_back(robot.measure(level, turns));
-      rows.back().model = model.name;
+      rows.back().model = name;
     }
   }
   return rows;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How tight volumes are and what they cost: volumes_bench [--quick] [--json FILE]
 #include <cmath>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -72,8 +71,7 @@ void print(const Results& results, const std::vector<MeasuredRobot>& robots, std
 
 void benchmarkVolumes(bool quick, std::ostream* json) {
   std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName() << "\n";
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  const auto robots = chooseRobots(data ? data : "", LINK_BOUNDS_DEMO_URDF, std::cout);
+  const auto robots = chooseRobots(LINK_BOUNDS_DEMO_URDF, std::cout);
   const Results results = measureVolumes(robots, quick);
   std::cout << "\n";
   print(results, robots, std::cout);

@@ -3,17 +3,12 @@
 // Loaded as the node loads them.
 #include "bench/volumes/volumes_robots.h"
 
-#include <filesystem>
-#include <fstream>
 #include <ostream>
-#include <sstream>
 
 #include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Thinner links are left out: they have no volume to compare with.
 constexpr double kThinnest = 1e-6;  // of the longest side
@@ -23,12 +18,10 @@ bool isFlat(const BoundedLink& link) {
   return !box || box->sizes().minCoeff() <= kThinnest * box->sizes().maxCoeff();
 }
 
-MeasuredRobot readRobot(const fs::path& urdf, const PackagePath& package_path,
-                        std::ostream& notes) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  auto [robot, bounded] = loadRobot(text.str(), {package_path, urdf.parent_path().string()});
-  MeasuredRobot result{urdf.stem().string(), std::move(robot), {}, {}};
+MeasuredRobot readRobot(const RobotFile& file, std::ostream& notes) {
+  auto [robot, bounded] =
+      loadRobot(textOf(file.urdf), {file.package_path, file.urdf.parent_path().string()});
+  MeasuredRobot result{file.name(), std::move(robot), {}, {}};
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
     const BoundedLink& link = bounded.links[i];
     if (!link.isWhole() || isFlat(link)) {
@@ -44,23 +37,10 @@ MeasuredRobot readRobot(const fs::path& urdf, const PackagePath& package_path,
 
 }  // namespace
 
-std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
-                                        const std::string& demo_urdf, std::ostream& notes) {
-  const fs::path demo = fs::canonical(demo_urdf);
-  if (data_folder.empty()) {
-    notes << "LINK_BOUNDS_DATA is not set: the demo's robot stands in for public ones\n";
-    const fs::path package = demo.parent_path().parent_path().parent_path();
-    return {readRobot(
-        demo, [&package](const std::string&) { return package.string(); }, notes)};
-  }
-  const fs::path folder = fs::canonical(fs::path(data_folder) / "robots");
+std::vector<MeasuredRobot> chooseRobots(const std::string& demo_urdf, std::ostream& notes) {
   std::vector<MeasuredRobot> result;
-  for (const fs::path& path : robotFiles(folder)) {
-    const auto package_path = [&folder](const std::string& name) {
-      return (folder / name).string();
-    };
-    result.push_back(readRobot(path, package_path, notes));
-  }
+  for (const RobotFile& file : robotsOrDemo(demo_urdf, notes))
+    result.push_back(readRobot(file, notes));
   return result;
 }
 

@@ -18,9 +18,8 @@ struct MeasuredRobot {
   std::vector<std::size_t> index;  ///< of the links, in `robot`
 };
 
-/// The robots in `data_folder`/robots. Without a data folder, the robot of `demo_urdf`, which is in
-/// the folder launch/demo of its package. Writes to `notes` what is left out.
-std::vector<MeasuredRobot> chooseRobots(const std::string& data_folder,
-                                        const std::string& demo_urdf, std::ostream& notes);
+/// The robots of LINK_BOUNDS_DATA; where it is not set, the robot of `demo_urdf`, which is in the
+/// folder launch/demo of its package. Writes to `notes` what is left out.
+std::vector<MeasuredRobot> chooseRobots(const std::string& demo_urdf, std::ostream& notes);
 
 }  // namespace link_bounds::bench

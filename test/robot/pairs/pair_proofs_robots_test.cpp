@@ -1,30 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdicts against random poses of robots, of which LINK_BOUNDS_TEST_POSES says how many.
+// No random pose of a robot contradicts a verdict. LINK_BOUNDS_TEST_POSES: how many poses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <mutex>
-#include <sstream>
 
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
-#include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
+#include "testing/import_alone.h"
 #include "testing/pair_proofs_testing.h"
 #include "testing/robot_files.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kSlicesPerPose = 100;  ///< of work, for each random pose
 constexpr int kMaxSlices = 100000;
@@ -35,22 +29,8 @@ int randomPoses() {
   return text ? std::stoi(text) : repetitions(20);
 }
 
-Model readModel(const fs::path& urdf, const PackagePath& package_path) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  Selection selection;
-  selection.visual = false;
-  selection.collision = selection.triangles = true;
-  std::mutex one_at_a_time;
-  RobotLoader loader([&one_at_a_time](const MeshFile& file) {
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
-    return importMesh(file);
-  });
-  Model model{parseRobot(text.str()), {}};
-  model.bounded = loader.load(model.robot, selection, {package_path});
-  for (const std::string& problem : model.bounded.problems)
-    std::cout << "left out: " << problem << "\n";
-  return model;
+Model readModel(const RobotFile& file) {
+  return loadedAlone(parseRobot(textOf(file.urdf)), file.package_path, collisionTriangles());
 }
 
 /// So many slices of work for all pairs, which does not depend on the speed of the machine.
@@ -108,13 +88,13 @@ void expectThatLinksFiveAndSevenCollide(const Model& model, const std::vector<Pa
   EXPECT_EQ(found->verdict, Verdict::kSometimes);
 }
 
-void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
-  SCOPED_TRACE(urdf.stem().string());
-  const Model model = readModel(urdf, package_path);
+void checkRobot(const RobotFile& file) {
+  SCOPED_TRACE(file.name());
+  const Model model = readModel(file);
   const std::vector<PairProof> proofs =
       proveInSlices(model, std::min(kSlicesPerPose * randomPoses(), kMaxSlices));
   // Under a sanitizer the work ends before.
-  if (urdf.stem() == "panda" && !kIsSanitized) expectThatLinksFiveAndSevenCollide(model, proofs);
+  if (file.name() == "panda" && !kIsSanitized) expectThatLinksFiveAndSevenCollide(model, proofs);
   std::map<Verdict, int> counts;
   for (const PairProof& proof : proofs) {
     ++counts[proof.verdict];
@@ -128,26 +108,22 @@ void checkRobot(const fs::path& urdf, const PackagePath& package_path) {
   const int poses = randomPoses();
   for (int i = 0; i < poses && !testing::Test::HasFatalFailure(); ++i)
     checkRandomPose(model, proofs, randomValues(model, ranges, random), distances);
-  std::cout << urdf.stem().string() << ": " << proofs.size()
-            << " pairs: " << counts[Verdict::kNever] << " never, " << counts[Verdict::kAlways]
-            << " always, " << counts[Verdict::kTouching] << " touching, "
-            << counts[Verdict::kContactSampled] << " in contact in all samples, "
+  std::cout << file.name() << ": " << proofs.size() << " pairs: " << counts[Verdict::kNever]
+            << " never, " << counts[Verdict::kAlways] << " always, " << counts[Verdict::kTouching]
+            << " touching, " << counts[Verdict::kContactSampled] << " in contact in all samples, "
             << counts[Verdict::kSometimes] << " sometimes, " << counts[Verdict::kUndecided]
             << " undecided; " << poses << " random poses\n";
 }
 
 TEST(PairProofsOfRobots, NoRandomPoseOfTheDemoContradictsThem) {
-  const fs::path demo = fs::canonical("../launch/demo/demo.urdf");
-  const fs::path package = demo.parent_path().parent_path().parent_path();
-  checkRobot(demo, [&package](const std::string&) { return package.string(); });
+  checkRobot(demoRobotFile());
 }
 
 TEST(PairProofsOfRobots, NoRandomPoseOfPublicRobotsContradictsThem) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: pairs of public robots: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  for (const fs::path& path : robotFiles(folder)) {
-    checkRobot(path, [&](const std::string& name) { return (folder / name).string(); });
+  const std::vector<RobotFile> files = publicRobotFiles();
+  if (files.empty()) GTEST_SKIP() << "skipped: pairs of public robots: LINK_BOUNDS_DATA is not set";
+  for (const RobotFile& file : files) {
+    checkRobot(file);
     if (HasFatalFailure()) return;
   }
 }
@@ -180,12 +156,10 @@ GivenRanges onlyTheRightArm(const Robot& robot) {
 /// At the end of a valley of the distance: steps along single joints, and random ones, ended 0.1 mm
 /// before the wheel.
 TEST(PairProofsOfRobots, ASearchFollowsAValleyToItsEnd) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data)
+  const auto folder = robotsFolder();
+  if (!folder)
     GTEST_SKIP() << "skipped: a finger and a wheel of the PR2: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  Model model = readModel(folder / "pr2_description/urdf/pr2.urdf",
-                          [&](const std::string& name) { return (folder / name).string(); });
+  Model model = readModel(robotFile(*folder, "pr2_description/urdf/pr2.urdf"));
   keepTwo("bl_caster_l_wheel_link", "r_gripper_l_finger_link", model.bounded);
   ProofControl control;
   int left = kSlicesInValley;

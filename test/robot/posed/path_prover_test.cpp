@@ -6,18 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <mutex>
-#include <sstream>
 
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/urdf/simple_joints.h"
-#include "robot/worker/mesh_import.h"
-#include "testing/quad_links.h"
+#include "testing/import_alone.h"
+#include "testing/quad_poses.h"
 #include "testing/robot_files.h"
 #include "testing/sanitized.h"
 #include "testing/thin_plates.h"
@@ -25,34 +21,13 @@
 namespace link_bounds {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double kTouch = 1e-7;  ///< m
 
 bool isNeverOver() {
   return false;
 }
 
-struct Model {
-  Robot robot;
-  BoundedRobot bounded;
-};
-
-Model readModel(const fs::path& urdf, const PackagePath& package_path) {
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  Selection selection;
-  selection.visual = false;
-  selection.collision = selection.triangles = true;
-  std::mutex one_at_a_time;
-  RobotLoader loader([&one_at_a_time](const MeshFile& file) {
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
-    return importMesh(file);
-  });
-  Model model{withSimpleJoints(parseRobot(text.str())), {}};
-  model.bounded = loader.load(model.robot, selection, {package_path});
-  return model;
-}
+using Model = LoadedRobot;
 
 std::vector<PathBody> bodiesOf(const BoundedRobot& bounded) {
   std::vector<PathBody> bodies;
@@ -165,9 +140,10 @@ void checkSegment(const Model& model, const PathProver::Pairs& pairs, const Join
   }
 }
 
-void checkRobot(const fs::path& urdf, const PackagePath& package_path, int segments, int samples) {
-  SCOPED_TRACE(urdf.stem().string());
-  const Model model = readModel(urdf, package_path);
+void checkRobot(const RobotFile& file, int segments, int samples) {
+  SCOPED_TRACE(file.name());
+  const Model model = loadedAlone(withSimpleJoints(parseRobot(textOf(file.urdf))),
+                                  file.package_path, collisionTriangles());
   const PathProver::Pairs pairs = pairsOf(model);
   if (pairs.empty()) return;
   BodyDistances distances;
@@ -186,7 +162,7 @@ void checkRobot(const fs::path& urdf, const PackagePath& package_path, int segme
     if (proof.verdict == PathVerdict::kUndecided) ++counts.undecided;
     checkSegment(model, pairs, motion, proof, distances, samples);
   }
-  std::cout << urdf.stem().string() << ": " << pairs.size() << " pairs, " << segments
+  std::cout << file.name() << ": " << pairs.size() << " pairs, " << segments
             << " segments: " << counts.safe << " safe, " << counts.collides << " collide, "
             << counts.undecided << " undecided\n";
   EXPECT_EQ(counts.undecided, 0);
@@ -199,23 +175,17 @@ int chosenSegments() {
 }
 
 TEST(PathProver, NoSampleOfTheDemoIsNearerThanProven) {
-  const fs::path demo = fs::canonical("../launch/demo/demo.urdf");
-  const fs::path package = demo.parent_path().parent_path().parent_path();
-  checkRobot(
-      demo, [&package](const std::string&) { return package.string(); }, repetitions(300), 100);
+  checkRobot(demoRobotFile(), repetitions(300), 100);
 }
 
 TEST(PathProver, NoSampleOfPublicRobotsIsNearerThanProven) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: paths of public robots: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
-  const std::vector<fs::path> robots = robotFiles(folder);
+  const std::vector<RobotFile> robots = publicRobotFiles();
+  if (robots.empty())
+    GTEST_SKIP() << "skipped: paths of public robots: LINK_BOUNDS_DATA is not set";
   const int chosen = chosenSegments();
   const int segments = chosen == 0 ? repetitions(10) : 1 + chosen / static_cast<int>(robots.size());
-  for (const fs::path& path : robots) {
-    checkRobot(
-        path, [&](const std::string& name) { return (folder / name).string(); }, segments,
-        chosen == 0 ? 50 : 2000);
+  for (const RobotFile& file : robots) {
+    checkRobot(file, segments, chosen == 0 ? 50 : 2000);
     if (HasFatalFailure()) return;
   }
 }

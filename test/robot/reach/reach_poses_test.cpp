@@ -20,10 +20,7 @@ namespace {
 
 constexpr double kAccuracy = kIsSanitized ? 0.1 : 0.01;  // m
 
-struct Model {
-  Robot robot;
-  BoundedRobot bounded;
-};
+using Model = LoadedRobot;
 
 std::map<std::string, double> randomValues(const Robot& robot,
                                            const std::vector<JointRange>& ranges,
@@ -124,11 +121,8 @@ int samples() {
   return text ? std::atoi(text) : repetitions(300);
 }
 
-void checkRobot(const std::filesystem::path& file, const PackagePath& package_path,
-                const Selection& selection = {}) {
-  Model model;
-  model.robot = parseRobot(textOf(file));
-  model.bounded = RobotLoader(importAlone).load(model.robot, selection, {package_path, ""});
+void checkRobot(const RobotFile& file, const Selection& selection = {}) {
+  const Model model = loadedAlone(parseRobot(textOf(file.urdf)), file.package_path, selection);
   const std::vector<JointRange> ranges = jointRanges(model.robot);
   const auto reaches = reachOf(model.robot, model.bounded, ranges, {kAccuracy});
   for (std::size_t k = 0; k < reaches.size(); ++k) {
@@ -139,30 +133,24 @@ void checkRobot(const std::filesystem::path& file, const PackagePath& package_pa
   }
   brute_force::Random random(7);
   const double nearest = expectContained(model, ranges, reaches, samples(), random);
-  std::cout << file.stem().string() << ": " << samples() << " poses of " << reaches.size()
+  std::cout << file.name() << ": " << samples() << " poses of " << reaches.size()
             << " links, a box came within " << nearest << " m of a face; gap of the robot "
             << unionOf(reaches)->maxGap() << " m\n";
 }
 
 TEST(ReachPoses, TheDemoRobotStaysInside) {
-  const auto demo = std::filesystem::canonical("../launch/demo/demo.urdf");
-  const std::filesystem::path package = demo.parent_path().parent_path().parent_path();
-  checkRobot(demo, [&package](const std::string&) { return package.string(); });
+  checkRobot(demoRobotFile());
 }
 
 TEST(ReachPoses, PublicRobotsStayInside) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: links of public robots: LINK_BOUNDS_DATA is not set";
-  const std::filesystem::path robots = std::filesystem::path(data) / "robots";
-  const PackagePath package_path = [&](const std::string& package) {
-    return (robots / package).string();
-  };
+  const std::vector<RobotFile> files = publicRobotFiles();
+  if (files.empty()) GTEST_SKIP() << "skipped: links of public robots: LINK_BOUNDS_DATA is not set";
   Selection collision;
   collision.visual = false;
   collision.collision = true;
-  for (const std::filesystem::path& file : robotFiles(robots)) {
-    checkRobot(file, package_path);
-    checkRobot(file, package_path, collision);
+  for (const RobotFile& file : files) {
+    checkRobot(file);
+    checkRobot(file, collision);
   }
 }
 

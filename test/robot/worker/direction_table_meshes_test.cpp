@@ -4,13 +4,13 @@
 // LINK_BOUNDS_TEST_MAPS says how many linear maps are tried per mesh.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include "robot/worker/mesh_import.h"
 #include "testing/exactness.h"
 #include "testing/linear_maps.h"
+#include "testing/robot_files.h"
 
 namespace link_bounds {
 namespace {
@@ -74,9 +74,9 @@ TEST(DirectionTableMeshes, DemoRobot) {
 }
 
 TEST(DirectionTableMeshes, RobotsAndModels) {
-  const char* data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: meshes of robots and models: LINK_BOUNDS_DATA is not set";
-  compareMeshesBelow(fs::path(data) / "robots");
+  const auto folder = robotsFolder();
+  if (!folder) GTEST_SKIP() << "skipped: meshes of robots and models: LINK_BOUNDS_DATA is not set";
+  compareMeshesBelow(*folder);
 }
 
 }  // namespace

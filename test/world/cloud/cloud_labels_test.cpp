@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 
@@ -16,7 +15,6 @@
 namespace link_bounds {
 namespace {
 
-namespace fs = std::filesystem;
 using brute_force::Random;
 
 constexpr double kPadding = 0.01;
@@ -216,14 +214,13 @@ const std::map<std::string, Fingers> kFingers{
     {"pr2", {"r_gripper_l_finger_tip_link", "r_gripper_r_finger_tip_link"}},
     {"gen3_robotiq_2f_85", {"left_inner_finger_pad", "right_inner_finger_pad"}}};
 
-void checkRobot(const fs::path& urdf, const PackagePath& packages, std::size_t rays,
-                std::uint64_t seed) {
+void checkRobot(const RobotFile& file, std::size_t rays, std::uint64_t seed) {
   Random random(seed);
-  ScannedRobot scanned(urdf.string(), packages, kPadding);
+  ScannedRobot scanned(file, kPadding);
   scanned.makeGrids(kIsSanitized || rays <= std::size_t{kUsualRays});
   Generator generator(scanned, random);
   std::vector<LabelledPoint> points = generator.rays(rays);
-  const auto fingers = kFingers.find(urdf.stem().string());
+  const auto fingers = kFingers.find(file.name());
   const auto knows = [&](const std::string& name) {
     return std::find(scanned.names.begin(), scanned.names.end(), name) != scanned.names.end();
   };
@@ -234,7 +231,7 @@ void checkRobot(const fs::path& urdf, const PackagePath& packages, std::size_t r
     points.insert(points.end(), more.begin(), more.end());
   }
   const Labels labels = compare(scanned, points);
-  expectRight(urdf.stem().string(), labels, rays);
+  expectRight(file.name(), labels, rays);
   if (has_fingers) {
     EXPECT_GT(labels.between, 5u);
   }
@@ -248,23 +245,18 @@ std::size_t raysOr(int usual) {
 }
 
 TEST(CloudLabels, OfTheDemoRobotAreWhatTheRaysHit) {
-  const fs::path package = fs::canonical("..");
   printHeader();
-  checkRobot(
-      package / "launch/demo/demo.urdf", [&](const std::string&) { return package.string(); },
-      raysOr(kUsualRays), 1);
+  checkRobot(demoRobotFile(), raysOr(kUsualRays), 1);
 }
 
 TEST(CloudLabels, OfPublicRobotsAreWhatTheRaysHit) {
-  const char* const data = std::getenv("LINK_BOUNDS_DATA");
-  if (!data) GTEST_SKIP() << "skipped: clouds of public robots: LINK_BOUNDS_DATA is not set";
-  const fs::path folder = fs::canonical(fs::path(data) / "robots");
+  const std::vector<RobotFile> files = publicRobotFiles();
+  if (files.empty())
+    GTEST_SKIP() << "skipped: clouds of public robots: LINK_BOUNDS_DATA is not set";
   printHeader();
   std::uint64_t seed = 2;
-  for (const fs::path& urdf : robotFiles(folder))
-    checkRobot(
-        urdf, [&](const std::string& name) { return (folder / name).string(); }, raysOr(kUsualRays),
-        seed++);
+  for (const RobotFile& file : files)
+    checkRobot(file, raysOr(kUsualRays), seed++);
 }
 
 }  // namespace
