@@ -42,44 +42,6 @@ TEST_F(LossLogTest, ReportsAgainAfterItWasRight) {
   EXPECT_EQ(due({"arm"}, 12), Names{"arm"});
 }
 
-TEST_F(LossLogTest, ShortLossesAreNotReported) {
-  for (double time = 0; time < 100; time += 4) {
-    EXPECT_EQ(due({"arm"}, time), Names());
-    EXPECT_EQ(due({"arm"}, time + 3), Names());
-    EXPECT_EQ(due({}, time + 3.5), Names());
-  }
-}
-
-TEST_F(LossLogTest, SeveralAreReportedTogetherInTheirOrder) {
-  due({"leg", "arm"}, 0);
-  due({"leg", "hand", "arm"}, 1);
-  EXPECT_EQ(due({"leg", "hand", "arm"}, 5), (Names{"leg", "arm"}));
-  EXPECT_EQ(due({"leg", "hand", "arm"}, 6), Names()) << "two reports within five seconds";
-  EXPECT_EQ(due({"leg", "hand", "arm"}, 10), Names{"hand"});
-}
-
-TEST_F(LossLogTest, NamesWithoutEndDoNotFloodTheLog) {
-  Names lost;
-  std::size_t reports = 0;
-  for (int i = 0; i < 200; ++i) {
-    lost.push_back("frame_" + std::to_string(i));
-    reports += due(lost, 0.5 * i).empty() ? 0 : 1;
-  }
-  EXPECT_EQ(reports, 19u);  // in 100 s
-}
-
-TEST_F(LossLogTest, APostponedLossBeginsAgain) {
-  due({"arm"}, 0);
-  log_.postpone({"arm"}, ros::SteadyTime(1004));
-  EXPECT_EQ(due({"arm"}, 8), Names());
-  EXPECT_EQ(due({"arm"}, 9), Names{"arm"});
-  log_.postpone({"arm"}, ros::SteadyTime(1010));
-  EXPECT_EQ(due({"arm"}, 20), Names()) << "it was not right in between";
-  log_.postpone({}, ros::SteadyTime(1021));
-  due({"arm"}, 22);
-  EXPECT_EQ(due({"arm"}, 27), Names{"arm"});
-}
-
 /// The rules of LossLog, computed from all calls so far and without other memory.
 class History {
  public:
