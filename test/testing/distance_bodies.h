@@ -79,6 +79,32 @@ inline TriangleMesh anyMesh(brute_force::Random& random, double size, double max
   return meshOf(vertices);
 }
 
+/// A closed surface with bumps, of 2 * steps * steps triangles.
+inline TriangleMesh bumpyBall(std::uint32_t steps, double bump) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= steps; ++i) {
+    for (std::uint32_t j = 0; j <= steps; ++j) {
+      const double down = M_PI * i / steps, around = 2 * M_PI * j / steps;
+      const double radius = 0.3 + bump * std::sin(5 * down) * std::sin(7 * around);
+      mesh.vertices.push_back(
+          (radius * Eigen::Vector3d(std::sin(down) * std::cos(around),
+                                    std::sin(down) * std::sin(around), std::cos(down)))
+              .cast<float>());
+      if (i == steps || j == steps) continue;
+      const std::uint32_t here = i * (steps + 1) + j, below = here + steps + 1;
+      mesh.triangles.push_back({here, below, here + 1});
+      mesh.triangles.push_back({here + 1, below, below + 1});
+    }
+  }
+  return mesh;
+}
+
+/// What BodyDistances should know of a body.
+struct Twin {
+  std::shared_ptr<const Body> body;
+  std::optional<Eigen::Affine3d> pose;
+};
+
 /// How far a placed solid, with its tip, extends along `n` from the origin of the world, in long
 /// double.
 inline distance_oracle::Long solidSupport(const BodyShape& body_shape, const Eigen::Affine3d& pose,

@@ -17,11 +17,6 @@ using brute_force::Random;
 constexpr std::size_t kBodies = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Twin {
-  std::shared_ptr<const Body> body;
-  std::optional<Eigen::Affine3d> pose;
-};
-
 std::shared_ptr<const Body> anyBody(Random& random) {
   auto body = std::make_shared<Body>();
   const int shapes = static_cast<int>(random.uniform(1, 4));

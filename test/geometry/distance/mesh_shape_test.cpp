@@ -67,27 +67,6 @@ TEST(MeshShape, APointOfATreeIsAVertexThatATriangleUsesOrWhatSweepsIt) {
   }
 }
 
-/// A ball with bumps, of 2 * kSteps * kSteps triangles.
-TriangleMesh bumpyBall() {
-  constexpr std::uint32_t kSteps = 24;
-  TriangleMesh mesh;
-  for (std::uint32_t i = 0; i <= kSteps; ++i) {
-    for (std::uint32_t j = 0; j <= kSteps; ++j) {
-      const double down = M_PI * i / kSteps, around = 2 * M_PI * j / kSteps;
-      const double radius = 0.3 + 0.02 * std::sin(5 * down) * std::sin(7 * around);
-      mesh.vertices.push_back(
-          (radius * Eigen::Vector3d(std::sin(down) * std::cos(around),
-                                    std::sin(down) * std::sin(around), std::cos(down)))
-              .cast<float>());
-      if (i == kSteps || j == kSteps) continue;
-      const std::uint32_t here = i * (kSteps + 1) + j, below = here + kSteps + 1;
-      mesh.triangles.push_back({here, below, here + 1});
-      mesh.triangles.push_back({here + 1, below, below + 1});
-    }
-  }
-  return mesh;
-}
-
 /// How many pairs of nodes must be compared for the accuracy, up to a factor of 1.2.
 double stepsNeeded(const Body& a, const Body& b, const Eigen::Affine3d& of_b) {
   constexpr double kAccuracy = 1e-4;
@@ -99,7 +78,7 @@ double stepsNeeded(const Body& a, const Body& b, const Eigen::Affine3d& of_b) {
 }
 
 TEST(MeshShape, ThatIsFlatTakesNoMoreStepsThanAThinOne) {
-  const TriangleMesh ball = bumpyBall();
+  const TriangleMesh ball = bumpyBall(24, 0.02);
   Random random(2);
   for (int axis = 0; axis < 3; ++axis) {
     double flat_steps = 0, thin_steps = 0;
