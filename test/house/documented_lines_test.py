@@ -43,7 +43,7 @@ EXCEPTIONS = {
     'cmake ': MINUTES + '; scripts/test does the like', 'source ~/ros/': 'needs the line before it',
     '(cd build': 'runs this test', 'g++ ': 'needs main.cpp, and a build of minutes',
     'scripts/figures ': MINUTES, 'scripts/bench ': MINUTES, 'scripts/pictures ': MINUTES,
-    'rosrun link_bounds bag_bounds --merge ': 'needs lines; bag_bounds_test runs it',
+    'rosrun link_bounds bag_bounds --merge ': 'needs lines; bag_reports_test runs it',
     'scripts/get_robots ': NETWORK, 'LINK_BOUNDS_DATA=': MINUTES,
     'rosrun link_bounds boxes_to.py ': 'needs messages that Debian lacks'}
 # These lines go on until they are interrupted; then they must have printed something.

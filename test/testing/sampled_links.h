@@ -93,4 +93,10 @@ inline std::vector<Eigen::Isometry3d> manyPoses(brute_force::Random& random) {
   return result;
 }
 
+/// How far a face of one box is outside that of another one.
+inline double faceGap(const Aabb& outer, const Aabb& inner, int face) {
+  return face < 3 ? inner.min()[face] - outer.min()[face]
+                  : outer.max()[face - 3] - inner.max()[face - 3];
+}
+
 }  // namespace link_bounds

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""bag_bounds --joint-states: positions of joints instead of transforms.
+
+Run as: bag_joint_states_test.py PATH_OF_bag_bounds
+"""
+import math
+import re
+
+from bag_bounds_testing import (BEGIN, INCOMPLETE, PERIOD, UNDERCUT, BagBoundsTest, arms, main, run,
+                                time_of)
+from page_testing import PACKAGE
+from sensor_msgs.msg import JointState
+from tf2_msgs.msg import TFMessage
+from urdf_tf import UrdfTf
+
+DEMO = PACKAGE / 'launch/demo/demo.urdf'
+
+
+class JointStatesTest(BagBoundsTest):
+    """Positions of joints beside the transforms that robot_state_publisher would have sent."""
+
+    def setUp(self):
+        super().setUp()
+        self.demo = UrdfTf(DEMO.read_text('utf-8'))
+        self.urdf = str(DEMO)
+        mimics = re.findall(r'<joint name="(\w+)"(?:(?!</joint>).)*<mimic', DEMO.read_text('utf-8'),
+                            re.DOTALL)
+        self.leaders = [name for name in self.demo.movable if name not in mimics]
+
+    def values(self, index):
+        return {name: 0.02 + 0.01 * i * math.sin(0.05 * index * (1 + i))
+                for i, name in enumerate(self.demo.movable)}
+
+    def state(self, index, names, stamp=None):
+        time = time_of(BEGIN + PERIOD * index)
+        message = JointState(name=['other_robot'] + names, position=[1.0] + [
+            self.values(index)[name] for name in names])
+        message.header.stamp = time if stamp is None else stamp
+        return '/joint_states', message, time
+
+    def both(self, states, *arguments):
+        messages = [('/tf_static', TFMessage(self.demo.static()), time_of(BEGIN))]
+        for index in range(60):
+            stamp = time_of(BEGIN + PERIOD * index)
+            messages.append(('/tf', TFMessage(self.demo.moving(stamp, self.values(index))), stamp))
+        return (self.report(self.bag(messages, 'tf.bag'), *arguments),
+                self.report(self.bag(states, 'states.bag'), '--joint-states', 'joint_states',
+                            *arguments))
+
+    def check_same(self, expected, found):
+        for a, b in zip(expected['extremes'], found['extremes']):
+            self.assertEqual((a['name'], a['coverage']), (b['name'], b['coverage']))
+            for x, y in zip(a['min'] + a['max'], b['min'] + b['max']):
+                self.assertAlmostEqual(x, y, delta=1e-9)
+        self.assertEqual(found['incomplete'], {})
+
+    def test_the_boxes_are_those_of_tf(self):
+        self.check_same(*self.both([self.state(i, self.leaders) for i in range(60)]))
+
+    def test_joints_in_messages_of_their_own(self):
+        """And without a stamp, where that of the recording serves."""
+        states = [self.state(i, self.leaders[half::2], time_of(0) if half else None)
+                  for i in range(60) for half in (0, 1)]
+        self.check_same(*self.both(states))
+
+    def test_a_mimic_joint_with_a_position_of_its_own(self):
+        """As for robot_state_publisher, it counts more than that of its leader."""
+        mimic = next(name for name in self.demo.movable if name not in self.leaders)
+        states = [self.state(i, self.leaders) for i in range(9)]
+        expected = self.report(self.bag(states), '--joint-states', '/joint_states')
+        link = re.search(r'<joint name="%s".*?<child link="(\w+)"' % mimic,
+                         DEMO.read_text('utf-8'), re.DOTALL).group(1)
+        for _, message, _ in states:
+            message.name.append(mimic)
+            message.position.append(0.04)
+        found = self.report(self.bag(states, 'own.bag'), '--joint-states', '/joint_states')
+        for a, b in zip(expected['extremes'], found['extremes']):
+            (self.assertNotEqual if a['name'] == link else self.assertEqual)(a['max'], b['max'])
+
+    def test_motion_between_positions_is_covered(self):
+        states = [self.state(i, self.leaders) for i in range(0, 60, 15)]
+        found = self.report(self.bag(states), '--joint-states', '/joint_states', '--distances', '1',
+                            code=UNDERCUT)
+        self.assertTrue(all(pair['clearance'] <= pair['distance'] for pair in found['distances']))
+
+    def test_a_joint_without_position(self):
+        bag = self.bag([self.state(i, self.leaders[1:]) for i in range(9)])
+        found = self.report(bag, '--joint-states', '/joint_states', code=INCOMPLETE,
+                            err='incomplete names')
+        self.assertIn('; no message has the position of ' + self.leaders[0],
+                      found['incomplete']['shoulder'])
+
+    def test_what_is_refused(self):
+        bag = self.bag([self.state(0, self.leaders)])
+        good = (bag, '--urdf', self.urdf, '--joint-states')
+        self.check_refused('leave out --tf-topic', *good, 'a', '--tf-topic', '/b')
+        code, _, err = run(*good, '/none')
+        self.assertEqual(code, 1)
+        self.assertIn('error: there is no message on /none; see rosbag info', err)
+        code, _, err = run(self.bag(arms(2)), '--urdf', self.urdf, '--joint-states', '/tf')
+        self.assertEqual(code, 1)
+        self.assertIn('the messages on /tf are of type tf2_msgs/TFMessage, not sensor_msgs', err)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/check_certificate accepts what urdf_bounds --path --certificate writes, and nothing that
+is false.
+
+Run as: certificate_path_test.py PATH_OF_wrong_urdf_bounds PATH_OF_urdf_bounds
+"""
+import json
+import os
+
+from certificate_testing import (ARM, MOBILE, REFUSED, check, is_leaf, lines_of, main, turned,
+                                 write_lines, write_wrong)
+from urdf_bounds_testing import UrdfBoundsTest, run
+
+
+def split_pair(lines):
+    """Of the first segment, the pair with the most boxes."""
+    return max(lines[1]['pairs'], key=lambda pair: len(pair['tree']))
+
+
+class PathTest(UrdfBoundsTest):
+    """The arm passes a ball, which further turns or higher speeds would hit."""
+    LINEAR = 'shoulder,elbow,push\n0,0,0.1\n1,0.2,0.2\n0.8,-0.4,0\n'
+    CUBIC = ('time,shoulder,shoulder.velocity,elbow,elbow.velocity\n0,0,0,0,0\n1,1,0.2,0.3,-0.5\n'
+             '3,0.2,0,0,0\n')
+    QUINTIC = ('time,shoulder,shoulder.velocity,shoulder.acceleration\n0,0,0,0\n1,0.7,0.5,-1\n'
+               '2,0.5,0,0\n')
+    FAST = {LINEAR: ('\n1,', '\n2.2,'), CUBIC: ('1,1,0.2', '1,1,-9'), QUINTIC: ('0.7,0.5,-1', '0.7,0.5,90')}
+    OBJECTS = ('ball: {type: SPHERE, pose: {position: {x: -0.2, y: 1.1, z: 0.3}}, '
+               'scale: {x: 0.3, y: 0.3, z: 0.3}}\n'
+               'block: {type: CUBE, pose: {position: {x: 1.8, y: 0, z: 0.3}, orientation: {z: 1, w: 2}}, '
+               'scale: {x: 0.2, y: 0.1, z: 0.3}}\n'
+               'post: {type: CYLINDER, pose: {position: {x: 0.9, y: -1.2}}, scale: {x: 0.1, y: 0.1, z: 2}}\n')
+
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', ARM)
+        self.objects = self.write('objects.yaml', self.OBJECTS)
+        self.file = os.path.join(self.folder, 'path.cert')
+
+    def check_table(self, table, code, *arguments):
+        found, text = check(self.file, self.urdf, '--poses', self.write('checked.csv', table),
+                            '--objects', self.objects, '--all', *arguments)
+        self.assertEqual(found, code, text)
+        return text
+
+    def write_certificate(self, table):
+        code, out, err = run(self.urdf, '--poses', self.write('path.csv', table), '--path', '--objects',
+                             self.objects, '--certificate', self.file)
+        self.assertEqual(code, 0, out + err)
+
+    def test_a_table_with_remarks(self):
+        """And with a column of words, which is no joint."""
+        table = '# a remark\nshoulder,label,elbow,push\n0,a,0,0.1\n \n1,b,0.2,0.2\n0.8,,-0.4,0\n'
+        self.write_certificate(table)
+        self.check_table(table, 0)
+
+    def test_interpolations(self):
+        for table, (old, new) in self.FAST.items():
+            with self.subTest(table):
+                self.write_certificate(table)
+                self.assertRegex(self.check_table(table, 0), r': 2 segments; (\d+) of \1 boxes were')
+                fast = table.replace(old, new)
+                code, out, _ = run(self.urdf, '--poses', self.write('fast.csv', fast), '--path',
+                                   '--objects', self.objects)
+                self.assertIn('COLLIDES', out)
+                self.assertIn('not proven', self.check_table(fast, REFUSED))
+
+    def test_a_base_that_drives(self):
+        self.urdf = MOBILE
+        table = ('drive.x,drive.y,drive.yaw,lift,carry.x,carry.pitch\n-0.5,0,0,0,-0.5,0.2\n'
+                 '0,0.2,0.4,0.1,-0.6,-0.3\n0.2,0.1,-0.4,0,-0.6,0\n')
+        self.write_certificate(table)
+        self.check_table(table, 0)
+        self.assertIn('not proven', self.check_table(table.replace('\n0,', '\n0.9,'), REFUSED))
+
+    def test_an_engine_whose_bodies_move_too_little(self):
+        for table in self.FAST:
+            with self.subTest(table):
+                arguments = (self.urdf, '--poses', self.write('path.csv', table), '--path',
+                             '--objects', self.objects)
+                found = json.loads(run(*arguments, '--format', 'json')[1])
+                nearest = min(segment['clearance'] for segment in found['segments'])
+                write_wrong(*arguments, '--clearance', repr(0.999 * nearest), '--certificate', self.file)
+                self.assertIn('not proven', self.check_table(table, REFUSED))
+
+    def test_damages(self):
+        self.write_certificate(self.LINEAR)
+        good = lines_of(self.file)
+        for name, damage in {
+                'larger clearance': lambda lines: lines[1].update(distance=1),
+                'no clearance': lambda lines: lines[1].update(distance=0),
+                'other segment': lambda lines: lines[1].update({'from': 3, 'to': 4}),
+                'longer segment': lambda lines: lines[1].update(to=3),
+                'segment twice': lambda lines: lines.insert(1, lines[1]),
+                'segment missing': lambda lines: (lines.pop(1), lines[-1].update(segments=1)),
+                'pair missing': lambda lines: lines[1]['pairs'].pop(),
+                'pair twice': lambda lines: lines[1]['pairs'].append(lines[1]['pairs'][0]),
+                'closed too early': lambda lines: split_pair(lines).update(tree=[[0, 1, 0]]),
+                'turned': lambda lines: split_pair(lines).update(
+                    tree=[turned(each) if is_leaf(each) else each for each in split_pair(lines)['tree']]),
+                'end of the tree': lambda lines: split_pair(lines)['tree'].pop(),
+                'further leaf': lambda lines: split_pair(lines)['tree'].append([0, 0, 1]),
+                'other variable': lambda lines: split_pair(lines)['tree'].__setitem__(0, 1),
+                'other kind': lambda lines: lines[0].update(of='pairs'),
+                'no end': lambda lines: lines.pop()}.items():
+            with self.subTest(name):
+                lines = json.loads(json.dumps(good))
+                damage(lines)
+                write_lines(self.file, lines)
+                self.check_table(self.LINEAR, REFUSED)
+
+    def test_what_is_not_in_the_file(self):
+        table = self.LINEAR + '2.2,0,0\n'
+        code, _, err = run(self.urdf, '--poses', self.write('path.csv', table), '--path', '--objects',
+                           self.objects, '--certificate', self.file)
+        self.assertEqual(code, 3, err)
+        self.assertIn('segments that are not in the file: COLLIDES 1', self.check_table(table, 0))
+        self.check_table(self.LINEAR, REFUSED)
+        self.assertEqual(check(self.file, self.urdf)[0], REFUSED)
+
+
+if __name__ == '__main__':
+    main()

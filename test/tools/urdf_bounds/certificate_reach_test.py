@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/check_certificate accepts what urdf_bounds --reach --certificate writes, and nothing that
+is false.
+
+Run as: certificate_reach_test.py PATH_OF_wrong_urdf_bounds PATH_OF_urdf_bounds
+"""
+import json
+import os
+import random
+from unittest import mock
+
+from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, MOBILE, PUBLIC,
+                                 REFUSED, box, check, lines_of, main, write_lines, write_wrong)
+from urdf_bounds_testing import UrdfBoundsTest, run
+
+REACH = ('--reach', '--accuracy', '0.05', '--budget', '1000', '--format', 'json')
+
+
+class ReachTest(UrdfBoundsTest):
+    def setUp(self):
+        super().setUp()
+        self.urdf = self.write('arm.urdf', ARM)
+
+    def certificate(self, urdf, *arguments):
+        """The file, and the JSON that is printed."""
+        file = os.path.join(self.folder, 'reach.cert')
+        code, out, err = run(urdf, *REACH, '--certificate', file, *arguments)
+        self.assertEqual(code, 0, err)
+        return file, json.loads(out)
+
+    def test_all_kinds_of_joints_and_shapes(self):
+        file, result = self.certificate(self.urdf)
+        code, text = check(file, self.urdf, '--all')
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, r'arm: 5 links; (\d+) of \1 supports were checked')
+        self.assertRegex(check(file, self.urdf, '--sample', '1')[1], ' 5 links; 37 of [0-9]+ supp')
+        for entry in lines_of(file)[1:-1]:
+            proven = result['reach'][entry['link']]
+            for i in range(3):
+                for inner, outer in ((proven['min'][i], entry['min'][i]),
+                                     (-proven['max'][i], -entry['max'][i])):
+                    self.assertGreaterEqual(inner, outer)
+                    self.assertLessEqual(inner - outer, entry['slack'] + 1e-9)
+            self.assertLessEqual(entry['slack'], float(REACH[2]))
+
+    def test_ranges_that_the_user_gave(self):
+        given = ('elbow:=0..0.5', 'push:=0.1')
+        file, _ = self.certificate(self.urdf, *given)
+        self.assertEqual(check(file, self.urdf, *given, '--all')[0], 0)
+        self.assertEqual(check(file, self.urdf)[0], REFUSED)
+
+    def test_floating_and_planar_joints(self):
+        for given in (BASE_RANGES, ('--base', 'fixed')):
+            with self.subTest(given):
+                file, result = self.certificate(MOBILE, *given)
+                code, text = check(file, MOBILE, *given, '--sample', '100')
+                self.assertEqual(code, 0, text)
+                self.assertIn(': %d links; ' % len(result['reach']), text)
+                lines = lines_of(file)
+                part = next(line for line in lines if line.get('link') == 'part')
+                part['min'][2] += 1e-3
+                write_lines(file, lines)
+                self.assertEqual(check(file, MOBILE, *given)[0], REFUSED)
+
+    def test_demo(self):
+        file, _ = self.certificate(DEMO)
+        code, text = check(file, DEMO)
+        self.assertEqual(code, INCOMPLETE, 'OBJ and Collada are not read')
+        self.assertRegex(text, r': [1-9]\d* links; ')
+
+    def test_public_robots(self):
+        data = os.environ.get('LINK_BOUNDS_DATA')
+        if not data:
+            print('skipped: certificates of public robots: LINK_BOUNDS_DATA is not set')
+            return
+        for name in PUBLIC:
+            with self.subTest(name), mock.patch.dict(os.environ, ROS_PACKAGE_PATH=data + '/robots'):
+                urdf = os.path.join(data, 'robots', name)
+                file, _ = self.certificate(urdf, '--geometry', 'collision')
+                code, text = check(file, urdf, '--sample', '5')
+                self.assertEqual(code, 0, text)
+                self.assertNotIn('no links', text)
+
+    def test_an_engine_whose_joints_turn_too_little(self):
+        file = os.path.join(self.folder, 'wrong.cert')
+        write_wrong(self.urdf, *REACH, '--certificate', file)
+        code, text = check(file, self.urdf, '--sample', '100')
+        self.assertEqual(code, REFUSED, text)
+        self.assertIn('not proven before joint', text)
+
+    def damage(self, lines, choice):
+        """Its name. Each one makes the file false or malformed."""
+        link = choice.choice([line for line in lines[1:-1] if line['tables']])
+        lines.remove(link)
+        lines.insert(1, link)  # checked first
+        table = choice.choice(link['tables'])
+        entry, axis = choice.randrange(len(table)), choice.randrange(3)
+        damages = {
+            'support': lambda: table.__setitem__(entry, table[entry] - choice.choice((10, 10**7))),
+            'no support': lambda: table.pop(entry),
+            'further support': lambda: table.append(0),
+            'text': lambda: table.__setitem__(entry, 'x'),
+            'not a number': lambda: table.__setitem__(entry, float('nan')),
+            'infinite': lambda: table.__setitem__(entry, float('inf')),
+            'smaller box': lambda: link['max'].__setitem__(axis, link['max'][axis] - 1e-6),
+            'smaller box below': lambda: link['min'].__setitem__(axis, link['min'][axis] + 1e-3),
+            'no box': lambda: link.pop('min'),
+            'flat box': lambda: link['max'].pop(),
+            'step': lambda: link.update(step=0.9 * link['step']),
+            'negative step': lambda: link.update(step=-link['step']),
+            'cells': lambda: link.update(cells=2 * link['cells']),
+            'no cells': lambda: link.update(cells=0),
+            'no table': lambda: link['tables'].pop(),
+            'table twice': lambda: link['tables'].append(table),
+            'unknown link': lambda: link.update(link='none'),
+            'link twice': lambda: lines.insert(1, link),
+            'link missing': lambda: lines.remove(link),
+            'other geometry': lambda: lines[0].update(geometry='collision'),
+            'other certificate': lambda: lines[0].update(of='pairs'),
+            'narrow range': lambda: lines[0]['given'].update(elbow=[0, 0.1]),
+            'no end': lines.pop,
+            'other end': lambda: lines[-1].update(links=1)}
+        name = choice.choice(sorted(damages))
+        damages[name]()
+        return name
+
+    def test_damages(self):
+        file, _ = self.certificate(self.urdf)
+        good, bad = lines_of(file), os.path.join(self.folder, 'bad.cert')
+        choice, seen = random.Random(2), set()
+        for number in range(DAMAGES):
+            lines = json.loads(json.dumps(good))
+            name = self.damage(lines, choice)
+            seen.add(name)
+            write_lines(bad, lines)
+            with self.subTest(number=number, damage=name):
+                code, text = check(bad, self.urdf, '--all')
+                self.assertEqual(code, REFUSED, text)
+        self.assertGreater(len(seen), 18 if DAMAGES == 200 else 8)
+
+
+if __name__ == '__main__':
+    main()
