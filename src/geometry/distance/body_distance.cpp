@@ -18,6 +18,9 @@ namespace {
 /// Searches of the hulls of robots end within ten steps; this ends one that rounding keeps alive.
 constexpr int kHullSteps = 100;
 
+/// Then the bounds of a memory begin again: four bytes keep a micrometre up to here [m].
+constexpr double kFarthestMove = 4;
+
 /// Of the accuracy, the rest of which is left to the triangles.
 constexpr double kHullTolerance = 0.25;
 
@@ -74,7 +77,8 @@ class HullSearch {
     memory_.is_known = false;
     for (const Candidate& candidate : candidates(before)) {
       if (candidate.lower >= farEnough()) {
-        decide(candidate.lower, DistanceLevel::kBox, boxNormalOf(candidate), candidate);
+        if (candidate.lower < lower_)
+          decide(candidate.lower, DistanceLevel::kBox, boxNormalOf(candidate), candidate);
       } else {
         refine(candidate, before);
       }
@@ -112,8 +116,8 @@ class HullSearch {
   ShapePair shapePair(const Candidate& pair) const {
     const PlacedShape& a = first_.shapes[pair.first];
     const PlacedShape& b = second_.shapes[pair.second];
-    ShapePair result{*a.shape,           *b.shape,  a.from_body_origin,
-                     b.from_body_origin, rounding_, memory_.moved};
+    ShapePair result{*a.shape,  *b.shape,       a.from_body_origin, b.from_body_origin,
+                     rounding_, memory_.motion, first_.rigid,       second_.rigid};
     result.second_at.translation += second_.origin - first_.origin;
     return result;
   }
@@ -126,7 +130,8 @@ class HullSearch {
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
     const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, tolerance, kHullSteps};
     const ShapeHull a{pair.first}, b{pair.second};
-    const Eigen::Vector3d start = startOf(candidate);
+    const Eigen::Vector3d start =
+        simplex.size() > 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : startOf(candidate);
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
     offer(simplex, pair);
@@ -139,16 +144,23 @@ class HullSearch {
     TreeMemory trees = is_nearest ? std::move(before.trees) : TreeMemory();
     if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
         !(isConvex(pair.first) && isConvex(pair.second))) {
-      const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : start,
+      const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
                                    pair.first_at.toSearch(simplex.first()),
                                    pair.second_at.toSearch(simplex.second())};
       const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
       if (found > lower) level = DistanceLevel::kMesh;
       lower = found;
+    } else {
+      trees.front = Front();  // is of an earlier search
     }
     decide(lower, level, normal, candidate);
-    if (witness_.distance < distance_before || !memory_.is_known)
-      memory_ = {true, candidate.first, candidate.second, simplex, std::move(trees), memory_.moved};
+    if (witness_.distance < distance_before || !memory_.is_known) {
+      memory_.is_known = true;
+      memory_.first_shape = candidate.first;
+      memory_.second_shape = candidate.second;
+      memory_.simplex = simplex;
+      memory_.trees = std::move(trees);
+    }
   }
 
   /// A direction to begin with.
@@ -234,6 +246,18 @@ class HullSearch {
   Candidate nearest_{0, 0, 0};
 };
 
+/// What the memory has proven shrinks with the motion since the last search.
+void age(PairMemory& memory, const PlacedBody& first, const PlacedBody& second) {
+  PairMotion& motion = memory.motion;
+  const bool is_followed = motion.then && first.rigid && second.rigid;
+  motion.moved_then = motion.moved;
+  if (is_followed)
+    motion.moved = nextUp(motion.moved + motion.then->approach(*first.rigid, *second.rigid));
+  if (is_followed && motion.moved <= kFarthestMove) return;
+  memory.trees.front = Front();
+  motion = PairMotion();
+}
+
 /// Both orders of two bodies are searched in the same one, so that rounding is the same.
 bool comesFirst(const PlacedBody& a, const PlacedBody& b) {
   using Key = std::array<double, 12>;
@@ -270,7 +294,11 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory) {
-  return HullSearch(first, second, goal, memory).run();
+  age(memory, first, second);
+  const BodyDistance result = HullSearch(first, second, goal, memory).run();
+  memory.motion.then.reset();
+  if (first.rigid && second.rigid) memory.motion.then.emplace(*first.rigid, *second.rigid);
+  return result;
 }
 
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,

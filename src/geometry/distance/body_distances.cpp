@@ -13,13 +13,6 @@
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
-namespace {
-
-/// Then the bounds of a memory begin again: four bytes keep a micrometre up to here [m].
-constexpr double kFarthestMove = 4;
-
-}  // namespace
-
 class BodyDistances::Memories {
  public:
   explicit Memories(const DistanceGoal& its_goal) : goal(its_goal) {}
@@ -109,7 +102,10 @@ class BodyDistances::Memories {
 
     /// Nothing without a usable pose.
     const std::optional<PlacedBody>& placed() const {
-      if (pose && !is_placed) its_placed = placedBody(*body, *pose);
+      if (pose && !is_placed) {
+        its_placed = placedBody(*body, *pose);
+        if (its_placed) its_placed->rigid = rigid;
+      }
       is_placed = pose.has_value();
       return its_placed;
     }
@@ -118,8 +114,7 @@ class BodyDistances::Memories {
     PairMemory memory;
     std::uint64_t first_version = 0;
     std::uint64_t second_version = 0;
-    std::uint64_t round = 0;           ///< in which it was asked for
-    std::optional<PosePair> searched;  ///< the poses of the last search
+    std::uint64_t round = 0;  ///< in which it was asked for
     std::optional<Lease> lease;
     BodyDistance last{};           ///< what was said last
     std::uint64_t first_pose = 0;  ///< the version of the pose of which it said that
@@ -146,20 +141,8 @@ class BodyDistances::Memories {
     pair.round = round_;
   }
 
-  /// What the memory has proven shrinks with the motion since the last search.
-  static void age(Pair& pair, const Slot& a, const Slot& b) {
-    double& moved = pair.memory.moved;
-    const bool is_rigid = a.rigid && b.rigid;
-    if (pair.searched && is_rigid)
-      moved = nextUp(moved + pair.searched->approach(*a.rigid, *b.rigid));
-    if (!pair.searched || !is_rigid || !(moved <= kFarthestMove)) pair.memory.forgetBounds();
-    pair.searched.reset();
-    if (is_rigid) pair.searched.emplace(*a.rigid, *b.rigid);
-  }
-
   BodyDistance search(Pair& pair, const Slot& a, const Slot& b) const {
     adopt(pair, a, b);
-    age(pair, a, b);
     return placedDistance(*a.placed(), *b.placed(), goal, pair.memory);
   }
 

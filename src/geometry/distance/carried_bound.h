@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "link_bounds/geometry/box/rounding.h"
+
 namespace link_bounds {
 
 /// In four bytes, as a search keeps thousands. `moved` is how much nearer the bodies may have come
@@ -20,10 +22,12 @@ class CarriedBound {
     sum_ = std::nextafter(sum, -std::numeric_limits<float>::infinity());  // covers all rounding
   }
 
-  double at(double moved) const { return std::max(0.0, static_cast<double>(sum_) - moved); }
+  /// May be negative.
+  double at(double moved) const { return static_cast<double>(sum_) - moved * kRoundedUp; }
 
  private:
   static constexpr double kLargest = 1e30;
+  static constexpr double kRoundedUp = 1 + 4 * kUnitRoundoff;
 
   float sum_ = 0;
 };

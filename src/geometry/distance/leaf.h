@@ -9,35 +9,38 @@
 
 namespace link_bounds {
 
+/// In the coordinates of a search.
+inline Triangle placed(const TriangleTree& tree, std::uint32_t triangle, const Placement& at) {
+  Triangle corners = tree.corners(triangle);
+  for (Eigen::Vector3d& corner : corners)
+    corner = at.toSearch(corner);
+  return corners;
+}
+
 /// The triangles of a leaf, and how far they extend along a direction.
 class Leaf {
  public:
   Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
-      : count(tree.nodes[node].count), tree_(tree), first_(tree.nodes[node].first), at_(at) {}
+      : count(tree.nodes[node].count), first(tree.nodes[node].first), tree_(tree), at_(at) {}
 
   void project(const Eigen::Vector3d& direction) {
     const Eigen::Vector3d d = at_.toShape(direction);
     const double origin = at_.translation.dot(direction);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& [a, b, c] = tree_.triangles[first_ + i];
+      const auto& [a, b, c] = tree_.triangles[first + i];
       farthest[i] = origin + std::max({d.dot(tree_.vertices[a]), d.dot(tree_.vertices[b]),
                                        d.dot(tree_.vertices[c])});
     }
   }
 
-  Triangle placed(std::uint32_t i) const {
-    Triangle corners = tree_.corners(first_ + i);
-    for (Eigen::Vector3d& corner : corners)
-      corner = at_.toSearch(corner);
-    return corners;
-  }
+  Triangle placed(std::uint32_t i) const { return link_bounds::placed(tree_, first + i, at_); }
 
   std::uint32_t count;
+  std::uint32_t first;                             ///< the index of the first one in the tree
   std::array<double, kTrianglesPerLeaf> farthest;  ///< along the direction, from the origin
 
  private:
   const TriangleTree& tree_;
-  std::uint32_t first_;
   const Placement& at_;
 };
 

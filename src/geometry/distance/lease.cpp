@@ -85,11 +85,16 @@ PosePair::PosePair(const RigidBody& first, const RigidBody& second)
   origin_ = then.origin;
 }
 
-double PosePair::approach(const RigidBody& first, const RigidBody& second) const {
+PosePair::Motion PosePair::motion(const RigidBody& first, const RigidBody& second) const {
   const Relative now(first, second);
-  const Eigen::Matrix3d turned = now.axes - axes_;
-  const Eigen::Vector3d shifted = turned * now.mover.ball.center + (now.origin - origin_);
-  return shifted.norm() + turned.norm() * M_SQRT1_2 * now.mover.ball.radius + slack(first, second);
+  return {now.axes - axes_, now.origin - origin_, slack(first, second)};
+}
+
+double PosePair::approach(const RigidBody& first, const RigidBody& second) const {
+  const Ball& ball = (&resting(first, second) == &first ? second : first).ball;
+  const Motion moved = motion(first, second);
+  const Eigen::Vector3d shifted = moved.turned * ball.center + moved.shifted;
+  return shifted.norm() + moved.turned.norm() * M_SQRT1_2 * ball.radius + moved.slack;
 }
 
 double PosePair::slack(const RigidBody& first, const RigidBody& second) const {

@@ -40,6 +40,15 @@ class PosePair {
  public:
   PosePair(const RigidBody& first, const RigidBody& second);
 
+  /// How the points of the body that moves have moved, in the frame of the one that rests: a point
+  /// q of its frame by turned q + shifted, but for `slack` [m].
+  struct Motion {
+    Eigen::Matrix3d turned;
+    Eigen::Vector3d shifted;
+    double slack;
+  };
+  Motion motion(const RigidBody& first, const RigidBody& second) const;
+
   /// How much nearer to each other two points of the bodies may be at other poses [m].
   double approach(const RigidBody& first, const RigidBody& second) const;
 

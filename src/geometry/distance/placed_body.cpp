@@ -78,7 +78,7 @@ std::optional<Aabb> boxOf(const BodyShape& shape, const Eigen::Affine3d& world_f
 
 std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body) {
   if (body.shapes.empty() || !isUsablePose(world_from_body)) return std::nullopt;
-  PlacedBody result{world_from_body.translation(), {}, Aabb(), {}, 0};
+  PlacedBody result{world_from_body.translation(), {}, Aabb(), {}, 0, {}};
   if (!(result.origin.cwiseAbs().maxCoeff() <= kLargest)) return std::nullopt;
   result.shapes.reserve(body.shapes.size());
   for (const BodyShape& shape : body.shapes) {

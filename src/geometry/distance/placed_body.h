@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/distance/convex_sets.h"
+#include "geometry/distance/lease.h"
 #include "link_bounds/geometry/distance/body.h"
 
 namespace link_bounds {
@@ -24,6 +25,7 @@ struct PlacedBody {
   /// Bounds the error of a computed support of any shape along a unit direction, beyond that of
   /// the position of the origin [m].
   double rounding;
+  std::optional<RigidBody> rigid;  ///< if its motion is followed, and its pose is rigid
 };
 
 /// `body` must live as long. Nothing if there is no shape or one has no finite box.

@@ -17,7 +17,7 @@ void separate(const PlacedBox& first, const PlacedBox& second, double far_enough
   const auto lowerAlong = [&](const Eigen::Vector3d& normal) {
     return normal.dot(between) - first.extent(normal) - second.extent(normal) - rounding;
   };
-  known.lower = std::max(known.lower, lowerAlong(known.normal));
+  known.raise(lowerAlong(known.normal), known.normal);
   Eigen::Vector3d on_second = second.center;
   for (int step = 0; step < kSteps && !(known.lower >= far_enough); ++step) {
     const Eigen::Vector3d on_first = first.near(on_second);
@@ -26,10 +26,7 @@ void separate(const PlacedBox& first, const PlacedBox& second, double far_enough
     known.near = apart.norm();
     if (!(known.near > far_enough) || !(known.near > kShortest)) return;
     const Eigen::Vector3d normal = apart / known.near;
-    const double lower = lowerAlong(normal);
-    if (!(lower > known.lower)) continue;
-    known.lower = lower;
-    known.normal = normal;
+    known.raise(lowerAlong(normal), normal);
   }
 }
 

@@ -45,6 +45,15 @@ struct Separation {
   double lower;            ///< proven [m]
   double near;             ///< about the distance, and not below it unless it says infinity
   Eigen::Vector3d normal;  ///< unit; a direction in which the sets may be separate
+  bool is_along = false;   ///< `lower` is proven along `normal`
+
+  /// If that is more.
+  void raise(double lower_along, const Eigen::Vector3d& along) {
+    if (!(lower_along > lower)) return;
+    lower = lower_along;
+    normal = along;
+    is_along = true;
+  }
 };
 
 /// Raises `known.lower` until it is at least `far_enough`, or until the boxes are proven to be

@@ -9,22 +9,15 @@
 namespace link_bounds {
 
 /// What was nearest in a search. The next search of the same two bodies begins with it, which saves
-/// time where they have not moved far. All of it is in the coordinates of the shapes, where no
-/// motion changes it. No bound rests on what says where to look first; but `trees.front` has proven
-/// bounds. Between two searches `moved` must grow by what the bodies may have come nearer, or
-/// forgetBounds() must be called.
+/// time where they have not moved far. No bound rests on what says where to look first; but
+/// `trees.front` has proven bounds, which hold for the poses of the last search.
 struct PairMemory {
   bool is_known = false;
   std::uint32_t first_shape = 0;
   std::uint32_t second_shape = 0;
   Simplex simplex;  ///< of the hulls of these shapes
   TreeMemory trees;
-  double moved = 0;  ///< how much nearer the bodies may have come since the bounds began [m]
-
-  void forgetBounds() {
-    trees.front = Front();
-    moved = 0;
-  }
+  PairMotion motion;
 };
 
 /// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most
@@ -32,8 +25,7 @@ struct PairMemory {
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second);
 
-/// Only shapes of the bodies that `memory` was made with may be given, in any poses that
-/// `memory.moved` covers.
+/// Only the bodies that `memory` was made with may be given, in any poses.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory);
 

@@ -12,18 +12,14 @@
 
 namespace link_bounds {
 
-/// A pair of leaves, which a later search may begin with.
-struct LeafPair {
-  std::uint32_t first = 0;
-  std::uint32_t second = 0;
-};
-
 /// A pair of nodes that was proven to be far enough apart.
 struct FrontPair {
+  static constexpr std::uint32_t kMaxNode = (1u << 31) - 1;
+
   std::uint32_t first;
-  std::uint32_t second;
-  /// In the coordinates of the first shape, so that it turns with it; about unit, if not scaled.
-  Eigen::Vector3f normal;
+  std::uint32_t second : 31;
+  std::uint32_t is_along : 1;  ///< the bound is proven along the normal
+  Eigen::Vector3f normal;      ///< in the axes of the body that rests, so that it turns with it
   CarriedBound bound;
 };
 
@@ -33,11 +29,11 @@ class Front {
   bool isEmpty() const { return pairs_.empty(); }
   const std::vector<FrontPair>& pairs() const { return pairs_; }
 
-  /// `pairs` came of the whole trees. So few are found again as fast.
+  /// `pairs` came of the whole trees.
   void begin(std::vector<FrontPair> pairs) {
     largest_ = std::min(kLargest, pairs.size() * 3 / 2);
     searches_ = 0;
-    if (pairs.size() >= kSmallest) keep(std::move(pairs));
+    keep(std::move(pairs));
   }
 
   /// `pairs` came of this front. On the way pairs are divided but never joined, so a front that has
@@ -51,8 +47,7 @@ class Front {
  private:
   // Time of all pairs of a robot whose joints turn by 0.01 rad per search, mean of 360: kLargest of
   // 2048 takes 27 % more for the PR2's visual meshes, 8192 the same; kSearches of 8 takes up to 8 %
-  // more, 24 from 4 % less to 3 % more. kSmallest from 4 to 128 changes the instructions by 1 %.
-  static constexpr std::size_t kSmallest = 32;
+  // more, 24 from 4 % less to 3 % more.
   static constexpr std::size_t kLargest = 4096;  ///< 96 KiB
   static constexpr int kSearches = 16;
   static_assert(kLargest * sizeof(FrontPair) <= 96 * 1024);

@@ -8,6 +8,7 @@
 
 #include "geometry/distance/gjk.h"
 #include "geometry/distance/leaf.h"
+#include "geometry/distance/node_motion.h"
 #include "geometry/distance/placed_box.h"
 #include "geometry/distance/triangle_tree.h"
 
@@ -54,21 +55,19 @@ class NodeSearch {
 
   double run(TreeMemory& memory) {
     nearest_ = memory.nearest;
-    const bool is_first = nearest_.first == 0 && nearest_.second == 0;
-    if (!is_first) guess(nearest_);
-    if (hulls_.lower < farEnough()) {
-      guess({leafNear(pair_.first, pair_.first_at, hulls_.on_first),
-             leafNear(pair_.second, pair_.second_at, hulls_.on_second)});
-    }
+    const bool is_first = !nearest_;
+    if (!is_first) guess(*nearest_);
+    // The first search divides more than is needed when its witness is known.
+    keeps_front_ = pair_.isFollowed() && !is_first;
     open_.reserve(64);
     front_.reserve(memory.front.pairs().size() + 64);
     if (goOn(memory.front)) {
       memory.front.keep(std::move(front_));
     } else {
+      if ((is_first || !memory.front.isEmpty()) && hulls_.lower < farEnough()) guessByHulls();
       open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
       empty();
-      // The first search divides more than is needed when its witness is known.
-      if (!is_first) memory.front.begin(std::move(front_));
+      if (keeps_front_) memory.front.begin(std::move(front_));
     }
     memory.nearest = nearest_;
     return lower_;
@@ -98,27 +97,34 @@ class NodeSearch {
   /// or by the direction that did it then; the others are looked at. False, and nothing is done, if
   /// three quarters are not: then the front is of another time.
   bool goOn(const Front& last) {
+    if (last.isEmpty()) return false;
+    const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
+    const NodeMotion motion(pair_);
     std::vector<NodePair> near;
     for (const FrontPair& known : last.pairs()) {
-      const double carried = std::max(hulls_.lower, known.bound.at(pair_.moved));
+      double carried = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
       if (carried >= farEnough()) {
         lower_ = std::min(lower_, carried);
         front_.push_back(known);
         continue;
       }
-      Eigen::Vector3d normal =
-          (pair_.first_at.linear * known.normal.cast<double>()).stableNormalized();
-      if (!(normal.squaredNorm() > 0)) normal = hulls_.normal;  // a flat body has lost it
-      NodePair pair{known.first, known.second, {hulls_.lower, 0, normal}};
-      const double lower = lowerAlong(pair, normal);
-      if (lower > pair.separation.lower) pair.separation.lower = lower;
+      carried = known.bound.at(pair_.motion.moved_then) - motion.approach(known);
+      if (carried >= farEnough()) {
+        lower_ = std::min(lower_, carried);
+        front_.push_back(known);
+        front_.back().bound = {carried, pair_.motion.moved};
+        continue;
+      }
+      NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
+      pair.separation.normal = (axes * known.normal.cast<double>()).normalized();
+      pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
       if (pair.separation.lower >= farEnough()) {
         drop(pair);
       } else {
         near.push_back(pair);
       }
     }
-    if (last.isEmpty() || near.size() > last.pairs().size() / 4 * 3) {
+    if (4 * near.size() > 3 * last.pairs().size()) {
       lower_ = std::numeric_limits<double>::infinity();
       front_.clear();
       return false;
@@ -169,14 +175,35 @@ class NodeSearch {
   /// Of a pair that cannot change the result, or that no steps are left for.
   void drop(const NodePair& pair) {
     lower_ = std::min(lower_, pair.separation.lower);
+    if (!keeps_front_) return;
+    const RigidBody& rests = resting(*pair_.first_rigid, *pair_.second_rigid);
+    const Eigen::Vector3d normal = rests.axes.transpose() * pair.separation.normal;
     front_.push_back({pair.first,
-                      pair.second,
-                      pair_.first_at.toShape(pair.separation.normal).cast<float>(),
-                      {pair.separation.lower, pair_.moved}});
+                      pair.second & FrontPair::kMaxNode,
+                      pair.separation.is_along,
+                      normal.cast<float>(),
+                      {pair.separation.lower, pair_.motion.moved}});
   }
 
-  void guess(const LeafPair& leaves) {
-    compareLeaves({leaves.first, leaves.second, {hulls_.lower, 0, hulls_.normal}}, false);
+  void guess(const TrianglePair& triangles) {
+    if (!haveTriangles()) {
+      withSet(pair_.first, triangles.first, [&](const auto& a) {
+        withSet(pair_.second, triangles.second, [&](const auto& b) {
+          compareSets(triangles, {0, 0, hulls_.normal}, a, b);
+        });
+      });
+      return;
+    }
+    const PointPair nearest =
+        nearestPoints(placed(*pair_.first.triangles, triangles.first, pair_.first_at),
+                      placed(*pair_.second.triangles, triangles.second, pair_.second_at));
+    offer(triangles, nearest.on_first, nearest.on_second);
+  }
+
+  void guessByHulls() {
+    const std::uint32_t first = leafNear(pair_.first, pair_.first_at, hulls_.on_first);
+    const std::uint32_t second = leafNear(pair_.second, pair_.second_at, hulls_.on_second);
+    compareLeaves({first, second, {hulls_.lower, 0, hulls_.normal}}, false);
   }
 
   static PlacedBox boxOf(const BodyShape& shape, const Placement& at, std::uint32_t node) {
@@ -277,100 +304,132 @@ class NodeSearch {
     const GjkResult result =
         gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
     known.near = result.upper;
-    raise(known, result);
+    known.raise(result.lower - pair_.rounding, result.normal);
   }
 
-  void raise(Separation& known, const GjkResult& result) const {
-    const double lower = result.lower - pair_.rounding;
-    if (!(lower > known.lower)) return;
-    known.lower = lower;
-    known.normal = result.normal;
+  /// Triangles that no solid sweeps.
+  bool haveTriangles() const {
+    const TriangleTree* first = pair_.first.triangles.get();
+    const TriangleTree* second = pair_.second.triangles.get();
+    return first && second && first->solid == Solid::kNone && second->solid == Solid::kNone;
   }
 
   /// `counts`: these leaves are a part of the search, not only a first guess.
   void compareLeaves(const NodePair& pair, bool counts) {
-    const TriangleTree* first = pair_.first.triangles.get();
-    const TriangleTree* second = pair_.second.triangles.get();
-    if (first && second && first->solid == Solid::kNone && second->solid == Solid::kNone) {
+    if (haveTriangles()) {
       compareTriangles(pair, counts);
       return;
     }
     Separation all{std::numeric_limits<double>::infinity(), 0, pair.separation.normal};
-    forEachSet(pair_.first, pair.first, [&](const auto& a) {
-      forEachSet(pair_.second, pair.second, [&](const auto& b) { compareSets(pair, a, b, all); });
+    forEachSet(pair_.first, pair.first, [&](std::uint32_t i, const auto& a) {
+      forEachSet(pair_.second, pair.second, [&](std::uint32_t j, const auto& b) {
+        const Separation sets = compareSets({i, j}, pair.separation, a, b);
+        if (sets.lower < all.lower) all = sets;
+      });
     });
+    all.is_along = false;  // others may be proven along other normals
     if (counts) drop({pair.first, pair.second, all});
+  }
+
+  /// Calls `use` with a triangle, swept by the solid, or with a shape that has none.
+  template <class Use>
+  static void withSet(const BodyShape& shape, std::uint32_t triangle, const Use& use) {
+    if (!shape.triangles) return use(ShapeHull{shape});
+    const TriangleTree& tree = *shape.triangles;
+    use(SweptTriangle{tree.corners(triangle), tree.solid, tree.size});
   }
 
   template <class Use>
   static void forEachSet(const BodyShape& shape, std::uint32_t leaf, const Use& use) {
-    if (!shape.triangles) {
-      use(ShapeHull{shape});
-      return;
-    }
-    const TriangleTree& tree = *shape.triangles;
-    const TreeNode& node = tree.nodes[leaf];
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      use(SweptTriangle{tree.corners(i), tree.solid, tree.size});
+    const TreeNode* node = shape.triangles ? &shape.triangles->nodes[leaf] : nullptr;
+    const std::uint32_t begin = node ? node->first : 0, end = node ? begin + node->count : 1;
+    for (std::uint32_t i = begin; i < end; ++i)
+      withSet(shape, i, [&](const auto& set) { use(i, set); });
   }
 
-  /// Lowers `all.lower` to the proven distance of these two sets.
+  /// Returns how far these two sets are proven to be apart, from what is known of them.
   template <class First, class Second>
-  void compareSets(const NodePair& pair, const First& first, const Second& second,
-                   Separation& all) {
+  Separation compareSets(const TrianglePair& sets, Separation known, const First& first,
+                         const Second& second) {
     Simplex simplex;
     const double tolerance = kLeafTolerance * goal_.tolerance(hulls_.lower);
     const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, tolerance, kLeafSteps};
-    Separation sets = pair.separation;
-    raise(sets, gjk(first, pair_.first_at, second, pair_.second_at, pair.separation.normal,
-                    gjk_goal, simplex));
+    const GjkResult result =
+        gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
+    known.raise(result.lower - pair_.rounding, result.normal);
     if (simplex.size() > 0) {
-      offer(pair, pair_.first_at.toSearch(simplex.first()),
+      offer(sets, pair_.first_at.toSearch(simplex.first()),
             pair_.second_at.toSearch(simplex.second()));
     }
-    if (sets.lower < all.lower) all = sets;
+    return known;
   }
 
-  /// Most pairs of triangles are far enough apart along the direction that decided last.
+  /// Most pairs of triangles are far enough apart along the direction that decided last, or across
+  /// the plane of one of them.
   void compareTriangles(const NodePair& pair, bool counts) {
     Leaf first(*pair_.first.triangles, pair.first, pair_.first_at);
     Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
     Eigen::Vector3d normal = pair.separation.normal;
     double all = std::numeric_limits<double>::infinity();
+    bool is_along = true;
     first.project(normal);
     second.project(-normal);
     for (std::uint32_t i = 0; i < first.count; ++i) {
+      std::optional<PlacedTriangle> a;
       for (std::uint32_t j = 0; j < second.count; ++j) {
         const double gap = -first.farthest[i] - second.farthest[j];
         double lower = std::max(pair.separation.lower, gap - pair_.rounding);
         if (!(lower >= farEnough())) {
-          lower = std::max(lower, compare(pair, first.placed(i), second.placed(j), normal));
+          is_along = false;
+          if (!a) a.emplace(first.placed(i));
+          lower = std::max(lower, compare({first.first + i, second.first + j}, *a,
+                                          PlacedTriangle(second.placed(j)), normal));
           first.project(normal);
           second.project(-normal);
         }
         all = std::min(all, lower);
       }
     }
-    if (counts) drop({pair.first, pair.second, {all, 0, normal}});
+    is_along = is_along && (pair.separation.is_along || all > pair.separation.lower);
+    if (counts) drop({pair.first, pair.second, {all, 0, normal, is_along}});
   }
 
-  /// Returns the proven distance of the two triangles, and the direction that proves it.
-  double compare(const NodePair& pair, const Triangle& first, const Triangle& second,
-                 Eigen::Vector3d& normal) {
-    const PointPair nearest = nearestPoints(first, second, farEnough() + pair_.rounding);
-    offer(pair, nearest.on_first, nearest.on_second);
+  struct PlacedTriangle {
+    explicit PlacedTriangle(const Triangle& its_corners) : corners(its_corners) {
+      const Eigen::Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+      const double length = across.norm();
+      if (length > kShortest) normal = across / length;
+    }
+    Triangle corners;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, of its plane, if it has an area
+  };
+
+  /// Returns how far the two triangles are proven to be apart, and the direction that proves it.
+  double compare(const TrianglePair& triangles, const PlacedTriangle& first,
+                 const PlacedTriangle& second, Eigen::Vector3d& normal) {
+    for (const PlacedTriangle* triangle : {&first, &second}) {
+      const double side = triangle->normal.dot(second.corners[0] - first.corners[0]);
+      const Eigen::Vector3d across = std::copysign(1.0, side) * triangle->normal;
+      const double lower = gapAlong(across, first.corners, second.corners) - pair_.rounding;
+      if (!(lower >= farEnough())) continue;
+      normal = across;
+      return lower;
+    }
+    const PointPair nearest =
+        nearestPoints(first.corners, second.corners, farEnough() + pair_.rounding);
+    offer(triangles, nearest.on_first, nearest.on_second);
     const Eigen::Vector3d between = nearest.on_second - nearest.on_first;
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
     normal = between / length;
-    return gapAlong(normal, first, second) - pair_.rounding;
+    return gapAlong(normal, first.corners, second.corners) - pair_.rounding;
   }
 
-  void offer(const NodePair& pair, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  void offer(const TrianglePair& triangles, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const double distance = (b - a).norm();
     if (!(distance < witness_.distance)) return;
     witness_ = {a, b, distance};
-    nearest_ = {pair.first, pair.second};
+    nearest_ = triangles;
   }
 
   const ShapePair& pair_;
@@ -379,8 +438,9 @@ class NodeSearch {
   std::size_t& steps_left_;
   Witness& witness_;
   double lower_ = std::numeric_limits<double>::infinity();  ///< of all pairs that are dropped
-  LeafPair nearest_;
+  std::optional<TrianglePair> nearest_;
   std::vector<NodePair> open_;
+  bool keeps_front_ = false;
   std::vector<FrontPair> front_;  ///< all pairs that are dropped
 };
 

@@ -3,6 +3,8 @@
 // Branch and bound over the trees of two shapes.
 #pragma once
 
+#include <optional>
+
 #include "geometry/distance/placed_body.h"
 #include "geometry/distance/tree_front.h"
 #include "link_bounds/geometry/distance/body_distance.h"
@@ -16,10 +18,23 @@ struct Witness {
   double distance = std::numeric_limits<double>::infinity();
 };
 
+/// By their indices; 0 of a shape without triangles.
+struct TrianglePair {
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
 /// What a search leaves for the next one of the same trees.
 struct TreeMemory {
-  LeafPair nearest;
+  std::optional<TrianglePair> nearest;
   Front front;
+};
+
+/// How much nearer two bodies may have come [m]
+struct PairMotion {
+  double moved = 0;              ///< since the memory began
+  double moved_then = 0;         ///< until the last search
+  std::optional<PosePair> then;  ///< of the last search, if it made or kept a front
 };
 
 /// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.
@@ -29,7 +44,11 @@ struct ShapePair {
   Placement first_at;
   Placement second_at;
   double rounding;  ///< what a computed lower bound may be too large by
-  double moved;     ///< how much nearer the bodies may have come since the memory began [m]
+  const PairMotion& motion;
+  const std::optional<RigidBody>& first_rigid;
+  const std::optional<RigidBody>& second_rigid;
+
+  bool isFollowed() const { return first_rigid && second_rigid; }
 };
 
 /// Where the hulls of both shapes are nearest, as GJK found it.

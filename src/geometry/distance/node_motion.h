@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a bound of two nodes may be carried along its normal. It says n . v >= d for the vectors v
+// between all their points, n unit. Let A be the body that rests, u = A'n, and M q + m the point q
+// of the other body as A sees it (lease.cpp). Then u . A'v is n . v, and from one pair of poses to
+// the next one it changes by u . ((M1 - M0) q + m1 - m0), or its negative where v points from the
+// other body to A. Over the box of the node of q this is least at a corner. |v| is at least u .
+// A'v. What poses that are not quite rigid cost is in the slack of lease.cpp. A normal is kept in
+// floats, which turns u by less than 2^-23: as much of what a point moves. Rounding here is that of
+// a few products with the coordinates of the shape, which the rounding of the search bounds
+// (placed_body).
+#pragma once
+
+#include <cmath>
+
+#include "geometry/distance/tree_front.h"
+#include "geometry/distance/tree_search.h"
+#include "geometry/distance/triangle_tree.h"
+
+namespace link_bounds {
+
+/// How nodes have moved since the last search. Both bodies must be followed since then.
+class NodeMotion {
+ public:
+  explicit NodeMotion(const ShapePair& pair)
+      : is_second_(&resting(*pair.first_rigid, *pair.second_rigid) == &*pair.first_rigid),
+        mover_(is_second_ ? pair.second : pair.first) {
+    const PosePair& then = *pair.motion.then;
+    const PosePair::Motion motion = then.motion(*pair.first_rigid, *pair.second_rigid);
+    const Eigen::Affine3d& from_shape = mover_.shape.link_from_shape;
+    turned_ = motion.turned * from_shape.linear();
+    shifted_ = motion.turned * from_shape.translation() + motion.shifted;
+    slack_ = motion.slack + pair.rounding +
+             0x1p-23 * then.approach(*pair.first_rigid, *pair.second_rigid);
+  }
+
+  /// How much smaller the bound of two nodes is now [m]; negative: larger.
+  double approach(const FrontPair& nodes) const {
+    if (!mover_.triangles) return std::numeric_limits<double>::infinity();
+    const TreeNode& node = mover_.triangles->nodes[is_second_ ? nodes.second : nodes.first];
+    const Eigen::Vector3d center = node.center.cast<double>();
+    if (!nodes.is_along) {
+      double length = (turned_ * center + shifted_).norm();
+      for (const Eigen::Vector3f& edge : node.edges)
+        length += (turned_ * edge.cast<double>()).norm();
+      return length + slack_;
+    }
+    const Eigen::Vector3d nearer = (is_second_ ? -nodes.normal : nodes.normal).cast<double>();
+    const Eigen::Vector3d in_shape = turned_.transpose() * nearer;
+    double along = nearer.dot(shifted_) + in_shape.dot(center);
+    for (const Eigen::Vector3f& edge : node.edges)
+      along += std::abs(in_shape.dot(edge.cast<double>()));
+    return along + slack_;
+  }
+
+ private:
+  bool is_second_;  ///< the body that moves
+  const BodyShape& mover_;
+  Eigen::Matrix3d turned_;  ///< of points of the shape
+  Eigen::Vector3d shifted_;
+  double slack_;
+};
+
+}  // namespace link_bounds
