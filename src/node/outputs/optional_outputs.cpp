@@ -83,10 +83,11 @@ void OptionalOutputs::publishMarkers(const MomentPtr& moment, const SubscriberPt
   markers_.publish(message, to);
 }
 
+/// Who connects before the thread works on it must not count.
 void OptionalOutputs::adopt() {
-  worker_.post("adopt", [this] {
+  worker_.post("adopt", [this, are_parts_heard = parts_.hasSubscribers()] {
     part_boxes_ = PartBoxes();
-    if (!parts_.hasSubscribers()) has_shown_parts_ = false;
+    if (!are_parts_heard) has_shown_parts_ = false;
   });
 }
 

@@ -6,7 +6,9 @@ import itertools
 import os
 import unittest
 import xml.etree.ElementTree as ElementTree
+from xmlrpc.client import ServerProxy
 
+import rosgraph
 import roslib.packages
 import rospy
 import rostest
@@ -61,6 +63,12 @@ class PartsTest(unittest.TestCase):
         self.addCleanup(parts.subscriber.unregister)
         wait_for(lambda: parts.subscriber.get_num_connections() > 0, "connected")
         return parts
+
+    def heard_topics(self):
+        """Those that the node publishes to somebody."""
+        node = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(NODE))
+        connections = node.getBusInfo(rospy.get_name())[2]
+        return [topic for _, _, direction, _, topic, *_ in connections if direction == "o"]
 
     def send(self, poses):
         """Poses by link, in the frame "base"; returns ~boxes once it shows them."""
@@ -152,6 +160,10 @@ class PartsTest(unittest.TestCase):
         self.assertEqual([bool(m.boxes) for m in parts.messages][:2], [False, True])
 
     def test_one_part_per_link_is_silence(self):
+        """Also where a listener that has left was shown parts."""
+        self.load_blocks(parts_per_link=2)
+        latched(NODE + "/parts")
+        wait_for(lambda: NODE + "/parts" not in self.heard_topics(), "its connection has ended")
         self.load_blocks()
         parts = self.listen()
         self.send({"arm": Pose((0, 0, 1))})
