@@ -150,8 +150,6 @@ class HullSearch {
       const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
       if (found > lower) level = DistanceLevel::kMesh;
       lower = found;
-    } else {
-      trees.front = Front();  // is of an earlier search
     }
     decide(lower, level, normal, candidate);
     if (witness_.distance < distance_before || !memory_.is_known) {

@@ -371,7 +371,7 @@ class NodeSearch {
     Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
     Eigen::Vector3d normal = pair.separation.normal;
     double all = std::numeric_limits<double>::infinity();
-    bool is_along = true;
+    bool is_along = pair.separation.is_along;
     first.project(normal);
     second.project(-normal);
     for (std::uint32_t i = 0; i < first.count; ++i) {
@@ -390,7 +390,6 @@ class NodeSearch {
         all = std::min(all, lower);
       }
     }
-    is_along = is_along && (pair.separation.is_along || all > pair.separation.lower);
     if (counts) drop({pair.first, pair.second, {all, 0, normal, is_along}});
   }
 

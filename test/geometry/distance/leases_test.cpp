@@ -5,6 +5,7 @@
 
 #include "geometry/distance/carried_bound.h"
 #include "geometry/distance/lease.h"
+#include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "testing/distance_bodies.h"
 #include "testing/sanitized.h"
@@ -147,24 +148,38 @@ TEST(Leases, holdInRandomSequences) {
   }
 }
 
-/// A mesh of some hundred nodes near another one, each turning and drifting as the links of a robot
-/// do, so that most bounds of nodes are carried from search to search.
+/// A mesh of some hundred triangles, some swept by a box.
+std::shared_ptr<const Body> longBody(Random& random, const Eigen::Affine3d& in_body) {
+  const TriangleMesh mesh = bumpyBall(static_cast<std::uint32_t>(random.uniform(3, 14)), 0.03);
+  const Eigen::Affine3d scaled =
+      in_body * Eigen::Scaling(random.uniform(0.1, 1), random.uniform(0.1, 1), 1.0);
+  BodyShape result = *meshShape(mesh, scaled);
+  if (random.uniform(0, 4) < 1) {
+    std::vector<Eigen::Vector3d> vertices;
+    for (const Eigen::Vector3f& vertex : mesh.vertices)
+      vertices.push_back(vertex.cast<double>());
+    result.shape.solid = Solid::kBox;
+    result.shape.size.setConstant(0.02);
+    result.triangles =
+        triangleTree(vertices, mesh.triangles, result.shape.solid, result.shape.size);
+  }
+  return std::make_shared<Body>(Body{{result}});
+}
+
+/// Two meshes that turn and drift near each other, as links do, so that most bounds of
+/// nodes are carried from search to search.
 TEST(Leases, HoldForNodesThatAreCarried) {
   Random random(51);
-  for (int sequence = 0; sequence < repetitions(500); ++sequence) {
+  for (int sequence = 0; sequence < repetitions(1000); ++sequence) {
     const DistanceGoal goal{1e-4, 0.1};
     BodyDistances distances(goal);
     std::array<Twin, 2> twins;
     std::array<Eigen::Affine3d, 2> steps;
+    std::array<Eigen::Affine3d, 2> shown;
     const Eigen::Vector3d apart = random.vector(1).normalized() * random.uniform(0.1, 0.6);
     for (const std::size_t i : {0u, 1u}) {
       const Eigen::Affine3d in_body = random.rigid(random.sign() > 0 ? 0 : 0.2);
-      const auto triangles = static_cast<std::uint32_t>(random.uniform(3, 14));
-      MeshBody mesh;
-      mesh.add(bumpyBall(triangles, 0.03),
-               in_body * Eigen::Scaling(random.uniform(0.1, 1), random.uniform(0.1, 1), 1.0));
-      const Eigen::Affine3d pose = Eigen::Translation3d(i * apart) * in_body.inverse();
-      twins[i] = {std::make_shared<Body>(mesh.body), pose};
+      twins[i] = {longBody(random, in_body), Eigen::Translation3d(i * apart) * in_body.inverse()};
       distances.set(i, twins[i].body);
       steps[i] = Eigen::AngleAxisd(random.magnitude(-4, -1), random.vector(1).normalized());
       steps[i].translation() = random.vector(random.magnitude(-5, -2.5));
@@ -173,12 +188,13 @@ TEST(Leases, HoldForNodesThatAreCarried) {
       for (const std::size_t k : {0u, 1u}) {
         if (random.uniform(0, 4) < 1) continue;
         twins[k].pose = *twins[k].pose * steps[k];
-        distances.move(k, *twins[k].pose);
+        shown[k] = *twins[k].pose;
+        if (random.uniform(0, 50) < 1) shown[k].linear() *= 1.01;  // no lease for one moment
+        distances.move(k, shown[k]);
       }
       const auto found = distances.follow(0, 1);
       if (!found) continue;  // one of them has not been moved yet
-      const auto fresh =
-          bodyDistance(*twins[0].body, *twins[0].pose, *twins[1].body, *twins[1].pose, goal);
+      const auto fresh = bodyDistance(*twins[0].body, shown[0], *twins[1].body, shown[1], goal);
       ASSERT_LE(found->lower, fresh->upper) << sequence << " " << i;
       ASSERT_LE(fresh->lower, found->upper);
       ASSERT_TRUE(found->lower > goal.limit || found->upper - found->lower <= goal.accuracy);
