@@ -64,7 +64,7 @@ class NodeSearch {
     if (goOn(memory.front)) {
       memory.front.keep(std::move(front_));
     } else {
-      if ((is_first || !memory.front.isEmpty()) && hulls_.lower < farEnough()) guessByHulls();
+      if (hulls_.lower < farEnough()) guessByHulls();
       open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
       empty();
       if (keeps_front_) memory.front.begin(std::move(front_));
