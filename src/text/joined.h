@@ -7,12 +7,15 @@
 
 namespace link_bounds {
 
-/// What `to_text` makes of the elements, with the separator between them.
+/// What `to_text` makes of the elements, with the separator between them, also of empty texts.
 template <class Elements, class ToText>
 std::string joined(const Elements& elements, const std::string& separator, const ToText& to_text) {
   std::string result;
-  for (const auto& element : elements)
-    result += (result.empty() ? "" : separator) + to_text(element);
+  bool is_first = true;
+  for (const auto& element : elements) {
+    result += (is_first ? "" : separator) + to_text(element);
+    is_first = false;
+  }
   return result;
 }
 

@@ -6,9 +6,9 @@
 // the next one it changes by u . ((M1 - M0) q + m1 - m0), or its negative where v points from the
 // other body to A. Over the box of the node of q this is least at a corner. |v| is at least u .
 // A'v. What poses that are not quite rigid cost is in the slack of lease.cpp. A normal is kept in
-// floats, which turns u by less than 2^-23: as much of what a point moves. Rounding here is that of
-// a few products with the coordinates of the shape, which the rounding of the search bounds
-// (placed_body).
+// floats: u is wrong by less than 2^-23, and the bound by as much of the way that a point moves.
+// Rounding here is that of a few products with the coordinates of the shape, which the rounding of
+// the search bounds (placed_body.cpp).
 #pragma once
 
 #include <cmath>

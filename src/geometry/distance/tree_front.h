@@ -14,7 +14,7 @@ namespace link_bounds {
 
 /// A pair of nodes that was proven to be far enough apart.
 struct FrontPair {
-  static constexpr std::uint32_t kMaxNode = (1u << 31) - 1;
+  static constexpr std::uint32_t kMaxNode = (1u << 31) - 1;  ///< no tree has more nodes
 
   std::uint32_t first;
   std::uint32_t second : 31;

@@ -34,7 +34,7 @@ struct TreeMemory {
 struct PairMotion {
   double moved = 0;              ///< since the memory began
   double moved_then = 0;         ///< until the last search
-  std::optional<PosePair> then;  ///< of the last search, if it made or kept a front
+  std::optional<PosePair> then;  ///< of the last search, if both bodies were followed
 };
 
 /// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.
