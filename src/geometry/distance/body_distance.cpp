@@ -83,12 +83,13 @@ class HullSearch {
         refine(candidate, before);
       }
     }
-    if (!(witness_.distance < std::numeric_limits<double>::infinity())) takeAnyPoints();
+    if (!hasWitness()) takeAnyPoints();
     return result();
   }
 
  private:
   double farEnough() const { return goal_.enough(witness_.distance); }
+  bool hasWitness() const { return witness_.distance < std::numeric_limits<double>::infinity(); }
 
   /// The pair that was nearest before comes first, then those with the nearest boxes.
   std::vector<Candidate> candidates(const PairMemory& before) const {
@@ -130,11 +131,10 @@ class HullSearch {
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
     const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, tolerance, kHullSteps};
     const ShapeHull a{pair.first}, b{pair.second};
-    const Eigen::Vector3d start =
-        simplex.size() > 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : startOf(candidate);
-    const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
+    const GjkResult hulls =
+        gjk(a, pair.first_at, b, pair.second_at, startOf(candidate), gjk_goal, simplex);
     const double distance_before = witness_.distance;
-    offer(simplex, pair);
+    if (!(hulls.lower - pair.rounding >= farEnough()) || !hasWitness()) offer(simplex, pair);
     const bool do_boxes_decide = candidate.lower >= hulls.lower - pair.rounding;
     double lower = do_boxes_decide ? candidate.lower : hulls.lower - pair.rounding;
     const Eigen::Vector3d normal = do_boxes_decide ? boxNormalOf(candidate) : hulls.normal;
@@ -146,7 +146,7 @@ class HullSearch {
         !(isConvex(pair.first) && isConvex(pair.second))) {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
                                    pair.first_at.toSearch(simplex.first()),
-                                   pair.second_at.toSearch(simplex.second())};
+                                   pair.second_at.toSearch(simplex.second()), simplex};
       const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
       if (found > lower) level = DistanceLevel::kMesh;
       lower = found;
@@ -161,8 +161,10 @@ class HullSearch {
     }
   }
 
-  /// A direction to begin with.
+  /// A direction to begin with. What separates the nearest shapes so far often separates others,
+  /// too.
   Eigen::Vector3d startOf(const Candidate& pair) const {
+    if (normal_.squaredNorm() > 0) return normal_;
     const Aabb& a = first_.shapes[pair.first].box;
     const Aabb& b = second_.shapes[pair.second].box;
     const Eigen::Vector3d normal = boxNormal(a, b);
@@ -187,16 +189,20 @@ class HullSearch {
       offer(pair.first_at.toSearch(simplex.first()), pair.second_at.toSearch(simplex.second()));
       return;
     }
+    std::array<Eigen::Vector3d, 4> on_second;
+    for (std::size_t j = 0; j < simplex.size(); ++j)
+      on_second[j] = pair.second_at.toSearch(simplex[j].second);
     for (std::size_t i = 0; i < simplex.size(); ++i) {
       assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
+      const Eigen::Vector3d on_first = pair.first_at.toSearch(simplex[i].first);
       for (std::size_t j = 0; j < simplex.size(); ++j)
-        offer(pair.first_at.toSearch(simplex[i].first), pair.second_at.toSearch(simplex[j].second));
+        offer(on_first, on_second[j]);
     }
   }
 
   void offer(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const double distance = (b - a).norm();
-    if (distance < witness_.distance) witness_ = {a, b, distance};
+    const double squared = (b - a).squaredNorm();
+    if (squared < witness_.distance * witness_.distance) witness_ = {a, b, std::sqrt(squared)};
   }
 
   void decide(double lower, DistanceLevel level, const Eigen::Vector3d& normal,
@@ -279,6 +285,7 @@ std::optional<BodyDistance> swapped(std::optional<BodyDistance> distance) {
 
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second) {
+  if (!(signedDistance(first.box, second.box) > limit)) return std::nullopt;
   const double rounding = pairRounding(first, second);
   const double lower = boxLower(first.box, second.box, rounding);
   if (!(lower > limit)) return std::nullopt;

@@ -40,7 +40,8 @@ struct ShapeHull {
 
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
     const Shape& shape = body_shape.shape;
-    Eigen::Vector3d point = farthestOf(shape.solid, shape.size, direction);
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    if (shape.solid != Solid::kNone) point = farthestOf(shape.solid, shape.size, direction);
     if (shape.points) point += shape.points->farthest(direction);
     const std::optional<Eigen::Vector3d>& tip = body_shape.tip;
     return tip && tip->dot(direction) > point.dot(direction) ? *tip : point;
@@ -71,6 +72,7 @@ struct SweptTriangle {
     const double b = corners[1].dot(direction);
     const double c = corners[2].dot(direction);
     const std::size_t best = a >= b ? (a >= c ? 0 : 2) : (b >= c ? 1 : 2);
+    if (solid == Solid::kNone) return corners[best];
     return corners[best] + farthestOf(solid, size, direction);
   }
 };

@@ -23,14 +23,19 @@ class Leaf {
   Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
       : count(tree.nodes[node].count), first(tree.nodes[node].first), tree_(tree), at_(at) {}
 
-  void project(const Eigen::Vector3d& direction) {
+  /// How far the triangles from `begin` to `end` extend along `direction`.
+  void project(const Eigen::Vector3d& direction, std::uint32_t begin, std::uint32_t end) {
     const Eigen::Vector3d d = at_.toShape(direction);
     const double origin = at_.translation.dot(direction);
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = begin; i < end; ++i) {
       const auto& [a, b, c] = tree_.triangles[first + i];
       farthest[i] = origin + std::max({d.dot(tree_.vertices[a]), d.dot(tree_.vertices[b]),
                                        d.dot(tree_.vertices[c])});
     }
+  }
+
+  double farthestOfAll() const {
+    return *std::max_element(farthest.begin(), farthest.begin() + count);
   }
 
   Triangle placed(std::uint32_t i) const { return link_bounds::placed(tree_, first + i, at_); }

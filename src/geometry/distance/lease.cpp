@@ -56,7 +56,7 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   const Eigen::Vector3d origin = world_from_body.translation();
   const Eigen::Matrix3d product = axes.transpose() * axes;
   const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kLeastDefect;
-  const bool is_small = origin.norm() <= kFarthest && ball.reach() <= kFarthest;
+  const bool is_small = origin.norm() <= kFarthest && ball.reach <= kFarthest;
   if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;
   return RigidBody{ball, axes, origin, defect};
 }
@@ -73,7 +73,7 @@ PosePair::Relative::Relative(const RigidBody& first, const RigidBody& second)
 }
 
 double PosePair::sizeOf(const RigidBody& first, const RigidBody& second) {
-  return first.ball.reach() + second.ball.reach() + (second.origin - first.origin).norm();
+  return first.ball.reach + second.ball.reach + (second.origin - first.origin).norm();
 }
 
 PosePair::PosePair(const RigidBody& first, const RigidBody& second)

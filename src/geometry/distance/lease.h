@@ -11,11 +11,12 @@ namespace link_bounds {
 
 /// Holds a body, in its own frame.
 struct Ball {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0;
+  Ball(const Eigen::Vector3d& its_center, double its_radius)
+      : center(its_center), radius(its_radius), reach(center.norm() + radius) {}
 
-  /// No point of the body is farther from the origin of its frame.
-  double reach() const { return center.norm() + radius; }
+  Eigen::Vector3d center;
+  double radius;
+  double reach;  ///< no point of the body is farther from the origin of its frame
 };
 
 /// Nothing if the body has no shape or no finite box.

@@ -30,8 +30,7 @@ class NodeMotion {
     const Eigen::Affine3d& from_shape = mover_.shape.link_from_shape;
     turned_ = motion.turned * from_shape.linear();
     shifted_ = motion.turned * from_shape.translation() + motion.shifted;
-    slack_ = motion.slack + pair.rounding +
-             0x1p-23 * then.approach(*pair.first_rigid, *pair.second_rigid);
+    slack_ = motion.slack + pair.rounding + 0x1p-22 * (pair.motion.moved - pair.motion.moved_then);
   }
 
   /// How much smaller the bound of two nodes is now [m]; negative: larger.

@@ -34,12 +34,23 @@ class NearestToOrigin {
     const double squared = candidate.squaredNorm();
     if (!(squared < limit_)) return;
     limit_ = squared - noise_ * std::sqrt(squared);
+    squared_ = squared;
     found = {candidate, candidate_weights};
+  }
+
+  /// Whether no point of the simplex is nearer than `found`: the points that it is no combination
+  /// of are beyond the plane across it.
+  bool isProven(const Vectors& points, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (found.weights[i] == 0 && !(points[i].dot(found.point) >= squared_)) return false;
+    }
+    return true;
   }
 
  private:
   double noise_;
-  double limit_ = std::numeric_limits<double>::infinity();  ///< of the next squared distance
+  double squared_ = std::numeric_limits<double>::infinity();  ///< distance
+  double limit_ = std::numeric_limits<double>::infinity();    ///< of the next squared distance
 };
 
 constexpr unsigned bit(std::size_t i) {
@@ -136,6 +147,7 @@ SimplexPoint Simplex::nearest(unsigned required) const {
       }
     }
   }
+  if (nearest.isProven(p, size_)) return nearest.found;
   for (std::size_t i = 0; i < size_; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (isWanted(bit(i) | bit(j))) tryEdge(p, i, j, nearest);

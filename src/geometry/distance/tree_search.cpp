@@ -19,6 +19,9 @@ constexpr int kNodeSteps = 8;  ///< then the pair counts as near
 
 constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 
+/// After so many pairs of a front that do not hold any more, it is judged by those seen so far.
+constexpr std::size_t kSample = 24;
+
 /// Half of the accuracy is left to what follows.
 constexpr double kLeafTolerance = 0.25;
 
@@ -59,8 +62,8 @@ class NodeSearch {
     if (!is_first) guess(*nearest_);
     // The first search divides more than is needed when its witness is known.
     keeps_front_ = pair_.isFollowed() && !is_first;
-    open_.reserve(64);
-    front_.reserve(memory.front.pairs().size() + 64);
+    open_.reserve(8);
+    front_.reserve(memory.front.pairs().size() + 8);
     if (goOn(memory.front)) {
       memory.front.keep(std::move(front_));
     } else {
@@ -95,11 +98,11 @@ class NodeSearch {
 
   /// Most pairs of the last front are still proven to be far enough apart, by what was proven then
   /// or by the direction that did it then; the others are looked at. False, and nothing is done, if
-  /// three quarters are not: then the front is of another time.
+  /// more than three quarters are not: then the front is of another time.
   bool goOn(const Front& last) {
     if (last.isEmpty()) return false;
     const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
-    const NodeMotion motion(pair_);
+    std::optional<NodeMotion> motion;
     std::vector<NodePair> near;
     for (const FrontPair& known : last.pairs()) {
       double carried = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
@@ -108,7 +111,8 @@ class NodeSearch {
         front_.push_back(known);
         continue;
       }
-      carried = known.bound.at(pair_.motion.moved_then) - motion.approach(known);
+      if (!motion) motion.emplace(pair_);
+      carried = known.bound.at(pair_.motion.moved_then) - motion->approach(known);
       if (carried >= farEnough()) {
         lower_ = std::min(lower_, carried);
         front_.push_back(known);
@@ -120,15 +124,12 @@ class NodeSearch {
       pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
       if (pair.separation.lower >= farEnough()) {
         drop(pair);
-      } else {
-        near.push_back(pair);
+        continue;
       }
+      near.push_back(pair);
+      if (near.size() >= kSample && isOfAnotherTime(near)) return giveUp();
     }
-    if (4 * near.size() > 3 * last.pairs().size()) {
-      lower_ = std::numeric_limits<double>::infinity();
-      front_.clear();
-      return false;
-    }
+    if (isOfAnotherTime(near)) return giveUp();
     for (NodePair& pair : near) {
       if (steps_left_ > 0) {
         --steps_left_;
@@ -138,6 +139,17 @@ class NodeSearch {
       empty();
     }
     return true;
+  }
+
+  /// `near` of the pairs of the last front that were looked at do not hold any more.
+  bool isOfAnotherTime(const std::vector<NodePair>& near) const {
+    return 4 * near.size() > 3 * (near.size() + front_.size());
+  }
+
+  bool giveUp() {
+    lower_ = std::numeric_limits<double>::infinity();
+    front_.clear();
+    return false;
   }
 
   void lookAgain(NodePair& pair) {
@@ -185,7 +197,26 @@ class NodeSearch {
                       {pair.separation.lower, pair_.motion.moved}});
   }
 
+  /// Whether the hulls are nearest in points of these triangles, or of shapes without any.
+  bool areNearest(const TrianglePair& triangles) const {
+    const Simplex& simplex = hulls_.simplex;
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      if (!isCorner(pair_.first, triangles.first, simplex[i].first) ||
+          !isCorner(pair_.second, triangles.second, simplex[i].second))
+        return false;
+    }
+    return simplex.size() > 0;
+  }
+
+  static bool isCorner(const BodyShape& shape, std::uint32_t triangle,
+                       const Eigen::Vector3d& point) {
+    if (!shape.triangles) return true;
+    const Triangle corners = shape.triangles->corners(triangle);
+    return std::find(corners.begin(), corners.end(), point) != corners.end();
+  }
+
   void guess(const TrianglePair& triangles) {
+    if (areNearest(triangles)) return offer(triangles, hulls_.on_first, hulls_.on_second);
     if (!haveTriangles()) {
       withSet(pair_.first, triangles.first, [&](const auto& a) {
         withSet(pair_.second, triangles.second, [&](const auto& b) {
@@ -372,10 +403,18 @@ class NodeSearch {
     Eigen::Vector3d normal = pair.separation.normal;
     double all = std::numeric_limits<double>::infinity();
     bool is_along = pair.separation.is_along;
-    first.project(normal);
-    second.project(-normal);
+    std::uint32_t stale = second.count;  // before it, triangles are not projected on `normal`
     for (std::uint32_t i = 0; i < first.count; ++i) {
       std::optional<PlacedTriangle> a;
+      first.project(normal, i, i + 1);
+      second.project(-normal, 0, stale);
+      stale = 0;
+      const double row = std::max(pair.separation.lower,
+                                  -first.farthest[i] - second.farthestOfAll() - pair_.rounding);
+      if (row >= farEnough()) {
+        all = std::min(all, row);
+        continue;
+      }
       for (std::uint32_t j = 0; j < second.count; ++j) {
         const double gap = -first.farthest[i] - second.farthest[j];
         double lower = std::max(pair.separation.lower, gap - pair_.rounding);
@@ -384,8 +423,9 @@ class NodeSearch {
           if (!a) a.emplace(first.placed(i));
           lower = std::max(lower, compare({first.first + i, second.first + j}, *a,
                                           PlacedTriangle(second.placed(j)), normal));
-          first.project(normal);
-          second.project(-normal);
+          stale = j + 1;
+          first.project(normal, i, i + 1);
+          second.project(-normal, stale, second.count);
         }
         all = std::min(all, lower);
       }

@@ -78,6 +78,7 @@ struct NodeHull {
           consider(tree.vertices[vertex]);
       }
     }
+    if (tree.solid == Solid::kNone) return *best;
     return *best + farthestOf(tree.solid, tree.size, direction);
   }
 };

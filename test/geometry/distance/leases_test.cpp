@@ -300,9 +300,8 @@ TEST(Leases, boundEveryPairOfPoints) {
       pose.linear() += Eigen::Matrix3d::Ones() * random.sign() * random.magnitude(-17, -11);
       return pose;
     };
-    const auto holding = [](Ball ball, const Eigen::Vector3d& point) {
-      ball.radius = (point - ball.center).norm() * (1 + 1e-15);
-      return ball;
+    const auto holding = [](const Ball& ball, const Eigen::Vector3d& point) {
+      return Ball(ball.center, (point - ball.center).norm() * (1 + 1e-15));
     };
     const Eigen::Affine3d a0 = at(random.rigid(2)), b0 = at(random.rigid(2));
     const Eigen::Affine3d a1 = at(a0 * step(random)), b1 = at(b0 * step(random));
