@@ -6,7 +6,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/pairs/srdf.h"
 #include "tools/command_line/options.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 

@@ -21,7 +21,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'node/threads', 'node/interface', 'node/master', 'node/inputs', 'node/loading',
          'node/outputs/messages', 'node/outputs/markers', 'node/outputs/topic',
          'node/outputs/copies', 'node/outputs', 'node/services', 'node/upkeep', 'node',
-         'tools/text', 'tools/command_line', 'tools/urdf_bounds/request',
+         'tools/formats', 'tools/command_line', 'tools/urdf_bounds/request',
          'tools/urdf_bounds/poses', 'tools/urdf_bounds/reach', 'tools/urdf_bounds/pairs',
          'tools/urdf_bounds/path', 'tools/urdf_bounds', 'tools/mesh_worker',
          'tools/bag_bounds/bag/records', 'tools/bag_bounds/bag', 'tools/bag_bounds/scene',

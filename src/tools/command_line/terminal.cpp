@@ -12,7 +12,7 @@
 #include <new>
 
 #include "tools/command_line/outcome.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "tools/bag_bounds/boxes/box_records.h"
 #include "tools/bag_bounds/scene/record_time.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "tools/bag_bounds/run/bag_report_json.h"
 #include "tools/bag_bounds/run/fingerprint.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

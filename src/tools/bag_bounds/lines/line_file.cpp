@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "tools/command_line/options.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

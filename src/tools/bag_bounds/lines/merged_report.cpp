@@ -12,7 +12,7 @@
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

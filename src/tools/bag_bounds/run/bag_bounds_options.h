@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/command_line/outcome.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 #include "world/model/parameters.h"
 
 namespace link_bounds {

@@ -8,7 +8,7 @@
 
 #include "tools/bag_bounds/run/bag_report_json.h"
 #include "tools/bag_bounds/scene/record_time.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 namespace {

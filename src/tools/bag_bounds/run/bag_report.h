@@ -13,7 +13,7 @@
 #include "tools/bag_bounds/boxes/boxes_at.h"
 #include "tools/bag_bounds/watch/nearest_pairs.h"
 #include "tools/bag_bounds/watch/zone_watch.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tools/bag_bounds/scene/record_time.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 #include "world/moment/distance_message.h"
 
 namespace link_bounds {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/pairs/pair_words.h"
 
 namespace link_bounds {

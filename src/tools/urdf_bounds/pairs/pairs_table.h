@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/pairs/srdf_check.h"
 
 namespace link_bounds {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tools/text/safe_text.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/safe_text.h"
+#include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/pairs/pair_words.h"
 
 namespace link_bounds {

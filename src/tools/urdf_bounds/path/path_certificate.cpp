@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "robot/pairs/pair_certificate.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 
 namespace link_bounds {

@@ -13,7 +13,7 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
 #include "tools/urdf_bounds/path/path_table.h"
 #include "tools/urdf_bounds/request/certificate_head.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "robot/posed/path_prover.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 

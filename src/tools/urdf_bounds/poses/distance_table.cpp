@@ -7,7 +7,7 @@
 #include <locale>
 #include <sstream>
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

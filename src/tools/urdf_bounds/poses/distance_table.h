@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/distance/body_distance.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 

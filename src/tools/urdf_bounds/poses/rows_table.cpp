@@ -3,7 +3,7 @@
 // The summary stands first.
 #include "tools/urdf_bounds/poses/rows_table.h"
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/box/aabb.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 

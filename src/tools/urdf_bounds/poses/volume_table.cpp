@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

@@ -12,7 +12,7 @@
 #include "link_bounds/geometry/box/aabb.h"
 #include "link_bounds/geometry/volumes/bounding_sphere.h"
 #include "link_bounds/geometry/volumes/oriented_box.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/poses/distance_table.h"
 #include "tools/urdf_bounds/request/urdf_bounds_options.h"
 

@@ -3,7 +3,7 @@
 // The same numbers in the same order in each format.
 #include "tools/urdf_bounds/reach/reach_table.h"
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

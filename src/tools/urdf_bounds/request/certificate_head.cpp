@@ -3,7 +3,7 @@
 #include "tools/urdf_bounds/request/certificate_head.h"
 
 #include "tools/command_line/options.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 

@@ -8,7 +8,7 @@
 
 #include "robot/urdf/joint_ranges.h"
 #include "tools/command_line/outcome.h"
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 

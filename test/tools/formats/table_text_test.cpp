@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers as people and programs read them: there is no minus zero.
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns are as wide as their widest cell.
-#include "tools/text/table_text.h"
+#include "tools/formats/table_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The escapes of each format.
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 #include <cstdio>
 #include <iomanip>

@@ -11,7 +11,7 @@
 
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "text/joined.h"
-#include "tools/text/safe_text.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 
