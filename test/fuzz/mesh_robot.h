@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/geometry/shape/bounded_link.h"
 
 namespace link_bounds {

@@ -11,7 +11,7 @@ import sys
 
 # From the bottom to the top.
 ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support/query',
-         'geometry/support', 'geometry/shape', 'geometry/volumes',
+         'geometry/support', 'geometry/mesh', 'geometry/shape', 'geometry/volumes',
          'geometry/parts', 'geometry/pairs', 'geometry/distance', 'geometry/cloud',
          'robot/urdf', 'robot/threads', 'robot/mesh', 'robot/worker', 'robot', 'robot/pairs',
          'robot/posed', 'robot/reach', 'robot/stopping',

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "testing/quad.h"
 
 namespace link_bounds::distance_oracle {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/box/aabb.h"
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 
 namespace link_bounds {
 

@@ -3,7 +3,7 @@
 // Checks the triangles of a file and merges equal vertices.
 #pragma once
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/robot/mesh/mesh_fault.h"
 
 namespace link_bounds {

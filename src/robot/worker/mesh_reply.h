@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/robot/mesh/mesh_fault.h"
 
 namespace link_bounds {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/geometry/support/point_set.h"
 
 namespace link_bounds::bench {

@@ -7,7 +7,7 @@
 
 #include "bench/common/poses.h"
 #include "link_bounds/geometry/box/aabb.h"
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 
 namespace link_bounds::bench {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {

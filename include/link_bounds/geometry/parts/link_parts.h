@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/check_interrupt.h"
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/geometry/shape/shape.h"
 
 namespace link_bounds {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "link_bounds/geometry/distance/body.h"
-#include "link_bounds/geometry/parts/triangle_mesh.h"
+#include "link_bounds/geometry/mesh/triangle_mesh.h"
 #include "link_bounds/geometry/support/point_set.h"
 #include "link_bounds/robot/mesh/mesh_limits.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
