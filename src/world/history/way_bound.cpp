@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "world/tf/frame_paths.h"
+
 namespace link_bounds {
 namespace {
 
@@ -36,34 +38,32 @@ void WayBound::begin(MotionSpan span) {
   ++run_;
   nodes_.resize(tf_.size());
   heights_.assign(1, Height());
-  for (Frame frame = target_;;) {
+  climb(tf_, target_, [this](Frame frame) {
     Node& node = nodes_[frame];
-    if (node.run == run_) break;  // a loop
+    if (node.run == run_) return true;  // a loop
     node = {run_, true, heights_.size() - 1, Map()};
     const std::optional<EdgeWay>& edge = edges_.during(frame, span_);
-    if (!edge) break;
+    if (!edge) return true;
     const Height& below = heights_.back();
     Height next;
     next.top_from_target = before(below.top_from_target, *edge);
     next.turned_turn = below.turned_scale * edge->turn + below.turned_turn * edge->scale;
     next.turned_scale = below.turned_scale * edge->scale;
     heights_.push_back(next);
-    frame = tf_.parent(frame);
-  }
+    return false;
+  });
 }
 
 const WayBound::Node& WayBound::nodeOf(Frame source) {
   way_.clear();
-  Frame frame = source;
-  for (;;) {
+  climb(tf_, source, [this](Frame frame) {
     if (frame >= nodes_.size()) nodes_.resize(tf_.size());
     Node& node = nodes_[frame];
-    if (node.run == run_) break;
+    if (node.run == run_) return true;
     node = {run_, false, 0, Map()};
     way_.push_back(frame);
-    if (!tf_.hasParent(frame)) break;
-    frame = tf_.parent(frame);
-  }
+    return false;
+  });
   for (std::size_t i = way_.size(); i-- > 0;) {
     if (!tf_.hasParent(way_[i])) continue;
     const Node& above = nodes_[tf_.parent(way_[i])];
