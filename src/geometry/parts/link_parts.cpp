@@ -17,7 +17,7 @@ namespace {
 /// than 0.1 % smaller.
 constexpr std::size_t kMaxLeaves = 1024;
 
-constexpr std::size_t kLooksPerSort = 20;  ///< what sorting an index costs, in those of a WorkMeter
+constexpr std::size_t kLooksPerSort = 20;  ///< cost of sorting an index, see WorkMeter
 
 /// The indices of a part's vertices, by shape. An indivisible shape has none.
 using PartVertices = std::map<std::uint32_t, std::vector<std::uint32_t>>;

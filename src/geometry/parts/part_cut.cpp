@@ -14,7 +14,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kLooksPerVolume = 10;  ///< of volumes, in those of a WorkMeter
+constexpr std::size_t kLooksPerVolume = 10;  ///< cost of a volume, see WorkMeter
 constexpr double kMinGain = 1e-9;            ///< of a volume; less is rounding
 
 /// A link moves. Parts that are tight only in the axes of the link would help little once it is

@@ -18,7 +18,7 @@ namespace {
 /// smaller and take a quarter more instructions.
 constexpr std::size_t kBins = 32;
 
-constexpr std::size_t kLooksPerSplit = 10;  ///< what a split costs, in those of a WorkMeter
+constexpr std::size_t kLooksPerSplit = 10;  ///< cost of a split per item, see WorkMeter
 
 float surfaceOf(const Eigen::Vector3f& size) {
   return 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());

@@ -39,7 +39,7 @@ struct JointPath {
   std::vector<std::size_t> variables;  ///< joints of the robot that move and mimic no other one
   std::vector<Limits> ranges;          ///< one per variable
   std::vector<std::size_t> unknown;    ///< joints of the robot on the way, without known ranges
-  /// Joints of the robot on which the way depends and whose range is one value, but 0 [rad or m].
+  /// Values other than 0 of joints on which the way depends and that cannot move [rad or m].
   std::map<std::size_t, double> resting;
   std::vector<PathJoint> joints;                            ///< from the first link to the second
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();  ///< from the last joint to the second

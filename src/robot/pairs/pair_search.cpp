@@ -405,7 +405,8 @@ void PairSearch::proveContact() {
   }
 }
 
-/// The proof that every pose touches takes many small boxes where two joints move.
+/// Whether to give up the proof that all poses touch: where two joints move, it may take too many
+/// small boxes.
 bool PairSearch::isHopeless() const {
   if (open_steps_ > kMaxOpenSteps) return true;
   if (aim_ == Contact::kTouching)

@@ -72,7 +72,7 @@ class PairSearch {
   bool hasFreePose() const { return was_free_; }
   /// As many poses were tried as chance shall offer, or the only one.
   bool isSampled() const;
-  /// The same, and downhill from the nearest ones.
+  /// The same, and the distance was minimised from the nearest of them.
   bool isExplored() const { return isSampled() && starts_.empty(); }
   std::size_t poses() const { return poses_; }  ///< that were tried
 

@@ -25,7 +25,7 @@ void dropUnused(JointPath& path) {
   }
 }
 
-/// Of the body from the axis of the joint [m].
+/// How far the body extends from the axis of the joint [m].
 double leverOf(const PairBody& body, const Eigen::Isometry3d& pose, const Eigen::Vector3d& axis) {
   const Eigen::Isometry3d back = pose.inverse();
   return body.hull.cloud.farthestFrom({back.translation(), back.linear() * axis});

@@ -33,7 +33,7 @@ double largest(const JointRange& range) {
   return std::max(std::abs(range.lower), std::abs(range.upper));
 }
 
-/// Of each link no less than the distance of any of its frame's poses from the root's origin [m].
+/// By link: how far its frame can be from the root's origin, at most [m].
 std::vector<double> frameDistances(const Robot& robot, const std::vector<JointRange>& ranges) {
   std::vector<double> distances(robot.links.size(), 0.0);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {

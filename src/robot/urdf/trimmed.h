@@ -15,7 +15,7 @@ inline std::string trimmed(const std::string& text, const char* characters = " \
   return text.substr(begin, text.find_last_not_of(characters) - begin + 1);
 }
 
-/// Nothing if the text ends otherwise.
+/// The text before that end. Nothing if the text has another end.
 inline std::optional<std::string> withoutEnd(const std::string& text, const std::string& end) {
   if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0)
     return std::nullopt;

@@ -168,8 +168,8 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
   worker_.post(keyOf(key), make);
 }
 
-/// That of an earlier content is better than that of a still earlier one. What was asked for before
-/// a reload, or for a marker that was deleted meanwhile, comes too late.
+/// Also takes a grid of an older content, which is better than one that is older still. What was
+/// requested before a reload, or for a marker that was deleted meanwhile, comes too late.
 void HeldObjects::take(const ObjectKey& key, std::uint64_t request, const std::string& frame,
                        std::shared_ptr<const BodyGrid> grid, const std::string& problem) {
   const auto found = held_.find(key);

@@ -22,8 +22,8 @@ void checkOutput(const std::string& option_name, const std::string& output,
 /// Whether two outputs are one file, which need not exist yet.
 bool isSameFile(const std::string& a, const std::string& b);
 
-/// Throws UsageError if more than one of the inputs, a word for each and its file, is standard
-/// input: it can be read only once.
+/// Each input is a word for it, and its file. Throws UsageError if more than one file is standard
+/// input, which can be read only once.
 void checkStandardInput(const std::vector<std::pair<std::string, std::string>>& inputs);
 
 /// Where relative names in that file start.

@@ -80,7 +80,7 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   return content;
 }
 
-/// A mesh that nobody had any more while it was loading was given up.
+/// Requests the mesh again where its loading was given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
   if (meshes_.size() >= kMaxMeshes && meshes_.count(content.mesh_uri) == 0) meshes_.clear();
   Mesh& mesh = meshes_[content.mesh_uri];

@@ -36,7 +36,8 @@ class SceneFeed {
   SceneFeed(const SceneFeed&) = delete;
   SceneFeed& operator=(const SceneFeed&) = delete;
 
-  /// Starts over with a model. Objects and transforms stay. Is no news.
+  /// Starts over with a model. Objects and transforms stay. Does not call
+  /// on_news.
   void adopt(std::shared_ptr<const Model> model, ros::Time now);
 
   /// While `joins`, messages are only taken: they become news with the next update() or tick, which
@@ -46,7 +47,7 @@ class SceneFeed {
   /// Updates the scene with all that was taken.
   void update(ros::Time now);
 
-  /// Messages that led to no news of their own because they were joined, since the last call.
+  /// How many messages were only taken, see setJoining(), since the last call.
   std::size_t takeJoined() { return std::exchange(joined_, 0); }
 
   /// See TransformInput.

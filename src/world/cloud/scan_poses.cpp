@@ -187,8 +187,8 @@ class Scan {
     return std::max(std::ceil(std::sqrt(error.smooth / allowed)), 1.0);
   }
 
-  /// Between moments that are at most so far apart. A step of a nanosecond has no time between its
-  /// ends.
+  /// The largest errors between two moments, which are at most `step` apart. Where that is 1 ns,
+  /// there is no time between them.
   void keepErrors(std::int64_t step, std::int64_t duration) {
     const bool has_time = step > 1;
     const double part = has_time ? static_cast<double>(step) / static_cast<double>(duration) : 0;
@@ -242,7 +242,7 @@ class Scan {
   double range_;
   double timeout_;
   std::vector<Mover> movers_;
-  std::vector<LinkMotion*> motions_;  ///< of each mover its result
+  std::vector<LinkMotion*> motions_;  ///< the result of each mover
   std::vector<Errors> errors_;        ///< of each mover, between the two samples
   std::vector<double> link_errors_;   ///< of each mover's box, the largest [m]
   PathSteps steps_;

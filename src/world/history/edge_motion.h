@@ -39,7 +39,7 @@ class EdgeMotion {
   /// way: see step 6 in deviation_bound.h.
   bool isAmbiguous() const { return motion().is_ambiguous; }
 
-  /// Whether at() and isSudden() follow the library. They do not at first.
+  /// Whether at() and isSudden() give what the library tf2 gives. By default they do not.
   void followLibrary(bool is_library) { is_library_ = is_library; }
 
  private:

@@ -86,7 +86,7 @@ class MotionWalk {
     return placed.made && std::isfinite(placed.distance);
   }
 
-  /// From one sample to the next, where the library moves an edge otherwise.
+  /// From one sample to the next, as the library tf2 moves edges: see EdgeMotion::isAmbiguous().
   bool coverAsInLibrary(std::int64_t begin, std::int64_t end) {
     path_.followLibrary(true);
     const Placed from = place(begin), to = place(end);

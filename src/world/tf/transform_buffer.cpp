@@ -151,7 +151,7 @@ void TransformBuffer::Edge::clear() {
   has_parent = false;
 }
 
-/// A transform that is not too old repeats a stamp: true.
+/// True if the transform repeats a stamp; false if it is too old.
 bool TransformBuffer::refuse(const Edge& edge, const EdgeSample& sample) {
   const bool is_repeated = !edge.isTooOld(sample.stamp);
   count(is_repeated ? &TfIntake::repeated : &TfIntake::too_old, edge.needs > 0);

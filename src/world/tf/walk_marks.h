@@ -19,7 +19,7 @@ class WalkMarks {
     grow(frame_count);
   }
 
-  /// The walk goes on among more frames.
+  /// Frames were added during the walk; they are not marked.
   void grow(std::size_t frame_count) {
     if (marks_.size() < frame_count) marks_.resize(frame_count);
   }

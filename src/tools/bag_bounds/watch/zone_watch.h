@@ -25,8 +25,8 @@ enum class StayEnd { kLeft, kLost, kReportEnded };
 /// As in all formats.
 const char* toText(StayEnd end);
 
-/// Between two messages it is found when the body had already entered or left, and that it had not
-/// at an earlier time.
+/// One body in one zone. Where it entered or left between two messages, that happened between two
+/// known stamps: `outside_at` and that of `entered`, `inside_at` and that of `left`.
 struct Stay {
   std::string name;
   RecordTime entered;

@@ -8,7 +8,7 @@
 namespace link_bounds {
 namespace {
 
-/// Lines of a link, and those around the robot, which often lie on some of a link.
+/// Thin lines around a link, thick ones around the robot: both are seen where they coincide.
 constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
 constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
 
