@@ -265,7 +265,7 @@ class ArchitectureTest(unittest.TestCase):
     def test_stops_name_functions_in_their_files(self):
         text = text_of('doc/architecture.md')
         for title in ('A tf message', 'A marker', 'A distance', 'A box of the past',
-                      'The parameter `padding`'):
+                      'A recorded message', 'The parameter `padding`'):
             stops = re.findall(r'^\d+\. (.*?)(?=^\d+\. |^\n|\Z)', section(text, title),
                                re.DOTALL | re.MULTILINE)
             self.assertGreater(len(stops), 4, title)
