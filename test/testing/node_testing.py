@@ -1,15 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of a running node: arms in tf, periodic senders, clock, status, processes."""
+import itertools
 import os
 import subprocess
 import tempfile
 import threading
 import time
+import unittest
 
 import roslib.packages
 import rospy
-from bounds_testing import (DEADLINE, Pose, TfSender, box_link, corners_of, difference, names_of,
+from bounds_testing import (DEADLINE, Pose, Recorder, TfSender, box_link, corners_of, difference, names_of,
                             robot, transform, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import AxisAlignedBoxArray
@@ -276,3 +278,23 @@ class NodeProcess:
         self._output.close()
         if rospy.has_param(self.name):
             rospy.delete_param(self.name)
+
+
+class OwnNodes(unittest.TestCase):
+    """Starts nodes, each under another name, and sends them tf."""
+    names = ("node_%d" % i for i in itertools.count())
+    stamps = itertools.count(1000)
+
+    def setUp(self):
+        self.tf = TfSender()
+        self.addCleanup(self.tf.end)
+
+    def start(self, description, **parameters):
+        """Returns the node when it has the model and listens to tf. boxes is what it publishes."""
+        rospy.set_param("/robot_description", description)
+        node = NodeProcess(next(self.names), timeout=0.0, **parameters)
+        self.addCleanup(node.end)
+        self.boxes = Recorder(node.name + "/boxes")
+        self.boxes.wait(lambda m: True, "the model")
+        wait_for(lambda: self.tf.listeners() > 0, "somebody listens to tf")
+        return node

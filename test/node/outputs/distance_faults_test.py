@@ -3,21 +3,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Distances of hostile meshes, during reloads and clock jumps, and the memory after them. Boxes go
 on undisturbed beside a node whose distances nobody wants."""
-import itertools
 import math
 import pathlib
 import shutil
 import signal
 import struct
 import tempfile
-import unittest
 
 import rospy
 import rostest
-from bounds_testing import (Pose, Recorder, TfSender, box_link, load, robot, transform, visual,
-                            wait_for)
+from bounds_testing import (Pose, Recorder, box_link, load, robot, transform, visual, wait_for)
 from link_bounds.msg import Distance, DistanceArray
-from node_testing import (SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, SimulatedClock,
+from node_testing import (SANITIZED, Delays, Diagnostics, OwnNodes, Repeater, SimulatedClock,
                           resident_bytes, value_of)
 from object_testing import ObjectSender, marker
 from patience import PATIENCE
@@ -49,23 +46,11 @@ def mesh_robot(path):
                  [("base", "mid"), ("mid", "far")])
 
 
-class DistanceFaults(unittest.TestCase):
-    names = ("node_%d" % i for i in itertools.count())
-    stamps = itertools.count(1000)
-
+class DistanceFaults(OwnNodes):
     def setUp(self):
+        super().setUp()
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
-        self.tf = TfSender()
-        self.addCleanup(self.tf.end)
-
-    def start(self, description, **parameters):
-        rospy.set_param("/robot_description", description)
-        node = NodeProcess(next(self.names), timeout=0.0, **parameters)
-        self.addCleanup(node.end)
-        Recorder(node.name + "/boxes").wait(lambda m: True, "the model")
-        wait_for(lambda: self.tf.listeners() > 0, "somebody listens to tf")
-        return node
 
     def place(self, x, stamp=None):
         stamp = stamp or rospy.Time(next(self.stamps))

@@ -8,15 +8,15 @@ import itertools
 import os
 import signal
 import threading
-import unittest
 
 import rospy
 import rostest
-from bounds_testing import (DEADLINE, Recorder, TfSender, box_link, box_of, corners_of, load,
-                            names_of, robot, transform, wait_for)
+from bounds_testing import (DEADLINE, Recorder, box_link, box_of, corners_of, load, names_of,
+                            robot, transform, wait_for)
 from dying_client import DyingClient
 from link_bounds.srv import GetBoxes, GetBoxesRequest
-from node_testing import SANITIZED, Delays, Diagnostics, NodeProcess, Repeater, SimulatedClock
+from node_testing import (SANITIZED, Delays, Diagnostics, NodeProcess, OwnNodes, Repeater,
+                          SimulatedClock)
 from patience import PATIENCE
 from tf2_msgs.msg import TFMessage
 
@@ -43,22 +43,7 @@ def rests_of_long_work(pid):
     return count
 
 
-class GetBoxesFaults(unittest.TestCase):
-    names = ("node_%d" % i for i in itertools.count())
-    stamps = itertools.count(1000)
-
-    def setUp(self):
-        self.tf = TfSender()
-        self.addCleanup(self.tf.end)
-
-    def start(self, description=MANY, **parameters):
-        rospy.set_param("/robot_description", description)
-        node = NodeProcess(next(self.names), timeout=0.0, **parameters)
-        self.addCleanup(node.end)
-        Recorder(node.name + "/boxes").wait(lambda m: True, "the model")
-        wait_for(lambda: self.tf.listeners() > 0, "somebody listens to tf")
-        return node
-
+class GetBoxesFaults(OwnNodes):
     @staticmethod
     def service(node):
         rospy.wait_for_service(node.name + "/get_boxes", DEADLINE)
@@ -90,7 +75,7 @@ class GetBoxesFaults(unittest.TestCase):
 
     def test_spans_whose_nanoseconds_are_more_than_a_second(self):
         """They count as spans, which are long work; negative spans are refused."""
-        node = self.start()
+        node = self.start(MANY)
         call = self.service(node)
         request = GetBoxesRequest()
         self.assertTrue(call(request).success)
@@ -105,7 +90,7 @@ class GetBoxesFaults(unittest.TestCase):
 
     def test_many_large_requests_at_once_beside_boxes(self):
         """And clients that die. Every other client gets its right answer."""
-        node, other = self.start(), self.start()
+        node, other = self.start(MANY), self.start(MANY)
         wait_for(lambda: self.tf.listeners() == 2, "both listen to tf")
         self.service(node)
         newest = self.fill_history(node, other)
@@ -204,7 +189,7 @@ class GetBoxesFaults(unittest.TestCase):
 
     def test_end_while_requests_are_answered_and_wait(self):
         for end in (signal.SIGINT, signal.SIGTERM):
-            node = self.start()
+            node = self.start(MANY)
             service = self.service(node)
             self.fill_history(node)
             answers = []

@@ -9,7 +9,6 @@ import os
 import signal
 import threading
 import time
-import unittest
 
 import rospy
 import rostest
@@ -17,7 +16,7 @@ from bounds_testing import (DEADLINE, Recorder, TfSender, box_link, box_of, name
                             transform, turn, wait_for)
 from dying_client import DyingClient
 from link_bounds.srv import GetBoxes, GetBoxesRequest
-from node_testing import SANITIZED, NodeProcess, Repeater, resident_bytes
+from node_testing import SANITIZED, OwnNodes, Repeater, resident_bytes
 from tf2_msgs.msg import TFMessage
 
 # A link takes 0.2 s or more where a processor is free: all of them take ten times the deadline.
@@ -44,20 +43,10 @@ def cpu_seconds(pid):
     return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
 
 
-class GetBoxesLoad(unittest.TestCase):
-    names = ("node_%d" % i for i in itertools.count())
-
-    def setUp(self):
-        self.tf = TfSender()
-        self.addCleanup(self.tf.end)
-
+class GetBoxesLoad(OwnNodes):
     def start(self, description, **parameters):
-        rospy.set_param("/robot_description", description)
-        node = NodeProcess(next(self.names), timeout=0.0, **parameters)
-        self.addCleanup(node.end)
-        self.boxes = Recorder(node.name + "/boxes")
-        self.boxes.wait(lambda m: True, "the model")
-        wait_for(lambda: self.tf.listeners() > 0, "somebody listens to tf")
+        """The node, and a function that calls its service."""
+        node = super().start(description, **parameters)
         rospy.wait_for_service(node.name + "/get_boxes", DEADLINE)
         return node, rospy.ServiceProxy(node.name + "/get_boxes", GetBoxes)
 

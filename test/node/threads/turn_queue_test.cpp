@@ -19,15 +19,10 @@
 #include <vector>
 
 #include "testing/patience.h"
+#include "testing/worker_gate.h"
 
 namespace link_bounds {
 namespace {
-
-Worker::Options named(const std::string& name) {
-  Worker::Options options;
-  options.name = name;
-  return options;
-}
 
 /// What roscpp makes of a call: not begun if the client is gone; then the handler.
 class FakeCall : public ros::CallbackInterface {
@@ -91,47 +86,35 @@ class TurnQueueTest : public testing::Test {
     valueOf(done.get_future());
   }
 
-  /// The long worker is busy until then.
-  void holdLong() {
-    std::promise<void> begun;
-    long_.post("hold", [this, &begun] {
-      begun.set_value();
-      hold_.get_future().wait_for(deadline());
-    });
-    valueOf(begun.get_future());
-  }
-  void releaseLong() { hold_.set_value(); }
-
   std::mutex mutex_;
   std::vector<std::string> done_;
-  std::promise<void> hold_;
-  Worker short_{named("short")};
-  Worker long_{named("long")};
+  Worker short_{{"short"}};
+  Worker long_{{"long"}};
   TurnQueue queue_{short_, long_};
 };
 
 TEST_F(TurnQueueTest, AShortCallDoesNotWaitForLongOnes) {
-  holdLong();
+  Gate gate(long_);
   for (int i = 0; i < 3; ++i)
     addLong(1, "long");
   std::promise<bool> is_long;
   add([&](TurnQueue::Call& call) { is_long.set_value(call.is_long); });
   EXPECT_FALSE(valueOf(is_long.get_future()));
   EXPECT_TRUE(done_.empty());
-  releaseLong();
+  gate.open();
   drain();
   EXPECT_EQ(done_.size(), 3u);
 }
 
 TEST_F(TurnQueueTest, LongCallsTakeTurns) {
-  holdLong();
+  Gate gate(long_);
   addLong(3, "a");
   addLong(1, "b");
   addLong(2, "c");
   std::promise<void> moved;
   add([&](TurnQueue::Call&) { moved.set_value(); });
   valueOf(moved.get_future());
-  releaseLong();
+  gate.open();
   drain();
   EXPECT_EQ(done_, (std::vector<std::string>{"a", "b", "c", "a", "c", "a"}));
 }
@@ -221,7 +204,7 @@ TEST_F(TurnQueueTest, ACallWhoseClientIsGoneGetsNoFurtherTurn) {
 }
 
 TEST_F(TurnQueueTest, TimeCountsFromTheArrival) {
-  holdLong();
+  Gate gate(long_);
   const auto before = std::chrono::steady_clock::now();
   std::vector<std::chrono::steady_clock::time_point> arrivals;
   add([&](TurnQueue::Call& call) {
@@ -230,7 +213,7 @@ TEST_F(TurnQueueTest, TimeCountsFromTheArrival) {
     if (arrivals.size() < 3) throw TurnQueue::NextTurn();
   });
   const auto after = std::chrono::steady_clock::now();
-  releaseLong();
+  gate.open();
   drain();
   ASSERT_EQ(arrivals.size(), 3u);
   for (const auto& arrival : arrivals) {

@@ -18,32 +18,10 @@
 
 #include "node/threads/queued_function.h"
 #include "testing/patience.h"
+#include "testing/worker_gate.h"
 
 namespace link_bounds {
 namespace {
-
-Worker::Options named(const std::string& name) {
-  Worker::Options options;
-  options.name = name;
-  return options;
-}
-
-/// Keeps a worker busy until open() or the end of the test.
-class Gate {
- public:
-  explicit Gate(Worker& worker) {
-    std::promise<void> begun;
-    worker.post("gate", [this, &begun] {
-      begun.set_value();
-      opened_.get_future().wait_for(deadline());
-    });
-    valueOf(begun.get_future());
-  }
-  void open() { opened_.set_value(); }
-
- private:
-  std::promise<void> opened_;
-};
 
 /// Returns when everything posted before was done.
 void drain(Worker& worker) {
@@ -53,7 +31,7 @@ void drain(Worker& worker) {
 }
 
 TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   Gate gate(worker);
   std::vector<std::string> done;
   for (const char* work : {"a1", "b1", "a2", "c1", "b2", "a3"})
@@ -64,7 +42,7 @@ TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
 }
 
 TEST(Worker, DoesUrgentWorkFirst) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   Gate gate(worker);
   std::vector<int> done;
   worker.post("a", [&] { done.push_back(3); });
@@ -78,7 +56,7 @@ TEST(Worker, DoesUrgentWorkFirst) {
 /// Whoever passes on the boxes from which the work follows goes first.
 TEST(Worker, BeginsLaterIfItIsNice) {
   std::promise<void> idle;
-  Worker::Options nice = named("test");
+  Worker::Options nice{"test"};
   nice.is_nice = true;
   nice.on_tick = [&idle, is_first = true]() mutable {
     if (std::exchange(is_first, false)) idle.set_value();
@@ -94,7 +72,7 @@ TEST(Worker, BeginsLaterIfItIsNice) {
 
 TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
   for (const bool is_replaced : {false, true}) {
-    Worker worker(named("test"));
+    Worker worker({"test"});
     std::promise<void> begun;
     std::atomic<bool> is_told{false};
     worker.post("a", [&] {
@@ -118,7 +96,7 @@ TEST(Worker, TellsRunningWorkThatNobodyWaitsForIt) {
 
 TEST(Worker, GoesOnAfterWorkThatThrows) {
   ros::Time::init();  // for the log
-  Worker worker(named("test"));
+  Worker worker({"test"});
   worker.post("a", [] { throw std::bad_alloc(); });
   enqueue(worker, [] { throw std::runtime_error("a test"); });
   drain(worker);
@@ -136,7 +114,7 @@ struct Traced {
 TEST(Worker, OwnedValuesAreFreedOnItsThread) {
   std::thread::id freed, own;
   {
-    Worker worker(named("test"));
+    Worker worker({"test"});
     worker.post("a", [&] { own = std::this_thread::get_id(); });
     auto value = worker.owned(std::make_shared<const Traced>(freed));
     auto copy = value;
@@ -154,7 +132,7 @@ TEST(Worker, OwnedValuesMayOutliveIt) {
   std::thread::id freed;
   std::shared_ptr<const Traced> value;
   {
-    Worker worker(named("test"));
+    Worker worker({"test"});
     value = worker.owned(std::make_shared<const Traced>(freed));
   }
   EXPECT_EQ(freed, std::thread::id());
@@ -163,7 +141,7 @@ TEST(Worker, OwnedValuesMayOutliveIt) {
 }
 
 TEST(Worker, AwaitsAnotherThreadPieceByPiece) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   ros::CallbackQueue queue;
   int pieces = 0;
   std::promise<bool> answer;
@@ -178,7 +156,7 @@ TEST(Worker, AwaitsAnotherThreadPieceByPiece) {
 }
 
 TEST(Worker, AwaitingThrowsWhatThePieceThrows) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   ros::CallbackQueue queue;
   std::promise<std::string> answer;
   worker.post("a", [&] {
@@ -198,7 +176,7 @@ TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
   int pieces = 0;
   bool answer = true;
   {
-    Worker worker(named("test"));
+    Worker worker({"test"});
     std::promise<void> begun;
     worker.post("a", [&] {
       begun.set_value();
@@ -214,7 +192,7 @@ TEST(Worker, StopEndsAwaitingAndThePieceIsNotCalledAnyMore) {
 }
 
 TEST(Worker, TicksWhileItIsWanted) {
-  Worker::Options options = named("test");
+  Worker::Options options{"test"};
   std::atomic<int> ticks{0};
   options.tick_period = std::chrono::milliseconds(1);
   options.on_tick = [&ticks] { return ++ticks < 3; };
@@ -227,7 +205,7 @@ TEST(Worker, TicksWhileItIsWanted) {
 
 TEST(Worker, TicksOnAfterATickThatThrows) {
   ros::Time::init();  // for the log
-  Worker::Options options = named("test");
+  Worker::Options options{"test"};
   std::atomic<int> ticks{0};
   options.tick_period = std::chrono::milliseconds(1);
   options.on_tick = [&ticks] {
@@ -240,7 +218,7 @@ TEST(Worker, TicksOnAfterATickThatThrows) {
 }
 
 TEST(Worker, RemovesTheCallbacksOfAnOwnerAndWaitsForTheOneThatRuns) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   std::promise<void> begun, added;
   std::atomic<bool> is_done{false};
   boost::weak_ptr<QueuedFunction> waiting;
@@ -260,7 +238,7 @@ TEST(Worker, RemovesTheCallbacksOfAnOwnerAndWaitsForTheOneThatRuns) {
 }
 
 TEST(Worker, KeepsTheCallbacksOfOtherOwners) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   Gate gate(worker);
   int others = 0;
   for (const std::uint64_t owner : {8u, 7u, 8u})
@@ -276,7 +254,7 @@ TEST(Worker, KeepsTheCallbacksOfOtherOwners) {
 }
 
 TEST(Worker, ARemovedCallbackThatRunsIsNotTriedAgain) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   class Trier : public ros::CallbackInterface {
    public:
     CallResult call() override {
@@ -298,7 +276,7 @@ TEST(Worker, ARemovedCallbackThatRunsIsNotTriedAgain) {
 }
 
 TEST(Worker, AwaitsNoLongerThanTheDeadline) {
-  Worker worker(named("test"));
+  Worker worker({"test"});
   ros::CallbackQueue queue;
   int pieces = 0;
   std::promise<bool> answer;
@@ -315,7 +293,7 @@ TEST(Worker, AwaitsNoLongerThanTheDeadline) {
 TEST(Worker, RandomPostsAndCancelsAreDoneAsAMapSays) {
   std::mt19937 random(5);
   for (int round = 0; round < 200; ++round) {
-    Worker worker(named("test"));
+    Worker worker({"test"});
     Gate gate(worker);
     std::vector<std::pair<std::string, int>> done;
     std::map<std::string, int> expected;  // of each key
