@@ -85,6 +85,22 @@ TEST(BodyDistance, OfManySmallMeshes) {
   }
 }
 
+/// Eight small triangles each, which are one leaf of a tree: their pairs have very different
+/// normals.
+TEST(BodyDistance, OfTwoLeaves) {
+  Random random(14);
+  const auto leaf = [&random] {
+    std::vector<Eigen::Vector3f> vertices = random.points(24, 0.3);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = vertices[i - i % 3] + 0.1f * random.vector(1).cast<float>();
+    MeshBody result;
+    result.add(meshOf(vertices));
+    return result;
+  };
+  for (int i = 0; i < 4000 / kShare; ++i)
+    expectBounds(leaf(), random.rigid(0.4), leaf(), random.rigid(0.4), {}, 1);
+}
+
 TEST(BodyDistance, OfRandomMeshes) {
   Random random(1);
   for (int i = 0; i < 500 / kShare; ++i) {
