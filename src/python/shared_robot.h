@@ -43,7 +43,7 @@ class SharedRobot {
   /// Indices of the joints that can be set: they move, and mimic no other one.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
-  /// Warnings of the description, and what could not be loaded of its meshes.
+  /// Warnings of the description, and what could not be loaded of its elements.
   std::vector<std::string> warnings() const;
 
   /// What rests around the robot, with bodies; meshes and their losses as those of the robot.

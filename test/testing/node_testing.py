@@ -11,8 +11,8 @@ import unittest
 
 import roslib.packages
 import rospy
-from bounds_testing import (DEADLINE, Pose, Recorder, TfSender, box_link, corners_of, difference, names_of,
-                            robot, transform, turn, wait_for)
+from bounds_testing import (DEADLINE, Pose, Recorder, TfSender, box_link, corners_of, difference,
+                            names_of, robot, transform, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import AxisAlignedBoxArray
 from rosgraph_msgs.msg import Clock

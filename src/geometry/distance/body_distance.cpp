@@ -131,9 +131,11 @@ class HullSearch {
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
     const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, tolerance, kHullSteps};
     const ShapeHull a{pair.first}, b{pair.second};
-    const GjkResult hulls =
-        gjk(a, pair.first_at, b, pair.second_at, startOf(candidate), gjk_goal, simplex);
+    // What separates the nearest shapes so far often separates others, too.
+    const Eigen::Vector3d start = normal_.squaredNorm() > 0 ? normal_ : startOf(candidate);
+    const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
+    // Where the bound suffices, nearer points are not needed.
     if (!(hulls.lower - pair.rounding >= farEnough()) || !hasWitness()) offer(simplex, pair);
     const bool do_boxes_decide = candidate.lower >= hulls.lower - pair.rounding;
     double lower = do_boxes_decide ? candidate.lower : hulls.lower - pair.rounding;
@@ -161,10 +163,8 @@ class HullSearch {
     }
   }
 
-  /// A direction to begin with. What separates the nearest shapes so far often separates others,
-  /// too.
+  /// A direction to begin with.
   Eigen::Vector3d startOf(const Candidate& pair) const {
-    if (normal_.squaredNorm() > 0) return normal_;
     const Aabb& a = first_.shapes[pair.first].box;
     const Aabb& b = second_.shapes[pair.second].box;
     const Eigen::Vector3d normal = boxNormal(a, b);

@@ -23,7 +23,8 @@ class Leaf {
   Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
       : count(tree.nodes[node].count), first(tree.nodes[node].first), tree_(tree), at_(at) {}
 
-  /// How far the triangles from `begin` to `end` extend along `direction`.
+  /// Finds how far the triangles from `begin` to `end` extend along a direction. The others keep
+  /// what they have of another one.
   void project(const Eigen::Vector3d& direction, std::uint32_t begin, std::uint32_t end) {
     const Eigen::Vector3d d = at_.toShape(direction);
     const double origin = at_.translation.dot(direction);
@@ -34,6 +35,7 @@ class Leaf {
     }
   }
 
+  /// All must be projected on the same direction.
   double farthestOfAll() const {
     return *std::max_element(farthest.begin(), farthest.begin() + count);
   }
@@ -42,7 +44,7 @@ class Leaf {
 
   std::uint32_t count;
   std::uint32_t first;                             ///< the index of the first one in the tree
-  std::array<double, kTrianglesPerLeaf> farthest;  ///< along the direction, from the origin
+  std::array<double, kTrianglesPerLeaf> farthest;  ///< along its last direction, from the origin
 
  private:
   const TriangleTree& tree_;

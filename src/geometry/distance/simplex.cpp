@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Projects the origin onto each vertex, edge and face, and takes the nearest projection that lies
-// inside. Slower than a search that looks at signs first, but a degenerate simplex does no harm: a
-// face without area has no projection, and its edges remain. Of faces, edges and vertices that are
-// equally near, the one with more corners counts: it says more about the normal.
+// Projects the origin onto each face, and where no face is proven to be nearest, onto each edge and
+// vertex, and takes the nearest projection that lies inside. Slower than a search that looks at
+// signs first, but a degenerate simplex does no harm: a face without area has no projection, and
+// its edges remain. Of faces, edges and vertices that are equally near, the one with more corners
+// counts: it says more about the normal.
 #include "geometry/distance/simplex.h"
 
 #include <Eigen/Geometry>
@@ -33,24 +34,25 @@ class NearestToOrigin {
   void offer(const Eigen::Vector3d& candidate, const std::array<double, 4>& candidate_weights) {
     const double squared = candidate.squaredNorm();
     if (!(squared < limit_)) return;
-    limit_ = squared - noise_ * std::sqrt(squared);
-    squared_ = squared;
+    const double noise = noise_ * std::sqrt(squared);
+    limit_ = squared - noise;
+    least_ = squared - 8 * noise;
     found = {candidate, candidate_weights};
   }
 
-  /// Whether no point of the simplex is nearer than `found`: the points that it is no combination
-  /// of are beyond the plane across it.
+  /// Whether no point of the simplex is nearer than `found` by more than rounding: all are beyond
+  /// the plane across it.
   bool isProven(const Vectors& points, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
-      if (found.weights[i] == 0 && !(points[i].dot(found.point) >= squared_)) return false;
+      if (!(points[i].dot(found.point) >= least_)) return false;
     }
     return true;
   }
 
  private:
   double noise_;
-  double squared_ = std::numeric_limits<double>::infinity();  ///< distance
-  double limit_ = std::numeric_limits<double>::infinity();    ///< of the next squared distance
+  double limit_ = std::numeric_limits<double>::infinity();  ///< of the next squared distance
+  double least_ = std::numeric_limits<double>::infinity();  ///< what isProven() demands
 };
 
 constexpr unsigned bit(std::size_t i) {

@@ -64,7 +64,7 @@ struct NearestOfHulls {
 /// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
 /// these two that is at least hulls.lower. Ends when the bound is at least the limit or at least
 /// witness.distance - accuracy. `memory` says where to look first. A bound in
-/// it still holds once reduced by what pair.moved has grown by since.
+/// it still holds once reduced by what pair.motion.moved has grown by since.
 double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
                    const DistanceGoal& goal, std::size_t& steps_left, Witness& witness);
 

@@ -405,8 +405,8 @@ void PairSearch::proveContact() {
   }
 }
 
-/// Whether to give up the proof that all poses touch: where two joints move, it may take too many
-/// small boxes.
+/// Whether to give up the proof that all poses collide, or touch: a pose was found that does not,
+/// nothing can prove it, or it takes too many small boxes.
 bool PairSearch::isHopeless() const {
   if (open_steps_ > kMaxOpenSteps) return true;
   if (aim_ == Contact::kTouching)

@@ -80,7 +80,8 @@ ObjectContent ObjectSource::contentOf(const ObjectKey& key, Marker&& marker,
   return content;
 }
 
-/// Requests the mesh again where its loading was given up because no object used it meanwhile.
+/// Gives the content its mesh. Requests the mesh the first time, and again where its loading was
+/// given up because no object used it meanwhile.
 void ObjectSource::useMesh(ObjectContent& content) {
   if (meshes_.size() >= kMaxMeshes && meshes_.count(content.mesh_uri) == 0) meshes_.clear();
   Mesh& mesh = meshes_[content.mesh_uri];

@@ -36,8 +36,7 @@ class SceneFeed {
   SceneFeed(const SceneFeed&) = delete;
   SceneFeed& operator=(const SceneFeed&) = delete;
 
-  /// Starts over with a model. Objects and transforms stay. Does not call
-  /// on_news.
+  /// Starts over with a model. Objects and transforms stay. Does not call on_news.
   void adopt(std::shared_ptr<const Model> model, ros::Time now);
 
   /// While `joins`, messages are only taken: they become news with the next update() or tick, which
@@ -47,7 +46,7 @@ class SceneFeed {
   /// Updates the scene with all that was taken.
   void update(ros::Time now);
 
-  /// How many messages were only taken, see setJoining(), since the last call.
+  /// How many messages had no update of their own, see setJoining(), since the last call.
   std::size_t takeJoined() { return std::exchange(joined_, 0); }
 
   /// See TransformInput.

@@ -39,7 +39,8 @@ class EdgeMotion {
   /// way: see step 6 in deviation_bound.h.
   bool isAmbiguous() const { return motion().is_ambiguous; }
 
-  /// Whether at() and isSudden() give what the library tf2 gives. By default they do not.
+  /// Whether at() and isSudden() decide as the library tf2 does, also where isAmbiguous(). By
+  /// default they do not.
   void followLibrary(bool is_library) { is_library_ = is_library; }
 
  private:

@@ -209,6 +209,34 @@ TEST(BodyDistances, HoldWhereHugeBodiesMeet) {
   EXPECT_GT(meetings, tried / 10);
 }
 
+/// A simplex of four points in one plane has no volume, but may have been kept from a contact.
+TEST(BodyDistances, FollowFlatPlatesThatMeetAndComeIntoOnePlane) {
+  Random random(15);
+  const Eigen::Affine3d identity = Eigen::Affine3d::Identity();
+  for (int i = 0; i < repetitions(20000); ++i) {
+    BodyDistances distances({1e-4});
+    const Eigen::Vector3d first(random.uniform(0.1, 1), random.uniform(0.1, 1), 0);
+    const Eigen::Vector3d second(random.uniform(0.1, 1), random.uniform(0.1, 1), 0);
+    for (const auto& [index, size] : {std::pair{0, first}, {1, second}}) {
+      const BodyShape plate{{nullptr, Solid::kBox, size, identity}};
+      distances.set(static_cast<std::size_t>(index), std::make_shared<Body>(Body{{plate}}));
+    }
+    const Eigen::Affine3d pose = random.rigid(1);
+    distances.move(0, pose);
+    distances.move(1,
+                   pose * Eigen::AngleAxisd(random.uniform(0, 3), random.vector(1).normalized()));
+    ASSERT_EQ(distances.find(0, 1)->lower, 0);
+    const double gap = random.uniform(0.001, 0.1);
+    const double turn = random.uniform(-0.01, 0.01);
+    distances.move(1, pose * Eigen::Translation3d((first.x() + second.x()) / 2 + gap, 0, 0) *
+                          Eigen::AngleAxisd(i % 2 ? turn : 0, Eigen::Vector3d::UnitX()));
+    const BodyDistance apart = *distances.find(0, 1);
+    ASSERT_LE(apart.lower, gap + 1e-12);
+    ASSERT_GE(apart.upper, gap - 1e-12);
+    ASSERT_LE(apart.upper - apart.lower, 1e-4 + 1e-12);
+  }
+}
+
 /// Its pose maps the direction across it to nothing.
 TEST(BodyDistances, FollowAFlatMeshBetweenManyBodies) {
   Random random(6);

@@ -49,7 +49,7 @@ Marker marker(const std_msgs::Header& header, int id, int type) {
   return result;
 }
 
-/// In millimetres below 0.1 m, else in centimetres.
+/// In metres: to the millimetre below 0.1 m, else to the centimetre.
 std::string textOf(double distance) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), distance < 0.1 ? "%.3f m" : "%.2f m", distance);

@@ -11,8 +11,8 @@
 namespace link_bounds {
 
 /// Writes why each pair of `proofs` never collides, always does or always touches. Returns for how
-/// many of these the file has no reason: it would be too long, or `is_over` said so. `out` is that
-/// of beginCertificate(). Throws UsageError if it cannot be written.
+/// many of these the file has no reason: the reason would be too long, or `is_over` said so. `out`
+/// is that of beginCertificate(). Throws UsageError if it cannot be written.
 std::size_t writeCertificate(const UrdfBoundsOptions& options, const Robot& robot,
                              const BoundedRobot& bounded, const std::vector<JointRange>& ranges,
                              const std::vector<PairProof>& proofs,

@@ -11,7 +11,7 @@
 namespace link_bounds {
 
 /// Writes why each SAFE segment is safe. `proofs` has one per motion. Returns for how many of these
-/// the file has no reason: it would be too long, or `is_over` said so. `out` is that of
+/// the file has no reason: the reason would be too long, or `is_over` said so. `out` is that of
 /// beginCertificate(). Throws UsageError if it cannot be written.
 std::size_t writePathCertificate(const UrdfBoundsOptions& options, const Robot& simple,
                                  const PathBodies& bodies, const std::vector<JointMotion>& motions,
