@@ -226,8 +226,9 @@ TEST(NearContact, OfConvexBodiesIsKnownToAHundredMillionthOfTheirSize) {
 }
 
 TEST(NearContact, StaysKnownWhileBodiesMove) {
-  // Each search begins where the last one ended.
+  // Each search begins where the last one ended; each second one where the bodies met.
   Random random(2);
+  int searches = 0, meetings = 0;
   for (int i = 0; i < repetitions(20 * kKinds * kKinds); ++i) {
     NearPair pair = anyNearPair(random, i % kKinds, i / kKinds % kKinds, 0);
     BodyDistances distances({kAccuracy * pair.size});
@@ -238,11 +239,19 @@ TEST(NearContact, StaysKnownWhileBodiesMove) {
       pair.of_b.rotate(Eigen::AngleAxisd(turn, random.vector(1).normalized()));
       touch(pair, random);
       distances.move(0, pair.of_a);
+      if (step % 2 == 1) {
+        ++searches;
+        const double depth = static_cast<double>(pair.gap) + random.magnitude(-9, -1) * pair.size;
+        const Eigen::Vector3d deeper = -depth * pair.normal.cast<double>();
+        distances.move(1, Eigen::Translation3d(deeper) * pair.of_b);
+        meetings += distances.find(0, 1)->lower == 0 ? 1 : 0;
+      }
       distances.move(1, pair.of_b);
       expectAccurate(pair, *distances.find(0, 1));
     }
     ASSERT_FALSE(HasFatalFailure()) << "kinds " << i % kKinds << " and " << i / kKinds % kKinds;
   }
+  EXPECT_GT(meetings, searches / 2);
 }
 
 TEST(NearContact, OfMeshesDoesNotDependOnTheOrder) {
