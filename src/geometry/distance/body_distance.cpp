@@ -148,7 +148,7 @@ class HullSearch {
         !(isConvex(pair.first) && isConvex(pair.second))) {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
                                    pair.first_at.toSearch(simplex.first()),
-                                   pair.second_at.toSearch(simplex.second()), simplex};
+                                   pair.second_at.toSearch(simplex.second())};
       const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
       if (found > lower) level = DistanceLevel::kMesh;
       lower = found;

@@ -198,26 +198,7 @@ class NodeSearch {
                       {pair.separation.lower, pair_.motion.moved}});
   }
 
-  /// Whether the hulls are nearest in points of these triangles, or of shapes without any.
-  bool areNearest(const TrianglePair& triangles) const {
-    const Simplex& simplex = hulls_.simplex;
-    for (std::size_t i = 0; i < simplex.size(); ++i) {
-      if (!isCorner(pair_.first, triangles.first, simplex[i].first) ||
-          !isCorner(pair_.second, triangles.second, simplex[i].second))
-        return false;
-    }
-    return simplex.size() > 0;
-  }
-
-  static bool isCorner(const BodyShape& shape, std::uint32_t triangle,
-                       const Eigen::Vector3d& point) {
-    if (!shape.triangles) return true;
-    const Triangle corners = shape.triangles->corners(triangle);
-    return std::find(corners.begin(), corners.end(), point) != corners.end();
-  }
-
   void guess(const TrianglePair& triangles) {
-    if (areNearest(triangles)) return offer(triangles, hulls_.on_first, hulls_.on_second);
     if (!haveTriangles()) {
       withSet(pair_.first, triangles.first, [&](const auto& a) {
         withSet(pair_.second, triangles.second, [&](const auto& b) {

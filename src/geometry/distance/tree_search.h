@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "geometry/distance/placed_body.h"
-#include "geometry/distance/simplex.h"
 #include "geometry/distance/tree_front.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 
@@ -58,7 +57,6 @@ struct NearestOfHulls {
   Eigen::Vector3d normal;
   Eigen::Vector3d on_first;
   Eigen::Vector3d on_second;
-  const Simplex& simplex;  ///< whose nearest points these are
 };
 
 /// Improves `witness`, which may be of other shapes, and returns a lower bound of the distance of
