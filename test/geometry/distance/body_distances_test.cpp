@@ -223,8 +223,9 @@ TEST(BodyDistances, FollowFlatPlatesThatMeetAndComeIntoOnePlane) {
     }
     const Eigen::Affine3d pose = random.rigid(1);
     distances.move(0, pose);
-    distances.move(1,
-                   pose * Eigen::AngleAxisd(random.uniform(0, 3), random.vector(1).normalized()));
+    // Off their centres: of a symmetric contact two points remain.
+    distances.move(1, pose * Eigen::Translation3d(random.vector(0.02)) *
+                          Eigen::AngleAxisd(random.uniform(1, 2), Eigen::Vector3d::UnitX()));
     ASSERT_EQ(distances.find(0, 1)->lower, 0);
     const double gap = random.uniform(0.001, 0.1);
     const double turn = random.uniform(-0.01, 0.01);
