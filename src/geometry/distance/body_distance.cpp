@@ -64,11 +64,12 @@ double roundedUp(double distance, double rounding) {
 class HullSearch {
  public:
   HullSearch(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
-             PairMemory& memory)
+             PairMemory& memory, const PairMotion& motion)
       : first_(first),
         second_(second),
         goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
+        motion_(motion),
         rounding_(pairRounding(first, second)),
         steps_left_(goal.max_steps) {}
 
@@ -117,8 +118,8 @@ class HullSearch {
   ShapePair shapePair(const Candidate& pair) const {
     const PlacedShape& a = first_.shapes[pair.first];
     const PlacedShape& b = second_.shapes[pair.second];
-    ShapePair result{*a.shape,  *b.shape,       a.from_body_origin, b.from_body_origin,
-                     rounding_, memory_.motion, first_.rigid,       second_.rigid};
+    ShapePair result{*a.shape,  *b.shape, a.from_body_origin, b.from_body_origin,
+                     rounding_, motion_,  first_.rigid,       second_.rigid};
     result.second_at.translation += second_.origin - first_.origin;
     return result;
   }
@@ -241,6 +242,7 @@ class HullSearch {
   const PlacedBody& second_;
   DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
+  const PairMotion& motion_;
   double rounding_;
   std::size_t steps_left_;
   Witness witness_;
@@ -251,15 +253,13 @@ class HullSearch {
 };
 
 /// What the memory has proven shrinks with the motion since the last search.
-void age(PairMemory& memory, const PlacedBody& first, const PlacedBody& second) {
-  PairMotion& motion = memory.motion;
-  const bool is_followed = motion.then && first.rigid && second.rigid;
-  motion.moved_then = motion.moved;
-  if (is_followed)
-    motion.moved = nextUp(motion.moved + motion.then->approach(*first.rigid, *second.rigid));
-  if (is_followed && motion.moved <= kFarthestMove) return;
+PairMotion aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
+  const double moved_then = memory.moved;
+  if (latest) memory.moved = nextUp(moved_then + latest->approach);
+  if (latest && memory.moved <= kFarthestMove) return {memory.moved, moved_then, latest};
   memory.trees.front = Front();
-  motion = PairMotion();
+  memory.moved = 0;
+  return {0, 0, latest};
 }
 
 /// Both orders of two bodies are searched in the same one, so that rounding is the same.
@@ -298,12 +298,11 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 }
 
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
-                            const DistanceGoal& goal, PairMemory& memory) {
-  age(memory, first, second);
-  const BodyDistance result = HullSearch(first, second, goal, memory).run();
-  memory.motion.then.reset();
-  if (first.rigid && second.rigid) memory.motion.then.emplace(*first.rigid, *second.rigid);
-  return result;
+                            const DistanceGoal& goal, PairMemory& memory,
+                            const std::optional<RelativeMotion>& latest) {
+  const PairMotion motion = aged(memory, latest);
+  if (const auto far = distanceBeyond(goal.limit, first, second)) return *far;
+  return HullSearch(first, second, goal, memory, motion).run();
 }
 
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
@@ -313,7 +312,6 @@ std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3
   const std::optional<PlacedBody> a = placedBody(first, world_from_first);
   const std::optional<PlacedBody> b = placedBody(second, world_from_second);
   if (!a || !b) return std::nullopt;
-  if (const auto far = distanceBeyond(goal.limit, *a, *b)) return far;
   PairMemory memory;
   if (comesFirst(*b, *a)) return swapped(placedDistance(*b, *a, goal, memory));
   return placedDistance(*a, *b, goal, memory);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Places a body once per pose, and only where a search needs it. Keeps one memory per pair, with a
-// lease on what was found last. A lease ends with its bodies, at a pose that is not rigid, and
-// where what it carries along no longer reaches the goal: isCarried() decides all of that.
+// lease on what was found last. search() alone renews both, so that they are of the same poses.
+// What they have proven ends with the bodies, at a pose that is not rigid, and, of a lease, where
+// what it carries along no longer reaches the goal.
 #include "link_bounds/geometry/distance/body_distances.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ class BodyDistances::Memories {
     if (const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed())) return far;
     const auto entry = pairs_.try_emplace(keyOf(first, second)).first;
     Pair& pair = entry->second;
-    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) show(pair, search(pair, a, b), a, b);
+    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) search(pair, a, b, motionOf(pair, a, b));
     pair.round = round_;
     const BodyDistance result = pair.last;
     if (!pair.memory.is_known) pairs_.erase(entry);
@@ -60,11 +61,17 @@ class BodyDistances::Memories {
     const Slot& b = slots_[second];
     if (!a.pose || !b.pose) return std::nullopt;
     const auto known = pairs_.find(keyOf(first, second));
-    if (known != pairs_.end() && isCarried(known->second, a, b)) return known->second.last;
-    if (!a.placed() || !b.placed()) return std::nullopt;
+    if (known == pairs_.end() && !(a.placed() && b.placed())) return std::nullopt;
     Pair& pair = known != pairs_.end() ? known->second : pairs_[keyOf(first, second)];
-    const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed());
-    begin(pair, far ? *far : search(pair, a, b), a, b);
+    pair.round = round_;
+    if (isLastOf(pair, a, b) && reachesGoal(pair.last)) return pair.last;
+    const std::optional<RelativeMotion> motion = motionOf(pair, a, b);
+    if (motion) {
+      show(pair, pair.lease->carried(*motion, *a.rigid, *b.rigid), a, b);
+      if (reachesGoal(pair.last)) return pair.last;
+    }
+    if (!a.placed() || !b.placed()) return std::nullopt;
+    search(pair, a, b, motion);
     return pair.last;
   }
 
@@ -74,7 +81,6 @@ class BodyDistances::Memories {
     const Slot& a = slots_[first];
     const Slot& b = slots_[second];
     if (!a.placed() || !b.placed()) return std::nullopt;
-    if (const auto far = distanceBeyond(limit, *a.placed(), *b.placed())) return far;
     PairMemory memory;
     DistanceGoal goal_once = goal;
     goal_once.limit = limit;
@@ -131,23 +137,22 @@ class BodyDistances::Memories {
     return std::uint64_t{first} << 32 | std::uint64_t{second};
   }
 
-  /// Ends what is known of bodies that were replaced.
-  void adopt(Pair& pair, const Slot& a, const Slot& b) const {
+  /// How the bodies have moved since the lease of the pair began, if it has one.
+  static std::optional<RelativeMotion> motionOf(const Pair& pair, const Slot& a, const Slot& b) {
+    if (!pair.isOf(a, b) || !pair.lease || !a.rigid || !b.rigid) return std::nullopt;
+    return pair.lease->motion(*a.rigid, *b.rigid);
+  }
+
+  /// And begins a lease on what is found. Ends what is known of bodies that were replaced.
+  void search(Pair& pair, const Slot& a, const Slot& b,
+              const std::optional<RelativeMotion>& motion) const {
     if (!pair.isOf(a, b)) {
       pair = Pair();
       pair.first_version = a.version;
       pair.second_version = b.version;
+      pair.round = round_;
     }
-    pair.round = round_;
-  }
-
-  BodyDistance search(Pair& pair, const Slot& a, const Slot& b) const {
-    adopt(pair, a, b);
-    return placedDistance(*a.placed(), *b.placed(), goal, pair.memory);
-  }
-
-  void begin(Pair& pair, const BodyDistance& found, const Slot& a, const Slot& b) const {
-    adopt(pair, a, b);
+    const BodyDistance found = placedDistance(*a.placed(), *b.placed(), goal, pair.memory, motion);
     pair.lease.reset();
     if (a.rigid && b.rigid) pair.lease.emplace(found, *a.rigid, *b.rigid);
     show(pair, found, a, b);
@@ -168,16 +173,6 @@ class BodyDistances::Memories {
   bool reachesGoal(const BodyDistance& distance) const {
     return distance.lower > goal.limit ||
            distance.upper - distance.lower <= goal.tolerance(distance.upper);
-  }
-
-  /// Whether `last` of the pair is good enough at the poses of now.
-  bool isCarried(Pair& pair, const Slot& a, const Slot& b) const {
-    if (!isLastOf(pair, a, b)) {
-      if (!pair.isOf(a, b) || !pair.lease || !a.rigid || !b.rigid) return false;
-      show(pair, pair.lease->carried(*a.rigid, *b.rigid), a, b);
-    }
-    pair.round = round_;
-    return reachesGoal(pair.last);
   }
 
   void forget(std::size_t index) {

@@ -85,21 +85,17 @@ PosePair::PosePair(const RigidBody& first, const RigidBody& second)
   origin_ = then.origin;
 }
 
-PosePair::Motion PosePair::motion(const RigidBody& first, const RigidBody& second) const {
+RelativeMotion PosePair::motion(const RigidBody& first, const RigidBody& second) const {
   const Relative now(first, second);
-  return {now.axes - axes_, now.origin - origin_, slack(first, second)};
-}
-
-double PosePair::approach(const RigidBody& first, const RigidBody& second) const {
-  const Ball& ball = (&resting(first, second) == &first ? second : first).ball;
-  const Motion moved = motion(first, second);
-  const Eigen::Vector3d shifted = moved.turned * ball.center + moved.shifted;
-  return shifted.norm() + moved.turned.norm() * M_SQRT1_2 * ball.radius + moved.slack;
-}
-
-double PosePair::slack(const RigidBody& first, const RigidBody& second) const {
-  return kSlack * (defect_ + first.defect + second.defect) * (size_ + sizeOf(first, second)) +
-         rounding_;
+  RelativeMotion result;
+  result.turned = now.axes - axes_;
+  result.shifted = now.origin - origin_;
+  const double defect = defect_ + first.defect + second.defect;
+  result.slack = kSlack * defect * (size_ + sizeOf(first, second)) + rounding_;
+  const Ball& ball = now.mover.ball;
+  result.approach = (result.turned * ball.center + result.shifted).norm() +
+                    result.turned.norm() * M_SQRT1_2 * ball.radius + result.slack;
+  return result;
 }
 
 Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second)
@@ -110,12 +106,13 @@ Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody&
       on_second_(second.axes.transpose() * (found.on_second - second.origin)),
       normal_(resting(first, second).axes.transpose() * found.normal) {}
 
-BodyDistance Lease::carried(const RigidBody& first, const RigidBody& second) const {
+BodyDistance Lease::carried(const RelativeMotion& motion, const RigidBody& first,
+                            const RigidBody& second) const {
   const Eigen::Vector3d from_first = first.axes * on_first_;
   const Eigen::Vector3d from_second = second.axes * on_second_;
   const Eigen::Vector3d between = (second.origin - first.origin) + (from_second - from_first);
-  const double upper = between.norm() + then_.slack(first, second);
-  const double lower = std::max(0.0, lower_ - then_.approach(first, second));
+  const double upper = between.norm() + motion.slack;
+  const double lower = std::max(0.0, lower_ - motion.approach);
   BodyDistance result{std::min(lower, upper),    upper,
                       first.origin + from_first, second.origin + from_second,
                       Eigen::Vector3d::Zero(),   level_};

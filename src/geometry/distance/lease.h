@@ -36,25 +36,22 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
 /// Of two bodies, the one with the larger ball rests: the other one moves as seen from it.
 const RigidBody& resting(const RigidBody& first, const RigidBody& second);
 
+/// How the points of the body that moves have moved, in the frame of the one that rests: a point q
+/// of its frame by turned q + shifted, but for `slack` [m].
+struct RelativeMotion {
+  Eigen::Matrix3d turned;
+  Eigen::Vector3d shifted;
+  double slack;  ///< also: how wrong a point may be that a body has carried to its other pose [m]
+  double approach;  ///< how much nearer to each other two points of the bodies may be now [m]
+};
+
 /// Two bodies at one time.
 class PosePair {
  public:
   PosePair(const RigidBody& first, const RigidBody& second);
 
-  /// How the points of the body that moves have moved, in the frame of the one that rests: a point
-  /// q of its frame by turned q + shifted, but for `slack` [m].
-  struct Motion {
-    Eigen::Matrix3d turned;
-    Eigen::Vector3d shifted;
-    double slack;
-  };
-  Motion motion(const RigidBody& first, const RigidBody& second) const;
-
-  /// How much nearer to each other two points of the bodies may be at other poses [m].
-  double approach(const RigidBody& first, const RigidBody& second) const;
-
-  /// How wrong a point may be that a body has carried to its other pose [m].
-  double slack(const RigidBody& first, const RigidBody& second) const;
+  /// Since then, of the same two bodies.
+  RelativeMotion motion(const RigidBody& first, const RigidBody& second) const;
 
  private:
   /// The mover in the frame of the other body.
@@ -78,9 +75,15 @@ class Lease {
   /// `found` at these poses.
   Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second);
 
-  /// The same two bodies at other poses: the bound less what they have moved relative to each other
-  /// since, and the points where the bodies have carried them. Both are proven.
-  BodyDistance carried(const RigidBody& first, const RigidBody& second) const;
+  /// Of the same two bodies, since the poses of the lease.
+  RelativeMotion motion(const RigidBody& first, const RigidBody& second) const {
+    return then_.motion(first, second);
+  }
+
+  /// After that motion: the bound less what the bodies have moved relative to each other, and the
+  /// points where the bodies have carried them. Both are proven.
+  BodyDistance carried(const RelativeMotion& motion, const RigidBody& first,
+                       const RigidBody& second) const;
 
  private:
   PosePair then_;

@@ -20,14 +20,13 @@
 
 namespace link_bounds {
 
-/// How nodes have moved since the last search. Both bodies must be followed since then.
+/// How nodes have moved since the last search. The motion of the bodies must be known.
 class NodeMotion {
  public:
   explicit NodeMotion(const ShapePair& pair)
       : is_second_(&resting(*pair.first_rigid, *pair.second_rigid) == &*pair.first_rigid),
         mover_(is_second_ ? pair.second : pair.first) {
-    const PosePair& then = *pair.motion.then;
-    const PosePair::Motion motion = then.motion(*pair.first_rigid, *pair.second_rigid);
+    const RelativeMotion& motion = *pair.motion.latest;
     const Eigen::Affine3d& from_shape = mover_.shape.link_from_shape;
     turned_ = motion.turned * from_shape.linear();
     shifted_ = motion.turned * from_shape.translation() + motion.shifted;

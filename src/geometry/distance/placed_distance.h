@@ -17,7 +17,7 @@ struct PairMemory {
   std::uint32_t second_shape = 0;
   Simplex simplex;  ///< of the hulls of these shapes
   TreeMemory trees;
-  PairMotion motion;
+  double moved = 0;  ///< how much nearer the bodies may have come since the memory began [m]
 };
 
 /// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most
@@ -25,9 +25,11 @@ struct PairMemory {
 std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first,
                                            const PlacedBody& second);
 
-/// Only the bodies that `memory` was made with may be given, in any poses.
+/// Only the bodies that `memory` was made with may be given, in any poses. `latest` is how they
+/// have moved since the last call with this memory; without it no proven bound is taken from there.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
-                            const DistanceGoal& goal, PairMemory& memory);
+                            const DistanceGoal& goal, PairMemory& memory,
+                            const std::optional<RelativeMotion>& latest = std::nullopt);
 
 /// The same distance from the second body to the first.
 std::optional<BodyDistance> swapped(std::optional<BodyDistance> distance);

@@ -32,9 +32,9 @@ struct TreeMemory {
 
 /// How much nearer two bodies may have come [m]
 struct PairMotion {
-  double moved = 0;              ///< since the memory began
-  double moved_then = 0;         ///< until the last search
-  std::optional<PosePair> then;  ///< of the last search, if both bodies were followed
+  double moved;                                 ///< since the memory began
+  double moved_then;                            ///< until the last search
+  const std::optional<RelativeMotion>& latest;  ///< since the last search, if that is known
 };
 
 /// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.

@@ -313,7 +313,8 @@ TEST(Leases, boundEveryPairOfPoints) {
     const BodyDistance found{
         then, then, a0 * p, b0 * q, (b0 * q - a0 * p) / then, DistanceLevel::kHull};
     const Lease lease(found, placed(first, p, a0), placed(second, q, b0));
-    const BodyDistance carried = lease.carried(placed(first, p, a1), placed(second, q, b1));
+    const RigidBody p1 = placed(first, p, a1), q1 = placed(second, q, b1);
+    const BodyDistance carried = lease.carried(lease.motion(p1, q1), p1, q1);
     ASSERT_LE(carried.lower, now);
     ASSERT_GE(carried.upper, now);
   }
