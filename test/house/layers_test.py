@@ -28,7 +28,7 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'tools/bag_bounds/boxes', 'tools/bag_bounds/watch', 'tools/bag_bounds/run',
          'tools/bag_bounds/lines', 'tools/bag_bounds', 'tools/cloud_filter', 'python',
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
-         'bench/cloud', 'bench/pipeline', 'bench/node', 'bench/tools']
+         'bench/cloud', 'bench/pipeline', 'bench/node', 'bench/tools', 'bench']
 ROOTS = ['include/link_bounds', 'src', 'test']
 # Former places of headers, folders of test that are no rooms, and folders of tests that look at the
 # node as a whole.

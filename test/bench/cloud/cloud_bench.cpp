@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times the points of robots in clouds, ours and others: cloud_bench [--quick] [--json FILE]
+// Times the points of robots in clouds, ours and others.
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
-#include <iomanip>
 #include <iostream>
 
 #include "bench/cloud/cloud_methods.h"
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
+#include "bench/common/robots.h"
+#include "bench/common/table.h"
+#include "bench/common/timing.h"
 #include "tools/cloud_filter/filtered_robot.h"
 #include "world/cloud/nearest_points.h"
 #include "world/cloud/without_points.h"
@@ -18,19 +17,11 @@
 namespace link_bounds::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Of this thread, so that other programs count little [ms].
-double processorTime() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
-}
-
-struct Row {
-  std::string scene, method;
-  std::size_t points = 0, robot_points = 0;
-  std::vector<double> ms;  ///< sorted
+/// Of one method on one scene.
+struct Times {
+  std::string method;
+  std::size_t robot_points = 0;
+  std::vector<double> ms{};  ///< sorted
 
   double at(double share) const {
     return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
@@ -39,17 +30,17 @@ struct Row {
 
 /// `prepare` is not timed.
 template <class Prepare, class Work>
-Row measure(const CloudScene& scene, const std::string& method, std::size_t rounds,
-            const Prepare& prepare, const Work& work) {
-  Row row{scene.name, method, std::size_t{scene.cloud.width} * scene.cloud.height, 0, {}};
+Times measure(const std::string& method, std::size_t rounds, const Prepare& prepare,
+              const Work& work) {
+  Times times{method};
   for (std::size_t i = 0; i <= rounds; ++i) {
     prepare();
-    const double begin = processorTime();
-    row.robot_points = work();
-    if (i > 0) row.ms.push_back(processorTime() - begin);
+    const double begin = threadSeconds();
+    times.robot_points = work();
+    if (i > 0) times.ms.push_back((threadSeconds() - begin) * 1e3);
   }
-  std::sort(row.ms.begin(), row.ms.end());
-  return row;
+  std::sort(times.ms.begin(), times.ms.end());
+  return times;
 }
 
 /// From a received message to the one that is sent.
@@ -79,45 +70,55 @@ std::size_t readAll(const CloudScene& scene) {
   return 0;
 }
 
-void print(const Row& row) {
-  std::cout << std::left << std::setw(28) << row.scene << std::setw(26) << row.method << std::right
-            << std::fixed << std::setprecision(2) << std::setw(9) << row.at(0.5) << std::setw(9)
-            << row.at(0.99) << std::setw(11) << std::setprecision(1)
-            << static_cast<double>(row.points) / row.at(0.5) / 1e3 << std::setw(9)
-            << 100 * static_cast<double>(row.robot_points) / static_cast<double>(row.points) << "\n"
-            << std::flush;
-}
-
-std::vector<Row> measureScene(const CloudScene& scene, bool quick) {
-  std::vector<Row> rows;
-  const auto add = [&](Row row) {
-    print(row);
-    rows.push_back(std::move(row));
-  };
+std::vector<Times> measureScene(const CloudScene& scene, bool quick) {
+  std::vector<Times> all;
   const std::size_t rounds = quick ? 30 : 300;
   sensor_msgs::PointCloud2 cloud;
   const auto copy = [&] { cloud = scene.cloud; };
   const auto nothing = [] {};
-  add(measure(scene, "link_bounds", rounds, copy, [&] { return filter(scene, false, cloud); }));
-  add(measure(scene, "link_bounds with ~nearest", rounds, copy,
-              [&] { return filter(scene, true, cloud); }));
-  add(measure(scene, "plain read", rounds, nothing, [&] { return readAll(scene); }));
+  all.push_back(measure("link_bounds", rounds, copy, [&] { return filter(scene, false, cloud); }));
+  all.push_back(measure("link_bounds with ~nearest", rounds, copy,
+                        [&] { return filter(scene, true, cloud); }));
+  all.push_back(measure("plain read", rounds, nothing, [&] { return readAll(scene); }));
 #ifdef LINK_BOUNDS_WITH_GEOMETRIC_SHAPES
-  const LabelAll peer = geometricShapes(scene);
-  add(measure(scene, "geometric_shapes", quick ? 2 : 10, nothing, peer));
+  all.push_back(measure("geometric_shapes", quick ? 2 : 10, nothing, geometricShapes(scene)));
 #endif
 #ifdef LINK_BOUNDS_WITH_PCL
-  const LabelAll crop = cropHull(scene);
-  add(measure(scene, "PCL's CropHull", quick ? 1 : 3, nothing, crop));
+  all.push_back(measure("PCL's CropHull", quick ? 1 : 3, nothing, cropHull(scene)));
 #endif
+  return all;
+}
+
+Row rowOf(const CloudScene& scene, const Times& times) {
+  const std::size_t points = std::size_t{scene.cloud.width} * scene.cloud.height;
+  const double count = static_cast<double>(points);
+  return {{"scene", scene.name},
+          {"method", times.method},
+          {"points", points},
+          {"robot_points", times.robot_points},
+          {"p50_ms", times.at(0.5)},
+          {"p99_ms", times.at(0.99)},
+          {"mpoints_per_s", count / times.at(0.5) / 1e3},
+          {"robot_percent", 100 * static_cast<double>(times.robot_points) / count}};
+}
+
+Rows printScene(const CloudScene& scene, const std::vector<Times>& all) {
+  const Table table(scene.name, {{"method", "", 26},
+                                 {"p50_ms", "p50 ms"},
+                                 {"p99_ms", "p99 ms"},
+                                 {"mpoints_per_s", "Mpoints/s"},
+                                 {"robot_percent", "robot %"}});
+  Rows rows;
+  for (const Times& times : all)
+    table.add(rows.emplace_back(rowOf(scene, times)));
   return rows;
 }
 
 void measureLoading(const RobotFile& file) {
   const std::string urdf = textOf(file.urdf);
-  const auto begin = Clock::now();
-  const FilteredRobot robot = *filteredRobot(urdf, {}, [] { return false; });
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  FilteredRobot robot;
+  const double seconds = elapsed<std::ratio<1>>(
+      [&] { robot = std::move(*filteredRobot(urdf, {}, [] { return false; })); });
   std::size_t bytes = 0, largest = 0;
   std::vector<std::shared_ptr<const BodyGrid>> grids = robot.grids;
   std::sort(grids.begin(), grids.end());
@@ -127,57 +128,32 @@ void measureLoading(const RobotFile& file) {
     largest = std::max(largest, grid->bytes());
   }
   std::cout << "from the description of " << file.name() << " to " << grids.size() << " grids of "
-            << robot.links.size() << " links: " << std::fixed << std::setprecision(2) << seconds
-            << " s, " << bytes / 1000 << " kB, the largest " << largest / 1000 << " kB\n"
+            << robot.links.size() << " links: " << Value(seconds).text() << " s, " << bytes / 1000
+            << " kB, the largest " << largest / 1000 << " kB\n"
             << std::flush;
 }
 
-void writeJson(const std::vector<Row>& rows, std::ostream& out) {
-  const char* separator = "[\n";
-  for (const Row& row : rows) {
-    out << separator << "{\"scene\": " << std::quoted(row.scene)
-        << ", \"method\": " << std::quoted(row.method) << ", \"points\": " << row.points
-        << ", \"robot_points\": " << row.robot_points << ", \"p50_ms\": " << row.at(0.5)
-        << ", \"p99_ms\": " << row.at(0.99) << "}";
-    separator = ",\n";
+void printRatios(const std::vector<Times>& all) {
+  const auto find = [&all](const std::string& method) {
+    return std::find_if(all.begin(), all.end(),
+                        [&](const Times& times) { return times.method == method; });
+  };
+  const double ours = find("link_bounds")->at(0.5);
+  std::cout << "\nlink_bounds takes " << Value(ours / find("plain read")->at(0.5)).text()
+            << " times the plain read";
+  for (const char* method : {"geometric_shapes", "PCL's CropHull"}) {
+    if (const auto peer = find(method); peer != all.end())
+      std::cout << ", is " << Value(peer->at(0.5) / ours).text() << " times as fast as " << method;
   }
-  out << "\n]\n";
+  std::cout << "\n" << std::flush;
 }
 
-const Row* find(const std::vector<Row>& rows, const std::string& scene, const std::string& method) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-    return row.scene == scene && row.method == method;
-  });
-  return found == rows.end() ? nullptr : &*found;
-}
+}  // namespace
 
-void printRatios(const std::vector<Row>& rows) {
-  std::cout << "\n";
-  for (const Row& row : rows) {
-    if (row.method != "link_bounds") continue;
-    const Row* read = find(rows, row.scene, "plain read");
-    std::cout << row.scene << ": " << std::setprecision(1) << row.at(0.5) / read->at(0.5)
-              << " times the plain read";
-    for (const char* method : {"geometric_shapes", "PCL's CropHull"}) {
-      if (const Row* peer = find(rows, row.scene, method))
-        std::cout << ", " << peer->at(0.5) / row.at(0.5) << " times as fast as " << method;
-    }
-    std::cout << "\n";
-  }
-}
-
-void benchmarkClouds(bool quick, std::ostream* json) {
-  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
-            << ", one thread, its processor time\npeers: " << LINK_BOUNDS_PEERS
-            << "\npadding: " << kPadding * 1e3 << " mm\n\n";
-#ifndef LINK_BOUNDS_WITH_GEOMETRIC_SHAPES
-  std::cout << "left out, because this system lacks it: geometric_shapes\n";
-#endif
-#ifndef LINK_BOUNDS_WITH_PCL
-  std::cout << "left out, because this system lacks it, or geometric_shapes: PCL's CropHull\n";
-#endif
+Rows benchmarkClouds(bool quick) {
+  std::cout << "one thread, its processor time; padding: " << kPadding * 1e3 << " mm\n\n";
   const auto folder = robotsFolder();
-  RobotFile panda = demoRobotFile(LINK_BOUNDS_DEMO_URDF), pr2 = panda;
+  RobotFile panda = demoRobot(), pr2 = panda;
   std::string ros_packages = panda.package_path("");
   if (folder) {
     panda = robotFile(*folder, "franka_description/urdf/panda.urdf");
@@ -189,23 +165,15 @@ void benchmarkClouds(bool quick, std::ostream* json) {
   setenv("ROS_PACKAGE_PATH", ros_packages.c_str(), 1);
   measureLoading(panda);
   measureLoading(pr2);
-  std::cout << "\n"
-            << std::left << std::setw(28) << "scene" << std::setw(26) << "method" << std::right
-            << std::setw(9) << "p50 ms" << std::setw(9) << "p99 ms" << std::setw(11) << "Mpoints/s"
-            << std::setw(9) << "robot %"
-            << "\n";
-  std::vector<Row> rows;
+  Rows rows;
   for (const auto& [make, file] : {std::pair(depthCamera, panda), std::pair(lidar, pr2)}) {
-    const std::vector<Row> more = measureScene(make(file), quick);
-    rows.insert(rows.end(), more.begin(), more.end());
+    const CloudScene scene = make(file);
+    const std::vector<Times> all = measureScene(scene, quick);
+    for (const Row& row : printScene(scene, all))
+      rows.push_back(row);
+    printRatios(all);
   }
-  printRatios(rows);
-  if (json) writeJson(rows, *json);
+  return rows;
 }
 
-}  // namespace
 }  // namespace link_bounds::bench
-
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkClouds);
-}

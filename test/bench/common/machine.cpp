@@ -6,9 +6,22 @@
 #include <sched.h>
 
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
+#include <string>
 
 namespace link_bounds::bench {
+namespace {
+
+std::string cpuName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+}  // namespace
 
 /// The last one we may use, since interrupts tend to the first.
 void pinToOneCpu() {
@@ -25,12 +38,10 @@ void pinToOneCpu() {
     throw std::runtime_error("cannot stay on one processor");
 }
 
-std::string cpuName() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
+void printMachine() {
+  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
+            << "\npeers: " << LINK_BOUNDS_PEERS << "\n"
+            << std::flush;
 }
 
 }  // namespace link_bounds::bench

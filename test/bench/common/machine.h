@@ -3,13 +3,12 @@
 // The machine a benchmark runs on.
 #pragma once
 
-#include <string>
-
 namespace link_bounds::bench {
 
 /// Keeps this process on one processor.
 void pinToOneCpu();
 
-std::string cpuName();
+/// The compiler, the processor and the peers, which scripts/figures reads.
+void printMachine();
 
 }  // namespace link_bounds::bench

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <ostream>
+#include <iostream>
 #include <set>
 
 #include "bench/common/synthetic_meshes.h"
@@ -38,11 +38,10 @@ bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The files below a folder, or directly in it, in the order of their names.
-template <class Iterator>
+/// The files in a folder, in the order of their names.
 std::vector<fs::path> files(const fs::path& folder) {
   std::vector<fs::path> result;
-  for (const fs::directory_entry& entry : Iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.is_regular_file()) result.push_back(entry.path());
   }
   std::sort(result.begin(), result.end());
@@ -52,8 +51,7 @@ std::vector<fs::path> files(const fs::path& folder) {
 /// Reads files that belong to one folder, which is that of packages and the one names start at.
 class Reader {
  public:
-  Reader(const fs::path& folder, bool quick, std::ostream& notes)
-      : folder_(fs::canonical(folder)), quick_(quick), notes_(notes) {}
+  Reader(const fs::path& folder, bool quick) : folder_(fs::canonical(folder)), quick_(quick) {}
 
   void addRobot(const fs::path& urdf, MeasuredMeshes& meshes) try {
     for (const Link& link : parseRobot(textOf(urdf)).links) {
@@ -63,14 +61,14 @@ class Reader {
       }
     }
   } catch (const RobotError& error) {
-    notes_ << "left out " << urdf.string() << ": " << error.what() << "\n";
+    std::cout << "left out " << urdf.string() << ": " << error.what() << "\n";
   }
 
   void addFile(const fs::path& path, const std::string& kind, MeasuredMeshes& meshes) try {
     meshes.push_back(measuredMesh(fs::relative(path, folder_).string(), kind,
                                   importMesh({path.string(), path.parent_path().string()})));
   } catch (const MeshError& error) {
-    notes_ << "left out " << path.string() << ": " << error.what() << "\n";
+    std::cout << "left out " << path.string() << ": " << error.what() << "\n";
   }
 
  private:
@@ -80,19 +78,18 @@ class Reader {
     const bool is_wanted = !quick_ || contains(kQuickRobotMeshes, fs::relative(path, folder_));
     if (is_wanted && seen_.insert(path).second) addFile(path, "robot", meshes);
   } catch (const MeshError& error) {
-    notes_ << "left out " << uri << ": " << error.what() << "\n";
+    std::cout << "left out " << uri << ": " << error.what() << "\n";
   }
 
   fs::path folder_;
   bool quick_;
-  std::ostream& notes_;
   std::set<std::string> seen_;
 };
 
 void addModels(const fs::path& folder, bool quick, Reader& reader, MeasuredMeshes& meshes) {
   const fs::path models = folder / kModels / "meshes";
   if (!fs::exists(models)) return;
-  for (const fs::path& path : files<fs::directory_iterator>(models)) {
+  for (const fs::path& path : files(models)) {
     if (!quick || contains(kQuickModels, fs::relative(path, folder)))
       reader.addFile(path, "model", meshes);
   }
@@ -100,23 +97,24 @@ void addModels(const fs::path& folder, bool quick, Reader& reader, MeasuredMeshe
 
 }  // namespace
 
-MeasuredMeshes chooseMeshes(const std::string& demo_folder, bool quick, std::ostream& notes) {
+MeasuredMeshes chooseMeshes(bool quick) {
   MeasuredMeshes meshes;
   const auto folder = robotsFolder();
   if (!folder) {
-    notes << "LINK_BOUNDS_DATA is not set: robots and scanned models are left out, the demo's "
-             "meshes stand in for robots\n";
-    Reader reader(demo_folder, quick, notes);
-    for (const fs::path& path : files<fs::directory_iterator>(fs::canonical(demo_folder))) {
+    std::cout << "LINK_BOUNDS_DATA is not set: robots and scanned models are left out, the demo's "
+                 "meshes stand in for robots\n";
+    const fs::path demo = fs::canonical(LINK_BOUNDS_PACKAGE "/launch/demo/meshes");
+    Reader reader(demo, quick);
+    for (const fs::path& path : files(demo)) {
       if (path.extension() != ".mtl") reader.addFile(path, "robot", meshes);
     }
   } else {
-    Reader reader(*folder, quick, notes);
+    Reader reader(*folder, quick);
     for (const RobotFile& file : publicRobotFiles())
       reader.addRobot(file.urdf, meshes);
     addModels(*folder, quick, reader, meshes);
   }
-  if (quick) notes << "--quick: only some robot meshes and models\n";
+  if (quick) std::cout << "--quick: only some robot meshes and models\n";
   addSyntheticMeshes(meshes);
   return meshes;
 }

@@ -3,16 +3,13 @@
 // Which meshes are measured.
 #pragma once
 
-#include <iosfwd>
-#include <string>
-
 #include "bench/common/measured_mesh.h"
 
 namespace link_bounds::bench {
 
 /// Every visual mesh of the robots of LINK_BOUNDS_DATA, the scanned models there, and computed
-/// meshes; with `quick` some of each. Where it is not set the meshes of `demo_folder` stand in for
-/// robots, and there are no models. What is left out is said in `notes`.
-MeasuredMeshes chooseMeshes(const std::string& demo_folder, bool quick, std::ostream& notes);
+/// meshes; with `quick` some of each. Where it is not set the meshes of the demo stand in for
+/// robots, and there are no models. Prints what is left out.
+MeasuredMeshes chooseMeshes(bool quick);
 
 }  // namespace link_bounds::bench

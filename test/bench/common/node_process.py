@@ -1,13 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For benchmarks: options, rows, targets, and a ROS master and nodes of one's own; to be run in the
-build's environment."""
-import argparse
-import json
+"""For benchmarks: a ROS master and nodes of one's own, and other programs; to be run in the build's
+environment."""
 import os
 import random
 import socket
-import statistics
 import struct
 import subprocess
 import time
@@ -18,19 +15,17 @@ PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_b
 DEADLINE = 30  # seconds
 
 
-def parser_of(doc, quick):
-    """The parser of --quick, which does that, and --json."""
-    parser = argparse.ArgumentParser(description=doc)
-    parser.add_argument("--quick", action="store_true", help=quick)
-    parser.add_argument("--json", metavar="FILE", help="the rows as JSON, too")
-    return parser
+def program(name):
+    """The command of a program of the build; those that the benchmarks have for themselves are
+    commands of one."""
+    path = os.path.join(PROGRAMS, name)
+    return [path] if os.path.exists(path) else [os.path.join(PROGRAMS, "bench_process"), name]
 
 
-def write_rows(rows, path):
-    """As JSON, if there is a path."""
-    if path:
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=1)
+def output_of(name, *words):
+    """What a program prints."""
+    return subprocess.run([*program(name), *map(str, words)], check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
 
 
 def wait_for(condition, what):
@@ -64,11 +59,11 @@ class Master:
         self._processes.append(process)
         return process
 
-    def start_node(self, program, name_space, *arguments):
+    def start_node(self, name, name_space, *arguments):
         """The node NAMESPACE/node, which listens to NAMESPACE/tf."""
         with open(os.path.join(os.environ["ROS_HOME"], "bench.log"), "ab") as log:
             return self.start(
-                os.path.join(PROGRAMS, program), "__ns:=" + name_space, "__name:=node",
+                *program(name), "__ns:=" + name_space, "__name:=node",
                 "/tf:=%s/tf" % name_space, "/tf_static:=%s/tf_static" % name_space, *arguments,
                 stdout=log, stderr=log)
 
@@ -104,13 +99,3 @@ def random_mesh(path, seed, vertices=400):
         file.write(bytes(80) + struct.pack("<I", vertices - 2))
         for triangle in zip(points, points[1:], points[2:]):
             file.write(bytes(12) + b"".join(struct.pack("<3f", *p) for p in triangle) + bytes(2))
-
-
-def print_target(text, limit, ratios, at_most=True):
-    """One line: is the median within the limit? Returns whether it is."""
-    median = statistics.median(ratios)
-    reached = median <= limit if at_most else median >= limit
-    print("%-62s %s %5.2f: %6.2f  %s (from %.2f to %.2f in %d repetitions)" % (
-        text, "<=" if at_most else ">=", limit, median, "reached" if reached else "MISSED ",
-        min(ratios), max(ratios), len(ratios)))
-    return reached

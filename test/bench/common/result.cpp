@@ -8,6 +8,25 @@
 
 namespace link_bounds::bench {
 
+Row rowOf(const Result& result) {
+  return {{"mesh", result.mesh},
+          {"kind", result.kind},
+          {"vertices", result.vertices},
+          {"hull", result.hull},
+          {"method", result.method},
+          {"exact", result.exact},
+          {"ns", result.ns},
+          {"volume_ratio", result.volume_ratio},
+          {"bytes", result.bytes ? Value(result.bytes) : Value()}};
+}
+
+Rows rowsOf(const Results& results) {
+  Rows rows;
+  for (const Result& result : results)
+    rows.push_back(rowOf(result));
+  return rows;
+}
+
 bool isRobot(const Result& result) {
   return result.kind == "robot";
 }

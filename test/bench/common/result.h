@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/common/row.h"
+
 namespace link_bounds::bench {
 
 /// One method on one mesh.
@@ -25,6 +27,10 @@ struct Result {
 
 using Results = std::vector<Result>;
 using Filter = std::function<bool(const Result&)>;
+
+/// For programs and tables.
+Row rowOf(const Result& result);
+Rows rowsOf(const Results& results);
 
 bool isRobot(const Result& result);
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A promise: a limit for the median of some ratios.
+// A promise: a limit for the median of some values.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -15,12 +14,11 @@ struct Target {
   std::string text;
   Wanted wanted;
   double limit;
-  std::vector<double> ratios;
+  std::vector<double> values;
 };
 
-/// One line: the limit, the median, whether it is reached, and the range. There is a ratio for each
-/// `one`, such as "mesh"; `many` is its plural.
-void print(const Target& target, const std::string& one, const std::string& many,
-           std::ostream& out);
+/// A head, and one line for each to standard output: the limit, the median, whether it is reached,
+/// and the range.
+void printTargets(const std::string& what, const std::vector<Target>& targets);
 
 }  // namespace link_bounds::bench

@@ -5,27 +5,23 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iomanip>
 #include <numeric>
-#include <ostream>
 #include <random>
 
 #include "bench/common/cold.h"
+#include "bench/common/table.h"
 #include "bench/common/target.h"
+#include "bench/common/timing.h"
 
 namespace link_bounds::bench {
 namespace {
 
 constexpr double kMaxTimesCorners = 2.5;
 
-using Clock = std::chrono::steady_clock;
-
 template <class Measured>
 double nsOf(const Measured& measured) {
-  Clock::now();  // brings the clock's own code and data
-  const Clock::time_point start = Clock::now();
-  measured();
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  std::chrono::steady_clock::now();  // brings the clock's own code and data
+  return elapsed<std::nano>(measured);
 }
 
 /// What the clock itself takes.
@@ -92,27 +88,25 @@ Results runCold(const Suite& suite, int rounds) {
   return results;
 }
 
-void printCold(const Results& results, const std::string& ours, std::ostream& out) {
+void printCold(const Results& results, const std::string& ours) {
   constexpr char kCorners[] = "corners8";
   constexpr char kGeometricShapes[] = "geometric_shapes";
-  out << "ns per box from empty caches, medians over the robot meshes\n"
-      << std::fixed << std::setprecision(0) << std::left << std::setw(20) << "" << std::right
-      << std::setw(12) << "all cold" << std::setw(12) << "code warm"
-      << "\n";
   const auto median_of = [&results](const std::string& method) {
     std::vector<double> values;
     for (const Result& result : results)
       if (result.method == method && isRobot(result)) values.push_back(result.ns);
     return median(values);
   };
+  const Table table("ns per box from empty caches, medians over the robot meshes",
+                    {{"method", "", 20}, {"all cold"}, {"code warm"}});
   for (const std::string& method : {ours, std::string(kGeometricShapes), std::string(kCorners)}) {
-    out << std::left << std::setw(20) << method << std::right << std::setw(12) << median_of(method)
-        << std::setw(12) << median_of(withWarmCode(method)) << "\n";
+    table.add({{"method", method},
+               {"all cold", median_of(method)},
+               {"code warm", median_of(withWarmCode(method))}});
   }
-  out << "\nTargets, by medians over the robot meshes\n" << std::setprecision(2);
-  print({"cold: " + ours + " / " + kCorners, Wanted::kAtMost, kMaxTimesCorners,
-         ratios(results, ours, kCorners, isRobot)},
-        "mesh", "meshes", out);
+  printTargets(", by medians over the robot meshes",
+               {{"cold: " + ours + " / " + kCorners, Wanted::kAtMost, kMaxTimesCorners,
+                 ratios(results, ours, kCorners, isRobot)}});
 }
 
 }  // namespace link_bounds::bench

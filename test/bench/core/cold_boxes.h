@@ -3,7 +3,6 @@
 // Boxes of single meshes when other programs have used the caches.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
 #include "bench/common/suite.h"
@@ -19,6 +18,6 @@ std::string withWarmCode(const std::string& method);
 Results runCold(const Suite& suite, int rounds);
 
 /// Medians over the robot meshes by method, and the target.
-void printCold(const Results& results, const std::string& ours, std::ostream& out);
+void printCold(const Results& results, const std::string& ours);
 
 }  // namespace link_bounds::bench

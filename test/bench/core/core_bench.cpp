@@ -1,36 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes of single meshes, ours and the peers': core_bench [--cold] [--quick] [--json FILE]
+// Boxes of single meshes, ours and the peers'.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string>
 
-#include "bench/common/benchmark_main.h"
-#include "bench/common/json.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
 #include "bench/common/mesh_choice.h"
 #include "bench/core/cold_boxes.h"
+#include "bench/core/core_tables.h"
 #include "bench/core/methods.h"
-#include "bench/core/table.h"
 #include "bench/core/targets.h"
 
 namespace link_bounds::bench {
 namespace {
-
-void printHead(std::ostream& out) {
-  out << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
-      << "\nquery path: " << nameOfOurs(queryPath()) << "\npeers: " << LINK_BOUNDS_PEERS << "\n";
-}
-
-void printLeftOut(const Suite& suite, std::ostream& out) {
-  for (const char* method : kMethods) {
-    const bool is_there = std::any_of(suite.begin(), suite.end(), [method](const Case& entry) {
-      return entry.result.method == method;
-    });
-    if (!is_there) out << "left out, because this system or processor lacks it: " << method << "\n";
-  }
-}
 
 Suite makeSuite(const MeasuredMeshes& meshes) {
   Suite suite;
@@ -46,20 +30,6 @@ void addBuilds(const MeasuredMeshes& meshes, Results& results) {
     results.push_back({mesh.name, mesh.kind, mesh.mesh.vertices.size(), mesh.points->size(),
                        "build", std::nullopt, std::nan(""), mesh.points->bytes(), mesh.build_ns});
   }
-}
-
-void benchmarkCore(bool quick, std::ostream* json) {
-  printHead(std::cout);
-  const MeasuredMeshes meshes = chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, std::cout);
-  const std::string ours = nameOfOurs(queryPath());
-  const Suite suite = makeSuite(meshes);
-  printLeftOut(suite, std::cout);
-  std::cout << "measuring " << suite.size() << " cases\n\n" << std::flush;
-  Results results = run(suite, quick ? 7 : 11, quick ? 0.005 : 0.01);
-  printTable(results, ours, std::cout);
-  printTargets(results, ours, std::cout);
-  addBuilds(meshes, results);
-  if (json) writeJson(results, *json);
 }
 
 /// Ours beside two loose peers.
@@ -81,22 +51,29 @@ Suite makeColdSuite(const MeasuredMeshes& meshes, const std::string& ours) {
   return suite;
 }
 
-void benchmarkCold(bool quick, std::ostream* json) {
-  printHead(std::cout);
-  const QueryPath path = queryPath();
-  const Suite suite =
-      makeColdSuite(chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, std::cout), nameOfOurs(path));
-  useQueryPath(path);
-  std::cout << "measuring " << suite.size() << " cases\n\n" << std::flush;
-  const Results results = runCold(suite, quick ? 15 : 25);
-  printCold(results, nameOfOurs(path), std::cout);
-  if (json) writeJson(results, *json);
-}
-
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkCore,
-                                          link_bounds::bench::benchmarkCold);
+Rows benchmarkCore(bool quick) {
+  const std::string ours = nameOfOurs(queryPath());
+  std::cout << "query path: " << ours << "\n";
+  const MeasuredMeshes meshes = chooseMeshes(quick);
+  const Suite suite = makeSuite(meshes);
+  std::cout << "measuring " << suite.size() << " cases\n" << std::flush;
+  Results results = run(suite, quick ? 7 : 11, quick ? 0.005 : 0.01);
+  printCoreTables(results, ours);
+  printCoreTargets(results, ours);
+  addBuilds(meshes, results);
+  return rowsOf(results);
 }
+
+Rows benchmarkCoreCold(bool quick) {
+  const QueryPath path = queryPath();
+  const Suite suite = makeColdSuite(chooseMeshes(quick), nameOfOurs(path));
+  useQueryPath(path);
+  std::cout << "measuring " << suite.size() << " cases\n" << std::flush;
+  const Results results = runCold(suite, quick ? 15 : 25);
+  printCold(results, nameOfOurs(path));
+  return rowsOf(results);
+}
+
+}  // namespace link_bounds::bench

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Updates of few and many links: what memory costs when the tables do not fit the caches.
 #include <algorithm>
+#include <array>
 
 #include "bench/core/judgement.h"
 #include "bench/core/methods.h"

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Rules that turn the box of the resting mesh and put a box around that; written from their ideas.
+#include <array>
+
 #include "bench/core/methods.h"
 
 namespace link_bounds::bench {

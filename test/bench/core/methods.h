@@ -3,19 +3,12 @@
 // All ways to compute boxes; each file that is named after some of them adds those.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "bench/core/method.h"
 #include "geometry/support/query/query_path.h"
 
 namespace link_bounds::bench {
-
-/// Their names, in the order of addMethods.
-constexpr std::array<const char*, 14> kMethods{
-    "paper_loop",     "welded_scan", "ours_plain", "ours_sse2",       "ours_avx2",
-    "ours_unchanged", "corners8",    "eigen",      "moveit",          "bullet",
-    "bullet_slow",    "fcl",         "fcl_exact",  "geometric_shapes"};
 
 /// Leaves out what this system or processor lacks.
 void addMethods(const Trial& trial, Suite& suite);

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <ostream>
 
 #include "bench/common/target.h"
 
@@ -66,11 +64,8 @@ std::vector<Target> targets(const Results& results, const std::string& ours) {
 
 }  // namespace
 
-void printTargets(const Results& results, const std::string& ours, std::ostream& out) {
-  out << "\nTargets, by medians over the robot meshes unless said\n"
-      << std::fixed << std::setprecision(2);
-  for (const Target& target : targets(results, ours))
-    print(target, "mesh", "meshes", out);
+void printCoreTargets(const Results& results, const std::string& ours) {
+  printTargets(", by medians over the robot meshes unless said", targets(results, ours));
 }
 
 }  // namespace link_bounds::bench

@@ -3,7 +3,6 @@
 // What was promised, and whether it holds.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
 #include "bench/common/result.h"
@@ -11,6 +10,6 @@
 namespace link_bounds::bench {
 
 /// `ours` is the method that counts where a target names none.
-void printTargets(const Results& results, const std::string& ours, std::ostream& out);
+void printCoreTargets(const Results& results, const std::string& ours);
 
 }  // namespace link_bounds::bench

@@ -5,11 +5,10 @@
 #include "bench/distances/distance_measure.h"
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
 #include <limits>
 
-#include "bench/common/result.h"
+#include "bench/common/timing.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -22,17 +21,12 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 /// The peers get the meshes in the frames of the links, where they are rounded to float.
 constexpr double kFloat = 1e-6;  // m
 
-double nanoseconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
+/// What reading the clock takes [ns].
 double clockRead() {
   std::vector<double> times;
   for (int i = 0; i < 1000; ++i) {
-    const double start = nanoseconds();
-    times.push_back(nanoseconds() - start);
+    const double start = threadSeconds();
+    times.push_back((threadSeconds() - start) * 1e9);
   }
   return median(times);
 }
@@ -40,9 +34,9 @@ double clockRead() {
 template <class Run>
 double timeOf(const Run& run) {
   static const double kClockRead = clockRead();
-  const double start = nanoseconds();
+  const double start = threadSeconds();
   run();
-  return std::max(0.0, nanoseconds() - start - kClockRead);
+  return std::max(0.0, (threadSeconds() - start) * 1e9 - kClockRead);
 }
 
 void check(const MeasuredDistance& ours, const MeasuredDistance& peer, const std::string& where) {

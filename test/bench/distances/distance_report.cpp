@@ -4,8 +4,6 @@
 #include "bench/distances/distance_report.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <ostream>
 
 #include "bench/common/result.h"
 #include "bench/common/target.h"
@@ -80,68 +78,70 @@ std::vector<double> growth(const DistanceRows& rows) {
 
 }  // namespace
 
-void print(const DistanceRow& row, std::ostream& out) {
-  std::string name = row.robot;
-  if (row.triangles) name += ", " + std::to_string(*row.triangles) + " triangles";
-  out << std::left << std::setw(34) << name << std::setw(11) << row.motion << std::setw(10)
-      << row.which << std::setw(14) << row.method << std::setw(13) << row.level << std::right
-      << std::fixed << std::setprecision(2) << std::setw(6) << row.pairs << " pairs"
-      << (row.which == "update" ? " together" : "         ") << std::setw(10)
-      << median(row.ns) / 1e3 << std::setw(10) << share(row.ns, 0.9) / 1e3;
-  if (row.method != "ours")
-    out << std::setprecision(1) << std::setw(9) << median(row.ns) / median(row.ns_beside)
-        << " x ours";
-  out << "\n" << std::flush;
+Row rowOf(const DistanceRow& row) {
+  const bool is_update = row.which == "update", is_ours = row.method == "ours";
+  const double pairs = is_update ? static_cast<double>(row.pairs) : 1;
+  const double us = median(row.ns) / 1e3, p90_us = share(row.ns, 0.9) / 1e3;
+  return {{"robot", row.robot},
+          {"motion", row.motion},
+          {"level", row.level},
+          {"method", row.method},
+          {"which", row.which},
+          {"ns_per_pair", us * 1e3 / pairs},
+          {"p90_ns_per_pair", p90_us * 1e3 / pairs},
+          {"pairs", row.pairs},
+          {"us", us},
+          {"p90_us", p90_us},
+          {"us_per_update", is_update ? Value(us) : Value()},
+          {"times_ours", is_ours ? Value() : Value(median(row.ns) / median(row.ns_beside))},
+          {"triangles", row.triangles ? Value(*row.triangles) : Value()}};
 }
 
-void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle,
-                          std::ostream& out) {
+Table distanceTable() {
+  return {
+      "near: pairs within 0.1 m. all: every pair that no joint connects, without a limit.\n"
+      "update: all pairs of a pose together, with a limit of 0.1 m.\n"
+      "random: each pose is new. coherent: joints move by at most 0.01 rad.\n"
+      "at rest: no link moves. on a base: all links move together.\n"
+      "us: median, and what 9 of 10 do not exceed",
+      {{"robot", "", 28},
+       {"triangles"},
+       {"motion", "", 9},
+       {"which", "", 9},
+       {"method", "", 13},
+       {"level", "", 12},
+       {"pairs"},
+       {"us"},
+       {"p90_us", "90 % us"},
+       {"times_ours", "x ours"}}};
+}
+
+void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle) {
   constexpr Wanted least = Wanted::kAtLeast;
   constexpr Wanted most = Wanted::kAtMost;
-  out << "\nTargets, by medians over the robots and their motions unless said\n"
-      << std::fixed << std::setprecision(2);
-  const auto show = [&out](const Target& target) { print(target, "row", "rows", out); };
-  show({"fcl BVH / ours, mesh level, pairs within 0.1 m", least, 20, speedups(rows, "near")});
-  show({"fcl BVH / ours, mesh level, all pairs", least, 20, speedups(rows, "all")});
-  show({"fcl BVH / ours, mesh level, pairs within 0.1 m, worst row", least, 1,
-        smallest(speedups(rows, "near"))});
-  show({"us per pair, hull level, random motion", most, 1.5, hullMicroseconds(rows, "random")});
-  show({"us per pair, hull level, coherent motion", most, 0.7, hullMicroseconds(rows, "coherent")});
-  const auto showUpdate = [&](const std::string& robot, const std::string& model, double moving,
-                              double at_rest) {
+  std::vector<Target> targets{
+      {"fcl BVH / ours, mesh level, pairs within 0.1 m", least, 20, speedups(rows, "near")},
+      {"fcl BVH / ours, mesh level, all pairs", least, 20, speedups(rows, "all")},
+      {"fcl BVH / ours, mesh level, pairs within 0.1 m, worst row", least, 1,
+       smallest(speedups(rows, "near"))},
+      {"us per pair, hull level, random motion", most, 1.5, hullMicroseconds(rows, "random")},
+      {"us per pair, hull level, coherent motion", most, 0.7, hullMicroseconds(rows, "coherent")}};
+  const auto addUpdate = [&](const std::string& robot, const std::string& model, double moving,
+                             double at_rest) {
     const std::string name = "us per update, mesh level, all pairs of the " + robot + ", " + model;
     const std::string row = robot + " " + model;
-    show({name, most, moving, updateMicroseconds(rows, row, "coherent")});
-    show({name + ", at rest", most, at_rest, updateMicroseconds(rows, row, "at rest")});
+    targets.push_back({name, most, moving, updateMicroseconds(rows, row, "coherent")});
+    targets.push_back(
+        {name + ", at rest", most, at_rest, updateMicroseconds(rows, row, "at rest")});
   };
-  showUpdate("panda", "collision", 40, 5);
-  showUpdate("pr2", "collision", 300, 20);
-  showUpdate("panda", "visual", 100, 5);
-  showUpdate("pr2", "visual", 1000, 20);
-  show({"us per pair, hull level, longest / shortest of 1,000 to 200,000 triangles", most, 1.5,
-        growth(rows)});
-  show({"bytes per triangle of the trees", most, 64, bytes_per_triangle});
-}
-
-void writeDistanceJson(const DistanceRows& rows, std::ostream& out) {
-  const char* separator = "[\n";
-  for (const DistanceRow& row : rows) {
-    const bool is_update = row.which == "update";
-    const double pairs = is_update ? static_cast<double>(row.pairs) : 1;
-    out << separator << "{\"robot\": " << std::quoted(row.robot)
-        << ", \"motion\": " << std::quoted(row.motion) << ", \"level\": " << std::quoted(row.level)
-        << ", \"method\": " << std::quoted(row.method) << ", \"which\": " << std::quoted(row.which)
-        << ", \"ns_per_pair\": " << std::to_string(median(row.ns) / pairs)
-        << ", \"p90_ns_per_pair\": " << std::to_string(share(row.ns, 0.9) / pairs)
-        << ", \"pairs\": " << row.pairs;
-    if (is_update) out << ", \"us_per_update\": " << std::to_string(median(row.ns) / 1e3);
-    if (row.method != "ours")
-      out << ", \"times_ours\": " << std::to_string(median(row.ns) / median(row.ns_beside));
-    if (row.triangles) out << ", \"triangles\": " << *row.triangles;
-    out << "}";
-    separator = ",\n";
-  }
-  out << "\n]\n";
+  addUpdate("panda", "collision", 40, 5);
+  addUpdate("pr2", "collision", 300, 20);
+  addUpdate("panda", "visual", 100, 5);
+  addUpdate("pr2", "visual", 1000, 20);
+  targets.push_back({"us per pair, hull level, longest / shortest of 1,000 to 200,000 triangles",
+                     most, 1.5, growth(rows)});
+  targets.push_back({"bytes per triangle of the trees", most, 64, bytes_per_triangle});
+  printTargets(", by medians over the robots and their motions unless said", targets);
 }
 
 }  // namespace link_bounds::bench

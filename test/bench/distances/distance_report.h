@@ -3,20 +3,17 @@
 // Reports times of distances, and whether they reach their targets.
 #pragma once
 
-#include <iosfwd>
-
+#include "bench/common/table.h"
 #include "bench/distances/distance_measure.h"
 
 namespace link_bounds::bench {
 
-/// One line.
-void print(const DistanceRow& row, std::ostream& out);
+Row rowOf(const DistanceRow& row);
+
+/// The columns of these rows.
+Table distanceTable();
 
 /// `bytes_per_triangle`: of each robot.
-void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle,
-                          std::ostream& out);
-
-/// An array with one object per row.
-void writeDistanceJson(const DistanceRows& rows, std::ostream& out);
+void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle);
 
 }  // namespace link_bounds::bench

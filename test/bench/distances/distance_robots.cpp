@@ -4,14 +4,14 @@
 #include "bench/distances/distance_robots.h"
 
 #include <cmath>
-#include <ostream>
+#include <iostream>
 
+#include "bench/common/robots.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
-#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -98,8 +98,7 @@ std::vector<LinkPoses> motionOf(const Robot& robot, const std::vector<std::size_
   return result;
 }
 
-DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps,
-                        std::ostream& notes) {
+DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps) {
   const Robot robot = parseRobot(textOf(file.urdf));
   DistanceRobot result{file.name() + " " + toText(purpose), {}, {}, {}, steps};
   Files files;
@@ -111,8 +110,8 @@ DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t step
       result.links.push_back(std::move(link));
       indices.push_back(i);
     } catch (const MeshError& error) {
-      notes << "left out: link " << robot.links[i].name << " of " << result.name << ": "
-            << error.what() << "\n";
+      std::cout << "left out: link " << robot.links[i].name << " of " << result.name << ": "
+                << error.what() << "\n";
     }
   }
   for (const auto& [path, loaded] : files)
@@ -130,12 +129,11 @@ DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t step
 
 }  // namespace
 
-std::vector<DistanceRobot> distanceRobots(const std::string& demo_urdf, std::size_t steps,
-                                          std::ostream& notes) {
+std::vector<DistanceRobot> distanceRobots(std::size_t steps) {
   std::vector<DistanceRobot> result;
-  for (const RobotFile& file : robotsOrDemo(demo_urdf, notes)) {
+  for (const RobotFile& file : robots()) {
     for (const Purpose purpose : {Purpose::kCollision, Purpose::kVisual}) {
-      DistanceRobot robot = readRobot(file, purpose, steps, notes);
+      DistanceRobot robot = readRobot(file, purpose, steps);
       if (!robot.pairs.empty()) result.push_back(std::move(robot));
     }
   }

@@ -3,7 +3,6 @@
 // Robots whose distances are measured: their bodies, pairs of links that may collide, and motions.
 #pragma once
 
-#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,10 +29,7 @@ struct DistanceRobot {
   std::size_t triangles = 0;       ///< of all mesh files, each counted once
 };
 
-/// Each motion has twelve times `steps` poses. The robots of LINK_BOUNDS_DATA; where it is not set,
-/// the robot of `demo_urdf`, which is in the folder launch/demo of its package. Writes to `notes`
-/// what is left out.
-std::vector<DistanceRobot> distanceRobots(const std::string& demo_urdf, std::size_t steps,
-                                          std::ostream& notes);
+/// Each motion has twelve times `steps` poses. See robots(). Prints what is left out.
+std::vector<DistanceRobot> distanceRobots(std::size_t steps);
 
 }  // namespace link_bounds::bench

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times distances of robots' links, ours and others: distances_bench [--quick] [--json FILE]
-#include <iostream>
-
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+// Times distances of robots' links, ours and others.
+#include "bench/common/benchmarks.h"
 #include "bench/distances/distance_report.h"
 
 namespace link_bounds::bench {
@@ -16,26 +13,11 @@ std::vector<DistanceSetting> distanceSettings() {
   addOurDistances(settings);
 #ifdef LINK_BOUNDS_WITH_FCL
   addFclDistances(settings);
-#else
-  std::cout << "left out, because this system lacks it: fcl\n";
 #endif
 #ifdef LINK_BOUNDS_WITH_BULLET
   addBulletDistances(settings);
-#else
-  std::cout << "left out, because this system lacks it: bullet\n";
 #endif
   return settings;
-}
-
-void printHead() {
-  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
-            << "\npeers: " << LINK_BOUNDS_PEERS
-            << "\n\nnear: pairs within 0.1 m. all: every pair that no joint connects, without a "
-               "limit.\nupdate: all pairs of a pose together, with a limit of 0.1 m.\n"
-               "random: each pose is new. coherent: joints move by at most 0.01 rad.\n"
-               "at rest: no link moves. on a base: all links move together.\n"
-               "us: median, and what 9 of 10 do not exceed\n\n"
-            << std::flush;
 }
 
 /// Of the trees of all links, each counted once; none without triangles.
@@ -53,31 +35,28 @@ std::optional<double> bytesPerTriangle(const DistanceRobot& robot) {
   return sum / static_cast<double>(robot.triangles);
 }
 
-void benchmarkDistances(bool quick, std::ostream* json) {
-  printHead();
+}  // namespace
+
+Rows benchmarkDistances(bool quick) {
   const std::vector<DistanceSetting> settings = distanceSettings();
-  DistanceRows rows;
+  const Table table = distanceTable();
+  DistanceRows found;
+  Rows rows;
   std::vector<double> bytes_per_triangle;
-  const auto add = [&rows](const DistanceRows& more) {
+  const auto add = [&](const DistanceRows& more) {
     for (const DistanceRow& row : more) {
-      print(row, std::cout);
-      rows.push_back(row);
+      table.add(rows.emplace_back(rowOf(row)));
+      found.push_back(row);
     }
   };
-  for (const DistanceRobot& robot :
-       distanceRobots(LINK_BOUNDS_DEMO_URDF, quick ? 5 : 50, std::cout)) {
+  for (const DistanceRobot& robot : distanceRobots(quick ? 5 : 50)) {
     add(measurePairs(robot, settings));
     add(measureUpdates(robot));
     if (const auto bytes = bytesPerTriangle(robot)) bytes_per_triangle.push_back(*bytes);
   }
   add(measureGrowth(settings, quick));
-  printDistanceTargets(rows, bytes_per_triangle, std::cout);
-  if (json) writeDistanceJson(rows, *json);
+  printDistanceTargets(found, bytes_per_triangle);
+  return rows;
 }
 
-}  // namespace
 }  // namespace link_bounds::bench
-
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkDistances);
-}

@@ -1,24 +1,22 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """From a tf message sent to the boxes received, over TCP on this machine: ours, a relay that
 computes nothing, and a usual node of tf2 that sends the same message, or markers; with 200 links
 also ours with spheres for meshes, and ours with one bounded link, which show the parts of the cost,
 and ours while somebody listens to ~distances, too.
-end_to_end.py [--links N ...] [--quick] [--json FILE]
 
 Ours and the relay run one right after the other, for a short time each, and the verdict is the
 median of their ratios: so neither the load nor the speed of the machine at one time decides."""
 import json
-import os
 import statistics
 import subprocess
 import tempfile
 import time
 
-from node_process import (PROGRAMS, Master, cpu_seconds, parser_of, print_target, random_mesh,
-                          wait_for, write_rows)
+from node_process import Master, cpu_seconds, output_of, random_mesh, wait_for
+from report import print_table, print_target
 
+QUICK = "fewer repetitions"
 DEPTH = 10
 SHARED_MESHES = 16
 REPETITIONS = 11
@@ -29,10 +27,10 @@ LONGEST = 1.5
 IDLE = 3
 RATES = [100, 1000]  # Hz
 # Program, what it sends, and its arguments.
-METHODS = {"relay": ("end_to_end_relay", "boxes"),
+METHODS = {"relay": ("relay", "boxes"),
            "ours": ("link_bounds_publisher", "boxes"),
-           "usual_tf2": ("end_to_end_usual_tf2", "boxes", "boxes"),
-           "usual_markers": ("end_to_end_usual_tf2", "markers", "markers"),
+           "usual_tf2": ("usual_tf2", "boxes", "boxes"),
+           "usual_markers": ("usual_tf2", "markers", "markers"),
            "ours_spheres": ("link_bounds_publisher", "boxes"),
            "ours_one_link": ("link_bounds_publisher", "boxes"),
            "ours_distances": ("link_bounds_publisher", "boxes")}
@@ -83,14 +81,11 @@ def start_listener(master):
     wait_for(lambda: LISTENER[-1] in dict(master.parameters.getSystemState()[1]), "listener")
 
 
-def measure(method, process, links, hz):
+def time_of(method, process, links, hz):
     """The figures of one run."""
-    stopwatch = os.path.join(PROGRAMS, "end_to_end_stopwatch")
     seconds = min(LONGEST, max(SHORTEST, MESSAGES / hz))
-    output = subprocess.run(
-        [stopwatch, "/" + method, str(process.pid), METHODS[method][1], str(links), str(DEPTH),
-         str(hz), str(seconds)], check=True, stdout=subprocess.PIPE).stdout
-    return json.loads(output)
+    return json.loads(output_of("stopwatch", "/" + method, process.pid, METHODS[method][1], links,
+                                DEPTH, hz, seconds))
 
 
 def print_idle(nodes, links):
@@ -113,14 +108,14 @@ def run(links, repetitions, folder):
         nodes = {method: master.start_node(METHODS[method][0], "/" + method, *METHODS[method][2:])
                  for method in methods}
         for method in methods:  # from here on ours has its robot
-            measure(method, nodes[method], links, RATES[0])
+            time_of(method, nodes[method], links, RATES[0])
         print_idle(nodes, links)
         if "ours_distances" in methods:
             start_listener(master)
         for repetition in range(repetitions):
             for hz in RATES:
                 for method in order:
-                    runs[method, hz].append(measure(method, nodes[method], links, hz))
+                    runs[method, hz].append(time_of(method, nodes[method], links, hz))
             print("%d links: %d of %d" % (links, repetition + 1, repetitions), flush=True)
     return runs
 
@@ -133,13 +128,6 @@ def row_of(method, links, hz, runs):
                repetitions=len(runs), bytes=runs[-1]["bytes"])
     row.update((count, sum(run[count] for run in runs)) for count in ["sent", "received"])
     return row
-
-
-def print_table(rows):
-    head = ["method", "links", "hz", *FIGURES, "cpu_min", "cpu_max", "bytes", "sent", "received"]
-    print("\n" + "".join("%17s" % title for title in head))
-    for row in rows:
-        print("".join("%17s" % row[title] for title in head))
 
 
 def print_targets(runs, links, hz):
@@ -170,11 +158,12 @@ def print_targets(runs, links, hz):
                                                 for run in runs["ours", hz]], at_most=False)
 
 
-def main():
-    parser = parser_of(__doc__, quick="fewer repetitions")
+def add_options(parser):
     parser.add_argument("--links", type=int, nargs="+", default=[LINKS_OF_ALL],
                         choices=sorted(MAX_RATIO), help="numbers of links (default: %(default)s)")
-    options = parser.parse_args()
+
+
+def measure(options):
     repetitions = QUICK_REPETITIONS if options.quick else REPETITIONS
     rows, results = [], {}
     with tempfile.TemporaryDirectory() as folder:
@@ -184,13 +173,11 @@ def main():
             results[links] = run(links, repetitions, folder)
             rows += [row_of(method, links, hz, runs)
                      for (method, hz), runs in results[links].items()]
-    print_table(rows)
-    print()
+    columns = ["links", "hz", *FIGURES, "cpu_min", "cpu_max", "bytes", "sent", "received"]
+    print_table("Medians of %d repetitions" % repetitions,
+                {"method": "method", **{name: name for name in columns}}, rows, method=14)
+    print("\nTargets")
     for links in options.links:
         for hz in RATES:
             print_targets(results[links], links, hz)
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

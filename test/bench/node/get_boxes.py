@@ -2,24 +2,24 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How long a request for the boxes of 50 links takes beside an empty service of roscpp, over TCP on
-this machine, while all links move at 100 Hz. get_boxes.py [--quick] [--json FILE]
+this machine, while all links move at 100 Hz.
 
 The kinds of calls take turns, and the verdict is the median of their ratios: so neither the load
 nor the speed of the machine at one time decides."""
 import json
-import os
 import statistics
-import subprocess
 import tempfile
 
 from end_to_end import DEPTH, SHARED_MESHES, description
-from node_process import PROGRAMS, Master, parser_of, print_target, random_mesh, write_rows
+from node_process import Master, output_of, random_mesh
+from report import print_table, print_target
 
+QUICK = "fewer repetitions"
 LINKS, HZ = 50, 100
 EMPTY, EMPTY_FRESH = "empty", "empty, fresh connection"
 
 
-def measure(repetitions, calls):
+def runs_of(repetitions, calls):
     """One dict per repetition: the median time of each kind of call [us]."""
     with tempfile.TemporaryDirectory() as folder, Master() as master:
         for i in range(SHARED_MESHES):
@@ -27,30 +27,20 @@ def measure(repetitions, calls):
         master.parameters.setParam("/ours/robot_description", description(
             LINKS, lambda i: '<mesh filename="file://%s/%d.stl"/>' % (folder, i % SHARED_MESHES)))
         master.start_node("link_bounds_publisher", "/ours")
-        master.start_node("get_boxes_empty", "/empty")
-        output = subprocess.run(
-            [os.path.join(PROGRAMS, "get_boxes_client"), *map(str, (LINKS, DEPTH, HZ, repetitions,
-                                                                    calls))],
-            check=True, stdout=subprocess.PIPE).stdout
-    return [json.loads(line) for line in output.splitlines() if line.startswith(b"{")]
+        master.start_node("empty_service", "/empty")
+        output = output_of("service_client", LINKS, DEPTH, HZ, repetitions, calls)
+    return [json.loads(line) for line in output.splitlines() if line.startswith("{")]
 
 
-def main():
-    options = parser_of(__doc__, quick="fewer repetitions").parse_args()
-    runs = measure(*((5, 200) if options.quick else (11, 1000)))
+def measure(options):
+    runs = runs_of(*((5, 200) if options.quick else (11, 1000)))
     rows = [{"call": kind, "p50_us": round(statistics.median(run[kind] for run in runs), 1)}
             for kind in runs[0]]
-    print("\n%-28s%10s" % ("call, 50 links", "p50_us"))
-    for row in rows:
-        print("%-28s%10.1f" % (row["call"], row["p50_us"]))
-    print()
+    print_table("%d links" % LINKS, {"call": "call", "p50_us": "p50_us"}, rows, call=28)
+    print("\nTargets")
     for kind in runs[0]:
         empty = EMPTY_FRESH if "fresh" in kind else EMPTY
         if kind != empty and "span" not in kind:
             print_target("p50, ~get_boxes / an empty service, %s" % kind, 2.0,
                          [run[kind] / run[empty] for run in runs])
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

@@ -1,18 +1,19 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What many objects cost the running node: a thousand that move at 100 Hz, and the memory of ten
-thousand that come and go. many_objects.py [--quick] [--json FILE]"""
+thousand that come and go."""
 import io
 import statistics
 import time
 
 import rospy
-from node_process import Master, cpu_seconds, megabytes, parser_of, wait_for, write_rows
+from node_process import Master, cpu_seconds, megabytes, wait_for
+from report import print_table
 from visualization_msgs.msg import Marker, MarkerArray
 
 from link_bounds.msg import AxisAlignedBoxArray
 
+QUICK = "5 seconds instead of 20"
 MOVING, HZ = 1000, 100
 MANY = 10000
 STEPS = 50  # messages made beforehand, used in turn
@@ -97,8 +98,7 @@ def fill(publisher, boxes, pid):
             "kept_mb": round(megabytes(pid, "VmRSS") - before, 1)}
 
 
-def main():
-    options = parser_of(__doc__, quick="5 seconds instead of 20").parse_args()
+def measure(options):
     with Master() as master:
         rospy.init_node("many_objects", disable_signals=True)
         master.parameters.setParam("/many/node/fixed_frame", "map")
@@ -109,10 +109,6 @@ def main():
         rows = [move(publisher, boxes, node.pid, 5 if options.quick else 20),
                 fill(publisher, boxes, node.pid)]
         rospy.signal_shutdown("done")
-    for row in rows:
-        print(", ".join("%s: %s" % entry for entry in row.items()))
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    names = ["objects", "hz", "core_percent", "p50_ms", "resident_mb", "kept_mb"]
+    print_table("Objects that move, and that come and go", {name: name for name in names}, rows)
+    return rows

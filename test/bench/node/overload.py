@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How old ~boxes are when they come: with 200 links at 100 Hz and 300 objects while nobody else
 listens, and while every optional topic has a listener; and then at twice the rate that this machine
-can serve. overload.py [--stopping] [--quick] [--json FILE]
+can serve.
 
 With --stopping only what is ahead is heard: ~stopping, its markers and overlaps, and ~earliest, of
 links on slides. Otherwise a third row is a node that computes nothing and sends as many boxes, and
@@ -15,16 +14,17 @@ machine at one time decides."""
 import json
 import os
 import statistics
-import subprocess
 
 import rospy
 from bounds_testing import box_link
 from link_bounds.msg import AxisAlignedBoxArray
 from load_testing import LINK_SIZE, description, link_names, touching_cubes
-from node_process import PROGRAMS, Master, parser_of, print_target, wait_for, write_rows
+from node_process import Master, output_of, wait_for
 from raw_subscriber import Reader
+from report import print_table, print_target
 from visualization_msgs.msg import MarkerArray
 
+QUICK = "fewer and shorter repetitions"
 LINKS, OBJECTS, HZ = 200, 300, 100
 NODE, TALKER = "/ours/node", "/talker/node"
 OPTIONAL = ["markers", "parts", "footprint", "overlaps", "distances", "nearest",
@@ -67,10 +67,8 @@ def start(master, robot, parameters):
 
 def drive(hz, seconds, *options, node=NODE):
     """What load_driver measures."""
-    output = subprocess.run(
-        [os.path.join(PROGRAMS, "overload_driver"), *options, str(LINKS), str(hz), str(seconds),
-         node, "/tf:=%s/tf" % os.path.dirname(node)], check=True, stdout=subprocess.PIPE).stdout
-    return json.loads(output)
+    return json.loads(output_of("bench_load", *options, LINKS, hz, seconds, node,
+                                "/tf:=%s/tf" % os.path.dirname(node)))
 
 
 def boxes_now():
@@ -128,14 +126,14 @@ def rate_not_served():
     return high
 
 
-def measure(repetitions, seconds):
+def measure_all(repetitions, seconds):
     """{row: [figures of each repetition]}"""
     runs = {"nobody": [], "every topic": [], "bytes alone": [], "every topic, overload": []}
     with Master() as master:
         start(master, description(LINKS), PARAMETERS)
         drive(HZ, 1)
         wait_for(lambda: boxes_now() == 1 + LINKS + OBJECTS, "boxes of the scene")
-        master.start_node("end_to_end_relay", "/talker", str(1 + LINKS + OBJECTS), *traffic(seconds))
+        master.start_node("relay", "/talker", str(1 + LINKS + OBJECTS), *traffic(seconds))
         for repetition in range(repetitions):
             runs["nobody"].append(drive(HZ, seconds))
             runs["every topic"].append(with_listeners(lambda: drive(HZ, seconds)))
@@ -188,23 +186,16 @@ def row_of(listeners, runs):
     return row
 
 
-def print_table(rows):
-    print("\n" + "".join("%23s" % title if title == "listeners" else "%10s" % title
-                         for title in rows[0]))
-    for row in rows:
-        print("".join("%23s" % value if title == "listeners" else "%10s" % value
-                      for title, value in row.items()))
-    print()
-
-
-def main():
-    parser = parser_of(__doc__, quick="fewer and shorter repetitions")
+def add_options(parser):
     parser.add_argument("--stopping", action="store_true", help="only the topics of what is ahead")
-    options = parser.parse_args()
+
+
+def measure(options):
     size = (3, 2) if options.quick else (11, 5)
-    runs = measure_ahead(*size) if options.stopping else measure(*size)
+    runs = measure_ahead(*size) if options.stopping else measure_all(*size)
     rows = [row_of(*entry) for entry in runs.items()]
-    print_table(rows)
+    print_table("The age of ~boxes", {name: name for name in rows[0]}, rows, listeners=21)
+    print("\nTargets")
     if options.stopping:
         print_target("p99 of the age, stopping topics heard / nobody", LIMIT_RATIO_AHEAD,
                      ratios(runs, "stopping topics"))
@@ -213,8 +204,4 @@ def main():
                      ratios(runs, "every topic"))
         print_target("ms, oldest boxes at twice the rate that can be served", LIMIT_MS,
                      [run["max_ms"] for run in runs["every topic, overload"]])
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

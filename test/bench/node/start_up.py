@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """From the start of the node's process to its first boxes that lack nothing, all meshes loaded; and
-the memory of the node then, and of its tables. start_up.py [--quick] [--json FILE]"""
+the memory of the node then, and of its tables."""
 import os
 import pathlib
 import re
@@ -14,11 +14,13 @@ import xml.etree.ElementTree as ElementTree
 
 import rospy
 from geometry_msgs.msg import TransformStamped
-from node_process import DEADLINE, PROGRAMS, Master, megabytes, parser_of, write_rows
+from node_process import DEADLINE, PROGRAMS, Master, megabytes
+from report import Table
 from tf2_msgs.msg import TFMessage
 
 from link_bounds.msg import AxisAlignedBoxArray
 
+QUICK = "3 repetitions"
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 DATA = os.environ.get("LINK_BOUNDS_DATA")
 ROBOTS = {"demo": str(REPOSITORY / "launch/demo/demo.urdf")}
@@ -72,7 +74,7 @@ def tables_of(path):
             "loading_mb": round(int(peak.group(1)) * 1024 / 1e6, 1)}
 
 
-def measure(robot, repetitions, master):
+def row_of(robot, repetitions, master):
     with open(ROBOTS[robot], encoding="utf-8") as file:
         description = file.read()
     master.parameters.setParam("/%s/robot_description" % robot, description)
@@ -87,21 +89,18 @@ def measure(robot, repetitions, master):
     return row
 
 
-def main():
-    options = parser_of(__doc__, quick="3 repetitions").parse_args()
+def measure(options):
     if not DATA:
         print("LINK_BOUNDS_DATA is not set: only the demo's robot is measured")
+    table = Table("From the start to complete boxes", {
+        "robot": "robot", "median_ms": "ms", "shortest_ms": "shortest", "longest_ms": "longest",
+        "starts": "starts", "resident_mb": "node MB", "peak_mb": "peak MB", "files": "mesh files",
+        "tables_mb": "tables MB", "loading_mb": "loading MB"}, robot=6)
     rows = []
     with Master() as master:
         rospy.init_node("start_up", disable_signals=True)
         for robot in ROBOTS:
-            rows.append(measure(robot, 3 if options.quick else 11, master))
-            print("%(robot)-6s %(median_ms)6.0f ms (from %(shortest_ms).0f to %(longest_ms).0f in "
-                  "%(starts)d starts), node %(resident_mb).0f MB, at the peak %(peak_mb).0f MB; "
-                  "%(files)d mesh files take %(tables_mb).1f MB" % rows[-1], flush=True)
+            rows.append(row_of(robot, 3 if options.quick else 11, master))
+            table.add(rows[-1])
         rospy.signal_shutdown("done")
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <ostream>
 #include <set>
 
 #include "bench/common/result.h"
+#include "bench/common/table.h"
 #include "bench/common/target.h"
 
 namespace link_bounds::bench {
@@ -40,56 +39,60 @@ double ratioToFaster(const OverlapResult& ours, const OverlapResults& results) {
   return largest;
 }
 
-}  // namespace
-
-void printOverlaps(const OverlapResults& results, std::ostream& out) {
-  out << "us per step, medians\n" << std::fixed;
+Rows rowsOf(const OverlapResults& results) {
+  Rows rows;
   for (const OverlapResult& result : results) {
-    out << std::left << std::setw(20) << result.scene << std::right << std::setw(6) << result.boxes
-        << " boxes" << std::setw(6) << result.pairs << " pairs  " << std::left << std::setw(7)
-        << result.method << std::right << std::setprecision(1) << std::setw(9)
-        << median(result.us_per_round);
-    if (result.method == kOurs) {
-      out << std::setprecision(2) << "  " << ratioToFaster(result, results)
-          << " of the faster peer's\n";
-    } else {
-      out << "  " << result.setting << "\n";
-    }
+    const bool is_ours = result.method == kOurs;
+    rows.push_back({{"method", result.method},
+                    {"scene", result.scene},
+                    {"boxes", result.boxes},
+                    {"us_per_step", median(result.us_per_round)},
+                    {"pairs", result.pairs},
+                    {"setting", result.setting},
+                    {"of_faster_peer", is_ours ? Value(ratioToFaster(result, results)) : Value()}});
   }
+  return rows;
 }
 
-void printOverlapTargets(const OverlapResults& results, std::ostream& out) {
-  out << "\nTargets for ours / the faster peer\n" << std::fixed << std::setprecision(2);
+/// For scenes of that many boxes.
+std::vector<Target> targetsOf(const OverlapResults& results, std::size_t size) {
+  std::vector<double> values;
+  for (const OverlapResult& result : results) {
+    const bool is_meant = result.method == kOurs && result.boxes == size;
+    const double value = is_meant ? ratioToFaster(result, results) : std::nan("");
+    if (!std::isnan(value)) values.push_back(value);
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<double> slowest(values);
+  if (!values.empty()) slowest.assign(1, values.back());
+  const std::string text = "overlaps / faster peer, " + std::to_string(size) + " boxes";
+  return {{text, Wanted::kAtMost, kMaxMedian, values},
+          {text + ", slowest scene", Wanted::kAtMost, kMaxOfAnyScene, slowest}};
+}
+
+}  // namespace
+
+Rows reportOverlaps(const OverlapResults& results) {
+  const Rows rows = rowsOf(results);
+  printTable("us per step, medians",
+             {{"scene", "", 20},
+              {"boxes"},
+              {"pairs"},
+              {"method", "", 7},
+              {"us_per_step", "us"},
+              {"of_faster_peer", "of the faster peer's"},
+              {"setting", "", 22}},
+             rows);
   std::set<std::size_t> sizes;
   for (const OverlapResult& result : results)
     sizes.insert(result.boxes);
+  std::vector<Target> targets;
   for (const std::size_t size : sizes) {
-    std::vector<double> values;
-    for (const OverlapResult& result : results) {
-      const bool is_meant = result.method == kOurs && result.boxes == size;
-      const double value = is_meant ? ratioToFaster(result, results) : std::nan("");
-      if (!std::isnan(value)) values.push_back(value);
-    }
-    const std::string text = "overlaps / faster peer, " + std::to_string(size) + " boxes";
-    std::sort(values.begin(), values.end());
-    std::vector<double> slowest(values);
-    if (!values.empty()) slowest.assign(1, values.back());
-    print({text, Wanted::kAtMost, kMaxMedian, values}, "scene", "scenes", out);
-    print({text + ", slowest scene", Wanted::kAtMost, kMaxOfAnyScene, slowest}, "scene", "scenes",
-          out);
+    for (const Target& target : targetsOf(results, size))
+      targets.push_back(target);
   }
-}
-
-void writeOverlapJson(const OverlapResults& results, std::ostream& out) {
-  const char* separator = "[\n";
-  for (const OverlapResult& result : results) {
-    out << separator << "{\"method\": " << std::quoted(result.method)
-        << ", \"scene\": " << std::quoted(result.scene) << ", \"boxes\": " << result.boxes
-        << ", \"us_per_step\": " << std::to_string(median(result.us_per_round))
-        << ", \"pairs\": " << result.pairs << "}";
-    separator = ",\n";
-  }
-  out << "\n]\n";
+  printTargets(" for ours / the faster peer", targets);
+  return rows;
 }
 
 }  // namespace link_bounds::bench

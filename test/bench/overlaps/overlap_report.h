@@ -3,16 +3,12 @@
 // Reports times of overlap searches, and whether they reach their targets.
 #pragma once
 
-#include <iosfwd>
-
+#include "bench/common/row.h"
 #include "bench/overlaps/overlap_rounds.h"
 
 namespace link_bounds::bench {
 
-void printOverlaps(const OverlapResults& results, std::ostream& out);
-void printOverlapTargets(const OverlapResults& results, std::ostream& out);
-
-/// An array with one object per result.
-void writeOverlapJson(const OverlapResults& results, std::ostream& out);
+/// Prints the table and the targets; returns the rows.
+Rows reportOverlaps(const OverlapResults& results);
 
 }  // namespace link_bounds::bench

@@ -3,8 +3,6 @@
 // Measures processor time, which other programs disturb less than elapsed time.
 #include "bench/overlaps/overlap_rounds.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -12,7 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "bench/common/result.h"
+#include "bench/common/timing.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -33,12 +31,6 @@ struct Contender {
 
 using Round = std::vector<SceneBoxes>;
 
-double microseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e6 + static_cast<double>(time.tv_nsec) * 1e-3;
-}
-
 using SortedPairs = std::vector<std::tuple<std::size_t, std::size_t, double>>;
 
 SortedPairs sorted(const std::vector<BoxPair>& pairs) {
@@ -56,9 +48,9 @@ std::vector<std::size_t> run(const Round& round, Contender& contender) {
   std::vector<std::size_t> counts;
   for (const SceneBoxes& boxes : round) {
     contender.method->prepare(boxes);
-    const double start = microseconds();
+    const double start = threadSeconds();
     contender.method->step(boxes);
-    sum += microseconds() - start;
+    sum += (threadSeconds() - start) * 1e6;
     counts.push_back(contender.method->pairs.size());
   }
   contender.result.us_per_round.push_back(sum / static_cast<double>(round.size()));

@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times overlap searches of many moving boxes, ours and others: overlaps_bench [--quick] [--json
-// FILE]
-#include <iostream>
-
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+// Times overlap searches of many moving boxes, ours and others.
+#include "bench/common/benchmarks.h"
 #include "bench/overlaps/overlap_report.h"
 
 namespace link_bounds::bench {
@@ -20,21 +16,16 @@ std::vector<OverlapSetting> overlapSettings() {
   addOurOverlaps(settings);
 #ifdef LINK_BOUNDS_WITH_FCL
   addFclOverlaps(settings);
-#else
-  std::cout << "left out, because this system lacks it: fcl\n";
 #endif
 #ifdef LINK_BOUNDS_WITH_BULLET
   addBulletOverlaps(settings);
-#else
-  std::cout << "left out, because this system lacks it: bullet\n";
 #endif
   return settings;
 }
 
-void benchmarkOverlaps(bool quick, std::ostream* json) {
-  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
-            << "\npeers: " << LINK_BOUNDS_PEERS << "\n\n"
-            << std::flush;
+}  // namespace
+
+Rows benchmarkOverlaps(bool quick) {
   const std::vector<OverlapSetting> settings = overlapSettings();
   OverlapResults results;
   for (const std::size_t count : {kFewBoxes, kManyBoxes}) {
@@ -44,14 +35,7 @@ void benchmarkOverlaps(bool quick, std::ostream* json) {
         results.push_back(std::move(result));
     }
   }
-  printOverlaps(results, std::cout);
-  printOverlapTargets(results, std::cout);
-  if (json) writeOverlapJson(results, *json);
+  return reportOverlaps(results);
 }
 
-}  // namespace
 }  // namespace link_bounds::bench
-
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkOverlaps);
-}

@@ -3,14 +3,13 @@
 // A repetition is a turn of each method, in random order.
 #include "bench/pipeline/contest.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <optional>
 #include <random>
 #include <stdexcept>
 
 #include "bench/common/cold.h"
+#include "bench/common/timing.h"
 #include "bench/pipeline/tf_traffic.h"
 
 namespace link_bounds::bench {
@@ -18,12 +17,6 @@ namespace {
 
 constexpr std::size_t kHistory = 10000;  // messages
 constexpr double kTurn = 0.02;           // seconds
-
-double cpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
-}
 
 /// One method and the messages it is fed with.
 class Contender {
@@ -57,10 +50,10 @@ class Contender {
   }
 
   double warmBatch() {
-    const double start = cpuSeconds();
+    const double start = threadSeconds();
     for (std::size_t k = 0; k < TfTraffic::kMessages; ++k)
       named_.pipeline->answer(traffic_.bytes(k), traffic_.stamp(k));
-    return cpuSeconds() - start;
+    return threadSeconds() - start;
   }
 
   /// The clock is read twice before each update, because its own code was put out of the caches.
@@ -68,10 +61,10 @@ class Contender {
     double seconds = 0;
     for (std::size_t k = 0; k < TfTraffic::kMessages; ++k) {
       emptyCaches();
-      cpuSeconds();
-      const double start = cpuSeconds();
+      threadSeconds();
+      const double start = threadSeconds();
       named_.pipeline->answer(traffic_.bytes(k), traffic_.stamp(k));
-      seconds += cpuSeconds() - start;
+      seconds += threadSeconds() - start;
     }
     return seconds;
   }

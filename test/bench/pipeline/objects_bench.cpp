@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From markers that have arrived to boxes: objects_bench [--quick] [--json FILE]
+// From markers that have arrived to boxes.
 #include <malloc.h>
 
-#include <iomanip>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
 #include "bench/common/suite.h"
+#include "bench/common/table.h"
 #include "bench/common/target.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "node/upkeep/heap.h"
@@ -153,24 +151,15 @@ Suite makeSuite() {
   return suite;
 }
 
-double nsPerPoint(const Result& result) {
-  return result.ns / static_cast<double>(result.vertices);
-}
-
-void printTable(const Results& results, std::ostream& out) {
-  out << "ns per point\n"
-      << std::left << std::setw(16) << "type" << std::right << std::setw(9) << "points"
-      << std::setw(9) << "ours" << std::setw(11) << "ours_kept" << std::setw(9) << "rescan"
-      << std::setw(9) << "minmax"
-      << "\n"
-      << std::fixed << std::setprecision(2);
+Rows rowsPerPoint(const Results& results) {
+  Rows rows;
   for (const Result& result : results) {
-    if (result.method == "ours")
-      out << std::left << std::setw(16) << result.kind << std::right << std::setw(9)
-          << result.vertices;
-    out << std::setw(result.method == "ours_kept" ? 11 : 9) << nsPerPoint(result)
-        << (result.method == "minmax" ? "\n" : "");
+    rows.push_back({{"method", result.method},
+                    {"type", result.kind},
+                    {"points", result.vertices},
+                    {"ns_per_point", result.ns / static_cast<double>(result.vertices)}});
   }
+  return rows;
 }
 
 std::vector<double> growth(const Results& results, const std::string& method) {
@@ -185,41 +174,28 @@ std::vector<double> growth(const Results& results, const std::string& method) {
   return ratios;
 }
 
-void printTargets(const Results& results, std::ostream& out) {
+std::vector<Target> targets(const Results& results) {
   const auto many = [](const Result& result) { return result.vertices == kMany; };
-  out << "\nTargets\n";
+  std::vector<Target> targets;
   for (const std::string method : {"ours", "ours_kept"}) {
-    print(
-        {method + ", 100,000 points / 10,000 points", Wanted::kAtMost, 12, growth(results, method)},
-        "type", "types", out);
-    print({method + " / minmax, 100,000 points", Wanted::kAtMost, 3,
-           ratios(results, method, "minmax", many)},
-          "type", "types", out);
+    targets.push_back({method + ", 100,000 points / 10,000 points", Wanted::kAtMost, 12,
+                       growth(results, method)});
+    targets.push_back({method + " / minmax, 100,000 points", Wanted::kAtMost, 3,
+                       ratios(results, method, "minmax", many)});
   }
-}
-
-void writeJson(const Results& results, std::ostream& out) {
-  const char* separator = "[\n";
-  for (const Result& result : results) {
-    out << separator << "{\"method\": \"" << result.method << "\", \"type\": \"" << result.kind
-        << "\", \"points\": " << result.vertices << ", \"ns_per_point\": " << nsPerPoint(result)
-        << "}";
-    separator = ",\n";
-  }
-  out << "\n]\n";
-}
-
-void benchmarkObjects(bool quick, std::ostream* json) {
-  std::cout << "CPU: " << cpuName() << "\n\n" << std::flush;
-  const Results results = run(makeSuite(), quick ? 5 : 15, quick ? 0.01 : 0.05);
-  printTable(results, std::cout);
-  printTargets(results, std::cout);
-  if (json) writeJson(results, *json);
+  return targets;
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkObjects);
+Rows benchmarkObjects(bool quick) {
+  const Results results = run(makeSuite(), quick ? 5 : 15, quick ? 0.01 : 0.05);
+  const Rows rows = rowsPerPoint(results);
+  printTable("ns per point",
+             {{"type", "", 16}, {"points"}, {"ours"}, {"ours_kept"}, {"rescan"}, {"minmax"}},
+             pivot(rows, {"type", "points"}, "method", "ns_per_point"));
+  printTargets("", targets(results));
+  return rows;
 }
+
+}  // namespace link_bounds::bench

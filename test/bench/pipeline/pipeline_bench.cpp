@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the bytes of a TFMessage to boxes: pipeline_bench [--cold] [--quick] [--json FILE]
+// From the bytes of a TFMessage to boxes.
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <iostream>
 
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
 #include "bench/common/result.h"
+#include "bench/common/table.h"
 #include "bench/common/target.h"
 #include "bench/pipeline/cold_stages.h"
 #include "bench/pipeline/contest.h"
@@ -29,19 +28,44 @@ double medianOf(const Contest& contest, const std::string& method) {
   return median(contest.ns_per_link.at(method));
 }
 
-void printRow(const Contest& contest, std::ostream& out) {
-  out << std::setw(7) << contest.links << std::setw(7) << contest.depth;
-  for (const char* method : kMethods)
-    out << std::setw(15) << medianOf(contest, method);
-  out << "\n";
+/// One row per method.
+Rows rowsOf(const Contest& contest) {
+  Rows rows;
+  for (const char* method : kMethods) {
+    rows.push_back({{"method", method},
+                    {"links", contest.links},
+                    {"depth", contest.depth},
+                    {"ns_per_link", medianOf(contest, method)}});
+  }
+  return rows;
 }
 
-void printHead(std::ostream& out) {
-  out << "CPU: " << cpuName() << "\n\nns per link and update\n  links  depth";
-  for (const char* method : kMethods)
-    out << std::setw(15) << method;
-  out << "\n" << std::fixed << std::setprecision(1);
-}
+/// Measures contests, and prints each as a row with a column per method.
+class ContestTable {
+ public:
+  void add(Contest contest) {
+    const Rows rows = rowsOf(contest);
+    for (const Row& row : pivot(rows, {"links", "depth"}, "method", "ns_per_link"))
+      table_.add(row);
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    contests_.push_back(std::move(contest));
+  }
+
+  const std::vector<Contest>& contests() const { return contests_; }
+  const Rows& rows() const { return rows_; }
+
+ private:
+  static std::vector<Column> columns() {
+    std::vector<Column> columns{{"links"}, {"depth"}};
+    for (const char* method : kMethods)
+      columns.push_back({method});
+    return columns;
+  }
+
+  Table table_{"ns per link and update", columns()};
+  std::vector<Contest> contests_;
+  Rows rows_;
+};
 
 /// Ratios of one repetition each.
 std::vector<double> ratiosOf(const std::vector<double>& times, const std::vector<double>& others) {
@@ -51,35 +75,31 @@ std::vector<double> ratiosOf(const std::vector<double>& times, const std::vector
   return ratios;
 }
 
-void printTargets(const Contest& contest, std::ostream& out) {
+std::vector<Target> targetsOf(const Contest& contest) {
   const std::string where =
       ", " + std::to_string(contest.links) + " links, depth " + std::to_string(contest.depth);
   const auto& times = contest.ns_per_link;
-  const auto ratio = [&](const char* method, const char* other) {
-    return ratiosOf(times.at(method), times.at(other));
-  };
-  const auto show = [&out](const Target& target) {
-    print(target, "repetition", "repetitions", out);
-  };
+  std::vector<Target> targets;
   if (contest.links <= kMaxTargetLinks)
-    show({"ours / deserialize" + where, Wanted::kAtMost, 4, ratio("ours", "deserialize")});
-  show({"usual_tf2 / ours" + where, Wanted::kAtLeast, 10, ratio("usual_tf2", "ours")});
+    targets.push_back({"ours / deserialize" + where, Wanted::kAtMost, 4,
+                       ratiosOf(times.at("ours"), times.at("deserialize"))});
+  targets.push_back({"usual_tf2 / ours" + where, Wanted::kAtLeast, 10,
+                     ratiosOf(times.at("usual_tf2"), times.at("ours"))});
+  return targets;
 }
 
-void printColdTargets(const Contest& contest, std::ostream& out) {
-  if (contest.links > kMaxTargetLinks) return;
+std::vector<Target> coldTargetsOf(const Contest& contest) {
+  if (contest.links > kMaxTargetLinks) return {};
   const std::string where = ", " + std::to_string(contest.links) + " links";
   const auto& times = contest.ns_per_link;
-  print({"cold: ours / deserialize" + where, Wanted::kAtMost, 4,
-         ratiosOf(times.at("ours"), times.at("deserialize"))},
-        "repetition", "repetitions", out);
-  print({"cold: usual_tf2 / ours" + where, Wanted::kAtLeast, 6,
-         ratiosOf(times.at("usual_tf2"), times.at("ours"))},
-        "repetition", "repetitions", out);
+  return {{"cold: ours / deserialize" + where, Wanted::kAtMost, 4,
+           ratiosOf(times.at("ours"), times.at("deserialize"))},
+          {"cold: usual_tf2 / ours" + where, Wanted::kAtLeast, 6,
+           ratiosOf(times.at("usual_tf2"), times.at("ours"))}};
 }
 
 /// From 50 to 1000 links; the repetitions of different robots are not from the same moment.
-void printGrowth(const std::vector<Contest>& contests, std::size_t depth, std::ostream& out) {
+std::vector<Target> growthOf(const std::vector<Contest>& contests, std::size_t depth) {
   const auto find = [&](std::size_t links) {
     return std::find_if(contests.begin(), contests.end(), [&](const Contest& contest) {
       return contest.links == links && contest.depth == depth;
@@ -87,89 +107,64 @@ void printGrowth(const std::vector<Contest>& contests, std::size_t depth, std::o
   };
   const auto few = find(50);
   const auto many = find(1000);
-  if (many == contests.end()) return;
-  print({"ours per link, 1000 links / 50 links, depth " + std::to_string(depth), Wanted::kAtMost, 3,
-         ratiosOf(many->ns_per_link.at("ours"), few->ns_per_link.at("ours"))},
-        "repetition", "repetitions", out);
+  if (many == contests.end()) return {};
+  return {{"ours per link, 1000 links / 50 links, depth " + std::to_string(depth), Wanted::kAtMost,
+           3, ratiosOf(many->ns_per_link.at("ours"), few->ns_per_link.at("ours"))}};
 }
 
-/// The rows of a JSON list, without its end.
-void writeJson(const std::vector<Contest>& contests, std::ostream& out) {
-  const char* separator = "[\n";
-  for (const Contest& contest : contests) {
-    for (const char* method : kMethods) {
-      out << separator << "{\"method\": \"" << method << "\", \"links\": " << contest.links
-          << ", \"depth\": " << contest.depth << ", \"ns_per_link\": " << medianOf(contest, method)
-          << "}";
-      separator = ",\n";
-    }
+void append(const std::vector<Target>& more, std::vector<Target>& targets) {
+  targets.insert(targets.end(), more.begin(), more.end());
+}
+
+/// One row per stage of ours.
+Rows measureStages(std::size_t links, const MeasuredMeshes& meshes, bool quick) {
+  const Table table("ours by stage, " + std::to_string(links) + " links",
+                    {{"stage", "", 20}, {"ns_per_link", "ns per link"}});
+  Rows rows;
+  for (const StageTime& stage : coldStages(links, kColdDepth, meshes, quick ? 64 : 256)) {
+    table.add(rows.emplace_back(
+        Row{{"stage", stage.name}, {"links", links}, {"ns_per_link", stage.ns_per_link}}));
   }
-}
-
-void printStages(std::size_t links, const std::vector<StageTime>& stages, std::ostream& out) {
-  out << "\nours by stage, " << links << " links, ns per link\n";
-  for (const StageTime& stage : stages)
-    out << "  " << std::left << std::setw(20) << stage.name << std::right << std::setw(10)
-        << stage.ns_per_link << "\n";
-  out << std::flush;
-}
-
-/// Rows after others.
-void writeStages(std::size_t links, const std::vector<StageTime>& stages, std::ostream& out) {
-  for (const StageTime& stage : stages)
-    out << ",\n{\"stage\": \"" << stage.name << "\", \"links\": " << links
-        << ", \"ns_per_link\": " << stage.ns_per_link << "}";
-}
-
-void benchmarkPipeline(bool quick, std::ostream* json) {
-  const MeasuredMeshes meshes = sharedMeshes(false, std::cout);
-  printHead(std::cout);
-  std::vector<Contest> contests;
-  for (const std::size_t links : kLinkCounts) {
-    for (const std::size_t depth : kDepths) {
-      if (quick && links > kMaxTargetLinks) continue;
-      contests.push_back(contest(links, depth, meshes, quick ? 5 : 15, Caches::kWarm));
-      printRow(contests.back(), std::cout);
-      std::cout << std::flush;
-    }
-  }
-  std::cout << "\nTargets\n" << std::setprecision(2);
-  for (const Contest& contest : contests)
-    printTargets(contest, std::cout);
-  for (const std::size_t depth : kDepths)
-    printGrowth(contests, depth, std::cout);
-  if (!json) return;
-  writeJson(contests, *json);
-  *json << "\n]\n";
-}
-
-void benchmarkCold(bool quick, std::ostream* json) {
-  const MeasuredMeshes meshes = sharedMeshes(false, std::cout);
-  std::cout << "The caches are emptied before each update.\n";
-  printHead(std::cout);
-  std::vector<Contest> contests;
-  for (const std::size_t links : kColdLinkCounts) {
-    if (quick && links > kMaxTargetLinks) continue;
-    contests.push_back(contest(links, kColdDepth, meshes, quick ? 5 : 15, Caches::kCold));
-    printRow(contests.back(), std::cout);
-    std::cout << std::flush;
-  }
-  if (json) writeJson(contests, *json);
-  for (const Contest& contest : contests) {
-    const auto stages = coldStages(contest.links, kColdDepth, meshes, quick ? 64 : 256);
-    printStages(contest.links, stages, std::cout);
-    if (json) writeStages(contest.links, stages, *json);
-  }
-  if (json) *json << "\n]\n";
-  std::cout << "\nTargets\n" << std::setprecision(2);
-  for (const Contest& contest : contests)
-    printColdTargets(contest, std::cout);
+  return rows;
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkPipeline,
-                                          link_bounds::bench::benchmarkCold);
+Rows benchmarkPipeline(bool quick) {
+  const MeasuredMeshes meshes = sharedMeshes(false);
+  ContestTable table;
+  for (const std::size_t links : kLinkCounts) {
+    for (const std::size_t depth : kDepths) {
+      if (quick && links > kMaxTargetLinks) continue;
+      table.add(contest(links, depth, meshes, quick ? 5 : 15, Caches::kWarm));
+    }
+  }
+  std::vector<Target> targets;
+  for (const Contest& contest : table.contests())
+    append(targetsOf(contest), targets);
+  for (const std::size_t depth : kDepths)
+    append(growthOf(table.contests(), depth), targets);
+  printTargets("", targets);
+  return table.rows();
 }
+
+Rows benchmarkPipelineCold(bool quick) {
+  const MeasuredMeshes meshes = sharedMeshes(false);
+  std::cout << "The caches are emptied before each update.\n";
+  ContestTable table;
+  for (const std::size_t links : kColdLinkCounts) {
+    if (quick && links > kMaxTargetLinks) continue;
+    table.add(contest(links, kColdDepth, meshes, quick ? 5 : 15, Caches::kCold));
+  }
+  Rows rows = table.rows();
+  std::vector<Target> targets;
+  for (const Contest& contest : table.contests()) {
+    const Rows stages = measureStages(contest.links, meshes, quick);
+    rows.insert(rows.end(), stages.begin(), stages.end());
+    append(coldTargetsOf(contest), targets);
+  }
+  printTargets("", targets);
+  return rows;
+}
+
+}  // namespace link_bounds::bench

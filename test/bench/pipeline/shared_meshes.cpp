@@ -15,8 +15,8 @@ constexpr std::size_t kSharedMeshes = 16;
 
 }  // namespace
 
-MeasuredMeshes sharedMeshes(bool quick, std::ostream& notes) {
-  MeasuredMeshes meshes = chooseMeshes(LINK_BOUNDS_DEMO_MESHES, quick, notes);
+MeasuredMeshes sharedMeshes(bool quick) {
+  MeasuredMeshes meshes = chooseMeshes(quick);
   const auto end = std::remove_if(meshes.begin(), meshes.end(), [](const MeasuredMesh& mesh) {
     return mesh.kind != "robot" || mesh.points->size() <= kScannedPoints;
   });

@@ -3,13 +3,11 @@
 // The meshes that the links of a measured robot share.
 #pragma once
 
-#include <iosfwd>
-
 #include "bench/common/measured_mesh.h"
 
 namespace link_bounds::bench {
 
 /// At most 16 of all robots in LINK_BOUNDS_DATA, or of some of them if `quick`; see chooseMeshes().
-MeasuredMeshes sharedMeshes(bool quick, std::ostream& notes);
+MeasuredMeshes sharedMeshes(bool quick);
 
 }  // namespace link_bounds::bench

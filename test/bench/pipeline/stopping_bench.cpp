@@ -4,15 +4,14 @@
 // robots of LINK_BOUNDS_DATA, else on that of the demo. Distances are those of convex hulls.
 #include <algorithm>
 #include <chrono>
-#include <iomanip>
-#include <iostream>
 
-#include "bench/common/benchmark_main.h"
+#include "bench/common/benchmarks.h"
+#include "bench/common/robots.h"
+#include "bench/common/table.h"
 #include "bench/common/target.h"
 #include "bench/common/timing.h"
 #include "testing/import_alone.h"
 #include "testing/moving_robot.h"
-#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -32,7 +31,7 @@ struct Limit {
 constexpr Limit kLimits[] = {{"panda", 100}, {"gen3_robotiq_2f_85", 100}, {"pr2", 1000}};
 
 /// Times of an update [us], the median of each round.
-struct Row {
+struct Times {
   std::string robot;
   std::size_t joints;
   std::size_t links;              ///< with a box
@@ -41,7 +40,7 @@ struct Row {
   std::vector<double> earliest{};
 };
 
-Row measureRobot(const RobotFile& file, int repetitions) {
+Times measureRobot(const RobotFile& file, int repetitions) {
   const std::string urdf = textOf(file.urdf);
   const Robot description = parseRobot(urdf);
   Parameters parameters;
@@ -66,76 +65,59 @@ Row measureRobot(const RobotFile& file, int repetitions) {
   ContactTimes contacts({[](const auto&, const auto&) {}, [](const auto&) {}});
   const auto time = std::chrono::steady_clock::now();
   const auto scene = robot.copy();
-  Row row{file.name(), moving, robot.model()->links.size()};
+  Times result{file.name(), moving, robot.model()->links.size()};
   const auto measure = [repetitions](std::vector<double>& times, const auto& function) {
     times.push_back(medianTime<std::micro>(repetitions, function));
   };
   for (int round = 0; round < kRounds; ++round) {
-    measure(row.copying, [&] { robot.copy(); });
-    measure(row.stopping, [&] { stoppingBoxes(*scene, rules); });
-    measure(row.earliest,
+    measure(result.copying, [&] { robot.copy(); });
+    measure(result.stopping, [&] { stoppingBoxes(*scene, rules); });
+    measure(result.earliest,
             [&] { contacts.compute(*scene, rules, nullptr, time, [] { return false; }); });
   }
-  return row;
+  return result;
 }
 
-std::vector<Row> measureAll(int repetitions) {
-  std::vector<Row> rows;
-  for (const RobotFile& file : robotsOrDemo(LINK_BOUNDS_DEMO_URDF, std::cout))
-    rows.push_back(measureRobot(file, repetitions));
-  return rows;
+Row rowOf(const Times& times) {
+  return {{"robot", times.robot},
+          {"joints", times.joints},
+          {"links", times.links},
+          {"copying_us", median(times.copying)},
+          {"stopping_us", median(times.stopping)},
+          {"earliest_us", median(times.earliest)}};
 }
 
-void printTable(const std::vector<Row>& rows) {
-  std::cout
-      << "us per update, median\n\n| robot | joints | links | copying, on the update thread | "
-         "~stopping | ~earliest |\n|---|---:|---:|---:|---:|---:|\n"
-      << std::fixed << std::setprecision(0);
-  for (const Row& row : rows) {
-    std::cout << "| " << row.robot << " | " << row.joints << " | " << row.links << " | "
-              << median(row.copying) << " | " << median(row.stopping) << " | "
-              << median(row.earliest) << " |\n";
-  }
-}
-
-void printTargets(const std::vector<Row>& rows) {
-  std::cout << "\nTargets, us per update\n";
-  for (const Limit& limit : kLimits) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&limit](const Row& each) { return each.robot == limit.robot; });
-    const std::string robot = limit.robot;
-    const bool is_there = row != rows.end();
-    print({"~stopping of " + robot, Wanted::kAtMost, limit.us,
-           is_there ? row->stopping : std::vector<double>()},
-          "run", "runs", std::cout);
-    print({"~earliest of " + robot, Wanted::kAtMost, limit.us,
-           is_there ? row->earliest : std::vector<double>()},
-          "run", "runs", std::cout);
-  }
-}
-
-void write(const std::vector<Row>& rows, std::ostream& json) {
-  json << "[";
-  for (const Row& row : rows) {
-    json << (&row == &rows.front() ? "" : ",") << "\n  {\"robot\": \"" << row.robot
-         << "\", \"joints\": " << row.joints << ", \"links\": " << row.links
-         << ", \"copying_us\": " << median(row.copying)
-         << ", \"stopping_us\": " << median(row.stopping)
-         << ", \"earliest_us\": " << median(row.earliest) << "}";
-  }
-  json << "\n]\n";
-}
-
-void measure(bool quick, std::ostream* json) {
-  const std::vector<Row> rows = measureAll(quick ? 10 : 100);
-  printTable(rows);
-  printTargets(rows);
-  if (json) write(rows, *json);
+/// Of one robot; without values if it was not measured.
+std::vector<Target> targetsOf(const Limit& limit, const std::vector<Times>& all) {
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&limit](const Times& times) { return times.robot == limit.robot; });
+  const Times times = found == all.end() ? Times{limit.robot, 0, 0} : *found;
+  return {{"~stopping of " + times.robot, Wanted::kAtMost, limit.us, times.stopping},
+          {"~earliest of " + times.robot, Wanted::kAtMost, limit.us, times.earliest}};
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::measure);
+Rows benchmarkStopping(bool quick) {
+  const Table table("us per update, median", {{"robot", "", 20},
+                                              {"joints"},
+                                              {"links"},
+                                              {"copying_us", "copying, on the update thread"},
+                                              {"stopping_us", "~stopping"},
+                                              {"earliest_us", "~earliest"}});
+  std::vector<Times> all;
+  Rows rows;
+  for (const RobotFile& file : robots()) {
+    all.push_back(measureRobot(file, quick ? 10 : 100));
+    table.add(rows.emplace_back(rowOf(all.back())));
+  }
+  std::vector<Target> targets;
+  for (const Limit& limit : kLimits) {
+    for (Target& target : targetsOf(limit, all))
+      targets.push_back(std::move(target));
+  }
+  printTargets(", us per update", targets);
+  return rows;
 }
+
+}  // namespace link_bounds::bench

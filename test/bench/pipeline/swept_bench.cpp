@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The time of the boxes of a motion: 50 links in five arms of ten joints, transforms at 100 Hz. For
 // comparison, the time of sampling: the boxes at the stamps of the transforms, which are no proof.
-#include <algorithm>
-#include <iomanip>
-#include <iostream>
-
-#include "bench/common/benchmark_main.h"
+#include "bench/common/benchmarks.h"
+#include "bench/common/table.h"
 #include "bench/common/timing.h"
 #include "testing/live_boxes_testing.h"
 #include "world/history/swept_box.h"
@@ -21,12 +18,6 @@ constexpr double kHistory = 10.2;          // s
 constexpr double kStart = 1700000000;      // s
 constexpr double kRadiansPerSecond = 1;    // of each joint, at most
 constexpr double kSpans[] = {0.1, 1, 10};  // s
-
-struct Row {
-  double span;
-  double swept_ms;    ///< all links, median
-  double sampled_ms;  ///< likewise
-};
 
 std::string frameOf(std::size_t arm, std::size_t joint) {
   return joint == 0 ? "base" : "arm_" + std::to_string(arm) + "_" + std::to_string(joint);
@@ -89,40 +80,27 @@ class Arms {
   std::int64_t end_ = 0;
 };
 
-void print(const std::vector<Row>& rows) {
-  std::cout << "50 links, 100 Hz\n\n| span [s] | swept boxes [ms] | per link [us] | boxes at the "
-               "stamps alone [ms] |\n|---:|---:|---:|---:|\n"
-            << std::setprecision(3);
-  for (const Row& row : rows) {
-    std::cout << "| " << row.span << " | " << row.swept_ms << " | "
-              << row.swept_ms * 1e3 / (kArms * kJoints) << " | " << row.sampled_ms << " |\n";
-  }
-}
-
-void write(const std::vector<Row>& rows, std::ostream& json) {
-  json << "[";
-  for (const Row& row : rows) {
-    json << (&row == &rows.front() ? "" : ",") << "\n  {\"span\": " << row.span
-         << ", \"swept_ms\": " << row.swept_ms << ", \"sampled_ms\": " << row.sampled_ms << "}";
-  }
-  json << "\n]\n";
-}
-
-void measure(bool quick, std::ostream* json) {
-  const Arms arms;
-  std::vector<Row> rows;
-  for (const double span : kSpans) {
-    const int repetitions = quick || span > 1 ? 5 : 50;
-    rows.push_back({span, medianTime<std::milli>(repetitions, [&] { arms.sweepAll(span); }),
-                    medianTime<std::milli>(repetitions, [&] { arms.sampleAll(span); })});
-  }
-  print(rows);
-  if (json) write(rows, *json);
+Row measure(const Arms& arms, double span, bool quick) {
+  const int repetitions = quick || span > 1 ? 5 : 50;
+  const double swept = medianTime<std::milli>(repetitions, [&] { arms.sweepAll(span); });
+  return {{"span", span},
+          {"swept_ms", swept},
+          {"swept_us_per_link", swept * 1e3 / (kArms * kJoints)},
+          {"sampled_ms", medianTime<std::milli>(repetitions, [&] { arms.sampleAll(span); })}};
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::measure);
+Rows benchmarkSwept(bool quick) {
+  const Arms arms;
+  const Table table("50 links, 100 Hz", {{"span", "span [s]"},
+                                         {"swept_ms", "swept boxes [ms]"},
+                                         {"swept_us_per_link", "per link [us]"},
+                                         {"sampled_ms", "boxes at the stamps alone [ms]"}});
+  Rows rows;
+  for (const double span : kSpans)
+    table.add(rows.emplace_back(measure(arms, span, quick)));
+  return rows;
 }
+
+}  // namespace link_bounds::bench

@@ -2,8 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and
-deserialise its messages; the memory of each, of a short and of a long bag; and 50 bags with --each.
-bag.py [--quick] [--json FILE] [--minutes M]"""
+deserialise its messages; the memory of each, of a short and of a long bag; and 50 bags with --each."""
 import os
 import statistics
 import subprocess
@@ -11,8 +10,10 @@ import tempfile
 import time
 
 import rosbag
-from node_process import PROGRAMS, parser_of, print_target, random_mesh, write_rows
+from node_process import output_of, program, random_mesh
+from report import Table, print_table, print_target
 
+QUICK = "a tenth of the length, 3 repetitions"
 LINKS = 50
 FEW_LINKS = 10  # of the long bag, which then takes 700 MB on the disk
 TIMES_LONGER = 12
@@ -23,7 +24,7 @@ ZONES = """
 ahead: {min: [0.5, -1, 0], max: [3, 1, 3]}
 around: {frame: branch_100_joint_10_link, min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5]}
 """
-READERS = {"rosbag": "bag_peer", "ours": "bag_ours", "bag_bounds": "bag_bounds",
+READERS = {"rosbag": "bag_rosbag", "ours": "bag_ours", "bag_bounds": "bag_bounds",
            "bag_bounds --out": "bag_bounds", "extremes alone": "bag_bounds"}
 SPEED = ("rosbag", "ours", "bag_bounds", "extremes alone")
 MEMORY = ("rosbag", "ours", "bag_bounds", "bag_bounds --out")
@@ -42,8 +43,7 @@ class Bag:
         random_mesh(mesh, 1)
         with open(self.zones, "w", encoding="utf-8") as file:
             file.write(ZONES)
-        subprocess.run([os.path.join(PROGRAMS, "bag_made"), self.path, self.urdf, mesh, str(links),
-                        str(self.seconds)], check=True)
+        output_of("bag_made", self.path, self.urdf, mesh, links, self.seconds)
 
     def command(self, reader):
         options = []
@@ -53,13 +53,11 @@ class Bag:
                 options += ["--zones", self.zones]
         if reader.endswith("--out"):
             options += ["--out", self.path + ".boxes"]
-        return [os.path.join(PROGRAMS, READERS[reader]), self.path, *options]
+        return [*program(READERS[reader]), self.path, *options]
 
     def read(self, reader):
         """Runs the program. Returns the seconds it took and its peak of memory [MB]."""
-        output = subprocess.run([os.path.join(PROGRAMS, "bag_run"), *self.command(reader)],
-                                check=True, stdout=subprocess.PIPE).stdout
-        seconds, peak, status = output.split()
+        seconds, peak, status = output_of("bench_peak", *self.command(reader)).split()
         if int(status) not in (0, 3):  # 3: a zone was entered
             raise RuntimeError("%s ended with %d" % (reader, int(status)))
         return float(seconds), int(peak) / 1e6
@@ -76,6 +74,9 @@ def measure_speed(bag, readers, repetitions):
     for _ in range(repetitions):
         for reader in readers:
             runs[reader].append(bag.read(reader))
+    table = Table("%d s of %d links" % (bag.seconds, LINKS), {
+        "reader": "reader", "median_s": "seconds", "real_time": "times real time",
+        "peak_mb": "peak MB", "of_rosbag": "of rosbag's time"}, reader=16)
     rows = []
     for reader in readers:
         seconds = [run[0] for run in runs[reader]]
@@ -84,10 +85,8 @@ def measure_speed(bag, readers, repetitions):
                      "median_s": statistics.median(seconds), "repetitions": repetitions,
                      "times_real_time": [bag.seconds / s for s in seconds], "ratios": ratios,
                      "peak_mb": max(run[1] for run in runs[reader])})
-        print("%-16s %8.3f s for %d s of %d links, %6.0f times real time, %4.0f MB at the peak%s" %
-              (reader, rows[-1]["median_s"], bag.seconds, LINKS,
-               statistics.median(rows[-1]["times_real_time"]), rows[-1]["peak_mb"],
-               ", %.2f of rosbag's time" % statistics.median(ratios) if ratios else ""), flush=True)
+        table.add({**rows[-1], "real_time": statistics.median(rows[-1]["times_real_time"]),
+                   "of_rosbag": statistics.median(ratios) if ratios else None})
     return rows
 
 
@@ -105,8 +104,8 @@ def measure_jobs(bag, repetitions):
     os.remove(bag.path)
     bag.path, bag.jobs = plain, os.cpu_count()
     alone, together = (statistics.median(seconds) for seconds in runs.values())
-    print("bz2: %.2f s with one thread, %.2f s with %d" % (alone, together, os.cpu_count()),
-          flush=True)
+    print_table("bz2", {"threads": "threads", "seconds": "seconds"}, [
+        {"threads": 1, "seconds": alone}, {"threads": os.cpu_count(), "seconds": together}])
     return {"kind": "jobs", "reader": "bag_bounds", "jobs": os.cpu_count(),
             "seconds": list(runs.values()),
             "shares": [a / b / os.cpu_count() for a, b in zip(*runs.values())]}
@@ -114,13 +113,15 @@ def measure_jobs(bag, repetitions):
 
 def measure_memory(short, long, readers):
     """A row for each reader: its peak for a bag, and for one that is longer."""
+    table = Table("MB at the peak, %d links" % FEW_LINKS, {
+        "reader": "reader", "short": "%d s" % short.seconds, "long": "%d s" % long.seconds},
+                  reader=16)
     rows = []
     for reader in readers:
         peaks = [bag.read(reader)[1] for bag in (short, long)]
         rows.append({"kind": "memory", "reader": reader, "links": FEW_LINKS,
                      "bags_s": [short.seconds, long.seconds], "peaks_mb": peaks})
-        print("%-16s %6.1f MB at the peak for %d s of %d links, %6.1f MB for %d s" % (
-            reader, peaks[0], short.seconds, FEW_LINKS, peaks[1], long.seconds), flush=True)
+        table.add({"reader": reader, "short": peaks[0], "long": peaks[1]})
     return rows
 
 
@@ -153,12 +154,12 @@ def measure_each(folder, seconds, repetitions):
            "line_bytes": len(lines.pop()) / BAGS,
            "ratios": [one / two for one, two in zip(runs[1], runs[2])]}
     one, two = statistics.median(runs[1]), statistics.median(runs[2])
-    print("%d bags of %d s of %d links: %.2f s with one job, %.2f s with two, "
-          "%.2f s with a start per bag; %d bytes a line" % (
-              BAGS, seconds, LINKS, one, two, starts, row["line_bytes"]))
-    print("computed for %d bags: %.0f s, %.0f s and %.0f s; %.1f MB of lines" % (
-        MANY, *(time * MANY / BAGS for time in (one, two, starts)), row["line_bytes"] * MANY / 1e6),
-        flush=True)
+    print_table("seconds for bags of %d s of %d links; %d are computed" % (seconds, LINKS, MANY), {
+        "bags": "bags", "one": "one job", "two": "two jobs", "starts": "a start per bag",
+        "bytes": "bytes of lines"}, [
+            {"bags": bags, "one": one * bags / BAGS, "two": two * bags / BAGS,
+             "starts": starts * bags / BAGS, "bytes": row["line_bytes"] * bags}
+            for bags in (BAGS, MANY)])
     return [row]
 
 
@@ -184,16 +185,17 @@ def print_targets(rows):
                              row["ratios"])
 
 
-def main():
-    parser = parser_of(__doc__, quick="a tenth of the length, 3 repetitions")
+def add_options(parser):
     parser.add_argument("--minutes", type=float, help="length of the bag, default 10; the long one "
                         "is %d times as long" % TIMES_LONGER)
-    options = parser.parse_args()
+
+
+def measure(options):
     minutes = options.minutes or (1 if options.quick else 10)
-    readers = [reader for reader, program in READERS.items()
-               if os.path.exists(os.path.join(PROGRAMS, program))]
-    if "rosbag" not in readers:
+    readers = list(READERS)
+    if "bag_rosbag" not in output_of("--help"):
         print("left out, because this system lacks it: librosbag-storage")
+        readers.remove("rosbag")
     with tempfile.TemporaryDirectory(prefix="link_bounds_") as folder:
         bag = Bag(folder, "bag", LINKS, minutes)
         rows = measure_speed(bag, [reader for reader in readers if reader in SPEED],
@@ -205,9 +207,6 @@ def main():
                                Bag(folder, "long", FEW_LINKS, TIMES_LONGER * minutes),
                                [reader for reader in readers if reader in MEMORY])
         rows += measure_each(folder, 5 if options.quick else 20, 3)
+    print("\nTargets")
     print_targets(rows)
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a bag of a robot whose joints all swing, at 100 Hz, and its URDF, a mesh for each link:
-// bag_made BAG URDF MESH LINKS SECONDS
+// BAG URDF MESH LINKS SECONDS
 #include <fstream>
-#include <iostream>
 #include <stdexcept>
 
+#include "bench/common/processes.h"
 #include "bench/common/tf_robot.h"
 #include "testing/bag_testing.h"
 
@@ -48,19 +48,12 @@ void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds
   writer.close();
 }
 
-void make(char** arguments) {
-  const TfRobot robot = tfRobot(std::stoul(arguments[4]), kDepth);
-  writeUrdf(robot, arguments[2], arguments[3]);
-  writeTf(robot, arguments[1], std::stol(arguments[5]));
-}
-
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  if (argc == 6) link_bounds::bench::make(argv);
-  return argc == 6 ? 0 : 1;
-} catch (const std::exception& error) {
-  std::cerr << "bag_made: " << error.what() << '\n';
-  return 1;
+void makeBag(const Words& words) {
+  const TfRobot robot = tfRobot(std::stoul(words[3]), kDepth);
+  writeUrdf(robot, words[1], words[2]);
+  writeTf(robot, words[0], std::stol(words[4]));
 }
+
+}  // namespace link_bounds::bench

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads and deserialises /tf as bag_bounds does it: bag_ours FILE
+// Reads and deserialises /tf as bag_bounds does it.
+#include "bench/common/processes.h"
 #include "bench/tools/bag_counts.h"
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "world/tf/tf_message.h"
 
 namespace link_bounds::bench {
-namespace {
 
-void read(const std::string& file) {
-  BagReader reader({file}, {"/tf"});
+void readBagAsOurs(const Words& words) {
+  BagReader reader({words[0]}, {"/tf"});
   BagCounts counts;
   TfMessage tf;
   for (BagMessage message; reader.next(message);) {
@@ -22,13 +22,4 @@ void read(const std::string& file) {
   print(counts);
 }
 
-}  // namespace
 }  // namespace link_bounds::bench
-
-int main(int argc, char** argv) try {
-  if (argc == 2) link_bounds::bench::read(argv[1]);
-  return argc == 2 ? 0 : 1;
-} catch (const std::exception& error) {
-  std::cerr << "bag_ours: " << error.what() << '\n';
-  return 1;
-}

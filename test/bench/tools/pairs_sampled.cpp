@@ -1,22 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What samples say about the pairs of a robot, as MoveIt's assistant takes them: pairs_sampled
-// FILE.urdf POSES visual|collision. One line per pair with what was seen: NEVER, ALWAYS or
-// SOMETIMES, first, second.
-#include <cstdlib>
-#include <fstream>
+// What samples say about the pairs of a robot, as MoveIt's assistant takes them: FILE.urdf POSES
+// visual|collision. One line per pair with what was seen: NEVER, ALWAYS or SOMETIMES, first,
+// second.
 #include <iostream>
 #include <random>
-#include <sstream>
 
+#include "bench/common/processes.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "packages/package_path.h"
 #include "robot/urdf/joint_ranges.h"
+#include "testing/robot_files.h"
 
-namespace link_bounds {
+namespace link_bounds::bench {
 namespace {
 
 constexpr double kTouch = 1e-7;  // m, as in --pairs
@@ -62,14 +61,15 @@ void look(const std::vector<Eigen::Isometry3d>& poses, const BoundedRobot& bound
   if (distance) (distance->upper <= kTouch ? pair.collided : pair.was_free) = true;
 }
 
-int run(const std::string& file, int count, const std::string& geometry) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
+}  // namespace
+
+void samplePairs(const Words& words) {
+  const int count = std::stoi(words[1]);
   Selection selection;
-  selection.visual = geometry == "visual";
+  selection.visual = words[2] == "visual";
   selection.collision = !selection.visual;
   selection.triangles = true;
-  const auto [robot, bounded] = loadRobot(text.str(), {rosPackages()}, selection);
+  const auto [robot, bounded] = loadRobot(textOf(words[0]), {rosPackages()}, selection);
   const std::vector<JointRange> ranges = jointRanges(robot);
   std::vector<SampledPair> pairs = pairsOf(robot, bounded);
   std::mt19937_64 random(1);
@@ -85,14 +85,6 @@ int run(const std::string& file, int count, const std::string& geometry) {
               << '\t' << bounded.links[pair.first].name << '\t' << bounded.links[pair.second].name
               << '\n';
   }
-  return 0;
 }
 
-}  // namespace
-}  // namespace link_bounds
-
-int main(int argc, char** argv) {
-  if (argc == 4) return link_bounds::run(argv[1], std::atoi(argv[2]), argv[3]);
-  std::cerr << "usage: pairs_sampled FILE.urdf POSES visual|collision\n";
-  return 1;
-}
+}  // namespace link_bounds::bench

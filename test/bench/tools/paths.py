@@ -4,7 +4,7 @@
 """How fast urdf_bounds goes through tables of joint values, on one core, beyond what loading takes:
 rows per second, with all pairs within 5 cm, and with --path the time for an edge of 0.3 rad among
 20 objects. With LINK_BOUNDS_DATA a humanoid of 29 joints with collision meshes, made of the robots
-there, and the Panda; else the robot of the demo. paths.py [--quick] [--json FILE]"""
+there, and the Panda; else the robot of the demo."""
 import json
 import math
 import os
@@ -15,9 +15,10 @@ import subprocess
 import tempfile
 
 import humanoid
-from node_process import parser_of, print_target, write_rows
+from node_process import program
+from report import print_table, print_target
 
-PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
+QUICK = "2,000 rows instead of 20,000"
 DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
 LIMIT = "0.05"  # m
 STEPS = (0.02, 0.2)  # of each joint from row to row [rad]: a motion at 50 Hz, and a scattered one
@@ -40,14 +41,14 @@ def robot():
 def seconds(arguments):
     """Of the processor, for a run on one thread; what it prints, and says."""
     with tempfile.TemporaryFile() as said:
-        program = subprocess.Popen([PROGRAM, *arguments, "--jobs", "1"], stdout=subprocess.PIPE,
-                                   stderr=said)
-        out = program.stdout.read()
-        _, status, usage = os.wait4(program.pid, 0)
-        program.returncode = os.WEXITSTATUS(status)
+        run = subprocess.Popen([*program("urdf_bounds"), *arguments, "--jobs", "1"],
+                               stdout=subprocess.PIPE, stderr=said)
+        out = run.stdout.read()
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.WEXITSTATUS(status)
         said.seek(0)
         text = said.read().decode()
-    result = json.loads(out) if program.returncode in (0, 3, 4) else {"incomplete": text}
+    result = json.loads(out) if run.returncode in (0, 3, 4) else {"incomplete": text}
     if result["incomplete"]:
         raise SystemExit("nothing is measured of a robot without its meshes: %s; %s"
                          % (result["incomplete"], "is ROS_PACKAGE_PATH right?"))
@@ -119,20 +120,24 @@ def edge_row(folder, urdf, geometry, count):
             "decided": counts["SAFE"] / max(1, counts["SAFE"] + counts["UNDECIDED"])}
 
 
-def report_edges(row):
-    print("\n--path, edges of %g rad among %d objects, one core\n" % (EDGE, OBJECTS))
-    print("| robot | edges | SAFE | COLLIDES | UNDECIDED | median [ms] | longest [ms] |")
-    print("|---|---:|---:|---:|---:|---:|---:|")
-    print("| %(robot)s | %(edges)d | %(SAFE)d | %(COLLIDES)d | %(UNDECIDED)d | %(median).2f | "
-          "%(longest).2f |" % row)
-    print()
-    print_target("milliseconds for an edge, median", EDGE_TARGET, [row["median"]])
+def report(rows, edges):
+    print_table("table of joint values, pairs within 5 cm, one core", {
+        "robot": "robot", "step": "step [rad]", "series": "series is written",
+        "pairs_per_row": "pairs a row", "with_contact": "share with contact",
+        "rows_per_second": "rows/s"}, rows, robot=20)
+    slowest = min(row["rows_per_second"] for row in rows if row["step"] == STEPS[0])
+    print_table("--path, edges of %g rad among %d objects, one core" % (EDGE, OBJECTS), {
+        "robot": "robot", "edges": "edges", "SAFE": "SAFE", "COLLIDES": "COLLIDES",
+        "UNDECIDED": "UNDECIDED", "median": "median [ms]", "longest": "longest [ms]"}, [edges],
+                robot=20)
+    print("\nTargets")
+    print_target("rows per second of a slow motion", TARGET, [slowest], at_most=False)
+    print_target("milliseconds for an edge, median", EDGE_TARGET, [edges["median"]])
     print_target("share of edges without a collision that is decided", DECIDED_TARGET,
-                 [row["decided"]], at_most=False)
+                 [edges["decided"]], at_most=False)
 
 
-def main():
-    options = parser_of(__doc__, quick="2,000 rows instead of 20,000").parse_args()
+def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         name, text, geometry = robot()
         # Beside the meshes that it names, for those of the demo.
@@ -144,19 +149,5 @@ def main():
         if data:
             arm.write_text(humanoid.arm(os.path.join(data, "robots")))
         edges = edge_row(folder, arm, geometry, 100 if options.quick else 1000)
-    print("\ntable of joint values, pairs within 5 cm, one core\n")
-    print("| robot | step [rad] | written | pairs a row | rows with contact | rows/s |")
-    print("|---|---:|---|---:|---:|---:|")
-    for row in rows:
-        print("| %s | %g | %s | %s | %.0f %% | %d |" % (
-            row["robot"], row["step"], "series" if row["series"] else "summary",
-            row["pairs_per_row"] or "", 100 * row["with_contact"], row["rows_per_second"]))
-    print()
-    slowest = min(row["rows_per_second"] for row in rows if row["step"] == STEPS[0])
-    print_target("rows per second of a slow motion", TARGET, [slowest], at_most=False)
-    report_edges(edges)
-    write_rows(rows + [edges], options.json)
-
-
-if __name__ == "__main__":
-    main()
+    report(rows, edges)
+    return rows + [edges]

@@ -3,11 +3,10 @@
 """How many pairs urdf_bounds --pairs decides in which time and memory, and what samples would have
 said."""
 import os
-import subprocess
 
-from node_process import print_target
+from node_process import output_of
+from report import print_table, print_target
 
-SAMPLED = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/pairs_sampled")
 BUDGETS = (0.1, 0.3, 1, 3, 10, 30, 120)  # s
 SAMPLES = 10000
 VERDICTS = ("NEVER", "ALWAYS", "TOUCHING", "CONTACT_SAMPLED", "SOMETIMES", "UNDECIDED")
@@ -30,8 +29,7 @@ def verdicts(result):
 
 def sampled(file):
     """What the samples say of each pair."""
-    output = subprocess.run([SAMPLED, file, str(SAMPLES), geometry()], check=True,
-                            stdout=subprocess.PIPE, universal_newlines=True).stdout
+    output = output_of("pairs_sampled", file, SAMPLES, geometry())
     rows = (line.split("\t") for line in output.splitlines())
     return {(first, second): verdict for verdict, first, second in rows}
 
@@ -124,13 +122,11 @@ def report_made(gap, memory):
 
 
 def report_pairs(rows):
-    print("\n--pairs\n\n| robot | budget [s] | time [s] | decided | of pairs | never | always | "
-          "touching | sampled | sometimes |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
-    for row in rows:
-        print("| %s | %g | %.2f | %d | %d | %d | %d | %d | %d | %d |" % (
-            row["robot"], row["budget"], row["seconds"], row["pairs"] - row["UNDECIDED"],
-            row["pairs"], row["NEVER"], row["ALWAYS"], row["TOUCHING"], row["CONTACT_SAMPLED"],
-            row["SOMETIMES"]))
+    print_table("--pairs", {
+        "robot": "robot", "budget": "budget [s]", "seconds": "time [s]", "decided": "decided",
+        "pairs": "of pairs", "NEVER": "never", "ALWAYS": "always", "TOUCHING": "touching",
+        "CONTACT_SAMPLED": "sampled", "SOMETIMES": "sometimes"},
+                [{**row, "decided": row["pairs"] - row["UNDECIDED"]} for row in rows], robot=16)
     print()
     for row in rows:
         assert row["seconds"] <= row["budget"] + 10, row

@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How long the proofs of urdf_bounds take: accuracy of --reach and decided pairs of --pairs against
 time, from the start of the program to its end, meshes included. With LINK_BOUNDS_DATA on the robots
-there, else on arms that are made here. proofs.py [--quick] [--json FILE]"""
+there, else on arms that are made here."""
 import json
 import os
 import subprocess
@@ -11,10 +10,11 @@ import tempfile
 import time
 import xml.etree.ElementTree
 
-from node_process import parser_of, print_target, write_rows
+from node_process import program
 from proof_pairs import large_robot_rows, made_rows, pair_rows, report_made, report_pairs
+from report import print_table, print_target
 
-PROGRAM = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel/lib/link_bounds/urdf_bounds")
+QUICK = "no accuracies below 1 mm, 10 s for pairs"
 PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
 PR2 = "pr2_description/urdf/pr2.urdf"
 ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)  # m
@@ -74,10 +74,10 @@ class Run:
     def __call__(self, *arguments):
         start = time.monotonic()
         with tempfile.TemporaryFile() as out:
-            program = subprocess.Popen([PROGRAM, *arguments, "--format", "json",
+            process = subprocess.Popen([*program("urdf_bounds"), *arguments, "--format", "json",
                                         "--allow-incomplete"], stdout=out)
-            _, status, usage = os.wait4(program.pid, 0)
-            program.returncode = status
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = status
             assert status == 0, arguments
             self.megabytes = usage.ru_maxrss / 1000
             out.seek(0)
@@ -95,11 +95,11 @@ def reach_row(robot, file, accuracy):
 
 
 def report_reach(rows):
-    print("\n--reach\n\n| robot | accuracy [m] | largest gap [m] | time [s] |")
-    print("|---|---:|---:|---:|")
-    for row in rows:
-        print("| %(robot)s | %(accuracy)g | %(gap).2g | %(seconds).2f |" % row)
-    print()
+    print_table("--reach", {"robot": "robot", "accuracy": "accuracy [m]",
+                            "gap": "largest gap [m]", "seconds": "time [s]"},
+                [{**row, "accuracy": "%g" % row["accuracy"], "gap": "%.2g" % row["gap"]}
+                 for row in rows], robot=16)
+    print("\nTargets")
     for row in rows:
         if row["accuracy"] == TARGET_ACCURACY:
             assert row["gap"] <= TARGET_ACCURACY, row
@@ -107,8 +107,7 @@ def report_reach(rows):
                          [row["seconds"]])
 
 
-def main():
-    options = parser_of(__doc__, quick="no accuracies below 1 mm, 10 s for pairs").parse_args()
+def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         files = robots(folder)
         rows = [reach_row(name, file, accuracy) for name, file in files.items()
@@ -124,8 +123,4 @@ def main():
         report_pairs(pairs)
         made = made_rows(run, lambda name, text: write(folder, name, text))
         report_made(*made)
-    write_rows(rows + pairs + made, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows + pairs + made

@@ -3,19 +3,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The module for Python: a single call of boxes [us], and rows of boxes and of distances per second beside
 a program in C++ that computes the same rows, each on one thread. With LINK_BOUNDS_DATA the robots there,
-else that of the demo. python.py [--quick] [--json FILE]"""
+else that of the demo."""
 import os
 import pathlib
-import subprocess
 import tempfile
 import time
 
 import numpy
 
 import link_bounds
-from node_process import PROGRAMS, parser_of, print_target, write_rows
+from node_process import output_of
+from report import print_table, print_target
 
-PROGRAM = os.path.join(PROGRAMS, "rows_posed")
+QUICK = "300 rows instead of 3,000"
 DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
 ROBOTS = {"panda": "franka_description/urdf/panda.urdf", "ur5e": "ur_description/urdf/ur5e.urdf"}
 LIMIT = 0.05  # m
@@ -40,9 +40,7 @@ def cpu(work):
 
 def of_program(urdf, values, *numbers):
     """Processor seconds of the boxes and of the distances in C++."""
-    out = subprocess.run([PROGRAM, str(urdf), values, *map(str, numbers)], check=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
-    return [float(seconds) for seconds in out.split()]
+    return [float(seconds) for seconds in output_of("rows_posed", urdf, values, *numbers).split()]
 
 
 def measured(name, urdf, count, folder):
@@ -71,26 +69,21 @@ def measured(name, urdf, count, folder):
             "distances_share": round(ours[1] / theirs[1], 2)}
 
 
-def main():
-    options = parser_of(__doc__, quick="300 rows instead of 3,000").parse_args()
+def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         rows = [measured(name, urdf, 300 if options.quick else 3000, folder)
                 for name, urdf in robots().items()]
-    print("\nthe module for Python beside C++: rows per second, pairs within 5 cm, one thread\n")
-    print("| robot | links | a call of boxes [us] | boxes, Python | C++ | share "
-          "| distances, Python | C++ | share |")
-    print("|---|---:|---:|---:|---:|---:|---:|---:|---:|")
-    for row in rows:
-        print("| %s | %d | %.2f | %d | %d | %.2f | %d | %d | %.2f |" % (
-            row["robot"], row["links"], row["boxes_call_us"], *row["boxes"], row["boxes_share"],
-            *row["distances"], row["distances_share"]))
-    print()
+    columns = {"robot": "robot", "links": "links", "boxes_call_us": "a call of boxes [us]"}
+    for what in ("boxes", "distances"):
+        columns.update({what + "_python": what + ", Python", what + "_cpp": "C++",
+                        what + "_share": "share"})
+    print_table("the module for Python beside C++: rows per second, pairs within 5 cm, one thread",
+                columns, [{**row, **{what + end: row[what][i] for what in ("boxes", "distances")
+                                     for i, end in enumerate(("_python", "_cpp"))}}
+                          for row in rows], robot=6)
+    print("\nTargets")
     print_target("a call of boxes [us]", MAX_CALL, [max(row["boxes_call_us"] for row in rows)])
     for what in ("boxes", "distances"):
         print_target("rows of %s per second, of those of C++" % what, MIN_SHARE,
                      [min(row[what + "_share"] for row in rows)], at_most=False)
-    write_rows(rows, options.json)
-
-
-if __name__ == "__main__":
-    main()
+    return rows

@@ -1,37 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Many poses of a robot as a program in C++ computes them, on one thread: rows_posed FILE.urdf
-// VALUES BOXES DISTANCES LIMIT. VALUES is a file of doubles, rows of the joints that can be set.
+// Many poses of a robot as a program in C++ computes them, on one thread: FILE.urdf VALUES
+// BOXES DISTANCES LIMIT. VALUES is a file of doubles, rows of the joints that can be set.
 // Prints the processor seconds of the boxes of the first BOXES rows, and of the distances within
 // LIMIT [m] of the first DISTANCES.
 #include <algorithm>
 #include <cstring>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
+#include "bench/common/processes.h"
 #include "packages/package_path.h"
 #include "robot/posed/posed_robot.h"
+#include "testing/robot_files.h"
 
-namespace link_bounds {
+namespace link_bounds::bench {
 namespace {
 
 constexpr std::size_t kBoxNumbers = 6;
 
-std::string contentOf(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-class Rows {
+class PoseRows {
  public:
-  Rows(const Robot& robot, const std::string& file) : joint_count_(robot.joints.size()) {
+  PoseRows(const Robot& robot, const std::string& file) : joint_count_(robot.joints.size()) {
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       if (hasValue(robot.joints[i].motion) && !robot.joints[i].mimic) joints_.push_back(i);
     }
-    const std::string bytes = contentOf(file);
+    const std::string bytes = textOf(file);
     numbers_.resize(bytes.size() / sizeof(double));
     std::memcpy(numbers_.data(), bytes.data(), numbers_.size() * sizeof(double));
   }
@@ -55,7 +49,8 @@ double since(std::clock_t begin) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-double secondsOfBoxes(const Rows& rows, std::size_t count, std::size_t links, PosedRobot& posed) {
+double secondsOfBoxes(const PoseRows& rows, std::size_t count, std::size_t links,
+                      PosedRobot& posed) {
   std::vector<double> out(count * links * kBoxNumbers);
   const std::clock_t begin = std::clock();
   double* place = out.data();
@@ -70,7 +65,8 @@ double secondsOfBoxes(const Rows& rows, std::size_t count, std::size_t links, Po
   return since(begin);
 }
 
-double secondsOfDistances(const Rows& rows, std::size_t count, double limit, PosedRobot& posed) {
+double secondsOfDistances(const PoseRows& rows, std::size_t count, double limit,
+                          PosedRobot& posed) {
   std::vector<PoseDistances> found;
   const std::clock_t begin = std::clock();
   for (std::size_t row = 0; row < count; ++row) {
@@ -80,24 +76,19 @@ double secondsOfDistances(const Rows& rows, std::size_t count, double limit, Pos
   return since(begin);
 }
 
-int run(char** argv) {
+}  // namespace
+
+void poseRows(const Words& words) {
   Selection selection;
   selection.triangles = true;
-  const auto [robot, bounded] = loadRobot(contentOf(argv[1]), {rosPackages()}, selection);
+  const auto [robot, bounded] = loadRobot(textOf(words[0]), {rosPackages()}, selection);
+  if (!bounded.problems.empty()) throw std::runtime_error(bounded.problems.front());
   PosedRobot posed(robot, bounded);
-  const Rows rows(posed.robot(), argv[2]);
-  const std::size_t boxes = std::min<std::size_t>(std::stoul(argv[3]), rows.count());
-  const std::size_t distances = std::min<std::size_t>(std::stoul(argv[4]), rows.count());
+  const PoseRows rows(posed.robot(), words[1]);
+  const std::size_t boxes = std::min<std::size_t>(std::stoul(words[2]), rows.count());
+  const std::size_t distances = std::min<std::size_t>(std::stoul(words[3]), rows.count());
   std::cout << secondsOfBoxes(rows, boxes, bounded.links.size(), posed) << ' ';
-  std::cout << secondsOfDistances(rows, distances, std::stod(argv[5]), posed) << '\n';
-  return bounded.problems.empty() ? 0 : 1;
+  std::cout << secondsOfDistances(rows, distances, std::stod(words[4]), posed) << '\n';
 }
 
-}  // namespace
-}  // namespace link_bounds
-
-int main(int argc, char** argv) {
-  if (argc == 6) return link_bounds::run(argv);
-  std::cerr << "usage: rows_posed FILE.urdf VALUES BOXES DISTANCES LIMIT\n";
-  return 1;
-}
+}  // namespace link_bounds::bench

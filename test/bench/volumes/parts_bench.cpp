@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How tight parts are, by the max number per link: parts_bench [--quick] [--json FILE]
-#include <chrono>
-#include <iomanip>
+// How tight parts are, by the max number per link.
 #include <iostream>
 #include <mutex>
 #include <set>
 
-#include "bench/common/benchmark_main.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
+#include "bench/common/robots.h"
+#include "bench/common/table.h"
+#include "bench/common/timing.h"
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
-#include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -27,8 +26,7 @@ struct Model {
   RobotFile file;
 };
 
-struct Row {
-  std::string model;
+struct Parts {
   int level = 0;
   std::size_t parts = 0;
   double volume = 0;         ///< sum over all parts, joints at 0 [m^3]
@@ -50,23 +48,22 @@ class RestingRobot {
       std::cerr << problem << "\n";
   }
 
-  Row measure(int level, int turns) {
-    Row row;
-    row.level = level;
-    const auto start = std::chrono::steady_clock::now();
-    const BoundedRobot robot = bounded(level);
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Parts measure(int level, int turns) {
+    Parts result;
+    result.level = level;
+    BoundedRobot robot;
+    result.seconds = elapsed<std::ratio<1>>([&] { robot = bounded(level); });
     std::vector<BoundedLink> parts;
     for (const auto& of_link : robot.parts)
       parts.insert(parts.end(), of_link.begin(), of_link.end());
     if (level == 1) parts = robot.links;
-    row.parts = parts.size();
-    row.bytes = bytesOf(parts);
-    row.volume = volumeOf(parts, Eigen::Affine3d::Identity());
+    result.parts = parts.size();
+    result.bytes = bytesOf(parts);
+    result.volume = volumeOf(parts, Eigen::Affine3d::Identity());
     brute_force::Random random(1);
     for (int i = 0; i < turns; ++i)
-      row.turned_volume += volumeOf(parts, random.rigid(0)) / turns;
-    return row;
+      result.turned_volume += volumeOf(parts, random.rigid(0)) / turns;
+    return result;
   }
 
  private:
@@ -119,7 +116,7 @@ std::vector<Model> models() {
   const auto folder = robotsFolder();
   if (!folder) {
     std::cout << "LINK_BOUNDS_DATA is not set: the demo robot stands in for robots and models\n";
-    return {{"demo", demoRobotFile(LINK_BOUNDS_PACKAGE "/launch/demo/demo.urdf")}};
+    return {{"demo", demoRobot()}};
   }
   return {{"panda", robotFile(*folder, "franka_description/urdf/panda.urdf")},
           {"ur5e", robotFile(*folder, "ur_description/urdf/ur5e.urdf")},
@@ -127,79 +124,48 @@ std::vector<Model> models() {
           {"dragon", robotFile(*folder, "stanford_models/urdf/dragon_vrip_res2.urdf")}};
 }
 
-std::vector<Row> measureAll(int turns) {
-  std::vector<Row> rows;
+Row rowOf(const std::string& model, const Parts& parts, const Parts& whole) {
+  return {{"model", model},
+          {"parts_per_link", parts.level},
+          {"parts", parts.parts},
+          {"volume", parts.volume},
+          {"turned_volume", parts.turned_volume},
+          {"bytes", parts.bytes},
+          {"seconds", parts.seconds},
+          {"volume_ratio", parts.volume / whole.volume},
+          {"turned_volume_ratio", parts.turned_volume / whole.turned_volume},
+          {"bytes_per_part", parts.bytes / std::max<std::size_t>(1, parts.parts)}};
+}
+
+Rows measureAll(int turns) {
+  Rows rows;
   for (const auto& [name, file] : models()) {
     RestingRobot robot(file);
-    for (const int level : kLevels) {
-      rows.push_back(robot.measure(level, turns));
-      rows.back().model = name;
-    }
+    const Parts whole = robot.measure(kLevels[0], turns);
+    for (const int level : kLevels)
+      rows.push_back(rowOf(name, level == 1 ? whole : robot.measure(level, turns), whole));
   }
   return rows;
 }
 
-/// One line per model, one column per level. `entry(row, row of level 1)` prints a cell.
-template <class Entry>
-void printTable(const std::string& title, const std::vector<Row>& rows, Entry&& entry) {
-  std::cout << "\n" << title << "\n\n| |";
+/// One line per model, one column per level.
+void printLevels(const std::string& title, const std::string& value, const Rows& rows) {
+  std::vector<Column> columns{{"model", "", 8}};
   for (const int level : kLevels)
-    std::cout << " " << level << " |";
-  std::cout << "\n|---|";
-  for (std::size_t i = 0; i < std::size(kLevels); ++i)
-    std::cout << "---:|";
-  const Row* first = nullptr;
-  for (const Row& row : rows) {
-    if (row.level == 1) {
-      first = &row;
-      std::cout << "\n| " << row.model << " |";
-    }
-    std::cout << " ";
-    entry(row, *first);
-    std::cout << " |";
-  }
-  std::cout << "\n";
-}
-
-void printTables(const std::vector<Row>& rows) {
-  std::cout << std::fixed << std::setprecision(3);
-  printTable("sum of volumes, joints at 0, by parts_per_link", rows,
-             [](const Row& row, const Row& whole) { std::cout << row.volume / whole.volume; });
-  printTable("the same on average over 100 turns of the whole robot", rows,
-             [](const Row& row, const Row& whole) {
-               std::cout << row.turned_volume / whole.turned_volume;
-             });
-  printTable("parts in all", rows, [](const Row& row, const Row&) { std::cout << row.parts; });
-  printTable("bytes per part", rows, [](const Row& row, const Row&) {
-    std::cout << row.bytes / std::max<std::size_t>(1, row.parts);
-  });
-  printTable("seconds, without reading the files", rows,
-             [](const Row& row, const Row&) { std::cout << row.seconds; });
-}
-
-void writeJson(const std::vector<Row>& rows, std::ostream& out) {
-  const char* separator = "[\n";
-  out << std::setprecision(9);
-  for (const Row& row : rows) {
-    out << separator << "{\"model\": " << std::quoted(row.model)
-        << ", \"parts_per_link\": " << row.level << ", \"parts\": " << row.parts
-        << ", \"volume\": " << row.volume << ", \"turned_volume\": " << row.turned_volume
-        << ", \"bytes\": " << row.bytes << ", \"seconds\": " << row.seconds << "}";
-    separator = ",\n";
-  }
-  out << "\n]\n";
-}
-
-void benchmarkParts(bool quick, std::ostream* json) {
-  std::cout << "CPU: " << cpuName() << "\n";
-  const std::vector<Row> rows = measureAll(quick ? kFewTurns : kTurns);
-  printTables(rows);
-  if (json) writeJson(rows, *json);
+    columns.push_back({std::to_string(level)});
+  printTable(title, columns, pivot(rows, {"model"}, "parts_per_link", value));
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkParts);
+Rows benchmarkParts(bool quick) {
+  const Rows rows = measureAll(quick ? kFewTurns : kTurns);
+  printLevels("sum of volumes, joints at 0, by parts_per_link", "volume_ratio", rows);
+  printLevels("the same on average over 100 turns of the whole robot", "turned_volume_ratio", rows);
+  printLevels("parts in all", "parts", rows);
+  printLevels("bytes per part", "bytes_per_part", rows);
+  printLevels("seconds, without reading the files", "seconds", rows);
+  return rows;
 }
+
+}  // namespace link_bounds::bench

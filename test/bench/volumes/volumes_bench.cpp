@@ -1,15 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How tight volumes are and what they cost: volumes_bench [--quick] [--json FILE]
+// How tight volumes are and what they cost.
 #include <cmath>
-#include <iomanip>
-#include <iostream>
-#include <sstream>
-#include <stdexcept>
 
-#include "bench/common/benchmark_main.h"
-#include "bench/common/json.h"
-#include "bench/common/machine.h"
+#include "bench/common/benchmarks.h"
+#include "bench/common/table.h"
 #include "bench/volumes/volumes_measure.h"
 
 namespace link_bounds::bench {
@@ -31,56 +26,52 @@ double mean(const Results& results, const std::string& method, Value value,
   return sum / links;
 }
 
-std::string toText(double value) {
-  if (std::isnan(value)) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << value;
-  return text.str();
-}
-
-void printRobot(const Results& results, const MeasuredRobot& robot, std::ostream& out) {
-  out << "| " << robot.name << " | " << robot.links.size();
+Row rowOf(const Results& results, const MeasuredRobot& robot) {
+  Row row{{"robot", robot.name}, {"links", robot.links.size()}};
   for (const char* method : {kAabb, kAabbAtJoints, kSphere, kOrientedBox})
-    out << " | " << toText(mean(results, method, &Result::volume_ratio, robot.name));
-  out << " |\n";
+    row.emplace_back(method, mean(results, method, &Result::volume_ratio, robot.name));
+  return row;
 }
 
-void printCosts(const Results& results, const char* name, const char* method, const char* once,
-                const char* overlap, std::ostream& out) {
-  out << "| " << name << " | " << toText(mean(results, method, &Result::volume_ratio)) << " | "
-      << toText(mean(results, method, &Result::ns)) << " | "
-      << toText(mean(results, once, &Result::ns) / 1e6) << " | "
-      << toText(mean(results, overlap, &Result::ns)) << " |\n";
+Row rowOf(const Results& results, const char* name, const char* method, const char* once,
+          const char* overlap) {
+  return {{"bounded by", name},
+          {"volume", mean(results, method, &Result::volume_ratio)},
+          {"ns per update", mean(results, method, &Result::ns)},
+          {"ms once, beside the table", mean(results, once, &Result::ns) / 1e6},
+          {"ns per overlap test", mean(results, overlap, &Result::ns)}};
 }
 
-void print(const Results& results, const std::vector<MeasuredRobot>& robots, std::ostream& out) {
-  out << "Mean volume, divided by that of the axis-aligned box of the same link turned at "
-         "random\n\n"
-         "| robot | links | box, turned at random | box, joints at random | sphere | oriented box "
-         "|\n|---|---|---|---|---|---|\n";
+void print(const Results& results, const std::vector<MeasuredRobot>& robots) {
+  const Table volumes(
+      "Mean volume, divided by that of the axis-aligned box of the same link turned at random",
+      {{"robot", "", 20},
+       {"links"},
+       {kAabb, "box, turned at random"},
+       {kAabbAtJoints, "box, joints at random"},
+       {kSphere},
+       {kOrientedBox, "oriented box"}});
   for (const MeasuredRobot& robot : robots)
-    printRobot(results, robot, out);
-  out << "\nMeans over all links; -: not measured\n\n"
-         "| bounded by | volume | ns per update | ms once, beside the table | ns per overlap test "
-         "|\n|---|---|---|---|---|\n";
-  printCosts(results, "axis-aligned box", kAabb, "", kOverlapAabb, out);
-  printCosts(results, "axis-aligned box, joints at random", kAabbAtJoints, "", "", out);
-  printCosts(results, "sphere", kSphere, kPrepareSphere, kOverlapSphere, out);
-  printCosts(results, "oriented box", kOrientedBox, kPrepareOrientedBox, "", out);
-}
-
-void benchmarkVolumes(bool quick, std::ostream* json) {
-  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName() << "\n";
-  const auto robots = chooseRobots(LINK_BOUNDS_DEMO_URDF, std::cout);
-  const Results results = measureVolumes(robots, quick);
-  std::cout << "\n";
-  print(results, robots, std::cout);
-  if (json) writeJson(results, *json);
+    volumes.add(rowOf(results, robot));
+  printTable("Means over all links; -: not measured",
+             {{"bounded by", "", 36},
+              {"volume"},
+              {"ns per update"},
+              {"ms once, beside the table"},
+              {"ns per overlap test"}},
+             {rowOf(results, "axis-aligned box", kAabb, "", kOverlapAabb),
+              rowOf(results, "axis-aligned box, joints at random", kAabbAtJoints, "", ""),
+              rowOf(results, "sphere", kSphere, kPrepareSphere, kOverlapSphere),
+              rowOf(results, "oriented box", kOrientedBox, kPrepareOrientedBox, "")});
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) {
-  return link_bounds::bench::runBenchmark(argc, argv, link_bounds::bench::benchmarkVolumes);
+Rows benchmarkVolumes(bool quick) {
+  const auto robots = chooseRobots();
+  const Results results = measureVolumes(robots, quick);
+  print(results, robots);
+  return rowsOf(results);
 }
+
+}  // namespace link_bounds::bench

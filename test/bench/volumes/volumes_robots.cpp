@@ -3,9 +3,7 @@
 // Loaded as the node loads them.
 #include "bench/volumes/volumes_robots.h"
 
-#include <ostream>
-
-#include "testing/robot_files.h"
+#include "bench/common/robots.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -18,15 +16,15 @@ bool isFlat(const BoundedLink& link) {
   return !box || box->sizes().minCoeff() <= kThinnest * box->sizes().maxCoeff();
 }
 
-MeasuredRobot readRobot(const RobotFile& file, std::ostream& notes) {
+MeasuredRobot readRobot(const RobotFile& file) {
   auto [robot, bounded] =
       loadRobot(textOf(file.urdf), {file.package_path, file.urdf.parent_path().string()});
   MeasuredRobot result{file.name(), std::move(robot), {}, {}};
   for (std::size_t i = 0; i < bounded.links.size(); ++i) {
     const BoundedLink& link = bounded.links[i];
     if (!link.isWhole() || isFlat(link)) {
-      notes << "left out, because it is flat or not whole: link " << link.name << " of "
-            << result.name << "\n";
+      std::cout << "left out, because it is flat or not whole: link " << link.name << " of "
+                << result.name << "\n";
       continue;
     }
     result.links.push_back(link);
@@ -37,10 +35,10 @@ MeasuredRobot readRobot(const RobotFile& file, std::ostream& notes) {
 
 }  // namespace
 
-std::vector<MeasuredRobot> chooseRobots(const std::string& demo_urdf, std::ostream& notes) {
+std::vector<MeasuredRobot> chooseRobots() {
   std::vector<MeasuredRobot> result;
-  for (const RobotFile& file : robotsOrDemo(demo_urdf, notes))
-    result.push_back(readRobot(file, notes));
+  for (const RobotFile& file : robots())
+    result.push_back(readRobot(file));
   return result;
 }
 

@@ -3,7 +3,6 @@
 // The robots whose links are measured.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,7 @@ struct MeasuredRobot {
   std::vector<std::size_t> index;  ///< of the links, in `robot`
 };
 
-/// The robots of LINK_BOUNDS_DATA; where it is not set, the robot of `demo_urdf`, which is in the
-/// folder launch/demo of its package. Writes to `notes` what is left out.
-std::vector<MeasuredRobot> chooseRobots(const std::string& demo_urdf, std::ostream& notes);
+/// See robots(). Prints what is left out.
+std::vector<MeasuredRobot> chooseRobots();
 
 }  // namespace link_bounds::bench

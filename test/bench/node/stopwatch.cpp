@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sends numbered tf messages to one node and takes the time until each is answered:
-// end_to_end_stopwatch NAMESPACE PID boxes|markers LINKS DEPTH HZ SECONDS
+// NAMESPACE PID boxes|markers LINKS DEPTH HZ SECONDS
 // Messages go to NAMESPACE/tf, answers come from NAMESPACE/node/boxes. Prints one line of JSON.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "bench/common/processes.h"
 #include "bench/common/tf_robot.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
 
@@ -201,20 +202,15 @@ class Stopwatch {
 };
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  using namespace link_bounds::bench;
-  ros::init(argc, argv, "stopwatch", ros::init_options::AnonymousName);
-  if (argc != 8) throw std::runtime_error("wrong number of arguments");
-  const Task task{argv[1],
-                  std::stoi(argv[2]),
-                  argv[3] == std::string("markers"),
-                  tfRobot(std::stoul(argv[4]), std::stoul(argv[5])),
-                  std::stod(argv[6]),
-                  std::stod(argv[7])};
+void runStopwatch(const Words& words) {
+  const Task task{words[0],
+                  std::stoi(words[1]),
+                  words[2] == "markers",
+                  tfRobot(std::stoul(words[3]), std::stoul(words[4])),
+                  std::stod(words[5]),
+                  std::stod(words[6])};
   Stopwatch(task).run();
-} catch (const std::exception& error) {
-  std::cerr << "end_to_end_stopwatch: " << error.what() << "\n";
-  return 1;
 }
+
+}  // namespace link_bounds::bench

@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The usual node of tf2: a TransformListener, and after each message a look-up of each frame and a
-// message of loose boxes: end_to_end_usual_tf2 boxes|markers
+// message of loose boxes: boxes|markers
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_listener.h>
 
+#include "bench/common/processes.h"
 #include "bench/common/usual_tf2.h"
 
-using namespace link_bounds;
+namespace link_bounds::bench {
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "usual_tf2");
-  if (argc != 2) return 1;
-  const bool is_markers = argv[1] == std::string("markers");
+void runUsualTf2(const Words& words) {
+  const bool is_markers = words[0] == "markers";
   ros::NodeHandle node, private_node("~");
   const auto publisher = is_markers
                              ? private_node.advertise<visualization_msgs::MarkerArray>("boxes", 200)
@@ -25,7 +24,7 @@ int main(int argc, char** argv) {
   const tf2_ros::TransformListener listener(buffer, node, false, hints);
   const Aabb resting(Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.2));
   std::string base;
-  std::vector<bench::UsualLink> links;
+  std::vector<UsualLink> links;
   const auto answer = [&](const tf2_msgs::TFMessageConstPtr& message) {
     const auto& transforms = message->transforms;
     if (links.empty()) {
@@ -34,10 +33,12 @@ int main(int argc, char** argv) {
         links.push_back({transform.child_frame_id, resting});
     }
     if (is_markers)
-      publisher.publish(bench::usualMarkers(buffer, base, links));
+      publisher.publish(usualMarkers(buffer, base, links));
     else
-      publisher.publish(bench::usualBoxes(buffer, base, links));
+      publisher.publish(usualBoxes(buffer, base, links));
   };
   const auto subscriber = node.subscribe<tf2_msgs::TFMessage>("/tf", 5000, answer, {}, hints);
   ros::spin();
 }
+
+}  // namespace link_bounds::bench

@@ -4,6 +4,9 @@
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 
+#include "bench/common/processes.h"
+
+namespace link_bounds::bench {
 namespace {
 
 bool doNothing(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
@@ -12,9 +15,10 @@ bool doNothing(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "empty");
+void runEmptyService(const Words&) {
   ros::NodeHandle private_node("~");
   const ros::ServiceServer service = private_node.advertiseService("service", doNothing);
   ros::spin();
 }
+
+}  // namespace link_bounds::bench

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks for boxes while tf is sent, and an empty service in turn: get_boxes_client LINKS DEPTH HZ
-// REPETITIONS CALLS. The services are /ours/node/get_boxes and /empty/node/service. Prints one line
+// Asks for boxes while tf is sent, and an empty service in turn: LINKS DEPTH HZ REPETITIONS
+// CALLS. The services are /ours/node/get_boxes and /empty/node/service. Prints one line
 // of JSON per repetition: the median time of a call of each kind [us].
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
@@ -13,7 +13,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "bench/common/processes.h"
 #include "bench/common/tf_robot.h"
+#include "bench/common/timing.h"
 #include "link_bounds/GetBoxes.h"
 
 namespace link_bounds::bench {
@@ -59,19 +61,6 @@ class Traffic {
   std::thread thread_;
 };
 
-/// The median time of a call [us].
-template <class Call>
-double median(int calls, Call&& call) {
-  std::vector<double> times;
-  for (int i = 0; i < calls; ++i) {
-    const auto begin = Clock::now();
-    call();
-    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
-  }
-  std::nth_element(times.begin(), times.begin() + calls / 2, times.end());
-  return times[static_cast<std::size_t>(calls) / 2];
-}
-
 class Client {
  public:
   /// The services must be there already.
@@ -81,7 +70,7 @@ class Client {
         links_(links) {}
 
   double empty(int calls) {
-    return median(calls, [this] {
+    return medianTime<std::micro>(calls, [this] {
       std_srvs::Empty message;
       if (!empty_.call(message)) throw std::runtime_error("the empty service did not answer");
     });
@@ -89,7 +78,7 @@ class Client {
 
   /// Boxes so many seconds ago; 0: the latest.
   double boxes(int calls, double ago, double span) {
-    return median(calls, [&] {
+    return medianTime<std::micro>(calls, [&] {
       GetBoxes message;
       if (ago > 0) message.request.stamp = ros::Time::now() - ros::Duration(ago);
       message.request.span = ros::Duration(span);
@@ -133,14 +122,10 @@ void run(std::size_t links, std::size_t depth, double hz, int repetitions, int c
 }
 
 }  // namespace
-}  // namespace link_bounds::bench
 
-int main(int argc, char** argv) try {
-  ros::init(argc, argv, "client");
-  if (argc != 6) throw std::runtime_error("wrong number of arguments");
-  link_bounds::bench::run(std::stoul(argv[1]), std::stoul(argv[2]), std::stod(argv[3]),
-                          std::stoi(argv[4]), std::stoi(argv[5]));
-} catch (const std::exception& error) {
-  std::cerr << "get_boxes_client: " << error.what() << "\n";
-  return 1;
+void runServiceClient(const Words& words) {
+  run(std::stoul(words[0]), std::stoul(words[1]), std::stod(words[2]), std::stoi(words[3]),
+      std::stoi(words[4]));
 }
+
+}  // namespace link_bounds::bench

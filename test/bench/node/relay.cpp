@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A node that computes nothing: end_to_end_relay [BOXES [TOPIC BYTES HZ] ...]
+// A node that computes nothing: [BOXES [TOPIC BYTES HZ] ...]
 // Answers each TFMessage with as many boxes as it has transforms, and further ones up to BOXES.
 // Beside it, sends that many bytes on topics, that often, while somebody listens.
 #include <ros/ros.h>
@@ -8,13 +8,14 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "bench/common/processes.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
 
+namespace link_bounds::bench {
 namespace {
 
 void talk(const ros::Publisher& publisher, std::size_t bytes, double hz) {
@@ -30,12 +31,11 @@ void talk(const ros::Publisher& publisher, std::size_t bytes, double hz) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "relay");
+void runRelay(const Words& words) {
   ros::NodeHandle node, private_node("~");
-  link_bounds::AxisAlignedBoxArray answer;
-  const std::size_t least = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 0;
-  const auto publisher = private_node.advertise<link_bounds::AxisAlignedBoxArray>("boxes", 200);
+  AxisAlignedBoxArray answer;
+  const std::size_t least = words.empty() ? 0 : std::stoul(words[0]);
+  const auto publisher = private_node.advertise<AxisAlignedBoxArray>("boxes", 200);
   const auto relay = [&](const tf2_msgs::TFMessageConstPtr& message) {
     const auto& transforms = message->transforms;
     answer.boxes.resize(std::max(transforms.size(), least));
@@ -49,12 +49,13 @@ int main(int argc, char** argv) {
   const auto subscriber = node.subscribe<tf2_msgs::TFMessage>("/tf", 5000, relay, {},
                                                               ros::TransportHints().tcpNoDelay());
   std::vector<std::thread> talkers;
-  for (int i = 2; i + 2 < argc; i += 3) {
-    const auto talker = private_node.advertise<std_msgs::String>(argv[i], 1);
-    talkers.emplace_back(talk, talker, std::strtoul(argv[i + 1], nullptr, 10),
-                         std::strtod(argv[i + 2], nullptr));
+  for (std::size_t i = 1; i + 2 < words.size(); i += 3) {
+    const auto talker = private_node.advertise<std_msgs::String>(words[i], 1);
+    talkers.emplace_back(talk, talker, std::stoul(words[i + 1]), std::stod(words[i + 2]));
   }
   ros::spin();
   for (std::thread& talker : talkers)
     talker.join();
 }
+
+}  // namespace link_bounds::bench

@@ -3,7 +3,6 @@
 // The results for people.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
 #include "bench/common/result.h"
@@ -12,6 +11,6 @@ namespace link_bounds::bench {
 
 /// One row per mesh and one column per method, in ns per box; then medians over the robot meshes,
 /// and the cost per link. `ours` is the method that the others are compared with.
-void printTable(const Results& results, const std::string& ours, std::ostream& out);
+void printCoreTables(const Results& results, const std::string& ours);
 
 }  // namespace link_bounds::bench

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a program and prints the seconds it took, its peak of memory [bytes] and its exit status:
-// bag_run PROGRAM [ARGUMENT ...]. The peak of a child of a Python program is at least that of
+// bench_peak PROGRAM [ARGUMENT ...]. The peak of a child of a Python program is at least that of
 // Python, because the kernel counts from the fork.
 #include <fcntl.h>
 #include <sys/resource.h>
