@@ -3,15 +3,45 @@
 // What is not known is an error; so is a file that cannot be written, before the first measurement.
 #include "bench/common/driver.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
 
-#include "bench/common/machine.h"
-
 namespace link_bounds::bench {
 namespace {
+
+std::string cpuName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+/// On the last one we may use, since interrupts tend to the first.
+void pinToOneCpu() {
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof(allowed), &allowed) != 0)
+    throw std::runtime_error("cannot find out which processors may be used");
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &allowed))
+    --last;
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(last, &one);
+  if (sched_setaffinity(0, sizeof(one), &one) != 0)
+    throw std::runtime_error("cannot stay on one processor");
+}
+
+/// scripts/figures reads it.
+void printMachine() {
+  std::cout << "compiler: " << LINK_BOUNDS_COMPILER << "\nCPU: " << cpuName()
+            << "\npeers: " << LINK_BOUNDS_PEERS << "\n"
+            << std::flush;
+}
 
 struct Options {
   Measure measure;

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <set>
 
-#include "bench/common/synthetic_meshes.h"
+#include "geometry/support/table/direction_table.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/robot.h"
 #include "robot/worker/mesh_import.h"
@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kSharedMeshes = 16;
 constexpr char kModels[] = "stanford_models";
 
 /// Small and large, with few and many points that can be extreme, of three robots.
@@ -117,6 +118,19 @@ MeasuredMeshes chooseMeshes(bool quick) {
   if (quick) std::cout << "--quick: only some robot meshes and models\n";
   addSyntheticMeshes(meshes);
   return meshes;
+}
+
+MeasuredMeshes sharedMeshes(bool quick) {
+  MeasuredMeshes meshes = chooseMeshes(quick);
+  const auto end = std::remove_if(meshes.begin(), meshes.end(), [](const MeasuredMesh& mesh) {
+    return mesh.kind != "robot" || mesh.points->size() <= kScannedPoints;
+  });
+  meshes.erase(end, meshes.end());
+  const std::size_t wanted = std::min(meshes.size(), kSharedMeshes);
+  MeasuredMeshes chosen;
+  for (std::size_t i = 0; i < wanted; ++i)
+    chosen.push_back(std::move(meshes[i * meshes.size() / wanted]));
+  return chosen;
 }
 
 }  // namespace link_bounds::bench

@@ -12,4 +12,12 @@ namespace link_bounds::bench {
 /// robots, and there are no models. Prints what is left out.
 MeasuredMeshes chooseMeshes(bool quick);
 
+/// For the links of a robot: at most 16 of the meshes with a table, of all robots, or of some of
+/// them if `quick`.
+MeasuredMeshes sharedMeshes(bool quick);
+
+/// Adds meshes that are hard for a table of directions: large flat faces of many vertices, and a
+/// sphere, whose vertices can all be extreme.
+void addSyntheticMeshes(MeasuredMeshes& meshes);
+
 }  // namespace link_bounds::bench

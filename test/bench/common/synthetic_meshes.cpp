@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids of vertices on the faces of a box, and a spiral on a sphere.
-#include "bench/common/synthetic_meshes.h"
-
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "bench/common/mesh_choice.h"
 #include "robot/mesh/weld.h"
 
 namespace link_bounds::bench {

@@ -9,12 +9,27 @@
 #include "bench/common/benchmarks.h"
 #include "bench/common/mesh_choice.h"
 #include "bench/core/cold_boxes.h"
-#include "bench/core/core_tables.h"
+#include "bench/core/core_report.h"
 #include "bench/core/methods.h"
-#include "bench/core/targets.h"
 
 namespace link_bounds::bench {
 namespace {
+
+/// Leaves out what this system or processor lacks.
+void addMethods(const Trial& trial, Suite& suite) {
+  addScans(trial, suite);
+  addOurs(trial, suite);
+  addLooseBoxes(trial, suite);
+#ifdef LINK_BOUNDS_WITH_BULLET
+  addBullet(trial, suite);
+#endif
+#ifdef LINK_BOUNDS_WITH_FCL
+  addFcl(trial, suite);
+#endif
+#ifdef LINK_BOUNDS_WITH_GEOMETRIC_SHAPES
+  addGeometricShapes(trial, suite);
+#endif
+}
 
 Suite makeSuite(const MeasuredMeshes& meshes) {
   Suite suite;

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Medians and means are over the robot meshes.
-#include "bench/core/core_tables.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numeric>
 
 #include "bench/common/table.h"
+#include "bench/core/core_report.h"
 
 namespace link_bounds::bench {
 namespace {

@@ -10,9 +10,6 @@
 
 namespace link_bounds::bench {
 
-/// Leaves out what this system or processor lacks.
-void addMethods(const Trial& trial, Suite& suite);
-
 void addScans(const Trial& trial, Suite& suite);
 void addOurs(const Trial& trial, Suite& suite);
 void addLooseBoxes(const Trial& trial, Suite& suite);

@@ -7,14 +7,13 @@
 
 #include "bench/common/cold.h"
 #include "bench/common/result.h"
-#include "bench/pipeline/node_update.h"
 #include "bench/pipeline/tf_traffic.h"
 
 namespace link_bounds::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::size_t kHistory = 10000;  // messages
+constexpr std::size_t kHistory = 10000;  // messages: 10 s at 1 kHz, so that memory is reused
 
 /// Appends to `times` how long each stage takes [ns].
 void measure(NodeUpdate& update, Bytes& bytes, ros::Time now,
@@ -32,24 +31,32 @@ void measure(NodeUpdate& update, Bytes& bytes, ros::Time now,
 
 }  // namespace
 
-std::vector<StageTime> coldStages(std::size_t links, std::size_t depth,
-                                  const MeasuredMeshes& meshes, std::size_t updates) {
-  const TfRobot robot = tfRobot(links, depth);
+void forUpdates(const TfRobot& robot, const MeasuredMeshes& meshes, std::size_t updates,
+                const std::function<void(NodeUpdate&, Bytes&, ros::Time)>& run) {
   NodeUpdate update(modelOf(robot, meshes));
   TfTraffic traffic(robot, true);
-  std::vector<std::vector<double>> times(NodeUpdate::kStages.size());
   for (std::size_t i = 0; i < kHistory + updates; ++i) {
     const std::size_t k = i % TfTraffic::kMessages;
     if (k == 0) traffic.prepare();
     if (i < kHistory) {
       update.receive(traffic.bytes(k), traffic.stamp(k));
     } else {
-      measure(update, traffic.bytes(k), traffic.stamp(k), times);
+      run(update, traffic.bytes(k), traffic.stamp(k));
     }
   }
+}
+
+std::vector<StageTime> coldStages(const TfRobot& robot, const MeasuredMeshes& meshes,
+                                  std::size_t updates) {
+  std::vector<std::vector<double>> times(NodeUpdate::kStages.size());
+  forUpdates(robot, meshes, updates, [&](NodeUpdate& update, Bytes& bytes, ros::Time now) {
+    measure(update, bytes, now, times);
+  });
   std::vector<StageTime> result;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    result.push_back({NodeUpdate::kStages[i].name, median(times[i]) / static_cast<double>(links)});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double ns = median(times[i]) / static_cast<double>(robot.links.size());
+    result.push_back({NodeUpdate::kStages[i].name, ns});
+  }
   return result;
 }
 

@@ -3,20 +3,25 @@
 // Where the time of an update goes that starts with empty caches.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "bench/common/measured_mesh.h"
+#include "bench/pipeline/node_update.h"
 
 namespace link_bounds::bench {
+
+/// Runs that many updates. Histories are full before.
+void forUpdates(const TfRobot& robot, const MeasuredMeshes& meshes, std::size_t updates,
+                const std::function<void(NodeUpdate&, Bytes&, ros::Time)>& run);
 
 struct StageTime {
   std::string name;
   double ns_per_link;  ///< median of the updates
 };
 
-/// The stages of NodeUpdate, in order. Histories are full before.
-std::vector<StageTime> coldStages(std::size_t links, std::size_t depth,
-                                  const MeasuredMeshes& meshes, std::size_t updates);
+/// The stages of NodeUpdate, in order.
+std::vector<StageTime> coldStages(const TfRobot& robot, const MeasuredMeshes& meshes,
+                                  std::size_t updates);
 
 }  // namespace link_bounds::bench

@@ -7,39 +7,25 @@
 #include <string>
 
 #include "bench/common/benchmarks.h"
-#include "bench/pipeline/node_update.h"
-#include "bench/pipeline/shared_meshes.h"
-#include "bench/pipeline/tf_traffic.h"
+#include "bench/common/mesh_choice.h"
+#include "bench/pipeline/cold_stages.h"
 
 namespace link_bounds::bench {
 namespace {
 
 constexpr std::size_t kDepth = 10;
-constexpr std::size_t kHistory = 10000;  // messages: 10 s at 1 kHz, so that memory is reused
-constexpr std::size_t kWarm = 16;        // messages: so that all memory is there
-constexpr std::size_t kUpdates = 14;     // twice as many as a block of a history has samples
-
-void watch(NodeUpdate& update, Bytes& bytes, ros::Time now) {
-  CALLGRIND_START_INSTRUMENTATION;
-  update.answer(bytes, now);
-  CALLGRIND_STOP_INSTRUMENTATION;
-}
+constexpr std::size_t kWarm = 16;     // updates: so that all memory is there
+constexpr std::size_t kUpdates = 14;  // twice as many as a block of a history has samples
 
 void run(std::size_t links, const MeasuredMeshes& meshes) {
-  const TfRobot robot = tfRobot(links, kDepth);
-  NodeUpdate update(modelOf(robot, meshes));
-  TfTraffic traffic(robot, true);
-  for (std::size_t i = 0; i < kHistory + kWarm + kUpdates; ++i) {
-    const std::size_t k = i % TfTraffic::kMessages;
-    if (k == 0) traffic.prepare();
-    if (i < kHistory) {
-      update.receive(traffic.bytes(k), traffic.stamp(k));
-    } else if (i < kHistory + kWarm) {
-      update.answer(traffic.bytes(k), traffic.stamp(k));
-    } else {
-      watch(update, traffic.bytes(k), traffic.stamp(k));
-    }
-  }
+  std::size_t number = 0;
+  const auto watch = [&number](NodeUpdate& update, Bytes& bytes, ros::Time now) {
+    const bool is_watched = number++ >= kWarm;
+    if (is_watched) CALLGRIND_START_INSTRUMENTATION;
+    update.answer(bytes, now);
+    if (is_watched) CALLGRIND_STOP_INSTRUMENTATION;
+  };
+  forUpdates(tfRobot(links, kDepth), meshes, kWarm + kUpdates, watch);
 }
 
 }  // namespace

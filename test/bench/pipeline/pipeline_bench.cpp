@@ -6,12 +6,12 @@
 #include <iostream>
 
 #include "bench/common/benchmarks.h"
+#include "bench/common/mesh_choice.h"
 #include "bench/common/result.h"
 #include "bench/common/table.h"
 #include "bench/common/target.h"
 #include "bench/pipeline/cold_stages.h"
 #include "bench/pipeline/contest.h"
-#include "bench/pipeline/shared_meshes.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -121,7 +121,7 @@ Rows measureStages(std::size_t links, const MeasuredMeshes& meshes, bool quick) 
   const Table table("ours by stage, " + std::to_string(links) + " links",
                     {{"stage", "", 20}, {"ns_per_link", "ns per link"}});
   Rows rows;
-  for (const StageTime& stage : coldStages(links, kColdDepth, meshes, quick ? 64 : 256)) {
+  for (const StageTime& stage : coldStages(tfRobot(links, kColdDepth), meshes, quick ? 64 : 256)) {
     table.add(rows.emplace_back(
         Row{{"stage", stage.name}, {"links", links}, {"ns_per_link", stage.ns_per_link}}));
   }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ratios of times, one per mesh.
-#include "bench/core/targets.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "bench/common/target.h"
+#include "bench/core/core_report.h"
 
 namespace link_bounds::bench {
 namespace {

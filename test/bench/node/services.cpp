@@ -121,7 +121,17 @@ void run(std::size_t links, std::size_t depth, double hz, int repetitions, int c
   }
 }
 
+bool doNothing(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
+  return true;
+}
+
 }  // namespace
+
+void runEmptyService(const Words&) {
+  ros::NodeHandle private_node("~");
+  const ros::ServiceServer service = private_node.advertiseService("service", doNothing);
+  ros::spin();
+}
 
 void runServiceClient(const Words& words) {
   run(std::stoul(words[0]), std::stoul(words[1]), std::stod(words[2]), std::stoi(words[3]),

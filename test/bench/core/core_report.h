@@ -13,4 +13,7 @@ namespace link_bounds::bench {
 /// and the cost per link. `ours` is the method that the others are compared with.
 void printCoreTables(const Results& results, const std::string& ours);
 
+/// What was promised, and whether it holds. `ours` counts where a target names no method.
+void printCoreTargets(const Results& results, const std::string& ours);
+
 }  // namespace link_bounds::bench
