@@ -7,10 +7,10 @@
 #include <iostream>
 
 #include "bench/common/robots.h"
-#include "link_bounds/robot/mesh/mesh_uri.h"
+#include "geometry/distance/triangle_tree.h"
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
-#include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds::bench {
@@ -20,52 +20,18 @@ constexpr double kRotation = 2.5;     ///< joints stay within plus and minus thi
 constexpr double kTranslation = 0.1;  ///< [m]
 constexpr double kSmallStep = 0.01;   ///< of a coherent motion [rad], at most
 
-struct LoadedFile {
+/// Empty if a shape is a solid.
+TriangleMesh meshOf(const Body& body) {
   TriangleMesh mesh;
-  std::shared_ptr<const PointSet> points;
-  std::shared_ptr<const TriangleTree> tree;
-};
-
-using Files = std::map<std::string, LoadedFile>;
-
-const LoadedFile& loaded(const MeshFile& file, Files& files) {
-  const auto [entry, is_new] = files.try_emplace(file.path);
-  LoadedFile& result = entry->second;
-  if (!is_new) return result;
-  result.mesh = importMesh(file);
-  result.points = std::make_shared<const PointSet>(result.mesh.vertices);
-  result.tree = triangleTree(result.mesh);
-  return result;
-}
-
-void append(const TriangleMesh& mesh, const Eigen::Affine3d& link_from_mesh, TriangleMesh& all) {
-  const auto first = static_cast<std::uint32_t>(all.vertices.size());
-  for (const Eigen::Vector3f& vertex : mesh.vertices)
-    all.vertices.push_back((link_from_mesh * vertex.cast<double>()).cast<float>());
-  for (const auto& [a, b, c] : mesh.triangles)
-    all.triangles.push_back({first + a, first + b, first + c});
-}
-
-/// Throws MeshError.
-DistanceLink linkOf(const Link& link, Purpose purpose, const PackagePath& package_path,
-                    Files& files) {
-  DistanceLink result;
-  bool has_solid = false;
-  for (const Element& element : link.elements) {
-    if (element.purpose != purpose) continue;
-    BodyShape shape{{nullptr, element.solid, element.size, element.link_from_shape}, nullptr};
-    if (element.mesh_uri.empty()) {
-      has_solid = true;
-    } else {
-      const LoadedFile& file = loaded(resolveMeshUri(element.mesh_uri, package_path), files);
-      shape.shape.points = file.points;
-      shape.triangles = file.tree;
-      append(file.mesh, element.link_from_shape, result.mesh);
-    }
-    result.body.shapes.push_back(shape);
+  for (const BodyShape& shape : body.shapes) {
+    if (!shape.triangles) return {};
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : shape.triangles->vertices)
+      mesh.vertices.push_back((shape.shape.link_from_shape * vertex).cast<float>());
+    for (const auto& [i, j, k] : shape.triangles->triangles)
+      mesh.triangles.push_back({first + i, first + j, first + k});
   }
-  if (has_solid) result.mesh = {};
-  return result;
+  return mesh;
 }
 
 double amplitude(const Joint& joint) {
@@ -98,24 +64,28 @@ std::vector<LinkPoses> motionOf(const Robot& robot, const std::vector<std::size_
   return result;
 }
 
+LoadedRobot load(const RobotFile& file, Purpose purpose) {
+  Selection selection;
+  selection.visual = purpose == Purpose::kVisual;
+  selection.collision = !selection.visual;
+  selection.triangles = true;
+  return loadRobot(textOf(file.urdf), {file.package_path, file.urdf.parent_path().string()},
+                   selection);
+}
+
 DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps) {
-  const Robot robot = parseRobot(textOf(file.urdf));
+  const auto [robot, bounded] = load(file, purpose);
   DistanceRobot result{file.name() + " " + toText(purpose), {}, {}, {}, steps};
-  Files files;
   std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    try {
-      DistanceLink link = linkOf(robot.links[i], purpose, file.package_path, files);
-      if (link.body.shapes.empty()) continue;
-      result.links.push_back(std::move(link));
-      indices.push_back(i);
-    } catch (const MeshError& error) {
-      std::cout << "left out: link " << robot.links[i].name << " of " << result.name << ": "
-                << error.what() << "\n";
+  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
+    if (bounded.links[i].isWhole()) {
+      result.links.push_back({bounded.bodies[i], meshOf(bounded.bodies[i])});
+      indices.push_back(bounded.indices[i]);
+    } else {
+      std::cout << "left out: link " << bounded.links[i].name << " of " << result.name << ": "
+                << bounded.links[i].missing << "\n";
     }
   }
-  for (const auto& [path, loaded] : files)
-    result.triangles += loaded.mesh.triangles.size();
   const RigidBodies bodies = rigidBodies(robot);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     for (std::size_t j = i + 1; j < indices.size(); ++j) {

@@ -26,7 +26,6 @@ struct DistanceRobot {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of links that no joint connects
   std::map<std::string, std::vector<LinkPoses>> motions;   ///< "random" and "coherent"
   std::size_t poses_per_peer = 0;  ///< of a motion, after the first: others take longer
-  std::size_t triangles = 0;       ///< of all mesh files, each counted once
 };
 
 /// Each motion has twelve times `steps` poses. See robots(). Prints what is left out.

@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Times distances of robots' links, ours and others.
+#include <cmath>
+#include <set>
+
 #include "bench/common/benchmarks.h"
 #include "bench/distances/distance_report.h"
+#include "geometry/distance/triangle_tree.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -20,19 +24,18 @@ std::vector<DistanceSetting> distanceSettings() {
   return settings;
 }
 
-/// Of the trees of all links, each counted once; none without triangles.
-std::optional<double> bytesPerTriangle(const DistanceRobot& robot) {
-  std::map<std::shared_ptr<const TriangleTree>, double> trees;
+/// Of the trees of all links, each counted once; not a number without triangles.
+double bytesPerTriangle(const DistanceRobot& robot) {
+  std::set<std::shared_ptr<const TriangleTree>> trees;
+  double sum = 0, triangles = 0;
   for (const DistanceLink& link : robot.links) {
     for (const BodyShape& shape : link.body.shapes) {
-      if (shape.triangles) trees[shape.triangles] = static_cast<double>(bytes(*shape.triangles));
+      if (!shape.triangles || !trees.insert(shape.triangles).second) continue;
+      sum += static_cast<double>(bytes(*shape.triangles));
+      triangles += static_cast<double>(shape.triangles->triangles.size());
     }
   }
-  double sum = 0;
-  for (const auto& tree : trees)
-    sum += tree.second;
-  if (robot.triangles == 0) return std::nullopt;
-  return sum / static_cast<double>(robot.triangles);
+  return sum / triangles;
 }
 
 }  // namespace
@@ -52,7 +55,8 @@ Rows benchmarkDistances(bool quick) {
   for (const DistanceRobot& robot : distanceRobots(quick ? 5 : 50)) {
     add(measurePairs(robot, settings));
     add(measureUpdates(robot));
-    if (const auto bytes = bytesPerTriangle(robot)) bytes_per_triangle.push_back(*bytes);
+    const double bytes = bytesPerTriangle(robot);
+    if (!std::isnan(bytes)) bytes_per_triangle.push_back(bytes);
   }
   add(measureGrowth(settings, quick));
   printDistanceTargets(found, bytes_per_triangle);
