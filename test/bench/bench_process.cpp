@@ -28,7 +28,7 @@ constexpr Process kProcesses[] = {
     {"usual_tf2", "boxes|markers", runUsualTf2, true},
     {"service_client", "LINKS DEPTH HZ REPETITIONS CALLS", runServiceClient, true},
     {"empty_service", "", runEmptyService, true},
-    {"bag_made", "BAG URDF MESH LINKS SECONDS", makeBag},
+    {"bag_made", "BAG LINKS SECONDS", makeBag},
     {"bag_ours", "BAG", readBagAsOurs},
 #ifdef LINK_BOUNDS_WITH_ROSBAG
     {"bag_rosbag", "BAG", readBagAsRosbag},

@@ -3,8 +3,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From the start of the node's process to its first boxes that lack nothing, all meshes loaded; and
 the memory of the node then, and of its tables."""
-import os
-import pathlib
 import re
 import statistics
 import subprocess
@@ -14,19 +12,14 @@ import xml.etree.ElementTree as ElementTree
 
 import rospy
 from geometry_msgs.msg import TransformStamped
-from node_process import DEADLINE, PROGRAMS, Master, megabytes
+from node_process import DEADLINE, Master, megabytes, program
 from report import Table
+from robots import DEMO, public
 from tf2_msgs.msg import TFMessage
 
 from link_bounds.msg import AxisAlignedBoxArray
 
 QUICK = "3 repetitions"
-REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
-DATA = os.environ.get("LINK_BOUNDS_DATA")
-ROBOTS = {"demo": str(REPOSITORY / "launch/demo/demo.urdf")}
-if DATA:
-    ROBOTS["panda"] = DATA + "/robots/franka_description/urdf/panda.urdf"
-    ROBOTS["pr2"] = DATA + "/robots/pr2_description/urdf/pr2.urdf"
 
 
 def transforms_of(description):
@@ -66,7 +59,7 @@ def start_once(master, name_space):
 
 def tables_of(path):
     """The memory of the robot's meshes, and the peak of the program that loads them [MB]."""
-    text = subprocess.run([os.path.join(PROGRAMS, "urdf_bounds"), "--verbose", path], check=True,
+    text = subprocess.run([*program("urdf_bounds"), "--verbose", path], check=True,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE).stderr.decode()
     tables = re.search(r"(\d+) bytes in (\d+) mesh files", text)
     peak = re.search(r"(\d+) kB of memory at the peak", text)
@@ -74,14 +67,14 @@ def tables_of(path):
             "loading_mb": round(int(peak.group(1)) * 1024 / 1e6, 1)}
 
 
-def row_of(robot, repetitions, master):
-    with open(ROBOTS[robot], encoding="utf-8") as file:
+def row_of(robot, path, repetitions, master):
+    with open(path, encoding="utf-8") as file:
         description = file.read()
     master.parameters.setParam("/%s/robot_description" % robot, description)
     publisher = rospy.Publisher("/%s/tf_static" % robot, TFMessage, queue_size=1, latch=True)
     publisher.publish(transforms_of(description))
     starts = [start_once(master, "/" + robot) for _ in range(repetitions)]
-    row = {"robot": robot, "starts": repetitions, **tables_of(ROBOTS[robot])}
+    row = {"robot": robot, "starts": repetitions, **tables_of(path)}
     for figure in starts[0]:
         row[figure] = round(statistics.median(start[figure] for start in starts), 1)
     row["shortest_ms"] = round(min(start["median_ms"] for start in starts), 1)
@@ -90,8 +83,7 @@ def row_of(robot, repetitions, master):
 
 
 def measure(options):
-    if not DATA:
-        print("LINK_BOUNDS_DATA is not set: only the demo's robot is measured")
+    robots = {"demo": DEMO, **public("panda", "pr2")}
     table = Table("From the start to complete boxes", {
         "robot": "robot", "median_ms": "ms", "shortest_ms": "shortest", "longest_ms": "longest",
         "starts": "starts", "resident_mb": "node MB", "peak_mb": "peak MB", "files": "mesh files",
@@ -99,8 +91,8 @@ def measure(options):
     rows = []
     with Master() as master:
         rospy.init_node("start_up", disable_signals=True)
-        for robot in ROBOTS:
-            rows.append(row_of(robot, 3 if options.quick else 11, master))
+        for robot, path in robots.items():
+            rows.append(row_of(robot, path, 3 if options.quick else 11, master))
             table.add(rows[-1])
         rospy.signal_shutdown("done")
     return rows

@@ -10,6 +10,7 @@ import tempfile
 import time
 
 import rosbag
+from end_to_end import description
 from node_process import output_of, program, random_mesh
 from report import Table, print_table, print_target
 
@@ -43,7 +44,9 @@ class Bag:
         random_mesh(mesh, 1)
         with open(self.zones, "w", encoding="utf-8") as file:
             file.write(ZONES)
-        output_of("bag_made", self.path, self.urdf, mesh, links, self.seconds)
+        with open(self.urdf, "w", encoding="utf-8") as file:
+            file.write(description(links, lambda _: '<mesh filename="file://%s"/>' % mesh))
+        output_of("bag_made", self.path, links, self.seconds)
 
     def command(self, reader):
         options = []

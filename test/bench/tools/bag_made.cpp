@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a bag of a robot whose joints all swing, at 100 Hz, and its URDF, a mesh for each link:
-// BAG URDF MESH LINKS SECONDS
-#include <fstream>
-#include <stdexcept>
-
+// Writes a bag of a robot whose joints all swing, at 100 Hz: BAG LINKS SECONDS
 #include "bench/common/processes.h"
 #include "bench/common/tf_robot.h"
 #include "testing/bag_testing.h"
@@ -16,18 +12,6 @@ constexpr std::int64_t kPeriod = 10000000;            // ns
 constexpr std::int64_t kBegin = 1700000000000000000;  // ns
 constexpr std::size_t kDepth = 10;
 constexpr std::size_t kPoses = 1000;
-
-void writeUrdf(const TfRobot& robot, const std::string& file, const std::string& mesh) {
-  std::ofstream urdf(file);
-  urdf << "<robot name=\"bench\">\n<link name=\"" << robot.base << "\"/>\n";
-  for (std::size_t i = 0; i < robot.frames.size(); ++i)
-    urdf << "<link name=\"" << robot.frames[i] << "\"><visual><geometry><mesh filename=\"file://"
-         << mesh << "\"/></geometry></visual></link>\n<joint name=\"joint_" << i
-         << "\" type=\"continuous\"><parent link=\"" << robot.parents[i] << "\"/><child link=\""
-         << robot.frames[i] << "\"/></joint>\n";
-  urdf << "</robot>\n";
-  if (!urdf.flush()) throw std::runtime_error(file + " cannot be written");
-}
 
 void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds) {
   std::vector<tf2_msgs::TFMessage> messages = swing(robot, kPoses);
@@ -51,9 +35,7 @@ void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds
 }  // namespace
 
 void makeBag(const Words& words) {
-  const TfRobot robot = tfRobot(std::stoul(words[3]), kDepth);
-  writeUrdf(robot, words[1], words[2]);
-  writeTf(robot, words[0], std::stol(words[4]));
+  writeTf(tfRobot(std::stoul(words[1]), kDepth), words[0], std::stol(words[2]));
 }
 
 }  // namespace link_bounds::bench

@@ -4,11 +4,11 @@
 UR5e, between them a waist of three joints; and rows of its joint values."""
 import copy
 import math
-import os
 import random
 import xml.etree.ElementTree as ElementTree
 
-ARM, LEG = "franka_description/urdf/panda.urdf", "ur_description/urdf/ur5e.urdf"
+from robots import public
+
 BODY = """<robot name="humanoid">
 <link name="pelvis"><collision><geometry><box size="0.25 0.36 0.16"/></geometry></collision></link>
 <link name="waist1"/><link name="waist2"/>
@@ -22,10 +22,10 @@ JOINT = """<joint name="%s" type="%s"><parent link="%s"/><child link="%s"/>
 """
 
 
-def limb(robots, file, prefix):
+def limb(robot, prefix):
     """The links and joints of a robot, without fingers and without the coarse shapes beside its
     meshes."""
-    root = ElementTree.parse(os.path.join(robots, file)).getroot()
+    root = ElementTree.parse(public(robot)[robot]).getroot()
     for element in root:
         name = element.get("name", "")
         if element.tag not in ("link", "joint") or "finger" in name or "_sc" in name:
@@ -38,7 +38,7 @@ def limb(robots, file, prefix):
         yield element
 
 
-def humanoid(robots):
+def humanoid():
     """The text of a URDF."""
     joints = JOINT % ("waist_yaw", "revolute", "pelvis", "waist1", "0 0 0.15", "0 0 0", "0 0 1")
     joints += JOINT % ("waist_roll", "revolute", "waist1", "waist2", "0 0 0", "0 0 0", "1 0 0")
@@ -50,15 +50,15 @@ def humanoid(robots):
                            "0 %g -0.2" % (0.22 * sign), "3.1416 0 0", "0 0 1")
     root = ElementTree.fromstring(BODY % joints)
     for side in ("left", "right"):
-        root.extend(limb(robots, ARM, side + "_arm_"))
-        root.extend(limb(robots, LEG, side + "_leg_"))
+        root.extend(limb("panda", side + "_arm_"))
+        root.extend(limb("ur5e", side + "_leg_"))
     return ElementTree.tostring(root, encoding="unicode")
 
 
-def arm(robots):
+def arm():
     """The text of a URDF: one arm alone."""
     root = ElementTree.fromstring('<robot name="panda"/>')
-    root.extend(limb(robots, ARM, ""))
+    root.extend(limb("panda", ""))
     return ElementTree.tostring(root, encoding="unicode")
 
 

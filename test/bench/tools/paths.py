@@ -17,9 +17,9 @@ import tempfile
 import humanoid
 from node_process import program
 from report import print_table, print_target
+from robots import DATA, DEMO
 
 QUICK = "2,000 rows instead of 20,000"
-DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
 LIMIT = "0.05"  # m
 STEPS = (0.02, 0.2)  # of each joint from row to row [rad]: a motion at 50 Hz, and a scattered one
 TARGET = 2000  # rows per second
@@ -31,11 +31,10 @@ DECIDED_TARGET = 0.99  # of the edges without a collision
 
 def robot():
     """Its name, URDF, and the options for its geometry."""
-    data = os.environ.get("LINK_BOUNDS_DATA")
-    if data:
-        return "humanoid, 29 joints", humanoid.humanoid(os.path.join(data, "robots")), "collision"
+    if DATA:
+        return "humanoid, 29 joints", humanoid.humanoid(), "collision"
     print("LINK_BOUNDS_DATA is not set: the robot of the demo stands in for a humanoid")
-    return "demo", DEMO.read_text(), "visual"
+    return "demo", pathlib.Path(DEMO).read_text(), "visual"
 
 
 def seconds(arguments):
@@ -144,10 +143,9 @@ def measure(options):
         urdf = pathlib.Path(folder, "robot.urdf")
         urdf.write_text(text)
         rows = list(measured(name, urdf, geometry, folder, 2000 if options.quick else 20000))
-        data = os.environ.get("LINK_BOUNDS_DATA")
-        arm = pathlib.Path(folder, "panda.urdf") if data else urdf
-        if data:
-            arm.write_text(humanoid.arm(os.path.join(data, "robots")))
+        arm = pathlib.Path(folder, "panda.urdf") if DATA else urdf
+        if DATA:
+            arm.write_text(humanoid.arm())
         edges = edge_row(folder, arm, geometry, 100 if options.quick else 1000)
     report(rows, edges)
     return rows + [edges]

@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How many pairs urdf_bounds --pairs decides in which time and memory, and what samples would have
 said."""
-import os
-
 from node_process import output_of
 from report import print_table, print_target
+from robots import DATA
 
 BUDGETS = (0.1, 0.3, 1, 3, 10, 30, 120)  # s
 SAMPLES = 10000
@@ -18,7 +17,7 @@ GAP = 6e-5  # m
 
 def geometry():
     """Of the robots: those that are made here have no collision geometry."""
-    return "collision" if os.environ.get("LINK_BOUNDS_DATA") else "visual"
+    return "collision" if DATA else "visual"
 
 
 def verdicts(result):

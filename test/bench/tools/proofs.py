@@ -11,25 +11,22 @@ import time
 import xml.etree.ElementTree
 
 from node_process import program
-from proof_pairs import large_robot_rows, made_rows, pair_rows, report_made, report_pairs
+from proof_pairs import (joint, large_robot_rows, link, made_rows, pair_rows, report_made,
+                         report_pairs)
 from report import print_table, print_target
+from robots import DATA, public
 
 QUICK = "no accuracies below 1 mm, 10 s for pairs"
-PUBLIC = {"UR5e": "ur_description/urdf/ur5e.urdf", "Panda": "franka_description/urdf/panda.urdf"}
-PR2 = "pr2_description/urdf/pr2.urdf"
 ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)  # m
 TARGET_ACCURACY, TARGET_SECONDS = 0.01, 60
 
 
 def made_arm(joints, limit):
     """A robot of boxes whose joints turn about z and y in turn, each by at most the limit."""
-    links = "".join('<link name="l%d"><visual><origin xyz="0 0 0.1"/><geometry><box size="0.1 0.08 '
-                    '0.2"/></geometry></visual></link>' % i for i in range(joints + 1))
-    return '<robot name="made">' + links + "".join(
-        '<joint name="j%d" type="revolute"><parent link="l%d"/><child link="l%d"/><origin '
-        'xyz="0.02 0.03 0.2"/><axis xyz="%s"/><limit lower="-%g" upper="%g" effort="1" '
-        'velocity="1"/></joint>' % (i, i, i + 1, "0 1 0" if i % 2 else "0 0 1", limit, limit)
-        for i in range(joints)) + "</robot>"
+    return '<robot name="made">%s</robot>' % "".join(
+        [link("l%d" % i, "0.1 0.08 0.2", "0 0 0.1") for i in range(joints + 1)] +
+        [joint("j%d" % i, "l%d" % i, "l%d" % (i + 1), "0.02 0.03 0.2",
+               "0 1 0" if i % 2 else "0 0 1", -limit, limit) for i in range(joints)])
 
 
 def write(folder, name, text):
@@ -41,10 +38,9 @@ def write(folder, name, text):
 
 def robots(folder):
     """The URDF files of the robots, by name."""
-    data = os.environ.get("LINK_BOUNDS_DATA")
-    if data:
-        return {name: os.path.join(data, "robots", file) for name, file in PUBLIC.items()}
-    print("LINK_BOUNDS_DATA is not set: arms made here stand in for the UR5e and the Panda")
+    found = public("ur5e", "panda")
+    if found:
+        return {"UR5e": found["ur5e"], "Panda": found["panda"]}
     files = {}
     for name, joints, limit in (("made, 6 joints", 6, 6.28), ("made, 7 joints", 7, 2.8)):
         files[name] = write(folder, "%d.urdf" % joints, made_arm(joints, limit))
@@ -115,8 +111,8 @@ def measure(options):
         report_reach(rows)
         pairs = [row for name, file in files.items()
                  for row in pair_rows(run, name, file, options.quick)]
-        if os.environ.get("LINK_BOUNDS_DATA"):
-            file = os.path.join(os.environ["LINK_BOUNDS_DATA"], "robots", PR2)
+        if DATA:
+            file = public("pr2")["pr2"]
             pairs += large_robot_rows(run, "PR2", file, options.quick)
             pairs += large_robot_rows(run, "PR2, right arm", file, options.quick,
                                       all_but("r_", file))

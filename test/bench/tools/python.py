@@ -5,7 +5,6 @@
 a program in C++ that computes the same rows, each on one thread. With LINK_BOUNDS_DATA the robots there,
 else that of the demo."""
 import os
-import pathlib
 import tempfile
 import time
 
@@ -14,21 +13,14 @@ import numpy
 import link_bounds
 from node_process import output_of
 from report import print_table, print_target
+from robots import DEMO, public
 
 QUICK = "300 rows instead of 3,000"
-DEMO = pathlib.Path(__file__).resolve().parents[3] / "launch/demo/demo.urdf"
-ROBOTS = {"panda": "franka_description/urdf/panda.urdf", "ur5e": "ur_description/urdf/ur5e.urdf"}
 LIMIT = 0.05  # m
 BOXES = 50  # rows of boxes for each row of distances
 REPETITIONS = 5
 MAX_CALL = 20  # us, a single call of boxes
 MIN_SHARE = 0.8  # of the rows per second of C++
-
-
-def robots():
-    data = os.environ.get("LINK_BOUNDS_DATA")
-    found = {name: pathlib.Path(data, "robots", path) for name, path in ROBOTS.items()} if data else {}
-    return {name: path for name, path in found.items() if path.exists()} or {"demo": DEMO}
 
 
 def cpu(work):
@@ -44,7 +36,7 @@ def of_program(urdf, values, *numbers):
 
 
 def measured(name, urdf, count, folder):
-    robot = link_bounds.Robot(str(urdf))
+    robot = link_bounds.Robot(urdf)
     pose = numpy.zeros(len(robot.joints))
     calls = 10 * count
 
@@ -72,7 +64,7 @@ def measured(name, urdf, count, folder):
 def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         rows = [measured(name, urdf, 300 if options.quick else 3000, folder)
-                for name, urdf in robots().items()]
+                for name, urdf in (public("panda", "ur5e") or {"demo": DEMO}).items()]
     columns = {"robot": "robot", "links": "links", "boxes_call_us": "a call of boxes [us]"}
     for what in ("boxes", "distances"):
         columns.update({what + "_python": what + ", Python", what + "_cpp": "C++",
