@@ -3,20 +3,34 @@
 // The robots that are measured.
 #pragma once
 
-#include <iostream>
+#include <string>
 #include <vector>
 
+#include "link_bounds/robot/robot_loader.h"
 #include "testing/robot_files.h"
 
 namespace link_bounds::bench {
 
-inline RobotFile demoRobot() {
-  return demoRobotFile(LINK_BOUNDS_PACKAGE "/launch/demo/demo.urdf");
-}
+RobotFile demoRobot();
 
 /// Those of LINK_BOUNDS_DATA; where it is not set, that of the demo, which a line says.
-inline std::vector<RobotFile> robots() {
-  return robotsOrDemo(LINK_BOUNDS_PACKAGE "/launch/demo/demo.urdf", std::cout);
+std::vector<RobotFile> robots();
+
+struct MeasuredRobot {
+  std::string name;  ///< of its URDF file
+  Robot robot;
+  std::vector<BoundedLink> links;
+  std::vector<std::size_t> indices;  ///< of the links, in `robot`
+  std::vector<Body> bodies;          ///< of the links, if the selection has triangles
+};
+
+/// Why a link cannot be measured; "" = it can.
+inline std::string whyIncomplete(const BoundedLink& link) {
+  return link.missing;
 }
+
+/// Loaded as the node loads it. Prints which links are left out.
+MeasuredRobot measuredRobot(const RobotFile& file, const Selection& selection,
+                            std::string (*why_left_out)(const BoundedLink&) = whyIncomplete);
 
 }  // namespace link_bounds::bench

@@ -4,11 +4,9 @@
 #include "bench/distances/distance_robots.h"
 
 #include <cmath>
-#include <iostream>
 
 #include "bench/common/robots.h"
 #include "geometry/distance/triangle_tree.h"
-#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "testing/brute_force.h"
@@ -64,36 +62,24 @@ std::vector<LinkPoses> motionOf(const Robot& robot, const std::vector<std::size_
   return result;
 }
 
-LoadedRobot load(const RobotFile& file, Purpose purpose) {
+DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps) {
   Selection selection;
   selection.visual = purpose == Purpose::kVisual;
   selection.collision = !selection.visual;
   selection.triangles = true;
-  return loadRobot(textOf(file.urdf), {file.package_path, file.urdf.parent_path().string()},
-                   selection);
-}
-
-DistanceRobot readRobot(const RobotFile& file, Purpose purpose, std::size_t steps) {
-  const auto [robot, bounded] = load(file, purpose);
-  DistanceRobot result{file.name() + " " + toText(purpose), {}, {}, {}, steps};
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < bounded.links.size(); ++i) {
-    if (bounded.links[i].isWhole()) {
-      result.links.push_back({bounded.bodies[i], meshOf(bounded.bodies[i])});
-      indices.push_back(bounded.indices[i]);
-    } else {
-      std::cout << "left out: link " << bounded.links[i].name << " of " << result.name << ": "
-                << bounded.links[i].missing << "\n";
-    }
-  }
-  const RigidBodies bodies = rigidBodies(robot);
+  const MeasuredRobot loaded = measuredRobot(file, selection);
+  const std::vector<std::size_t>& indices = loaded.indices;
+  DistanceRobot result{loaded.name + " " + toText(purpose), {}, {}, {}, steps};
+  for (const Body& body : loaded.bodies)
+    result.links.push_back({body, meshOf(body)});
+  const RigidBodies bodies = rigidBodies(loaded.robot);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     for (std::size_t j = i + 1; j < indices.size(); ++j) {
       if (!areJoined(bodies, indices[i], indices[j])) result.pairs.emplace_back(i, j);
     }
   }
-  result.motions["random"] = motionOf(robot, indices, 12 * steps, false);
-  result.motions["coherent"] = motionOf(robot, indices, 12 * steps, true);
+  result.motions["random"] = motionOf(loaded.robot, indices, 12 * steps, false);
+  result.motions["coherent"] = motionOf(loaded.robot, indices, 12 * steps, true);
   return result;
 }
 

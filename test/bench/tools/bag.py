@@ -97,8 +97,8 @@ def measure_jobs(bag, repetitions):
     """A row for the bag compressed with bz2, with one thread and with one per core."""
     plain, bag.path = bag.path, bag.path + ".bz2.bag"
     with rosbag.Bag(plain) as source, rosbag.Bag(bag.path, "w", compression="bz2") as target:
-        for topic, message, time in source.read_messages(raw=True):
-            target.write(topic, message, time, raw=True)
+        for topic, message, stamp in source.read_messages(raw=True):
+            target.write(topic, message, stamp, raw=True)
     runs = {1: [], os.cpu_count(): []}
     for _ in range(repetitions):
         for jobs in runs:

@@ -50,9 +50,9 @@ def robots(folder):
 def all_but(prefix, file):
     """Arguments that keep each joint at rest whose name does not begin so."""
     arguments = []
-    for joint in xml.etree.ElementTree.parse(file).getroot().findall("joint"):
-        name, limit, mimic = joint.get("name"), joint.find("limit"), joint.find("mimic")
-        kind = joint.get("type")
+    for element in xml.etree.ElementTree.parse(file).getroot().findall("joint"):
+        name, limit, mimic = element.get("name"), element.find("limit"), element.find("mimic")
+        kind = element.get("type")
         if name.startswith(prefix) or mimic is not None or kind in ("fixed", "floating", "planar"):
             continue
         value = 0.0

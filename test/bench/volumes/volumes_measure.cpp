@@ -51,7 +51,7 @@ LinkValues jointVolumes(const MeasuredRobot& robot) {
     }
     const auto poses = linkPoses(robot.robot, jointValues(robot.robot, values));
     for (std::size_t k = 0; k < result.size(); ++k) {
-      const Eigen::Affine3d pose(poses[robot.index[k]]);
+      const Eigen::Affine3d pose(poses[robot.indices[k]]);
       result[k] += linkBox(robot.links[k], pose)->volume() / kJointPositions;
     }
   }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "bench/common/result.h"
-#include "bench/volumes/volumes_robots.h"
+#include "bench/common/robots.h"
 
 namespace link_bounds::bench {
 
