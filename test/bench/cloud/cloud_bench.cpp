@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times the points of robots in clouds, ours and others.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -21,11 +22,7 @@ namespace {
 struct Times {
   std::string method;
   std::size_t robot_points = 0;
-  std::vector<double> ms{};  ///< sorted
-
-  double at(double share) const {
-    return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
-  }
+  std::vector<double> ms{};
 };
 
 /// `prepare` is not timed.
@@ -39,7 +36,6 @@ Times measure(const std::string& method, std::size_t rounds, const Prepare& prep
     times.robot_points = work();
     if (i > 0) times.ms.push_back((threadSeconds() - begin) * 1e3);
   }
-  std::sort(times.ms.begin(), times.ms.end());
   return times;
 }
 
@@ -96,9 +92,9 @@ Row rowOf(const CloudScene& scene, const Times& times) {
           {"method", times.method},
           {"points", points},
           {"robot_points", times.robot_points},
-          {"p50_ms", times.at(0.5)},
-          {"p99_ms", times.at(0.99)},
-          {"mpoints_per_s", count / times.at(0.5) / 1e3},
+          {"p50_ms", quantile(times.ms, 0.5)},
+          {"p99_ms", quantile(times.ms, 0.99)},
+          {"mpoints_per_s", count / quantile(times.ms, 0.5) / 1e3},
           {"robot_percent", 100 * static_cast<double>(times.robot_points) / count}};
 }
 
@@ -133,17 +129,16 @@ void measureLoading(const RobotFile& file) {
             << std::flush;
 }
 
-void printRatios(const std::vector<Times>& all) {
-  const auto find = [&all](const std::string& method) {
-    return std::find_if(all.begin(), all.end(),
-                        [&](const Times& times) { return times.method == method; });
+void printRatios(const Rows& rows) {
+  const auto ms = [&rows](const char* method) {
+    return median(numbersOf(rows, {{"method", method}}, "p50_ms"));
   };
-  const double ours = find("link_bounds")->at(0.5);
-  std::cout << "\nlink_bounds takes " << Value(ours / find("plain read")->at(0.5)).text()
+  std::cout << "\nlink_bounds takes " << Value(ms("link_bounds") / ms("plain read")).text()
             << " times the plain read";
   for (const char* method : {"geometric_shapes", "PCL's CropHull"}) {
-    if (const auto peer = find(method); peer != all.end())
-      std::cout << ", is " << Value(peer->at(0.5) / ours).text() << " times as fast as " << method;
+    const double ratio = ms(method) / ms("link_bounds");
+    if (!std::isnan(ratio))
+      std::cout << ", is " << Value(ratio).text() << " times as fast as " << method;
   }
   std::cout << "\n" << std::flush;
 }
@@ -168,10 +163,9 @@ Rows benchmarkClouds(bool quick) {
   Rows rows;
   for (const auto& [make, file] : {std::pair(depthCamera, panda), std::pair(lidar, pr2)}) {
     const CloudScene scene = make(file);
-    const std::vector<Times> all = measureScene(scene, quick);
-    for (const Row& row : printScene(scene, all))
-      rows.push_back(row);
-    printRatios(all);
+    const Rows more = printScene(scene, measureScene(scene, quick));
+    printRatios(more);
+    rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // geometric_shapes, as robot_body_filter and MoveIt ask it: for each point, each body in whose
 // bounding sphere it is.
-#include <geometric_shapes/mesh_operations.h>
-
 #include "bench/cloud/cloud_methods.h"
 #include "bench/cloud/posed_hulls.h"
+#include "bench/common/convex_mesh.h"
 
 namespace link_bounds::bench {
 namespace {
@@ -31,12 +30,7 @@ std::vector<PosedHull> posedHulls(const CloudScene& scene) {
   std::vector<PosedHull> posed;
   const auto stamp = static_cast<std::int64_t>(scene.cloud.header.stamp.toNSec());
   for (std::size_t i = 0; i < scene.robot->bodies.size(); ++i) {
-    const EigenSTL::vector_Vector3d points = pointsOf(scene.robot->bodies[i]);
-    std::vector<unsigned int> triangles;
-    for (unsigned int k = 0; k + 2 < points.size(); k += 3)
-      triangles.insert(triangles.end(), {k, k + 1, k + 2});
-    const std::unique_ptr<shapes::Mesh> mesh(shapes::createMeshFromVertices(points, triangles));
-    PosedHull body{std::make_shared<bodies::ConvexMesh>(mesh.get()), {}};
+    PosedHull body{convexMesh(pointsOf(scene.robot->bodies[i])), {}};
     if (body.body->getVertices().empty()) continue;
     body.body->setPadding(kPadding);
     const Eigen::Affine3d pose = scene.robot->linkFromSensor(i, stamp).inverse();

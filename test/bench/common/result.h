@@ -43,6 +43,9 @@ const Result* find(const Results& results, const std::string& mesh, const std::s
 /// Not a number if there are no values.
 double median(std::vector<double> values);
 
+/// What this part of the values does not exceed; not a number if there are none.
+double quantile(std::vector<double> values, double part);
+
 /// ns of `method` / ns of `other` for each mesh that passes and has both.
 std::vector<double> ratios(const Results& results, const std::string& method,
                            const std::string& other, const Filter& filter);

@@ -62,10 +62,29 @@ std::string Value::text() const {
   return std::holds_alternative<std::monostate>(value_) ? "-" : json();
 }
 
+double Value::number() const {
+  if (const auto* truth = std::get_if<bool>(&value_)) return *truth;
+  if (const auto* count = std::get_if<std::int64_t>(&value_)) return static_cast<double>(*count);
+  const auto* number = std::get_if<double>(&value_);
+  return number ? *number : std::nan("");
+}
+
 Value valueOf(const Row& row, const std::string& name) {
   const auto found =
       std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == name; });
   return found == row.end() ? Value() : found->second;
+}
+
+std::vector<double> numbersOf(const Rows& rows, const Row& values, const std::string& name) {
+  std::vector<double> result;
+  for (const Row& row : rows) {
+    const bool is_meant = std::all_of(values.begin(), values.end(), [&row](const auto& value) {
+      return valueOf(row, value.first) == value.second;
+    });
+    const double number = is_meant ? valueOf(row, name).number() : std::nan("");
+    if (!std::isnan(number)) result.push_back(number);
+  }
+  return result;
 }
 
 Rows pivot(const Rows& rows, const std::vector<std::string>& keys, const std::string& name,

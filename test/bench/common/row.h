@@ -29,6 +29,9 @@ class Value {
   /// For people, with three digits or more.
   std::string text() const;
 
+  /// A truth is 0 or 1; what is no number is not a number.
+  double number() const;
+
   bool operator==(const Value& other) const { return value_ == other.value_; }
 
  private:
@@ -40,6 +43,9 @@ using Rows = std::vector<Row>;
 
 /// Nothing if the row lacks it.
 Value valueOf(const Row& row, const std::string& name);
+
+/// The numbers of that name in the rows that have all these values.
+std::vector<double> numbersOf(const Rows& rows, const Row& values, const std::string& name);
 
 /// Rows that differ only in `name` and `value` become one, in which each `name` has its `value`;
 /// other values than those of `keys` are left out.

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bullet's convex hull over the points that can be extreme, in single precision, as Debian has it.
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-
+// Bullet's convex hull over the points that can be extreme.
+#include "bench/common/bullet_hull.h"
 #include "bench/core/methods.h"
 
 namespace link_bounds::bench {
@@ -19,22 +18,12 @@ Eigen::Vector3d toEigen(const btVector3& v) {
 
 struct Bullet : Method {
   using Pose = btTransform;
-  std::shared_ptr<btConvexHullShape> shape = std::make_shared<btConvexHullShape>();
+  std::shared_ptr<btConvexHullShape> shape;
 
-  explicit Bullet(const MeasuredMesh& mesh) {
-    for (const Eigen::Vector3f& point : mesh.points->points())
-      shape->addPoint(btVector3(point.x(), point.y(), point.z()), false);
-    shape->setMargin(0);
-    shape->recalcLocalAabb();
-  }
+  explicit Bullet(const MeasuredMesh& mesh)
+      : shape(bulletHull(mesh.points->points(), Eigen::Affine3d::Identity())) {}
 
-  static Pose toPose(const Eigen::Affine3d& pose) {
-    const Eigen::Matrix<btScalar, 4, 4> matrix = pose.matrix().cast<btScalar>();
-    Pose result;
-    result.setFromOpenGLMatrix(matrix.data());
-    return result;
-  }
-
+  static Pose toPose(const Eigen::Affine3d& pose) { return toBullet(pose); }
   static Aabb toAabb(const BulletBox& box) { return {toEigen(box.min), toEigen(box.max)}; }
 };
 

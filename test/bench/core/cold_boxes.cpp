@@ -91,11 +91,9 @@ Results runCold(const Suite& suite, int rounds) {
 void printCold(const Results& results, const std::string& ours) {
   constexpr char kCorners[] = "corners8";
   constexpr char kGeometricShapes[] = "geometric_shapes";
-  const auto median_of = [&results](const std::string& method) {
-    std::vector<double> values;
-    for (const Result& result : results)
-      if (result.method == method && isRobot(result)) values.push_back(result.ns);
-    return median(values);
+  const Rows rows = rowsOf(results);
+  const auto median_of = [&rows](const std::string& method) {
+    return median(numbersOf(rows, {{"method", method}, {"kind", "robot"}}, "ns"));
   };
   const Table table("ns per box from empty caches, medians over the robot meshes",
                     {{"method", "", 20}, {"all cold"}, {"code warm"}});

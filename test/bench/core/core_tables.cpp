@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Medians and means are over the robot meshes.
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <numeric>
 
@@ -29,49 +28,25 @@ std::vector<Column> columnsOf(std::vector<Column> columns, const Results& result
   return columns;
 }
 
-double medianOf(const Results& results, const std::string& method, double (*value)(const Result&)) {
-  std::vector<double> values;
-  for (const Result& result : results) {
-    if (result.method == method && isRobot(result)) values.push_back(value(result));
-  }
-  return median(values);
-}
-
-double shareOfExact(const Results& results, const std::string& method) {
-  double exact = 0, all = 0;
-  for (const Result& result : results) {
-    if (result.method != method || !isRobot(result)) continue;
-    exact += *result.exact;
-    ++all;
-  }
-  return exact / all;
-}
-
-template <class ValueOf>
-Row rowOf(const Results& results, const char* what, const ValueOf& value_of) {
-  Row row{{"of all", what}};
-  for (const std::string& method : methodsOf(results))
-    row.emplace_back(method, value_of(method));
-  return row;
-}
-
 Rows medians(const Results& results, const std::string& ours) {
-  const auto of = [&results](double (*value)(const Result&)) {
-    return
-        [&results, value](const std::string& method) { return medianOf(results, method, value); };
-  };
-  return {rowOf(results, "ns", of([](const Result& result) { return result.ns; })),
-          rowOf(results, "times ours",
-                [&](const std::string& method) {
-                  return median(ratios(results, method, ours, isRobot));
-                }),
-          rowOf(results, "volume / exact volume",
-                of([](const Result& result) { return result.volume_ratio; })),
-          rowOf(results, "share of meshes with exact boxes",
-                [&](const std::string& method) { return shareOfExact(results, method); }),
-          rowOf(results, "kB a box is computed from", of([](const Result& result) {
-                  return result.bytes ? static_cast<double>(result.bytes) / 1e3 : std::nan("");
-                }))};
+  const Rows rows = rowsOf(results);
+  Row ns{{"of all", "ns"}}, times{{"of all", "times ours"}};
+  Row volume{{"of all", "volume / exact volume"}};
+  Row exact{{"of all", "share of meshes with exact boxes"}};
+  Row kilobytes{{"of all", "kB a box is computed from"}};
+  for (const std::string& method : methodsOf(results)) {
+    const auto numbers = [&](const char* name) {
+      return numbersOf(rows, {{"method", method}, {"kind", "robot"}}, name);
+    };
+    const std::vector<double> truths = numbers("exact");
+    const double count = std::accumulate(truths.begin(), truths.end(), 0.0);
+    ns.emplace_back(method, median(numbers("ns")));
+    times.emplace_back(method, median(ratios(results, method, ours, isRobot)));
+    volume.emplace_back(method, median(numbers("volume_ratio")));
+    exact.emplace_back(method, count / static_cast<double>(truths.size()));
+    kilobytes.emplace_back(method, median(numbers("bytes")) / 1e3);
+  }
+  return {ns, times, volume, exact, kilobytes};
 }
 
 void printLinkCounts(const Results& results, const std::string& ours) {

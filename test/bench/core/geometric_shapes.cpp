@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // geometric_shapes, which MoveIt builds on: a convex mesh under a pose.
-#include <geometric_shapes/bodies.h>
-#include <geometric_shapes/mesh_operations.h>
-
+#include "bench/common/convex_mesh.h"
 #include "bench/core/methods.h"
 
 namespace link_bounds::bench {
@@ -16,14 +14,9 @@ struct GeometricShapes : EigenMethod {
     EigenSTL::vector_Vector3d vertices;
     for (const Eigen::Vector3f& vertex : source.mesh.vertices)
       vertices.push_back(vertex.cast<double>());
-    std::vector<unsigned int> triangles;
-    for (const auto& triangle : source.mesh.triangles)
-      triangles.insert(triangles.end(), triangle.begin(), triangle.end());
-    const std::unique_ptr<shapes::Mesh> mesh(shapes::createMeshFromVertices(vertices, triangles));
-    body = std::make_shared<bodies::ConvexMesh>(mesh.get());
+    body = convexMesh(vertices);
   }
 
-  /// Qhull gives up on flat meshes.
   bool hasHull() const { return !body->getVertices().empty(); }
 
   bodies::AABB box(const Pose& pose) const {

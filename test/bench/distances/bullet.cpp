@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bullet's GJK of two convex hulls, which is what it has of distances. It knows of each link the
 // points of one hull, and works in single precision.
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -10,29 +9,16 @@
 
 #include <algorithm>
 
+#include "bench/common/bullet_hull.h"
 #include "bench/distances/distance_methods.h"
 
 namespace link_bounds::bench {
 namespace {
 
-std::unique_ptr<btConvexHullShape> hullOf(const DistanceLink& link) {
+std::shared_ptr<btConvexHullShape> hullOf(const DistanceLink& link) {
   if (link.body.shapes.size() != 1 || !link.body.shapes[0].shape.points) return nullptr;
   const Shape& shape = link.body.shapes[0].shape;
-  auto hull = std::make_unique<btConvexHullShape>();
-  for (const Eigen::Vector3d& point : shape.points->keptPoints()) {
-    const Eigen::Vector3f p = (shape.link_from_shape * point).cast<float>();
-    hull->addPoint(btVector3(p.x(), p.y(), p.z()), false);
-  }
-  hull->recalcLocalAabb();
-  hull->setMargin(0);
-  return hull;
-}
-
-btTransform toBullet(const Eigen::Affine3d& pose) {
-  const Eigen::Matrix4f m = pose.matrix().cast<float>();
-  const btMatrix3x3 basis(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1),
-                          m(2, 2));
-  return btTransform(basis, btVector3(m(0, 3), m(1, 3), m(2, 3)));
+  return bulletHull(shape.points->keptPoints(), shape.link_from_shape);
 }
 
 class BulletDistances : public DistanceMethod {
@@ -66,7 +52,7 @@ class BulletDistances : public DistanceMethod {
   }
 
  private:
-  std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
+  std::vector<std::shared_ptr<btConvexHullShape>> hulls_;
   std::vector<btTransform> poses_;
 };
 

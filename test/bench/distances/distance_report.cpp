@@ -11,64 +11,17 @@
 namespace link_bounds::bench {
 namespace {
 
-double share(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
-template <class Chosen, class Value>
-std::vector<double> valuesOf(const DistanceRows& rows, const Chosen& is_chosen,
-                             const Value& value) {
-  std::vector<double> result;
-  for (const DistanceRow& row : rows) {
-    if (is_chosen(row)) result.push_back(value(row));
-  }
-  return result;
-}
-
 std::vector<double> smallest(const std::vector<double>& values) {
   if (values.empty()) return {};
   return {*std::min_element(values.begin(), values.end())};
 }
 
-/// How many times the median of a peer's times is that of ours, for the same pairs.
-std::vector<double> speedups(const DistanceRows& rows, const std::string& which) {
-  return valuesOf(
-      rows, [&](const DistanceRow& row) { return row.method == "fcl BVH" && row.which == which; },
-      [](const DistanceRow& row) { return median(row.ns) / median(row.ns_beside); });
-}
-
-std::vector<double> hullMicroseconds(const DistanceRows& rows, const std::string& motion) {
-  return valuesOf(
-      rows,
-      [&](const DistanceRow& row) {
-        return row.method == "ours" && row.level == "hull" && row.which == "near" &&
-               row.motion == motion;
-      },
-      [](const DistanceRow& row) { return median(row.ns) / 1e3; });
-}
-
-std::vector<double> updateMicroseconds(const DistanceRows& rows, const std::string& robot,
-                                       const std::string& motion) {
-  return valuesOf(
-      rows,
-      [&](const DistanceRow& row) {
-        return row.which == "update" && row.level == "mesh" && row.motion == motion &&
-               row.robot == robot;
-      },
-      [](const DistanceRow& row) { return median(row.ns) / 1e3; });
-}
-
 /// The longest over the shortest time of any number of triangles, in each motion.
-std::vector<double> growth(const DistanceRows& rows) {
+std::vector<double> growth(const Rows& rows) {
   std::vector<double> result;
   for (const char* const motion : {"coherent", "random"}) {
-    const std::vector<double> times = valuesOf(
-        rows,
-        [&](const DistanceRow& row) {
-          return row.which == "generated" && row.method == "ours" && row.motion == motion;
-        },
-        [](const DistanceRow& row) { return median(row.ns); });
+    const std::vector<double> times =
+        numbersOf(rows, {{"which", "generated"}, {"method", "ours"}, {"motion", motion}}, "us");
     if (times.empty()) continue;
     const auto [least, most] = std::minmax_element(times.begin(), times.end());
     result.push_back(*most / *least);
@@ -81,7 +34,7 @@ std::vector<double> growth(const DistanceRows& rows) {
 Row rowOf(const DistanceRow& row) {
   const bool is_update = row.which == "update", is_ours = row.method == "ours";
   const double pairs = is_update ? static_cast<double>(row.pairs) : 1;
-  const double us = median(row.ns) / 1e3, p90_us = share(row.ns, 0.9) / 1e3;
+  const double us = median(row.ns) / 1e3, p90_us = quantile(row.ns, 0.9) / 1e3;
   return {{"robot", row.robot},
           {"motion", row.motion},
           {"level", row.level},
@@ -116,23 +69,35 @@ Table distanceTable() {
        {"times_ours", "x ours"}}};
 }
 
-void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle) {
+void printDistanceTargets(const Rows& rows, const std::vector<double>& bytes_per_triangle) {
   constexpr Wanted least = Wanted::kAtLeast;
   constexpr Wanted most = Wanted::kAtMost;
+  const auto speedups = [&rows](const char* which) {
+    return numbersOf(rows, {{"method", "fcl BVH"}, {"which", which}}, "times_ours");
+  };
+  const auto hull = [&rows](const char* motion) {
+    const Row row{{"method", "ours"}, {"level", "hull"}, {"which", "near"}, {"motion", motion}};
+    return numbersOf(rows, row, "us");
+  };
   std::vector<Target> targets{
-      {"fcl BVH / ours, mesh level, pairs within 0.1 m", least, 20, speedups(rows, "near")},
-      {"fcl BVH / ours, mesh level, all pairs", least, 20, speedups(rows, "all")},
+      {"fcl BVH / ours, mesh level, pairs within 0.1 m", least, 20, speedups("near")},
+      {"fcl BVH / ours, mesh level, all pairs", least, 20, speedups("all")},
       {"fcl BVH / ours, mesh level, pairs within 0.1 m, worst row", least, 1,
-       smallest(speedups(rows, "near"))},
-      {"us per pair, hull level, random motion", most, 1.5, hullMicroseconds(rows, "random")},
-      {"us per pair, hull level, coherent motion", most, 0.7, hullMicroseconds(rows, "coherent")}};
+       smallest(speedups("near"))},
+      {"us per pair, hull level, random motion", most, 1.5, hull("random")},
+      {"us per pair, hull level, coherent motion", most, 0.7, hull("coherent")}};
   const auto addUpdate = [&](const std::string& robot, const std::string& model, double moving,
                              double at_rest) {
     const std::string name = "us per update, mesh level, all pairs of the " + robot + ", " + model;
-    const std::string row = robot + " " + model;
-    targets.push_back({name, most, moving, updateMicroseconds(rows, row, "coherent")});
-    targets.push_back(
-        {name + ", at rest", most, at_rest, updateMicroseconds(rows, row, "at rest")});
+    const auto update = [&](const char* motion) {
+      const Row row{{"which", "update"},
+                    {"level", "mesh"},
+                    {"robot", robot + " " + model},
+                    {"motion", motion}};
+      return numbersOf(rows, row, "us");
+    };
+    targets.push_back({name, most, moving, update("coherent")});
+    targets.push_back({name + ", at rest", most, at_rest, update("at rest")});
   };
   addUpdate("panda", "collision", 40, 5);
   addUpdate("pr2", "collision", 300, 20);

@@ -14,6 +14,6 @@ Row rowOf(const DistanceRow& row);
 Table distanceTable();
 
 /// `bytes_per_triangle`: of each robot.
-void printDistanceTargets(const DistanceRows& rows, const std::vector<double>& bytes_per_triangle);
+void printDistanceTargets(const Rows& rows, const std::vector<double>& bytes_per_triangle);
 
 }  // namespace link_bounds::bench

@@ -43,14 +43,11 @@ double bytesPerTriangle(const DistanceRobot& robot) {
 Rows benchmarkDistances(bool quick) {
   const std::vector<DistanceSetting> settings = distanceSettings();
   const Table table = distanceTable();
-  DistanceRows found;
   Rows rows;
   std::vector<double> bytes_per_triangle;
   const auto add = [&](const DistanceRows& more) {
-    for (const DistanceRow& row : more) {
+    for (const DistanceRow& row : more)
       table.add(rows.emplace_back(rowOf(row)));
-      found.push_back(row);
-    }
   };
   for (const DistanceRobot& robot : distanceRobots(quick ? 5 : 50)) {
     add(measurePairs(robot, settings));
@@ -59,7 +56,7 @@ Rows benchmarkDistances(bool quick) {
     if (!std::isnan(bytes)) bytes_per_triangle.push_back(bytes);
   }
   add(measureGrowth(settings, quick));
-  printDistanceTargets(found, bytes_per_triangle);
+  printDistanceTargets(rows, bytes_per_triangle);
   return rows;
 }
 
