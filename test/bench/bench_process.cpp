@@ -29,10 +29,6 @@ constexpr Process kProcesses[] = {
     {"service_client", "LINKS DEPTH HZ REPETITIONS CALLS", runServiceClient, true},
     {"empty_service", "", runEmptyService, true},
     {"bag_made", "BAG LINKS SECONDS", makeBag},
-    {"bag_ours", "BAG", readBagAsOurs},
-#ifdef LINK_BOUNDS_WITH_ROSBAG
-    {"bag_rosbag", "BAG", readBagAsRosbag},
-#endif
     {"pairs_sampled", "FILE.urdf POSES visual|collision", samplePairs},
     {"rows_posed", "FILE.urdf VALUES BOXES DISTANCES LIMIT", poseRows}};
 

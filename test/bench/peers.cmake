@@ -34,9 +34,9 @@ function(add_peers program)
     LINK_BOUNDS_PEERS="${peers}Eigen ${Eigen3_VERSION}, Google Benchmark ${benchmark_VERSION}")
 endfunction()
 
-# Adds rosbag's own reader, which may be missing, as bag.py says. Its files for CMake and pkg-config
+# Adds the program that uses rosbag's own reader, which may be missing, as bag.py says. Its files for CMake and pkg-config
 # do not work on Debian 12, where headers of pluginlib are a folder deeper.
-function(add_rosbag program)
+function(add_rosbag_reader program file)
   find_path(ROSBAG_FOLDER rosbag/view.h PATHS ${catkin_INCLUDE_DIRS})
   find_library(ROSBAG_STORAGE rosbag_storage PATHS ${catkin_LIBRARY_DIRS})
   if(NOT ROSBAG_FOLDER OR NOT ROSBAG_STORAGE)
@@ -52,8 +52,10 @@ function(add_rosbag program)
   include(CheckIncludeFileCXX)
   check_include_file_cxx(rosbag/view.h HAS_ROSBAG_VIEW)
   if(HAS_ROSBAG_VIEW)
+    add_executable(${program} ${file})
     target_compile_definitions(${program} PRIVATE LINK_BOUNDS_WITH_ROSBAG)
     target_include_directories(${program} SYSTEM PRIVATE ${CMAKE_REQUIRED_INCLUDES})
-    target_link_libraries(${program} PRIVATE ${ROSBAG_STORAGE})
+    target_link_libraries(${program} PRIVATE ${PROJECT_NAME}_flags ${catkin_LIBRARIES}
+      ${ROSBAG_STORAGE})
   endif()
 endfunction()

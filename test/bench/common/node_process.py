@@ -15,11 +15,14 @@ PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_b
 DEADLINE = 30  # seconds
 
 
+def is_built(name):
+    return os.path.exists(os.path.join(PROGRAMS, name))
+
+
 def program(name):
-    """The command of a program of the build; those that the benchmarks have for themselves are
-    commands of one."""
-    path = os.path.join(PROGRAMS, name)
-    return [path] if os.path.exists(path) else [os.path.join(PROGRAMS, "bench_process"), name]
+    """The command of a program of the build, or of one of the names of bench_process."""
+    words = [name] if is_built(name) else ["bench_process", name]
+    return [os.path.join(PROGRAMS, words[0]), *words[1:]]
 
 
 def output_of(name, *words):

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the scripts start as processes of their own: nodes beside ours, programs whose time and
-// memory are those of a whole process, and the makers of what these read.
+// What the scripts start as processes of their own: nodes beside ours, what computes the same as a
+// program of ours, and the maker of bags.
 #pragma once
 
 #include <string>
@@ -19,8 +19,6 @@ void runServiceClient(const Words& words);
 void runEmptyService(const Words& words);
 
 void makeBag(const Words& words);
-void readBagAsOurs(const Words& words);
-void readBagAsRosbag(const Words& words);
 void samplePairs(const Words& words);
 void poseRows(const Words& words);
 

@@ -85,7 +85,7 @@ def time_of(method, process, links, hz):
     """The figures of one run."""
     seconds = min(LONGEST, max(SHORTEST, MESSAGES / hz))
     return json.loads(output_of("stopwatch", "/" + method, process.pid, METHODS[method][1], links,
-                                DEPTH, hz, seconds))
+                                DEPTH, hz, seconds))[0]
 
 
 def print_idle(nodes, links):

@@ -28,8 +28,7 @@ def runs_of(repetitions, calls):
             LINKS, lambda i: '<mesh filename="file://%s/%d.stl"/>' % (folder, i % SHARED_MESHES)))
         master.start_node("link_bounds_publisher", "/ours")
         master.start_node("empty_service", "/empty")
-        output = output_of("service_client", LINKS, DEPTH, HZ, repetitions, calls)
-    return [json.loads(line) for line in output.splitlines() if line.startswith("{")]
+        return json.loads(output_of("service_client", LINKS, DEPTH, HZ, repetitions, calls))
 
 
 def measure(options):

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks for boxes while tf is sent, and an empty service in turn: LINKS DEPTH HZ REPETITIONS
-// CALLS. The services are /ours/node/get_boxes and /empty/node/service. Prints one line
-// of JSON per repetition: the median time of a call of each kind [us].
+// A client that asks for boxes while tf is sent, and an empty service in turn: LINKS DEPTH HZ
+// REPETITIONS CALLS; and that service, the least that one of roscpp takes. They are
+// /ours/node/get_boxes and /empty/node/service. Prints a row per repetition: the median time of a
+// call of each kind [us].
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 
@@ -14,6 +15,7 @@
 #include <thread>
 
 #include "bench/common/processes.h"
+#include "bench/common/row.h"
 #include "bench/common/tf_robot.h"
 #include "bench/common/timing.h"
 #include "link_bounds/GetBoxes.h"
@@ -110,15 +112,17 @@ void run(std::size_t links, std::size_t depth, double hz, int repetitions, int c
   while (ros::ok() && !fresh.hasBoxes())
     ros::Duration(0.1).sleep();
   ros::Duration(kHistory).sleep();
+  Rows rows;
   for (int i = 0; i < repetitions; ++i) {
-    std::cout << "{\"empty\": " << kept.empty(calls) << ", \"latest\": " << kept.boxes(calls, 0, 0)
-              << ", \"0.1 s ago\": " << kept.boxes(calls, 0.1, 0)
-              << ", \"2 s ago\": " << kept.boxes(calls, 2, 0)
-              << ", \"span of 0.1 s\": " << kept.boxes(calls / 10, 0.1, 0.1)
-              << ", \"empty, fresh connection\": " << fresh.empty(calls / 10)
-              << ", \"latest, fresh connection\": " << fresh.boxes(calls / 10, 0, 0) << "}"
-              << std::endl;
+    rows.push_back({{"empty", kept.empty(calls)},
+                    {"latest", kept.boxes(calls, 0, 0)},
+                    {"0.1 s ago", kept.boxes(calls, 0.1, 0)},
+                    {"2 s ago", kept.boxes(calls, 2, 0)},
+                    {"span of 0.1 s", kept.boxes(calls / 10, 0.1, 0.1)},
+                    {"empty, fresh connection", fresh.empty(calls / 10)},
+                    {"latest, fresh connection", fresh.boxes(calls / 10, 0, 0)}});
   }
+  writeJson(rows, std::cout);
 }
 
 bool doNothing(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sends numbered tf messages to one node and takes the time until each is answered:
 // NAMESPACE PID boxes|markers LINKS DEPTH HZ SECONDS
-// Messages go to NAMESPACE/tf, answers come from NAMESPACE/node/boxes. Prints one line of JSON.
+// Messages go to NAMESPACE/tf, answers come from NAMESPACE/node/boxes. Prints a row.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <time.h>
@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "bench/common/processes.h"
+#include "bench/common/result.h"
 #include "bench/common/tf_robot.h"
 #include "link_bounds/AxisAlignedBoxArray.h"
 
@@ -50,14 +51,13 @@ class Times {
     return answers_;
   }
 
-  /// Microseconds, in ascending order, of the messages from the first that counts.
+  /// Microseconds, of the messages from the first that counts.
   std::vector<double> latencies(std::size_t first) const {
     std::vector<double> result;
     for (std::size_t i = first; i < sent_.size(); ++i) {
       if (answered_[i] == Clock::time_point()) continue;
       result.push_back(std::chrono::duration<double, std::micro>(answered_[i] - sent_[i]).count());
     }
-    std::sort(result.begin(), result.end());
     return result;
   }
 
@@ -177,16 +177,16 @@ class Stopwatch {
 
   void print(double cpu_seconds) const {
     const std::vector<double> latencies = times_.latencies(first_);
-    const auto quantile = [&](double part) {
-      if (latencies.empty()) return -1.0;
-      return latencies[static_cast<std::size_t>(part * static_cast<double>(latencies.size() - 1))];
-    };
+    const auto us = [&](double part) { return latencies.empty() ? -1 : quantile(latencies, part); };
     const std::size_t sent = count_ - first_;
-    std::cout << "{\"p50_us\": " << quantile(0.5) << ", \"p90_us\": " << quantile(0.9)
-              << ", \"p99_us\": " << quantile(0.99)
-              << ", \"cpu_us_per_update\": " << 1e6 * cpu_seconds / static_cast<double>(sent)
-              << ", \"bytes\": " << bytes_ << ", \"sent\": " << sent
-              << ", \"received\": " << latencies.size() << "}\n";
+    writeJson({{{"p50_us", us(0.5)},
+                {"p90_us", us(0.9)},
+                {"p99_us", us(0.99)},
+                {"cpu_us_per_update", 1e6 * cpu_seconds / static_cast<double>(sent)},
+                {"bytes", std::size_t{bytes_}},
+                {"sent", sent},
+                {"received", latencies.size()}}},
+              std::cout);
   }
 
   ros::NodeHandle node_;  ///< the first, since it starts the clock

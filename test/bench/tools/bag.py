@@ -11,7 +11,7 @@ import time
 
 import rosbag
 from end_to_end import description
-from node_process import output_of, program, random_mesh
+from node_process import is_built, output_of, program, random_mesh
 from report import Table, print_table, print_target
 
 QUICK = "a tenth of the length, 3 repetitions"
@@ -195,10 +195,9 @@ def add_options(parser):
 
 def measure(options):
     minutes = options.minutes or (1 if options.quick else 10)
-    readers = list(READERS)
-    if "bag_rosbag" not in output_of("--help"):
+    readers = [reader for reader in READERS if reader != "rosbag" or is_built("bag_rosbag")]
+    if "rosbag" not in readers:
         print("left out, because this system lacks it: librosbag-storage")
-        readers.remove("rosbag")
     with tempfile.TemporaryDirectory(prefix="link_bounds_") as folder:
         bag = Bag(folder, "bag", LINKS, minutes)
         rows = measure_speed(bag, [reader for reader in readers if reader in SPEED],
