@@ -34,8 +34,8 @@ function(add_peers program)
     LINK_BOUNDS_PEERS="${peers}Eigen ${Eigen3_VERSION}, Google Benchmark ${benchmark_VERSION}")
 endfunction()
 
-# Adds the program that uses rosbag's own reader, which may be missing, as bag.py says. Its files for CMake and pkg-config
-# do not work on Debian 12, where headers of pluginlib are a folder deeper.
+# Adds the program that uses rosbag's own reader, which may be missing, as bag.py says. Its files for
+# CMake and pkg-config do not work on Debian 12, where headers of pluginlib are a folder deeper.
 function(add_rosbag_reader program file)
   find_path(ROSBAG_FOLDER rosbag/view.h PATHS ${catkin_INCLUDE_DIRS})
   find_library(ROSBAG_STORAGE rosbag_storage PATHS ${catkin_LIBRARY_DIRS})

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """For benchmarks: a ROS master and nodes of one's own, and other programs; to be run in the build's
 environment."""
+import json
 import os
 import random
 import socket
@@ -29,6 +30,12 @@ def output_of(name, *words):
     """What a program prints."""
     return subprocess.run([*program(name), *map(str, words)], check=True, stdout=subprocess.PIPE,
                           universal_newlines=True).stdout
+
+
+def rows_of(name, *words):
+    """The rows that a program prints, below what ROS may say."""
+    text = output_of(name, *words)
+    return json.loads(text[text.index("[\n{"):])
 
 
 def wait_for(condition, what):

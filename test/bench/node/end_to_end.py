@@ -7,13 +7,12 @@ and ours while somebody listens to ~distances, too.
 
 Ours and the relay run one right after the other, for a short time each, and the verdict is the
 median of their ratios: so neither the load nor the speed of the machine at one time decides."""
-import json
 import statistics
 import subprocess
 import tempfile
 import time
 
-from node_process import Master, cpu_seconds, output_of, random_mesh, wait_for
+from node_process import Master, cpu_seconds, random_mesh, rows_of, wait_for
 from report import print_table, print_target
 
 QUICK = "fewer repetitions"
@@ -84,8 +83,8 @@ def start_listener(master):
 def time_of(method, process, links, hz):
     """The figures of one run."""
     seconds = min(LONGEST, max(SHORTEST, MESSAGES / hz))
-    return json.loads(output_of("stopwatch", "/" + method, process.pid, METHODS[method][1], links,
-                                DEPTH, hz, seconds))[0]
+    return rows_of("stopwatch", "/" + method, process.pid, METHODS[method][1], links, DEPTH, hz,
+                   seconds)[0]
 
 
 def print_idle(nodes, links):

@@ -6,12 +6,11 @@ this machine, while all links move at 100 Hz.
 
 The kinds of calls take turns, and the verdict is the median of their ratios: so neither the load
 nor the speed of the machine at one time decides."""
-import json
 import statistics
 import tempfile
 
 from end_to_end import DEPTH, SHARED_MESHES, description
-from node_process import Master, output_of, random_mesh
+from node_process import Master, random_mesh, rows_of
 from report import print_table, print_target
 
 QUICK = "fewer repetitions"
@@ -28,7 +27,7 @@ def runs_of(repetitions, calls):
             LINKS, lambda i: '<mesh filename="file://%s/%d.stl"/>' % (folder, i % SHARED_MESHES)))
         master.start_node("link_bounds_publisher", "/ours")
         master.start_node("empty_service", "/empty")
-        return json.loads(output_of("service_client", LINKS, DEPTH, HZ, repetitions, calls))
+        return rows_of("service_client", LINKS, DEPTH, HZ, repetitions, calls)
 
 
 def measure(options):

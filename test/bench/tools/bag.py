@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and
-deserialise its messages; the memory of each, of a short and of a long bag; and 50 bags with --each."""
+deserialise its messages; the memory of each, of a short and of a long bag; 50 bags with --each."""
 import os
 import statistics
 import subprocess

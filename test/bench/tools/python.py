@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The module for Python: a single call of boxes [us], and rows of boxes and of distances per second beside
-a program in C++ that computes the same rows, each on one thread. With LINK_BOUNDS_DATA the robots there,
-else that of the demo."""
+"""The module for Python: a single call of boxes [us], and rows of boxes and of distances per second
+beside a program in C++ that computes the same rows, each on one thread. With LINK_BOUNDS_DATA the
+robots there, else that of the demo."""
 import os
 import tempfile
 import time
@@ -56,7 +56,8 @@ def measured(name, urdf, count, folder):
     counts = numpy.array([len(rows), count])
     ours, theirs = (counts / numpy.min(seconds, axis=0) for seconds in (ours, theirs))
     return {"robot": name, "links": len(robot.links), "boxes_call_us": round(min(call), 2),
-            "boxes": [round(ours[0]), round(theirs[0])], "boxes_share": round(ours[0] / theirs[0], 2),
+            "boxes": [round(ours[0]), round(theirs[0])],
+            "boxes_share": round(ours[0] / theirs[0], 2),
             "distances": [round(ours[1]), round(theirs[1])],
             "distances_share": round(ours[1] / theirs[1], 2)}
 
