@@ -202,6 +202,55 @@ TEST(Leases, HoldForNodesThatAreCarried) {
   }
 }
 
+/// Adds the mesh of a box, with its center at `center`.
+void addBox(TriangleMesh& mesh, const Eigen::Vector3d& size, const Eigen::Vector3f& center) {
+  const TriangleMesh box = boxMesh(size);
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Eigen::Vector3f& vertex : box.vertices)
+    mesh.vertices.push_back(vertex + center);
+  for (const auto& corners : box.triangles)
+    mesh.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
+}
+
+/// A gate stands astride of a post, then is lifted over it until the boxes alone prove that both
+/// are beyond the limit, and comes down with a leg on the post. The bound of that leg and the post
+/// is of the time before, so it must have become smaller by the way over.
+TEST(Leases, HoldAfterBoxesAloneDecided) {
+  const DistanceGoal goal{1e-4, 0.1};
+  TriangleMesh ground, legs;
+  addBox(ground, {4, 4, 1}, {0, 0, -0.5});
+  for (int i = 0; i < 10; ++i) {  // piles of boxes, which trees divide
+    const float z = 0.05f + 0.1f * static_cast<float>(i);
+    addBox(ground, {0.3, 0.3, 0.1}, {0, 0, z});
+    addBox(legs, {0.1, 0.1, 0.1}, {-1, 0, z});
+    addBox(legs, {0.1, 0.1, 0.1}, {1, 0, z});
+  }
+  MeshBody post, gate;
+  post.add(ground);
+  gate.add(legs);
+  Random random(61);
+  for (int sequence = 0; sequence < 100; ++sequence) {
+    BodyDistances distances(goal);
+    distances.set(0, std::make_shared<Body>(post.body));
+    distances.set(1, std::make_shared<Body>(gate.body));
+    distances.move(0, Eigen::Affine3d::Identity());
+    const auto lower = [&](double x, double z, double expected) {
+      distances.move(1, Eigen::Affine3d(Eigen::Translation3d(x, 0, z)));
+      const auto found = distances.follow(0, 1);
+      EXPECT_LE(found->lower, expected + 1e-6) << sequence << " at " << x << " " << z;
+      EXPECT_GE(found->upper, expected - 1e-6);
+      return found->lower;
+    };
+    for (int i = 0; i < 4; ++i) {
+      const double gap = random.uniform(0.04, 0.06);
+      lower(random.uniform(-0.01, 0.01), gap, gap);
+    }
+    const double above = 0.1 + random.uniform(1e-4, 5e-4), on = 0.1 - random.uniform(2e-4, 5e-4);
+    EXPECT_GT(lower(1, 1 + above, above), goal.limit);
+    lower(1, 1 + on, on);
+  }
+}
+
 /// How far the two bodies of `body` are apart on `axis`, which no triangle decides.
 class Boxes {
  public:
