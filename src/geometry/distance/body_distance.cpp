@@ -252,7 +252,8 @@ class HullSearch {
   Candidate nearest_{0, 0, 0};
 };
 
-/// What the memory has proven shrinks with the motion since the last search.
+/// What the memory has proven shrinks with the motion since the last call. A front that is dropped
+/// begins again at 0.
 PairMotion aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
   const double moved_then = memory.moved;
   if (latest) memory.moved = nextUp(moved_then + latest->approach);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Places a body once per pose, and only where a search needs it. Keeps one memory per pair, with a
-// lease on what was found last. search() alone renews both, so that they are of the same poses.
-// What they have proven ends with the bodies, at a pose that is not rigid, and, of a lease, where
-// what it carries along no longer reaches the goal.
+// lease on what was found last. search() alone renews both, so that they are of the same poses;
+// where it throws, there is no lease, without which the next search trusts no bound of the memory.
+// Both end with the bodies, and where the pair is searched at a pose that is not rigid.
 #include "link_bounds/geometry/distance/body_distances.h"
 
 #include <algorithm>
@@ -143,7 +143,8 @@ class BodyDistances::Memories {
     return pair.lease->motion(*a.rigid, *b.rigid);
   }
 
-  /// And begins a lease on what is found. Ends what is known of bodies that were replaced.
+  /// Searches, and begins a lease on what is found if both poses are rigid. Ends what is known of
+  /// bodies that were replaced. `motion` is motionOf() the same pair.
   void search(Pair& pair, const Slot& a, const Slot& b,
               const std::optional<RelativeMotion>& motion) const {
     if (!pair.isOf(a, b)) {
@@ -152,8 +153,8 @@ class BodyDistances::Memories {
       pair.second_version = b.version;
       pair.round = round_;
     }
-    const BodyDistance found = placedDistance(*a.placed(), *b.placed(), goal, pair.memory, motion);
     pair.lease.reset();
+    const BodyDistance found = placedDistance(*a.placed(), *b.placed(), goal, pair.memory, motion);
     if (a.rigid && b.rigid) pair.lease.emplace(found, *a.rigid, *b.rigid);
     show(pair, found, a, b);
   }

@@ -20,7 +20,7 @@
 
 namespace link_bounds {
 
-/// How nodes have moved since the last search. The motion of the bodies must be known.
+/// How nodes have moved since the last call with the memory. `latest` must be known.
 class NodeMotion {
  public:
   explicit NodeMotion(const ShapePair& pair)

@@ -10,7 +10,7 @@ namespace link_bounds {
 
 /// What was nearest in a search. The next search of the same two bodies begins with it, which saves
 /// time where they have not moved far. No bound rests on what says where to look first; but
-/// `trees.front` has proven bounds, which hold for the poses of the last search.
+/// `trees.front` has proven bounds, which become smaller as `moved` grows.
 struct PairMemory {
   bool is_known = false;
   std::uint32_t first_shape = 0;
@@ -26,7 +26,8 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
                                            const PlacedBody& second);
 
 /// Only the bodies that `memory` was made with may be given, in any poses. `latest` is how they
-/// have moved since the last call with this memory; without it no proven bound is taken from there.
+/// have moved since the last call with this memory, at rigid poses of both; without it no proven
+/// bound is taken from there.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory,
                             const std::optional<RelativeMotion>& latest = std::nullopt);

@@ -33,8 +33,8 @@ struct TreeMemory {
 /// How much nearer two bodies may have come [m]
 struct PairMotion {
   double moved;                                 ///< since the memory began
-  double moved_then;                            ///< until the last search
-  const std::optional<RelativeMotion>& latest;  ///< since the last search, if that is known
+  double moved_then;                            ///< until the last call with the memory
+  const std::optional<RelativeMotion>& latest;  ///< since that call, if it is known
 };
 
 /// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.

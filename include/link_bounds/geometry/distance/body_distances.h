@@ -36,7 +36,7 @@ class BodyDistances {
   std::optional<BodyDistance> find(std::size_t first, std::size_t second);
 
   /// As find(), but searches nothing where both bodies have moved so little, relative to each
-  /// other, that what the last follow() of the pair found is still good enough: its lower bound,
+  /// other, that what the last search of the pair found is still good enough: its lower bound,
   /// less that motion, and its points, carried along with the bodies. Both bounds are proven as
   /// those of find(), and as near to each other. Poses that scale or mirror are searched each time.
   std::optional<BodyDistance> follow(std::size_t first, std::size_t second);
