@@ -8,6 +8,7 @@
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "testing/distance_bodies.h"
+#include "testing/replaced_new.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -66,7 +67,20 @@ class Sequence {
   }
 
  private:
+  /// Now and then memory runs out first.
   std::optional<BodyDistance> find(std::size_t i, std::size_t j) {
+    if (random_.uniform(0, 4) < 1) {
+      replaced_new::limit = static_cast<std::size_t>(random_.magnitude(1, 5));
+      try {
+        ask(i, j);
+      } catch (const std::bad_alloc&) {
+      }
+      replaced_new::limit = replaced_new::kNoLimit;
+    }
+    return ask(i, j);
+  }
+
+  std::optional<BodyDistance> ask(std::size_t i, std::size_t j) {
     return random_.uniform(0, 4) < 1 ? distances_.find(i, j) : distances_.follow(i, j);
   }
 
