@@ -14,7 +14,8 @@ ROOMS = ("common", "node", "tools")
 
 
 def main():
-    sys.path += [str(pathlib.Path(__file__).resolve().parent / room) for room in ROOMS]
+    # Before others, which may have modules of the same names.
+    sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent / room) for room in ROOMS]
     name = sys.argv.pop(1)
     module = importlib.import_module(name)
     parser = argparse.ArgumentParser(prog="scripts/bench " + name.replace("_", "-"),

@@ -17,7 +17,7 @@ namespace {
 
 struct Process {
   const char* name;
-  const char* words;  ///< their names; those in brackets may be missing
+  const char* words;  ///< their names; if the first is in brackets, any number
   void (*run)(const Words& words);
   bool is_node = false;
 };

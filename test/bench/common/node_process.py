@@ -13,6 +13,8 @@ import time
 import rosgraph
 
 PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_bounds")
+PROCESSES = ("relay", "stopwatch", "usual_tf2", "service_client", "empty_service", "bag_made",
+             "pairs_sampled", "rows_posed")  # of the program bench_process
 DEADLINE = 30  # seconds
 
 
@@ -22,7 +24,7 @@ def is_built(name):
 
 def program(name):
     """The command of a program of the build, or of one of the names of bench_process."""
-    words = [name] if is_built(name) else ["bench_process", name]
+    words = ["bench_process", name] if name in PROCESSES else [name]
     return [os.path.join(PROGRAMS, words[0]), *words[1:]]
 
 

@@ -13,6 +13,6 @@ FILES = {"panda": "franka_description/urdf/panda.urdf", "ur5e": "ur_description/
 def public(*names):
     """{name: URDF}; none where LINK_BOUNDS_DATA is not set, which a line says."""
     if not DATA:
-        print("LINK_BOUNDS_DATA is not set: public robots are left out")
+        print("LINK_BOUNDS_DATA is not set: public robots are not measured")
         return {}
     return {name: os.path.join(DATA, "robots", FILES[name]) for name in names}

@@ -13,7 +13,8 @@ namespace link_bounds::bench {
 
 struct DistanceLink {
   Body body;
-  /// The triangles of all shapes, in the frame of the link; empty if a shape is a solid.
+  /// For FCL: the triangles of our trees, in their order, in the frame of the link; vertices may be
+  /// there several times. Empty if a shape is a solid.
   TriangleMesh mesh;
 };
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """bag_bounds on a bag of 50 moving links at 100 Hz, beside programs that only read the bag and

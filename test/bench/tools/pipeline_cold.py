@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import tempfile
 
-from node_process import program
+from node_process import output_of, program
 from report import print_table
 
 QUICK = "fewer repetitions, no 1,000 links"
@@ -71,8 +71,9 @@ def measure(options):
     quick = ["--quick"] * options.quick
     with tempfile.TemporaryDirectory() as folder:
         rows = measured(quick, folder)
-        if not shutil.which("valgrind"):
-            print("valgrind is not installed: the cache lines are not counted")
+        if not shutil.which("valgrind") or "cold-updates" not in output_of("bench", "--help"):
+            print("valgrind is not installed, or was not when this was built: the cache lines are "
+                  "not counted")
             return rows
         path = os.path.join(folder, "lines")
         subprocess.run([*CALLGRIND, "--callgrind-out-file=" + path, *program("bench"),
