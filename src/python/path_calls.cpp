@@ -80,8 +80,12 @@ std::vector<JointMotion> motionsOf(const SharedRobot& shared, const PathRequest&
                       times.empty() ? 0 : times[row]});
   }
   std::vector<JointMotion> motions;
-  for (std::size_t row = 1; row < points.size(); ++row)
+  for (std::size_t row = 1; row < points.size(); ++row) {
     motions.emplace_back(points[row - 1], points[row]);
+    if (!motions.back().isFinite())
+      throw py::value_error("the motion to q[" + std::to_string(row) +
+                            "] is not finite; its numbers are too large");
+  }
   return motions;
 }
 

@@ -92,6 +92,8 @@ class RobotFaultsTest(UrdfBoundsTest):
                    times=[0, 1])
         self.check(r'joint "turn" in velocities\[0\] is inf', call, rows, times=[0, 1],
                    velocities=[[np.inf, 0], [0, 0]])
+        self.check(r'the motion to q\[1\] is not finite', call, rows, times=[0, 3],
+                   velocities=[[0, 0], [0, 1e308]])
         self.check('velocities need times', call, rows, velocities=rows)
         self.check('accelerations need velocities', call, rows, accelerations=rows, times=[0, 1])
         self.check(r'times\[1\] .* times must grow', call, rows, times=[0, 0])

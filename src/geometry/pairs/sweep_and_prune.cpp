@@ -49,13 +49,14 @@ class SweepAndPrune::Candidates {
       if (moved <= slack_) return pairs_;
       speed_ = moved / static_cast<double>(steps_);
     }
+    margin_ = -1;  // where memory runs out, nothing was found
     boxes_ = boxes;
-    margin_ = margin;
     slack_ = slackFor(boxes, speed_);
     steps_ = 0;
     // Two boxes may approach each other by twice the slack. signedDistance() may round a distance
     // down, and motion() how far a side moved.
     sweep_.find(boxes, addUp(margin * (1 + 1e-15), slack_ * (2 + 1e-9)), pairs_);
+    margin_ = margin;
     return pairs_;
   }
 

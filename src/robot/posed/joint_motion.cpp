@@ -79,4 +79,11 @@ std::vector<Limits> JointMotion::ranges() const {
   return result;
 }
 
+bool JointMotion::isFinite() const {
+  const std::vector<Limits> all = ranges();
+  return std::all_of(all.begin(), all.end(), [](const Limits& range) {
+    return std::isfinite(range.lower) && std::isfinite(range.upper);
+  });
+}
+
 }  // namespace link_bounds

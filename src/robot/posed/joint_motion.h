@@ -35,6 +35,9 @@ class JointMotion {
   /// All values on the way, from a lower to an upper one.
   std::vector<Limits> ranges() const;
 
+  /// False where numbers are so large that a range is none. Such a motion must be refused.
+  bool isFinite() const;
+
  private:
   static constexpr int kOrders = 6;
   using Polynomial = std::array<double, kOrders>;

@@ -12,6 +12,10 @@ namespace {
 constexpr int kLostGeometry = 2;
 constexpr int kFinding = 3;
 
+bool isCode(int code) {
+  return code >= 0 && code <= kOpen;
+}
+
 void warnOfOpen(const std::vector<std::string>& open) {
   warn("not everything was answered: " + joined(open, "; ") + "; --allow-incomplete accepts that");
 }
@@ -33,6 +37,7 @@ int exitCode(const Outcome& outcome, const Demand& demand) {
 }
 
 int worseCode(int first, int second) {
+  if (!isCode(first) || !isCode(second)) return kUnusable;
   for (const int code : {kUnusable, kFinding, kOpen, kLostGeometry})
     if (first == code || second == code) return code;
   return 0;

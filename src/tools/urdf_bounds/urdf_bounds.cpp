@@ -184,7 +184,11 @@ int run(const UrdfBoundsOptions& options) {
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
-  const Outcome outcome = runReport(options, robot);
+  Outcome outcome = runReport(options, robot);
+  // What they are about was left out, or may have been.
+  outcome.lost_geometry = outcome.lost_geometry || !robot.warnings.empty();
+  if (options.report != Report::kPose || options.distances)
+    outcome.addOpen("warnings of the URDF", robot.warnings.size());
   return finishOutput() ? exitCode(outcome, options.demand) : kUnusable;
 }
 

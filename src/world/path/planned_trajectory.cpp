@@ -54,6 +54,10 @@ PlannedTrajectory::PlannedTrajectory(const Robot& simple, trajectory_msgs::Joint
            "; a path needs two or more, the first of them where the motion begins");
   for (std::size_t i = 0; i < message_.points.size(); ++i)
     check(i);
+  for (std::size_t i = 0; i < segments(); ++i) {
+    if (!motion(i).isFinite())
+      refuse("the motion to " + pointName(i + 1) + " is not finite; its numbers are too large");
+  }
 }
 
 void PlannedTrajectory::check(std::size_t index) const {

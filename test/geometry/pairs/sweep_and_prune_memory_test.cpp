@@ -46,5 +46,26 @@ TEST(SweepAndPruneMemory, SteadyMotionAllocatesNothing) {
   }
 }
 
+/// Wherever memory runs out in a search, the next one finds all pairs.
+TEST(SweepAndPruneMemory, ASearchThatFailsLeavesNothing) {
+  constexpr double kMargin = 1;  // so that the pairs take more memory than the boxes
+  const std::vector<Aabb> boxes = swinging(1, 0.1);
+  const std::vector<BoxPair> expected = SweepAndPrune().find(boxes, kMargin);
+  int failures = 0;
+  for (std::size_t limit = 8; limit < 400000; limit += 2000) {
+    SweepAndPrune search;
+    replaced_new::limit = limit;
+    try {
+      search.find(boxes, kMargin);
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    replaced_new::limit = replaced_new::kNoLimit;
+    const std::vector<BoxPair>& found = search.find(boxes, kMargin);
+    ASSERT_EQ(found.size(), expected.size()) << "limit " << limit;
+  }
+  EXPECT_GT(failures, 0);
+}
+
 }  // namespace
 }  // namespace link_bounds

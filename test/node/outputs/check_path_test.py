@@ -301,6 +301,8 @@ class CheckPathTest(unittest.TestCase):
         late = trajectory(["turn"], [0], [1], velocities=([0], [0]))
         late.points[1].time_from_start = rospy.Duration()
         self.refuse(r"time_from_start of points\[1\] is not after that of points\[0\]", late)
+        self.refuse(r"the motion to points\[1\] is not finite",
+                    trajectory(["turn"], [0], [1], velocities=([0], [1e308])))
         self.assertEqual(self.verdict(good), SAFE)
 
     def test_a_million_points_are_refused(self):

@@ -63,5 +63,17 @@ TEST(Outcome, WhatIsOpenIsSaidWhereItDecides) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(Outcome, TheWorseOfTwoCodesIsTheFirstOfTheirOrder) {
+  EXPECT_EQ(worseCode(0, 0), 0);
+  EXPECT_EQ(worseCode(0, 2), 2);
+  EXPECT_EQ(worseCode(4, 2), 4);
+  EXPECT_EQ(worseCode(4, 3), 3);
+  EXPECT_EQ(worseCode(3, 1), 1);
+  for (const int none : {5, 7, -1, 255}) {
+    EXPECT_EQ(worseCode(0, none), 1);
+    EXPECT_EQ(worseCode(none, 3), 1);
+  }
+}
+
 }  // namespace
 }  // namespace link_bounds

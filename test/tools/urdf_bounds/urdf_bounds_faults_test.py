@@ -274,6 +274,29 @@ class IncompleteTest(UrdfBoundsTest):
         self.assertEqual(code, 4)
         self.assertIn('no link has a box', err)
         self.assertEqual(run('-', '--geometry', 'collision', urdf=pair)[0], 0, 'boxes alone')
+        moving = pair.replace('fixed', 'continuous')
+        table = self.write('t.csv', 'j1\n0\n1\n')
+        code, _, err = run('-', '--geometry', 'collision', '--poses', table, urdf=moving)
+        self.assertEqual(code, 4)
+        self.assertIn('no link has a box', err)
+
+    def test_a_warning_of_the_urdf_leaves_verdicts_open(self):
+        """What a macro that was not expanded stands for is not looked at."""
+        whole = tree(solid('base'), solid('tip'), solid('end')).replace('fixed', 'continuous')
+        urdf = whole.replace('<link', '<xacro:gripper name="g"/><link', 1).replace(
+            '<robot', '<robot xmlns:xacro="http://ros.org/wiki/xacro"')
+        table = self.write('t.csv', 'j1\n0\n1\n')
+        for mode in (['--distances', '0.1'], ['--reach'], ['--pairs', '--adjacent'],
+                     ['--poses', table, '--distances', '0'], ['--poses', table, '--path']):
+            code, _, err = run('-', *mode, '--allow-incomplete', urdf=urdf)
+            self.assertIn(code, (0, 3), mode)
+            self.assertIn('xacro', err)
+            code, _, err = run('-', *mode, urdf=urdf)
+            self.assertIn(code, (3, 4), mode)
+            if code == 4:
+                self.assertIn('warnings of the URDF: 1', err)
+        self.assertEqual(run('-', urdf=urdf)[0], 0, 'boxes alone')
+        self.assertEqual(run('-', '--strict', urdf=urdf)[0], 2)
 
     def test_loss_in_geometry_that_was_not_asked_for(self):
         self.assertEqual(run('-', '--strict', '--geometry=collision', urdf=self.missing)[0], 0)

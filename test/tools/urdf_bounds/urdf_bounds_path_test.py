@@ -101,6 +101,9 @@ class PathTest(UrdfBoundsTest):
                 ('has the name of a link', POST.replace('post', 'block') % 1),
                 ('mesh_resource is empty', 'a: {type: MESH_RESOURCE}'),
                 ('scale is negative', 'a: {type: CUBE, scale: {x: -1, y: 1, z: 1}}'),
+                ('scale is zero', 'a: {type: CUBE, scale: {x: 0, y: 0, z: 0}}'),
+                ('has 2 documents', 'a: {type: CUBE, scale: {x: 1}}\n---\nb: {type: CUBE, scale: {x: 1}}'),
+                ('it has "scale" twice', 'a: {type: CUBE, scale: {x: 1}, scale: {x: 2}}'),
                 ('orientation is zero', 'a: {type: CUBE, pose: {orientation: {x: 0}}, scale: {x: 1}}')):
             self.check_refused(reason, '-', '--poses', table, '--path', '--objects',
                                self.write('o.yaml', text), urdf=SLIDE)
@@ -154,7 +157,8 @@ class PathTest(UrdfBoundsTest):
                 ('row 2 column "lift" is "nan".*needs all', 'push,lift\n0,0\n0,nan\n1,1\n'),
                 ('time of row 2 is not after', 'time,push,push.velocity\n1,0,0\n1,0,0\n'),
                 ('not "lift.velocity"', 'time,push,lift,push.velocity\n0,0,0,0\n1,0,0,0\n'),
-                ('has velocities but no times', 'push,push.velocity\n0,0\n1,0\n')):
+                ('has velocities but no times', 'push,push.velocity\n0,0\n1,0\n'),
+                ('motion to row 3 is not finite', 'time,push,push.velocity\n0,0,0\n1,0,0\n3,0,1e308\n')):
             self.check_refused_last(reason, self.write('p.csv', table))
         path = self.write('p.csv', 'push,lift\n0,0\n1,0\n')
         for reason, arguments in (

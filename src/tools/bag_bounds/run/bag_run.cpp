@@ -306,7 +306,9 @@ Outcome BagRun::outcome(const BagReport& report) const {
   if (!useless.empty()) say("error: " + useless);
   outcome.is_unusable = !useless.empty();
   outcome.has_finding = zones_.wasEntered() || (pairs_ && pairs_->wasUndercut());
-  outcome.lost_geometry = !model_->problems.empty();
+  const std::size_t warnings = model_->robot->warnings.size();
+  outcome.lost_geometry = !model_->problems.empty() || warnings > 0;
+  outcome.addOpen("warnings of the URDF", warnings);
   outcome.addOpen("losses while reading", report.losses.size());
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());

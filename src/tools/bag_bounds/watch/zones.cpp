@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tools/command_line/options.h"
+#include "tools/command_line/yaml_document.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -72,8 +73,10 @@ class ZoneReader {
 
   void checkFields(const std::string& name, const YAML::Node& fields) const {
     static const std::set<std::string> kFields{"name", "frame", "min", "max"};
+    std::set<std::string> seen;
     for (const auto& field : fields) {
       const std::string key = scalar(field.first);
+      if (!seen.insert(key).second) refuse(name, "\"" + key + "\" is there twice; remove one");
       if (!kFields.count(key))
         refuse(name, "there is no field \"" + key + "\"; the fields are frame, min and max");
     }
@@ -103,7 +106,7 @@ class ZoneReader {
 
 std::vector<Zone> parseZones(const std::string& text, const std::string& file) {
   try {
-    return ZoneReader(file).read(YAML::Load(text));
+    return ZoneReader(file).read(onlyDocument(text, file));
   } catch (const YAML::Exception& error) {
     throw UsageError(file + " is no YAML: " + error.what() + "; correct it");
   }

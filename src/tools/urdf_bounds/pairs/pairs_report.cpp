@@ -3,6 +3,7 @@
 // Proofs first, then the comparison with the SRDF.
 #include "tools/urdf_bounds/pairs/pairs_report.h"
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -51,6 +52,14 @@ Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
   if (examined == 0) outcome.open.emplace_back("no pair was examined");
   outcome.addOpen("incomplete names", table.incomplete.size());
   outcome.addOpen("UNDECIDED pairs", undecided);
+  if (table.srdf) {
+    const auto& exempt = table.srdf->undecided;
+    const auto is_else = [](const PairProof* proof) {
+      return proof->verdict != Verdict::kUndecided;
+    };
+    outcome.addOpen("exemptions of pairs that are decided but for their reason",
+                    static_cast<std::size_t>(std::count_if(exempt.begin(), exempt.end(), is_else)));
+  }
   outcome.addOpen("clearances that did not reach --accuracy", rough);
   return outcome;
 }

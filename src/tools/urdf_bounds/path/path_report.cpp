@@ -49,7 +49,8 @@ std::vector<double> derivativesOf(const JointTable& table, const JointTable::Num
   return result;
 }
 
-std::vector<JointMotion> motionsOf(const JointTable& table, const JointValues& given) {
+std::vector<JointMotion> motionsOf(const UrdfBoundsOptions& options, const JointTable& table,
+                                   const JointValues& given) {
   std::vector<WayPoint> points;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     points.push_back({valuesOf(table, row, given),
@@ -58,8 +59,12 @@ std::vector<JointMotion> motionsOf(const JointTable& table, const JointValues& g
                       table.times.empty() ? 0 : table.times[row]});
   }
   std::vector<JointMotion> motions;
-  for (std::size_t row = 1; row < points.size(); ++row)
+  for (std::size_t row = 1; row < points.size(); ++row) {
     motions.emplace_back(points[row - 1], points[row]);
+    if (!motions.back().isFinite())
+      throw UsageError(*options.poses + ": the motion to " + rowName(row) +
+                       " is not finite; its numbers are too large");
+  }
   return motions;
 }
 
@@ -127,7 +132,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   const PathBodies bodies = bodiesOf(options, robot, bounded, objects);
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
   const Robot simple = withSimpleJoints(robot);
-  const std::vector<JointMotion> motions = motionsOf(table, given);
+  const std::vector<JointMotion> motions = motionsOf(options, table, given);
   std::ofstream certificate = beginCertificate("path", options, simple);
   const std::vector<SegmentProof> proofs = prove(options, simple, bodies, motions);
   for (std::size_t i = 0; i < proofs.size(); ++i)

@@ -272,6 +272,7 @@ Outcome writeRows(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   Outcome outcome;
   outcome.has_finding = summary.with_contact > 0;
   outcome.lost_geometry = !summary.incomplete.empty();
+  if (bounded.links.empty()) outcome.open.emplace_back("no link has a box");
   if (options.distances && !run.hasCompared())
     outcome.open.emplace_back("no two links were compared");
   outcome.addOpen("incomplete names", summary.incomplete.size());

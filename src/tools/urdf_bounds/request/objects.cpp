@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tools/command_line/options.h"
+#include "tools/command_line/yaml_document.h"
 
 namespace link_bounds {
 namespace {
@@ -43,8 +44,10 @@ class ObjectReader {
   void checkFields(const YAML::Node& node, const std::string& what,
                    const std::set<std::string>& known) const {
     if (!node.IsMap()) refuse(what + " has no fields; write a line such as " + kExample);
+    std::set<std::string> seen;
     for (const auto& field : node) {
       const std::string key = scalar(field.first);
+      if (!seen.insert(key).second) refuse(what + " has \"" + key + "\" twice; remove one");
       if (!known.count(key))
         refuse(what + " has no field \"" + key + "\"; the fields are " + joined(known, ", "));
     }
@@ -73,9 +76,11 @@ class ObjectReader {
     const YAML::Node turn = node["orientation"];
     if (!turn) return result;
     checkFields(turn, "orientation", {"x", "y", "z", "w"});
-    const Eigen::Quaterniond q(number(turn, "w", 0), number(turn, "x", 0), number(turn, "y", 0),
-                               number(turn, "z", 0));
-    if (!(q.norm() > 0)) refuse("orientation is zero; without a rotation, leave it out");
+    Eigen::Quaterniond q(number(turn, "w", 0), number(turn, "x", 0), number(turn, "y", 0),
+                         number(turn, "z", 0));
+    const double largest = q.coeffs().cwiseAbs().maxCoeff();
+    if (!(largest > 0)) refuse("orientation is zero; without a rotation, leave it out");
+    q.coeffs() /= largest;  // squares of huge or tiny numbers overflow or vanish
     result.linear() = q.normalized().toRotationMatrix();
     return result;
   }
@@ -91,6 +96,7 @@ class ObjectReader {
     const std::string type = scalar(fields["type"]);
     const Eigen::Vector3d scale = vector(fields["scale"], "scale", 1);
     if (scale.minCoeff() < 0) refuse("scale is negative; give lengths, turn by the pose");
+    if (!(scale.maxCoeff() > 0)) refuse("scale is zero; give lengths");
     element.link_from_shape = pose(fields["pose"]);
     if (type == "MESH_RESOURCE") {
       element.mesh_uri = scalar(fields["mesh_resource"]);
@@ -120,7 +126,7 @@ class ObjectReader {
 
 Robot parseObjects(const std::string& text, const std::string& file) {
   try {
-    return ObjectReader(file).read(YAML::Load(text));
+    return ObjectReader(file).read(onlyDocument(text, file));
   } catch (const YAML::Exception& error) {
     throw UsageError(file + " is no YAML: " + error.what() + "; correct it");
   }

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A file of YAML with one document. What follows a line "---" would not be read.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tools/command_line/options.h"
+
+namespace link_bounds {
+
+/// Throws UsageError if there are several documents, YAML::Exception if it is no YAML.
+inline YAML::Node onlyDocument(const std::string& text, const std::string& file) {
+  std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  const auto is_empty = [](const YAML::Node& document) { return document.IsNull(); };
+  documents.erase(std::remove_if(documents.begin(), documents.end(), is_empty), documents.end());
+  if (documents.size() > 1)
+    throw UsageError(file + " has " + std::to_string(documents.size()) +
+                     " documents of YAML; write one, without lines of ---");
+  return documents.empty() ? YAML::Node() : documents.front();
+}
+
+}  // namespace link_bounds
