@@ -35,7 +35,8 @@ class JointMotion {
   /// All values on the way, from a lower to an upper one.
   std::vector<Limits> ranges() const;
 
-  /// False where numbers are so large that a range is none. Such a motion must be refused.
+  /// False where the numbers are so large that a range is not finite. Such a motion must be
+  /// refused.
   bool isFinite() const;
 
  private:

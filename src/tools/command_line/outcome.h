@@ -35,7 +35,7 @@ struct Demand {
 /// first that applies. Warns of what is open if that decides.
 int exitCode(const Outcome& outcome, const Demand& demand);
 
-/// Of the exit codes of two runs, the one that comes first in that order; 1 if one of them is none.
+/// Of the exit codes of two runs, the one that comes first in that order; 1 if one is no exit code.
 int worseCode(int first, int second);
 
 /// Such as "CLEAR" for 0.

@@ -10,15 +10,16 @@
 namespace link_bounds::bench {
 namespace {
 
-constexpr std::size_t kLeastWidth = 7;
+constexpr std::size_t kMinWidth = 7;
 
 std::string shortened(const std::string& text, std::size_t longest) {
   return text.size() <= longest ? text : "~" + text.substr(text.size() - longest + 1);
 }
 
 std::size_t widthOf(const Column& column) {
-  const std::size_t least = column.width > 0 ? static_cast<std::size_t>(column.width) : kLeastWidth;
-  return std::max(least, column.head.size());
+  const std::size_t min_width =
+      column.width > 0 ? static_cast<std::size_t>(column.width) : kMinWidth;
+  return std::max(min_width, column.head.size());
 }
 
 void printCell(const Column& column, const std::string& text) {

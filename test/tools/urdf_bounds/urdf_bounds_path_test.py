@@ -82,6 +82,8 @@ class PathTest(UrdfBoundsTest):
         self.assertEqual((segment['first'], segment['second']), ('block', 'post'))
         segment, = self.segments(table, '--objects', low)
         self.assertAlmostEqual(segment['nearest'], 0.1, delta=0.001)
+        ended = self.write('ended.yaml', POST % 1 + '---\n')  # as rostopic echo ends a message
+        self.assertEqual(self.verdicts(table, '--objects', ended, code=3), ['COLLIDES'])
         self.write('t.stl', tetrahedron())
         mesh = 'rock: {type: MESH_RESOURCE, mesh_resource: t.stl, pose: {position: {x: 2}}}\n'
         self.assertEqual(self.verdicts(table, '--objects', self.write('m.yaml', mesh), code=3),

@@ -57,7 +57,7 @@ Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
     const auto is_else = [](const PairProof* proof) {
       return proof->verdict != Verdict::kUndecided;
     };
-    outcome.addOpen("exemptions of pairs that are decided but for their reason",
+    outcome.addOpen("exemptions whose reason is not proven",
                     static_cast<std::size_t>(std::count_if(exempt.begin(), exempt.end(), is_else)));
   }
   outcome.addOpen("clearances that did not reach --accuracy", rough);
