@@ -44,14 +44,16 @@ ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& q
 }  // namespace
 
 void PublisherNode::measure(const std::function<void()>& body) {
-  times_.measure([&] {
-    feed_.update(ros::Time::now());
-    body();
+  completed([&] {
+    times_.measure([&] {
+      feed_.update(ros::Time::now());
+      body();
+    });
   });
 }
 
 void PublisherNode::guardMessage(const std::function<void()>& body) {
-  guarded([&] { times_.measure(body); });
+  guarded([&] { completed([&] { times_.measure(body); }); });
 }
 
 PublisherNode::PublisherNode()
@@ -62,7 +64,9 @@ PublisherNode::PublisherNode()
       diagnostics_(node_),
       tf_receiver_(node_,
                    [this](const TfReceiver::Event& event, bool is_static) {
-                     times_.measureTf([&] { guarded([&] { onTransforms(event, is_static); }); });
+                     times_.measureTf([&] {
+                       guarded([&] { completed([&] { onTransforms(event, is_static); }); });
+                     });
                    }),
       scene_copier_(
           scene_, [this](const auto& body) { measure(body); }, queue_),

@@ -25,44 +25,6 @@ constexpr std::size_t kMaxSteps = 200'000;
 /// Beyond any robot [m].
 constexpr double kFar = 1e9;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// One pair of bodies on its chain of joints.
-struct PathPair {
-  PathPair(std::size_t its_first, std::size_t its_second, JointPath its_path, const PairBody& a,
-           const PairBody& b)
-      : first(its_first),
-        second(its_second),
-        path(std::move(its_path)),
-        bodies{&a, &b},
-        motion(path, a.hull.cloud, b.hull.cloud) {}
-  PathPair(const PathPair&) = delete;
-  PathPair& operator=(const PathPair&) = delete;
-
-  std::size_t first;  ///< body
-  std::size_t second;
-  JointPath path;
-  std::array<const PairBody*, 2> bodies;
-  MotionBound motion;
-  PlacedPath placed;
-  BodyDistances distances;
-  BodyDistances hulls;
-  std::size_t segment = 0;  ///< of which the memories are; 0: none
-};
-
-/// An interval of shares, of one pair.
-struct Node {
-  double lower;  ///< proven [m]
-  std::size_t pair;
-  double middle;
-  double half;
-
-  /// Of equal bounds the later pair first, so that the order is always the same.
-  bool operator<(const Node& other) const {
-    return std::tie(lower, pair, middle) > std::tie(other.lower, other.pair, other.middle);
-  }
-};
-
 }  // namespace
 
 const char* toText(PathVerdict verdict) {
@@ -90,6 +52,44 @@ std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& 
 }
 
 class PathProver::Search {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  /// One pair of bodies on its chain of joints.
+  struct Pair {
+    Pair(std::size_t its_first, std::size_t its_second, JointPath its_path, const PairBody& a,
+         const PairBody& b)
+        : first(its_first),
+          second(its_second),
+          path(std::move(its_path)),
+          bodies{&a, &b},
+          motion(path, a.hull.cloud, b.hull.cloud) {}
+    Pair(const Pair&) = delete;
+    Pair& operator=(const Pair&) = delete;
+
+    std::size_t first;  ///< body
+    std::size_t second;
+    JointPath path;
+    std::array<const PairBody*, 2> bodies;
+    MotionBound motion;
+    PlacedPath placed;
+    BodyDistances distances;
+    BodyDistances hulls;
+    std::size_t segment = 0;  ///< of which the memories are; 0: none
+  };
+
+  /// An interval of shares, of one pair.
+  struct Node {
+    double lower;  ///< proven [m]
+    std::size_t pair;
+    double middle;
+    double half;
+
+    /// Of equal bounds the later pair first, so that the order is always the same.
+    bool operator<(const Node& other) const {
+      return std::tie(lower, pair, middle) > std::tie(other.lower, other.pair, other.middle);
+    }
+  };
+
  public:
   Search(const Robot& robot, const std::vector<PathBody>& bodies, const Pairs& pairs,
          const std::vector<Limits>& limits, const PathGoal& goal)
@@ -159,8 +159,8 @@ class PathProver::Search {
   }
 
   /// Memories end with the segment, so that no segment depends on those before it.
-  PathPair& begun(std::size_t index) {
-    PathPair& pair = pairs_[index];
+  Pair& begun(std::size_t index) {
+    Pair& pair = pairs_[index];
     if (pair.segment == segment_) return pair;
     for (BodyDistances* distances : {&pair.distances, &pair.hulls}) {
       const bool is_hull = distances == &pair.hulls;
@@ -172,7 +172,7 @@ class PathProver::Search {
     return pair;
   }
 
-  void place(PathPair& pair, double share, double half) {
+  void place(Pair& pair, double share, double half) {
     const std::vector<double>& values = valuesAt(share);
     JointBox box;
     for (const std::size_t joint : pair.path.variables)
@@ -185,14 +185,14 @@ class PathProver::Search {
   }
 
   /// Between spheres around the bodies where they are placed, without rounding.
-  static double sphereGap(const PathPair& pair) {
+  static double sphereGap(const Pair& pair) {
     const BodyCloud& first = pair.bodies[0]->hull.cloud;
     const BodyCloud& second = pair.bodies[1]->hull.cloud;
     return (pair.placed.first_from_second * second.center() - first.center()).norm() -
            first.radius() - second.radius();
   }
 
-  std::optional<BodyDistance> distanceOf(PathPair& pair, const DistanceGoal& goal) const {
+  std::optional<BodyDistance> distanceOf(Pair& pair, const DistanceGoal& goal) const {
     pair.distances.move(1, Eigen::Affine3d(pair.placed.first_from_second));
     pair.distances.setGoal(goal);
     std::optional<BodyDistance> distance = pair.distances.find(0, 1);
@@ -205,7 +205,7 @@ class PathProver::Search {
     return distance;
   }
 
-  void offer(const PathPair& pair, const BodyDistance& distance, double share) {
+  void offer(const Pair& pair, const BodyDistance& distance, double share) {
     const double upper = distance.upper + pair.motion.rounding();
     if (!(upper < proof_.nearest)) return;
     proof_.nearest = upper;
@@ -215,7 +215,7 @@ class PathProver::Search {
   }
 
   void measureEnd(std::size_t index, double share) {
-    PathPair& pair = begun(index);
+    Pair& pair = begun(index);
     place(pair, share, 0);
     if (sphereGap(pair) >= proof_.nearest) return;
     const double limit = std::min(proof_.nearest, kFar);
@@ -236,7 +236,7 @@ class PathProver::Search {
 
   /// No pose of the interval has a smaller distance. Cheap bounds first.
   double bound(const Node& node) {
-    PathPair& pair = begun(node.pair);
+    Pair& pair = begun(node.pair);
     place(pair, node.middle, node.half);
     const double motion = pair.motion.motion() + pair.motion.rounding();
     const BodyCloud& first = pair.bodies[0]->hull.cloud;
@@ -263,7 +263,7 @@ class PathProver::Search {
 
   const PathGoal goal_;
   std::deque<PairBody> bodies_;
-  std::deque<PathPair> pairs_;
+  std::deque<Pair> pairs_;
   bool is_whole_ = true;
   std::size_t segment_ = 0;
   const JointMotion* motion_ = nullptr;

@@ -5,7 +5,9 @@
 
 #include <ros/console.h>
 #include <ros/time.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <mutex>
 
 #include "world/log/log_text.h"
@@ -25,6 +27,14 @@ void logUnexpected(const std::exception& error) {
   if (!last_line.isZero() && now - last_line < kPeriod) return;
   last_line = now;
   ROS_ERROR("unexpected: %s", logText(error.what()).c_str());
+}
+
+void endWithoutMemory() noexcept {
+  constexpr char kLine[] =
+      "[FATAL] memory ran out during an update: the node ends, because later boxes could be wrong. "
+      "Give it more memory; link_bounds.launch starts it again with respawn:=true\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kLine, sizeof kLine - 1);
+  std::_Exit(1);
 }
 
 }  // namespace link_bounds

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <functional>
+#include <new>
 
 namespace link_bounds {
 
@@ -21,6 +22,20 @@ void guarded(Body&& body) {
     body();
   } catch (const std::exception& error) {
     logUnexpected(error);
+  }
+}
+
+/// Ends the process with exit code 1 and one line on stderr. Allocates nothing.
+[[noreturn]] void endWithoutMemory() noexcept;
+
+/// Calls `body`, which changes what boxes are computed from. If memory runs out half way, later
+/// boxes could be wrong, so the process ends.
+template <class Body>
+void completed(Body&& body) {
+  try {
+    body();
+  } catch (const std::bad_alloc&) {
+    endWithoutMemory();
   }
 }
 

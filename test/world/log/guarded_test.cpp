@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <ros/time.h>
 
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 
 namespace link_bounds {
@@ -20,6 +22,23 @@ TEST(Guarded, LogsOneExceptionPerSecondWhileRosTimeIsZero) {
   const std::string line = "unexpected: no?memory";
   EXPECT_NE(log.find(line), std::string::npos) << log;
   EXPECT_EQ(log.find(line), log.rfind(line)) << log;
+}
+
+TEST(Completed, EndsTheProcessWhereMemoryRunsOut) {
+  const auto run = [](bool has_memory) {
+    guarded([&] {
+      completed([&] {
+        if (!has_memory) throw std::bad_alloc();
+      });
+    });
+    std::exit(0);
+  };
+  EXPECT_EXIT(run(true), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(run(false), testing::ExitedWithCode(1), "memory ran out during an update");
+}
+
+TEST(Completed, PassesOnOtherExceptions) {
+  EXPECT_THROW(completed([] { throw std::runtime_error("no"); }), std::runtime_error);
 }
 
 }  // namespace

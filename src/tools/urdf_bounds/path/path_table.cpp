@@ -96,7 +96,7 @@ void writeJson(const PathTable& table, std::ostream& out) {
 }  // namespace
 
 void write(const PathTable& table, Format format, std::ostream& out) {
-  writerFor(format, writeTable, writeCsv, writeJson)(table, out);
+  writerFor<PathTable>(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 }  // namespace link_bounds

@@ -94,7 +94,7 @@ void writeMarker(const ReachTable& table, const std::string& name, const Reach& 
 }  // namespace
 
 void write(const ReachTable& table, Format format, std::ostream& out) {
-  writerFor(format, writeTable, writeCsv, writeJson)(table, out);
+  writerFor<ReachTable>(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 void writeMarkers(const ReachTable& table, std::ostream& out) {
