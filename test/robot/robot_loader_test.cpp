@@ -95,14 +95,14 @@ std::string folderOf(const std::string& package) {
   return "";
 }
 
-std::string remedy(MeshFault fault) {
+std::string loaderRemedy(MeshFault fault) {
   return fault == MeshFault::kComputer    ? "end some"
          : fault == MeshFault::kCancelled ? "reload"
                                           : "";
 }
 
 TEST_F(RobotLoaderTest, AnExceptionIsTheReasonOfThatMeshAlone) {
-  RobotLoader loader(readTriangle, remedy);
+  RobotLoader loader(readTriangle, loaderRemedy);
   const auto meshes = loader.loadMeshes({"package://large/a.stl", "file://" + folder_ / "arm/a.stl",
                                          "package://odd/a.stl", "package://missing/a.stl"},
                                         {folderOf});

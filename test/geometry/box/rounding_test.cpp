@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 #include "testing/quad.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr int kPairs = 200000;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -16,7 +17,6 @@ namespace {
 using brute_force::Random;
 
 constexpr std::size_t kBodies = 5;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::shared_ptr<const Body> anyBody(Random& random) {
   auto body = std::make_shared<Body>();

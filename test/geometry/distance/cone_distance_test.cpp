@@ -5,6 +5,7 @@
 
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -12,8 +13,6 @@ namespace {
 
 using brute_force::Random;
 using distance_oracle::Long;
-
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 Body withTip(Solid solid, const Eigen::Vector3d& size, const Eigen::Vector3d& tip,
              const Eigen::Affine3d& link_from_shape = kIdentity) {
@@ -37,14 +36,15 @@ Body anyCone(Random& random, int kind, const Eigen::Affine3d& link_from_shape = 
   return withTip(solid, size, tip, link_from_shape);
 }
 
-constexpr int kKinds = 10;
+constexpr int kConePoseKinds = 10;
 
 TEST(ConeDistance, IsProvenByItsNormal) {
   Random random(1);
   for (int i = 0; i < repetitions(100000); ++i) {
-    const Body cone = anyCone(random, i % kKinds, i % 3 ? random.rigid(0.3) : random.affine(0.3));
+    const Body cone =
+        anyCone(random, i % kConePoseKinds, i % 3 ? random.rigid(0.3) : random.affine(0.3));
     const Solid kinds[] = {Solid::kBox, Solid::kEllipsoid, Solid::kCylinder};
-    Body other = anyCone(random, i / kKinds % kKinds, random.rigid(0.3));
+    Body other = anyCone(random, i / kConePoseKinds % kConePoseKinds, random.rigid(0.3));
     if (i % 4 == 0) other = {{{{nullptr, kinds[i % 3], random.vector(1).cwiseAbs()}}}};
     const Eigen::Affine3d pose = random.rigid(1);
     Eigen::Affine3d of_other = random.rigid(0);

@@ -8,6 +8,7 @@
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/replaced_new.h"
 #include "testing/sanitized.h"
 
@@ -17,7 +18,6 @@ namespace {
 using brute_force::Random;
 
 constexpr std::size_t kBodies = 4;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::shared_ptr<const Body> anyBody(Random& random) {
   auto body = std::make_shared<Body>();

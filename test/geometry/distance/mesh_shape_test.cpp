@@ -6,16 +6,13 @@
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
 
 using brute_force::Random;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 TEST(MeshShape, LeavesOutVerticesThatNoTriangleUses) {
   TriangleMesh mesh = boxMesh({1, 1, 1});

@@ -5,6 +5,7 @@
 
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/quad.h"
 #include "testing/sanitized.h"
 #include "testing/solid_samples.h"
@@ -13,8 +14,6 @@ namespace link_bounds {
 namespace {
 
 using brute_force::Random;
-
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 Body solidBody(Solid solid, const Eigen::Vector3d& size,
                const Eigen::Affine3d& link_from_shape = kIdentity) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "testing/distance_bodies.h"
+#include "testing/numbers.h"
 #include "testing/part_meshes.h"
 #include "testing/sanitized.h"
 
@@ -16,8 +17,6 @@ namespace link_bounds {
 namespace {
 
 using brute_force::Random;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_t node) {
   const TreeNode& top = tree.nodes[node];

@@ -9,13 +9,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "testing/numbers.h"
 #include "testing/part_meshes.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
-
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 std::size_t countOf(const std::vector<LinkPart>& parts, const DivisibleShape& shape) {
   std::size_t count = 0;

@@ -12,6 +12,7 @@
 #include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -20,9 +21,8 @@ namespace {
 using brute_force::Random;
 
 constexpr int kSequences = kIsSanitized ? 2'000 : 100'000;  // of each kind of shape
-constexpr int kSteps = 5;
+constexpr int kSequenceSteps = 5;
 constexpr int kMaxLinks = 40;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 int below(int count, Random& random) {
@@ -155,7 +155,7 @@ void checkSequences(const ShapeMaker& make_shape) {
   for (int i = 0; i < kSequences; ++i) {
     Batch batch(links, random);
     int wrong_here = batch.wrongBoxes();
-    for (int step = 1; step < kSteps; ++step) {
+    for (int step = 1; step < kSequenceSteps; ++step) {
       batch.move(random);
       wrong_here += batch.wrongBoxes();
     }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 
 namespace link_bounds {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using brute_force::turned;
 
 constexpr double kTolerance = 1e-12;  // metres
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 /// A tetrahedron that looks different in every orientation.
 const std::vector<Eigen::Vector3f> kPoints{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};

@@ -7,23 +7,23 @@
 
 #include "link_bounds/geometry/shape/shape.h"
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 #include "testing/quad.h"
 
 namespace link_bounds {
 namespace {
 
-using Points = std::vector<Eigen::Vector3f>;
+using FloatPoints = std::vector<Eigen::Vector3f>;
 
 constexpr int kMeshes = 40;
 constexpr int kPosesPerMesh = 100;
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 /// The table of a mesh is built once for all its poses.
 struct Mesh {
-  Mesh(const Points& its_points)
+  Mesh(const FloatPoints& its_points)
       : points(its_points), set(std::make_shared<const PointSet>(its_points)) {}
 
-  Points points;
+  FloatPoints points;
   std::shared_ptr<const PointSet> set;
 };
 
@@ -93,7 +93,7 @@ TEST(Containment, PlatesWhoseFacesTie) {
   brute_force::Random random(12);
   for (const double degrees : {0.0, 30.0, 45.0, std::atan2(3, 4) * 180 / M_PI}) {
     const Eigen::Matrix3d tilt = brute_force::turned(degrees, Eigen::Vector3d::UnitX());
-    Points points;
+    FloatPoints points;
     for (int i = 0; i < 400; ++i) {
       const Eigen::Vector3d point(0.1 * (i % 20), 0.1 * (i / 20), i % 2 ? 0 : 0.05);
       points.push_back((tilt * point).cast<float>());
@@ -113,7 +113,7 @@ TEST(Containment, TranslationsThatCancelTheReach) {
   // The face lands near zero, where the errors of what cancelled stay.
   brute_force::Random random(5);
   for (int i = 0; i < kMeshes * kPosesPerMesh; ++i) {
-    const Points points = random.points(1, 1e3);
+    const FloatPoints points = random.points(1, 1e3);
     Eigen::Affine3d pose = random.rigid(0);
     pose.translation() = -(pose.linear() * points[0].cast<double>());
     expectContainment(points, pose);
@@ -122,7 +122,7 @@ TEST(Containment, TranslationsThatCancelTheReach) {
 
 TEST(Containment, EqualPointsUnderTranslation) {
   brute_force::Random random(10);
-  const Mesh mesh(Points(20, Eigen::Vector3f(0.1f, -0.2f, 0.3f)));
+  const Mesh mesh(FloatPoints(20, Eigen::Vector3f(0.1f, -0.2f, 0.3f)));
   for (int i = 0; i < kPosesPerMesh; ++i) {
     Eigen::Affine3d pose = kIdentity;
     pose.translation() = random.vector(random.magnitude(-3, 6));
@@ -132,7 +132,7 @@ TEST(Containment, EqualPointsUnderTranslation) {
 
 TEST(Containment, AxisAlignedPosesOfFlatMeshes) {
   brute_force::Random random(6);
-  Points points = random.points(50, 1);
+  FloatPoints points = random.points(50, 1);
   for (Eigen::Vector3f& point : points)
     point.z() = 0.1f;
   for (const double degrees : {0.0, 30.0, 45.0, 90.0, 180.0}) {
@@ -146,7 +146,7 @@ TEST(Containment, ScalesThatUnderflow) {
   brute_force::Random random(7);
   const double smallest = std::numeric_limits<double>::denorm_min();
   for (int i = 0; i < 1000; ++i) {
-    const Points points = random.points(5, 1);
+    const FloatPoints points = random.points(5, 1);
     const Eigen::Affine3d pose(Eigen::Matrix3d(random.rotation() * random.magnitude(-323, -300)));
     const Shape shape{std::make_shared<const PointSet>(points), Solid::kNone,
                       Eigen::Vector3d::Zero(), pose};

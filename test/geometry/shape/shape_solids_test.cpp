@@ -5,6 +5,7 @@
 
 #include "link_bounds/geometry/shape/shape.h"
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 #include "testing/solid_samples.h"
 
 namespace link_bounds {
@@ -12,11 +13,10 @@ namespace {
 
 using brute_force::turned;
 
-constexpr double kTolerance = 1e-12;  // metres, for closed forms
-constexpr int kSteps = 720;           // samples around a circle
+constexpr double kSolidTolerance = 1e-12;  // metres, for closed forms
+constexpr int kSteps = 720;                // samples around a circle
 const double kSamplingLoss = samplingLoss(kSteps);
 const Eigen::Vector3d kSize(0.4, 0.6, 1.0);
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
 
 Shape solidShape(Solid solid, const Eigen::Vector3d& size) {
   return {nullptr, solid, size, kIdentity};
@@ -29,8 +29,8 @@ void expectHalves(const Shape& shape, const Eigen::Matrix3d& rotation,
   pose.pretranslate(center);
   const auto box = worldBox(shape, pose);
   ASSERT_TRUE(box);
-  EXPECT_LE((box->max() - (center + half)).cwiseAbs().maxCoeff(), kTolerance);
-  EXPECT_LE((box->min() - (center - half)).cwiseAbs().maxCoeff(), kTolerance);
+  EXPECT_LE((box->max() - (center + half)).cwiseAbs().maxCoeff(), kSolidTolerance);
+  EXPECT_LE((box->min() - (center - half)).cwiseAbs().maxCoeff(), kSolidTolerance);
 }
 
 /// Calls check(cos, sin, degrees) for angles that matter.
@@ -107,12 +107,12 @@ Aabb sampledBox(Solid solid, const std::vector<Eigen::Vector3f>& points,
 void expectFits(const std::optional<Aabb>& box, const Aabb& samples,
                 const Eigen::Matrix3d& linear) {
   ASSERT_TRUE(box);
-  EXPECT_TRUE(padded(*box, kTolerance).contains(samples));
+  EXPECT_TRUE(padded(*box, kSolidTolerance).contains(samples));
   for (int k = 0; k < 3; ++k) {
     // Two angles are sampled, hence the factor.
     const double loss = 2 * kSamplingLoss * (linear.row(k) * kSize.asDiagonal()).norm();
-    EXPECT_LE(samples.min()[k] - box->min()[k], loss + kTolerance);
-    EXPECT_LE(box->max()[k] - samples.max()[k], loss + kTolerance);
+    EXPECT_LE(samples.min()[k] - box->min()[k], loss + kSolidTolerance);
+    EXPECT_LE(box->max()[k] - samples.max()[k], loss + kSolidTolerance);
   }
 }
 

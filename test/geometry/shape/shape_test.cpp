@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 #include "testing/sanitized.h"
 
 namespace link_bounds {
@@ -15,10 +16,7 @@ namespace {
 
 using brute_force::turned;
 
-constexpr double kTolerance = 1e-12;  // metres; what is written here as a closed form
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
+constexpr double kShapeTolerance = 1e-12;  // metres; what is written here as a closed form
 
 Shape pointsShape(const std::vector<Eigen::Vector3f>& points,
                   const Eigen::Affine3d& link_from_shape = kIdentity) {
@@ -38,8 +36,8 @@ std::vector<Eigen::Vector3f> brick() {
 void expectBox(const std::optional<Aabb>& box, const Eigen::Vector3d& min,
                const Eigen::Vector3d& max) {
   ASSERT_TRUE(box);
-  EXPECT_LE((box->min() - min).cwiseAbs().maxCoeff(), kTolerance) << box->min().transpose();
-  EXPECT_LE((box->max() - max).cwiseAbs().maxCoeff(), kTolerance) << box->max().transpose();
+  EXPECT_LE((box->min() - min).cwiseAbs().maxCoeff(), kShapeTolerance) << box->min().transpose();
+  EXPECT_LE((box->max() - max).cwiseAbs().maxCoeff(), kShapeTolerance) << box->max().transpose();
 }
 
 TEST(WorldBox, BrickTurnedBy30And45And90Degrees) {

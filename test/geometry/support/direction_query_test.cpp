@@ -33,7 +33,7 @@ double borderCoordinate(const DirectionGrid& grid, brute_force::Random& random) 
   return std::clamp((border - grid.half) / grid.half + offset, -1.0, 1.0);
 }
 
-Eigen::Vector3d borderDirection(const DirectionGrid& grid, brute_force::Random& random) {
+Eigen::Vector3d gridBorderDirection(const DirectionGrid& grid, brute_force::Random& random) {
   double s = borderCoordinate(grid, random);
   double t = random.sign() > 0 ? random.uniform(-1, 1) : borderCoordinate(grid, random);
   if (random.sign() > 0) std::swap(s, t);
@@ -49,7 +49,7 @@ TEST(DirectionQuery, EveryPathReadsTheSameCellOnAndBesideBorders) {
     for (int i = 0; i < kDirections; i += 3) {
       Eigen::Matrix3d rows;
       for (int k = 0; k < 3; ++k)
-        rows.row(k) = borderDirection(table.grid, random);
+        rows.row(k) = gridBorderDirection(table.grid, random);
       useQueryPath(QueryPath::kPlain);
       const Extents plain = extents(table, rows);
       for (const QueryPath path : kQueryPaths) {

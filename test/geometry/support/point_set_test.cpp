@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-constexpr int kDirections = 500;
+constexpr int kRandomDirections = 500;
 
 /// Under random maps and those whose ties are hardest: the axes and their signed permutations.
 void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
@@ -24,9 +24,9 @@ void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
     maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitX()));
     maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitZ()));
   }
-  for (int i = 0; i < kDirections; ++i)
+  for (int i = 0; i < kRandomDirections; ++i)
     maps.push_back(random.rotation());
-  for (int i = 0; i < kDirections; ++i)
+  for (int i = 0; i < kRandomDirections; ++i)
     maps.push_back(random.affine(0).linear());
   for (const Eigen::Matrix3d& map : maps) {
     const Extents actual = set.extents(map);

@@ -19,8 +19,8 @@ using brute_force::turned;
 
 constexpr double kTolerance = 1e-6;  // of a volume or a width
 constexpr double kRounding = 1e-12;  // metres
-constexpr int kLinks = kIsSanitized ? 5 : 30;
-const Eigen::Isometry3d kIdentity = Eigen::Isometry3d::Identity();
+constexpr int kRandomLinks = kIsSanitized ? 5 : 30;
+const Eigen::Isometry3d kUnmoved = Eigen::Isometry3d::Identity();
 
 /// Exact comparison: in long double, rounding cannot hide a point that is outside.
 void expectContains(const OrientedBox& box, const std::vector<LongVector>& points,
@@ -56,12 +56,12 @@ double volumeAtRest(const BoundedLink& link) {
 
 TEST(OrientedBox, ContainsEveryPointWhereverTheLinkIs) {
   Random random(1);
-  for (int i = 0; i < kLinks; ++i) {
+  for (int i = 0; i < kRandomLinks; ++i) {
     BoundedLink link = randomLink(random);
     const auto box = orientedBox(link);
     ASSERT_TRUE(box);
     const std::vector<LongVector> points = pointsOf(link);
-    expectContains(*box, points, kIdentity);
+    expectContains(*box, points, kUnmoved);
     for (const Eigen::Isometry3d& pose : manyPoses(random)) {
       const auto here = placed(*box, pose);
       ASSERT_TRUE(here);
@@ -73,22 +73,22 @@ TEST(OrientedBox, ContainsEveryPointWhereverTheLinkIs) {
 
 TEST(OrientedBox, ContainsATurnedSolidFarFromTheFrameOfItsLink) {
   Random random(9);
-  for (int i = 0; i < 10 * kLinks; ++i) {
+  for (int i = 0; i < 10 * kRandomLinks; ++i) {
     Eigen::Affine3d pose(random.rotation());
     pose.pretranslate(random.vector(1e6));
     const BoundedLink link = linkOf({solidShape(Solid::kBox, {1, 2, 3}, pose)});
-    expectContains(*orientedBox(link), pointsOf(link), kIdentity);
+    expectContains(*orientedBox(link), pointsOf(link), kUnmoved);
   }
 }
 
 TEST(OrientedBox, IsNeverLargerThanTheBoxAtRest) {
   Random random(2);
   double mean = 0;
-  for (int i = 0; i < kLinks; ++i) {
+  for (int i = 0; i < kRandomLinks; ++i) {
     const BoundedLink link = randomLink(random);
     const double ratio = orientedBox(link)->size.prod() / volumeAtRest(link);
     EXPECT_LE(ratio, 1 + kRounding);
-    mean += ratio / kLinks;
+    mean += ratio / kRandomLinks;
   }
   EXPECT_LT(mean, 0.9);
 }
@@ -99,7 +99,7 @@ TEST(OrientedBox, FindsATurnedBoxFromItsCornersAlone) {
   std::vector<Eigen::Matrix3d> rotations{turned(30, Eigen::Vector3d::UnitZ()),
                                          turned(45, Eigen::Vector3d(1, 1, 0)),
                                          turned(45, Eigen::Vector3d::UnitX())};
-  for (int i = 0; i < kLinks; ++i)
+  for (int i = 0; i < kRandomLinks; ++i)
     rotations.push_back(random.rotation());
   for (const Eigen::Matrix3d& rotation : rotations) {
     const auto box = orientedBox(linkOf({meshShape(boxCorners(size, rotation))}));
@@ -148,7 +148,7 @@ TEST(OrientedBox, OfATetrahedronIsTheCubeAroundIt) {
 /// With few points there are many local minima.
 TEST(OrientedBox, IsAsGoodAsALongSearchAtRandom) {
   Random random(5);
-  for (int i = 0; i < kLinks; ++i) {
+  for (int i = 0; i < kRandomLinks; ++i) {
     const BoundedLink link = linkOf({meshShape(random.points(6, 1))});
     double best = volumeAtRest(link);
     for (int k = 0; k < 5000; ++k)
@@ -244,7 +244,7 @@ TEST(OrientedBox, OfNumbersNearTheEndsOfTheRange) {
         linkOf({solidShape(Solid::kBox, size * Eigen::Vector3d(1, 2, 3), pose)});
     const auto box = orientedBox(link);
     ASSERT_TRUE(box);
-    expectContains(*box, pointsOf(link), kIdentity);
+    expectContains(*box, pointsOf(link), kUnmoved);
   }
 }
 
@@ -272,7 +272,7 @@ TEST(PlacedOrientedBox, ContainsItselfFarFromTheOrigin) {
   std::vector<LongVector> points;
   for (const Eigen::Vector3d& corner : surface(Solid::kBox, 0))
     points.emplace_back((box.center + corner.cwiseProduct(box.size)).cast<long double>());
-  for (int i = 0; i < kLinks; ++i) {
+  for (int i = 0; i < kRandomLinks; ++i) {
     const Eigen::Isometry3d pose = posed(random.rotation(), random.vector(1e6));
     const auto here = placed(box, pose);
     ASSERT_TRUE(here);
@@ -284,7 +284,7 @@ TEST(PlacedOrientedBox, ContainsWhatAPoseThatIsNotRigidStretches) {
   Random random(7);
   const BoundedLink link = linkOf({solidShape(Solid::kBox, {1, 2, 3})});
   const auto box = orientedBox(link);
-  for (int i = 0; i < kLinks; ++i) {
+  for (int i = 0; i < kRandomLinks; ++i) {
     const Eigen::Isometry3d pose(random.affine(1).matrix());
     const auto here = placed(*box, pose);
     ASSERT_TRUE(here);
@@ -294,10 +294,10 @@ TEST(PlacedOrientedBox, ContainsWhatAPoseThatIsNotRigidStretches) {
 
 TEST(PlacedOrientedBox, ThereIsNoneWhereThePoseIsNotFinite) {
   const OrientedBox box{{0, 0, 0}, Eigen::Quaterniond::Identity(), {1, 1, 1}};
-  Eigen::Isometry3d pose = kIdentity;
+  Eigen::Isometry3d pose = kUnmoved;
   pose.translation().x() = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(placed(box, pose));
-  pose = kIdentity;
+  pose = kUnmoved;
   pose.linear()(0, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(placed(box, pose));
 }

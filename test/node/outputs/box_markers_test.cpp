@@ -14,7 +14,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-MarkerArray arrayOf(const std::vector<std::string>& names) {
+MarkerArray markersNamed(const std::vector<std::string>& names) {
   MarkerArray array;
   for (const std::string& name : names) {
     Marker marker;
@@ -69,13 +69,13 @@ TEST(BoxMarkers, CubesContainTheBoxesOfTheMessage) {
 TEST(ShownMarkers, DeletesWhatVanishedOnce) {
   ShownMarkers shown;
   const std_msgs::Header header;
-  MarkerArray first = arrayOf({"a", "b"});
+  MarkerArray first = markersNamed({"a", "b"});
   shown.replaceBy(first, header);
   EXPECT_TRUE(deleted(first).empty());
-  MarkerArray second = arrayOf({"a"});
+  MarkerArray second = markersNamed({"a"});
   shown.replaceBy(second, header);
   EXPECT_EQ(deleted(second), std::vector<std::string>{"b"});
-  MarkerArray third = arrayOf({"a"});
+  MarkerArray third = markersNamed({"a"});
   shown.replaceBy(third, header);
   EXPECT_TRUE(deleted(third).empty());
 }
@@ -83,8 +83,8 @@ TEST(ShownMarkers, DeletesWhatVanishedOnce) {
 /// Of a greeting, which one subscriber alone has heard.
 TEST(ShownMarkers, DeletesWhatAGreetingShowed) {
   ShownMarkers shown;
-  shown.add(arrayOf({"a", "b"}));
-  MarkerArray first = arrayOf({"a"});
+  shown.add(markersNamed({"a", "b"}));
+  MarkerArray first = markersNamed({"a"});
   shown.replaceBy(first, std_msgs::Header());
   EXPECT_EQ(deleted(first), std::vector<std::string>{"b"});
 }
@@ -92,14 +92,14 @@ TEST(ShownMarkers, DeletesWhatAGreetingShowed) {
 TEST(ShownMarkers, DeletesAllWhereADeleteMayBeLost) {
   ShownMarkers shown;
   const std_msgs::Header header;
-  MarkerArray first = arrayOf({"a", "b"});
+  MarkerArray first = markersNamed({"a", "b"});
   shown.replaceBy(first, header);
-  MarkerArray second = arrayOf({"a"});
+  MarkerArray second = markersNamed({"a"});
   shown.replaceBy(second, header, true);
   EXPECT_EQ(second.markers.front().action, visualization_msgs::Marker::DELETEALL);
   EXPECT_EQ(second.markers.front().ns, "link_bounds/") << "another node keeps what is not ours";
   EXPECT_TRUE(deleted(second).empty());
-  MarkerArray third = arrayOf({});
+  MarkerArray third = markersNamed({});
   shown.replaceBy(third, header);
   EXPECT_EQ(deleted(third), std::vector<std::string>{"a"}) << "the first marker comes after it";
 }

@@ -21,7 +21,7 @@ constexpr int kSteps = 500;
 constexpr std::size_t kFiles = 5;
 
 /// Reads a file whose text is a number n as a triangle of size n; other text is an error.
-TriangleMesh readTriangle(const MeshFile& file) {
+TriangleMesh triangleIn(const MeshFile& file) {
   float size = 0;
   if (!(std::ifstream(file.path) >> size)) throw MeshError("it is no number");
   return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}};
@@ -134,7 +134,7 @@ class Sequence {
       return;
     }
     try {
-      const PointSet points(readTriangle(file).vertices);
+      const PointSet points(triangleIn(file).vertices);
       ASSERT_TRUE(mesh.points) << mesh.error;
       EXPECT_EQ(mesh.points->magnitude(), points.magnitude());
       EXPECT_EQ(mesh.error, "");
@@ -161,7 +161,7 @@ class Sequence {
   std::atomic<int> imports_{0};
   MeshStore store_{[this](const MeshFile& file) {
     ++imports_;
-    return readTriangle(file);
+    return triangleIn(file);
   }};
 };
 

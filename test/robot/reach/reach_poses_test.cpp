@@ -18,7 +18,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kAccuracy = kIsSanitized ? 0.1 : 0.01;  // m
+constexpr double kRobotAccuracy = kIsSanitized ? 0.1 : 0.01;  // m
 
 using Model = LoadedRobot;
 
@@ -124,12 +124,12 @@ int samples() {
 void checkRobot(const RobotFile& file, const Selection& selection = {}) {
   const Model model = loadedAlone(parseRobot(textOf(file.urdf)), file.package_path, selection);
   const std::vector<JointRange> ranges = jointRanges(model.robot);
-  const auto reaches = reachOf(model.robot, model.bounded, ranges, {kAccuracy});
+  const auto reaches = reachOf(model.robot, model.bounded, ranges, {kRobotAccuracy});
   for (std::size_t k = 0; k < reaches.size(); ++k) {
     const BoundedLink& link = model.bounded.links[k];
     if (!reaches[k]) continue;
     expectAttained(model.robot, ranges, link, model.bounded.indices[k], *reaches[k]);
-    EXPECT_LE(reaches[k]->maxGap(), kAccuracy) << link.name;
+    EXPECT_LE(reaches[k]->maxGap(), kRobotAccuracy) << link.name;
   }
   brute_force::Random random(7);
   const double nearest = expectContained(model, ranges, reaches, samples(), random);

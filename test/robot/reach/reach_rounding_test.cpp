@@ -58,7 +58,7 @@ Joint randomJoint(std::size_t i, double size, brute_force::Random& random) {
   return joint;
 }
 
-Arm randomArm(brute_force::Random& random) {
+Arm randomRoundingArm(brute_force::Random& random) {
   Arm arm;
   const double size = random.magnitude(-3, 3);
   for (std::size_t i = 0; i < 2; ++i)
@@ -93,7 +93,7 @@ TEST(ReachRounding, FacesAreOutsideOfTheExactOnes) {
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0;
   for (int i = 0; i < repetitions(500); ++i) {
-    const Arm arm = randomArm(random);
+    const Arm arm = randomRoundingArm(random);
     const std::vector<JointRange> ranges = jointRanges(arm.robot);
     const Reach reach = *reachOf(arm.robot, arm.bounded, ranges, {1e9}).at(0);
     for (std::size_t face = 0; face < kFaces; ++face) {

@@ -9,12 +9,10 @@
 #include <limits>
 
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "testing/numbers.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Joint joint(const std::string& name, Motion motion, const std::optional<Limits>& limits) {
   Joint result;

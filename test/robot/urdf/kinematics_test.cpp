@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "testing/brute_force.h"
+#include "testing/numbers.h"
 
 namespace link_bounds {
 namespace {
@@ -15,16 +16,15 @@ namespace {
 using brute_force::turned;
 
 constexpr double kTolerance = 1e-12;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double radians(double degrees) {
   return degrees * M_PI / 180;
 }
 
 /// A joint between the links `parent` and `child`.
-std::string joint(const std::string& name, const std::string& type, const std::string& parent,
-                  const std::string& child, const std::string& content = "") {
+std::string limitedJoint(const std::string& name, const std::string& type,
+                         const std::string& parent, const std::string& child,
+                         const std::string& content = "") {
   return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
          "'/><child link='" + child +
          "'/><limit lower='-0.1' upper='0.1' effort='1' velocity='1'/>" + content + "</joint>";
@@ -40,8 +40,8 @@ Robot robotOf(const std::string& joints) {
 
 /// One joint of interest between a and b, the rest fixed to a.
 Robot robotWith(const std::string& type, const std::string& content = "") {
-  return robotOf(joint("j", type, "a", "b", content) + joint("f", "fixed", "a", "c") +
-                 joint("g", "fixed", "a", "d"));
+  return robotOf(limitedJoint("j", type, "a", "b", content) + limitedJoint("f", "fixed", "a", "c") +
+                 limitedJoint("g", "fixed", "a", "d"));
 }
 
 using Given = std::map<std::string, double>;
@@ -109,9 +109,9 @@ TEST(LinkPoses, FixedFloatingAndPlanarStayAtTheirOrigin) {
 
 TEST(LinkPoses, JointsAreComposedFromTheRootOutward) {
   const Robot robot =
-      robotOf(joint("j3", "prismatic", "b", "a", "<axis xyz='0 0 1'/>") +
-              joint("j2", "revolute", "c", "b", "<origin xyz='1 0 0'/><axis xyz='0 0 1'/>") +
-              joint("j1", "revolute", "d", "c", "<origin xyz='0 0 1'/><axis xyz='0 1 0'/>"));
+      robotOf(limitedJoint("j3", "prismatic", "b", "a", "<axis xyz='0 0 1'/>") +
+              limitedJoint("j2", "revolute", "c", "b", "<origin xyz='1 0 0'/><axis xyz='0 0 1'/>") +
+              limitedJoint("j1", "revolute", "d", "c", "<origin xyz='0 0 1'/><axis xyz='0 1 0'/>"));
   const Given given{{"j1", radians(30)}, {"j2", radians(45)}, {"j3", 0.5}};
   const Eigen::Matrix3d first = turned(30, Eigen::Vector3d::UnitY());
   const Eigen::Matrix3d second = first * turned(45, Eigen::Vector3d::UnitZ());
@@ -137,9 +137,9 @@ const char kMimicsJ[] = "<mimic joint='j' multiplier='-2' offset='0.25'/>";
 const char kMimicsK[] = "<mimic joint='k' multiplier='3' offset='-1'/>";
 
 TEST(JointValues, MimicFollowsWithMultiplierAndOffset) {
-  const Robot robot =
-      robotOf(joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c", kMimicsJ) +
-              joint("f", "fixed", "c", "d"));
+  const Robot robot = robotOf(limitedJoint("j", "revolute", "a", "b") +
+                              limitedJoint("k", "revolute", "b", "c", kMimicsJ) +
+                              limitedJoint("f", "fixed", "c", "d"));
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {{"j", 0.5}}), -2 * 0.5 + 0.25);
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {}), 0.25);
 }
@@ -147,27 +147,28 @@ TEST(JointValues, MimicFollowsWithMultiplierAndOffset) {
 TEST(JointValues, MimicOfAMimicComposes) {
   // In both orders of the joints.
   for (const bool leader_last : {false, true}) {
-    const std::string leader =
-        leader_last ? joint("j", "revolute", "c", "d") : joint("j", "revolute", "a", "b");
-    const std::string follower = leader_last ? joint("l", "revolute", "a", "b", kMimicsK)
-                                             : joint("l", "revolute", "c", "d", kMimicsK);
-    const Robot robot = robotOf(leader + joint("k", "revolute", "b", "c", kMimicsJ) + follower);
+    const std::string leader = leader_last ? limitedJoint("j", "revolute", "c", "d")
+                                           : limitedJoint("j", "revolute", "a", "b");
+    const std::string follower = leader_last ? limitedJoint("l", "revolute", "a", "b", kMimicsK)
+                                             : limitedJoint("l", "revolute", "c", "d", kMimicsK);
+    const Robot robot =
+        robotOf(leader + limitedJoint("k", "revolute", "b", "c", kMimicsJ) + follower);
     EXPECT_DOUBLE_EQ(valueOf(robot, "l", {{"j", 0.5}}), 3 * (-2 * 0.5 + 0.25) - 1);
   }
 }
 
 TEST(JointValues, AValueGivenForAMimicDoesNotCount) {
-  const Robot robot =
-      robotOf(joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c", kMimicsJ) +
-              joint("l", "revolute", "c", "d", kMimicsK));
+  const Robot robot = robotOf(limitedJoint("j", "revolute", "a", "b") +
+                              limitedJoint("k", "revolute", "b", "c", kMimicsJ) +
+                              limitedJoint("l", "revolute", "c", "d", kMimicsK));
   EXPECT_DOUBLE_EQ(valueOf(robot, "k", {{"j", 0.5}, {"k", 9}}), -0.75);
   EXPECT_DOUBLE_EQ(valueOf(robot, "l", {{"j", 0.5}, {"k", 9}}), -3.25);
 }
 
 TEST(JointValues, RefuseMimicsInACircle) {
-  EXPECT_THROW(jointValues(robotOf(joint("j", "revolute", "a", "b", kMimicsK) +
-                                   joint("k", "revolute", "b", "c", kMimicsJ) +
-                                   joint("f", "fixed", "c", "d")),
+  EXPECT_THROW(jointValues(robotOf(limitedJoint("j", "revolute", "a", "b", kMimicsK) +
+                                   limitedJoint("k", "revolute", "b", "c", kMimicsJ) +
+                                   limitedJoint("f", "fixed", "c", "d")),
                            {}),
                JointError);
   EXPECT_THROW(jointValues(robotWith("revolute", kMimicsJ), {}), JointError) << "mimics itself";

@@ -15,7 +15,7 @@ namespace {
 
 using brute_force::turned;
 
-constexpr double kTolerance = 1e-12;
+constexpr double kOriginTolerance = 1e-12;
 
 std::string inRobot(const std::string& content) {
   return "<robot name='r'>" + content + "</robot>";
@@ -112,7 +112,7 @@ TEST(ParseRobot, OriginIsYawTimesPitchTimesRoll) {
                                    turned(45, Eigen::Vector3d::UnitY()) *
                                    turned(30, Eigen::Vector3d::UnitX());
   const Eigen::Affine3d& pose = link.elements.at(0).link_from_shape;
-  EXPECT_TRUE(pose.linear().isApprox(expected, kTolerance));
+  EXPECT_TRUE(pose.linear().isApprox(expected, kOriginTolerance));
   EXPECT_EQ(pose.translation(), Eigen::Vector3d(1, 2, 3));
 }
 
@@ -123,7 +123,7 @@ TEST(ParseRobot, MeshScaleComesBeforeTheOrigin) {
   const Eigen::Matrix3d expected =
       turned(30, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0.001, -2, 3).asDiagonal();
   const Eigen::Affine3d& pose = link.elements.at(0).link_from_shape;
-  EXPECT_TRUE(pose.linear().isApprox(expected, kTolerance));
+  EXPECT_TRUE(pose.linear().isApprox(expected, kOriginTolerance));
   EXPECT_EQ(pose.translation(), Eigen::Vector3d(1, 2, 3));
 }
 
@@ -153,7 +153,7 @@ TEST(ParseRobot, AxesHaveUnitLength) {
                          joint("j", "a", "b", "continuous", "<axis xyz='0 3 -4'/>") +
                          joint("k", "b", "c", "continuous", "<axis xyz='0 0 0'/>") +
                          joint("l", "c", "d", "continuous")));
-  EXPECT_TRUE(robot.joints[0].axis.isApprox(Eigen::Vector3d(0, 0.6, -0.8), kTolerance));
+  EXPECT_TRUE(robot.joints[0].axis.isApprox(Eigen::Vector3d(0, 0.6, -0.8), kOriginTolerance));
   EXPECT_EQ(robot.joints[1].axis, Eigen::Vector3d::Zero());
   EXPECT_EQ(robot.joints[2].axis, Eigen::Vector3d::UnitX()) << "the default of URDF";
 }

@@ -14,7 +14,8 @@
 namespace link_bounds {
 namespace {
 
-std::string joint(const std::string& name, const std::string& parent, const std::string& child) {
+std::string fixedJoint(const std::string& name, const std::string& parent,
+                       const std::string& child) {
   return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" +
          child + "'/></joint>";
 }
@@ -26,7 +27,7 @@ std::string links(const std::vector<std::string>& names) {
   return result;
 }
 
-std::string inRobot(const std::string& content) {
+std::string robotOfText(const std::string& content) {
   return "<robot name='r'>" + content + "</robot>";
 }
 
@@ -61,7 +62,7 @@ TEST(RobotRefusals, AnotherFormat) {
 }
 
 TEST(RobotRefusals, NoLinks) {
-  expectRefused(inRobot(""), "not a usable URDF");
+  expectRefused(robotOfText(""), "not a usable URDF");
 }
 
 TEST(RobotRefusals, NoName) {
@@ -69,52 +70,57 @@ TEST(RobotRefusals, NoName) {
 }
 
 TEST(RobotRefusals, TwoRootsAreBothNamed) {
-  const std::string urdf = inRobot(links({"left", "right"}));
+  const std::string urdf = robotOfText(links({"left", "right"}));
   expectRefused(urdf, "left");
   expectRefused(urdf, "right");
 }
 
 TEST(RobotRefusals, NoRoot) {
-  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "b", "a")), "root");
+  expectRefused(
+      robotOfText(links({"a", "b"}) + fixedJoint("j", "a", "b") + fixedJoint("k", "b", "a")),
+      "root");
 }
 
 TEST(RobotRefusals, ALinkWithTwoParents) {
-  const std::string urdf = inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") +
-                                   joint("k", "a", "c") + joint("l", "b", "c"));
+  const std::string urdf = robotOfText(links({"a", "b", "c"}) + fixedJoint("j", "a", "b") +
+                                       fixedJoint("k", "a", "c") + fixedJoint("l", "b", "c"));
   expectRefused(urdf, "link \"c\" has two parents, by joints \"k\" and \"l\"");
 }
 
 TEST(RobotRefusals, TwoJointsBetweenTheSameLinks) {
-  expectRefused(inRobot(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "a", "b")),
-                "two parents");
+  expectRefused(
+      robotOfText(links({"a", "b"}) + fixedJoint("j", "a", "b") + fixedJoint("k", "a", "b")),
+      "two parents");
 }
 
 TEST(RobotRefusals, ACycleApartFromTheTree) {
   const std::string urdf =
-      inRobot(links({"a", "b", "c"}) + joint("j", "b", "c") + joint("k", "c", "b"));
+      robotOfText(links({"a", "b", "c"}) + fixedJoint("j", "b", "c") + fixedJoint("k", "c", "b"));
   expectRefused(urdf, "not connected to root link \"a\"");
 }
 
 TEST(RobotRefusals, ALinkThatIsItsOwnChild) {
-  expectRefused(inRobot(links({"a", "b"}) + joint("j", "b", "b")), "link \"b\" is not connected");
-  expectRefused(inRobot(links({"a"}) + joint("j", "a", "a")), "root");
+  expectRefused(robotOfText(links({"a", "b"}) + fixedJoint("j", "b", "b")),
+                "link \"b\" is not connected");
+  expectRefused(robotOfText(links({"a"}) + fixedJoint("j", "a", "a")), "root");
 }
 
 TEST(RobotRefusals, DuplicateNames) {
-  expectRefused(inRobot(links({"a", "a"})), "'a' is not unique");
-  expectRefused(inRobot(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("j", "a", "c")),
-                "'j' is not unique");
+  expectRefused(robotOfText(links({"a", "a"})), "'a' is not unique");
+  expectRefused(
+      robotOfText(links({"a", "b", "c"}) + fixedJoint("j", "a", "b") + fixedJoint("j", "a", "c")),
+      "'j' is not unique");
 }
 
 TEST(RobotRefusals, JointsOfLinksThatDoNotExist) {
-  expectRefused(inRobot(links({"a"}) + joint("j", "a", "ghost")), "ghost");
-  expectRefused(inRobot(links({"a"}) + joint("j", "ghost", "a")), "ghost");
+  expectRefused(robotOfText(links({"a"}) + fixedJoint("j", "a", "ghost")), "ghost");
+  expectRefused(robotOfText(links({"a"}) + fixedJoint("j", "ghost", "a")), "ghost");
 }
 
 TEST(RobotRefusals, AnUnknownTypeOfJoint) {
   expectRefused(
-      inRobot(links({"a", "b"}) +
-              "<joint name='j' type='rubber'><parent link='a'/><child link='b'/></joint>"),
+      robotOfText(links({"a", "b"}) +
+                  "<joint name='j' type='rubber'><parent link='a'/><child link='b'/></joint>"),
       "rubber");
 }
 
@@ -132,15 +138,16 @@ TEST(OddRobots, DirectivesOfPrintfAreNotObeyed) {
     const std::string directives = std::string(percent) + "s" + percent + "n" + percent + "s" +
                                    percent + "n" + percent + "s" + percent + "n";
     const Robot robot =
-        parseRobot(inRobot("<link name='a'><visual><origin xyz='" + directives +
-                           "'/><geometry><sphere radius='1'/></geometry></visual></link>"));
+        parseRobot(robotOfText("<link name='a'><visual><origin xyz='" + directives +
+                               "'/><geometry><sphere radius='1'/></geometry></visual></link>"));
     ASSERT_EQ(robot.links.at(0).lost.size(), 1u);
     EXPECT_NE(robot.links[0].lost[0].reason.find("cannot be parsed"), std::string::npos);
   }
 }
 
 TEST(OddRobots, XacroElementsThatUrdfdomOverlooksCauseAWarning) {
-  const Robot robot = parseRobot(inRobot("<xacro:include filename='arm.xacro'/><link name='b'/>"));
+  const Robot robot =
+      parseRobot(robotOfText("<xacro:include filename='arm.xacro'/><link name='b'/>"));
   ASSERT_EQ(robot.warnings.size(), 1u);
   EXPECT_NE(robot.warnings[0].find("<xacro:include>"), std::string::npos);
 }
@@ -154,7 +161,7 @@ TEST(OddRobots, WhatXacroHasMadeCausesNoWarning) {
 
 TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
   const Robot robot = parseRobot("\n<!-- made by a tool -->\n<?xml version=\"1.0\"?>\n" +
-                                 inRobot(links({"b", "a"}) + joint("j", "b", "a")));
+                                 robotOfText(links({"b", "a"}) + fixedJoint("j", "b", "a")));
   EXPECT_EQ(robot.links.at(0).name, "b");
   EXPECT_TRUE(robot.warnings.empty());
 }
@@ -162,13 +169,13 @@ TEST(OddRobots, AnXmlDeclarationThatIsNotFirst) {
 TEST(OddRobots, ACommentThatMentionsADeclaration) {
   const Robot robot =
       parseRobot("<robot name='r'><!-- no <?xml here --><link name='b'/><link name='a'/>" +
-                 joint("j", "b", "a") + "<!-- really? --><!-- ?> --></robot>");
+                 fixedJoint("j", "b", "a") + "<!-- really? --><!-- ?> --></robot>");
   EXPECT_EQ(robot.links.size(), 2u);
 }
 
 TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
   const std::string urdf =
-      "<robot name=unquoted>" + links({"b", "a"}) + joint("j", "b", "a") + "</robot>";
+      "<robot name=unquoted>" + links({"b", "a"}) + fixedJoint("j", "b", "a") + "</robot>";
   if (refusal(urdf).find("XML_ERROR") != std::string::npos) {
     GTEST_SKIP() << "skipped: urdfdom 4 understands well-formed XML only";
   }
@@ -182,7 +189,7 @@ TEST(OddRobots, ATextThatOnlyUrdfdomUnderstandsIsReadWithAWarning) {
 /// The byte begins a character of two bytes, so urdfdom 3 reads the "<" after it as the second one.
 TEST(OddRobots, LinksThatUrdfdomSeesOnceAreThereOnce) {
   const std::string urdf = "<?xml version='1.0'?><robot name='r'>\xd2<link name='a'/>" +
-                           links({"a", "b"}) + joint("j", "a", "b") + "</robot>";
+                           links({"a", "b"}) + fixedJoint("j", "a", "b") + "</robot>";
   if (!refusal(urdf).empty()) GTEST_SKIP() << "skipped: this urdfdom sees them twice";
   const Robot robot = parseRobot(urdf);
   ASSERT_EQ(robot.links.size(), 2u);
@@ -202,7 +209,7 @@ TEST(OddRobots, NamesWithEntities) {
   for (const char* name :
        {"a&amp;b", "a&lt;b&gt;", "&quot;a&quot;", "caf\xc3\xa9", "a&#x41;", "&#233;t&#xe9;"}) {
     SCOPED_TRACE(name);
-    const std::string urdf = inRobot(links({"base", name}) + joint("j", "base", name));
+    const std::string urdf = robotOfText(links({"base", name}) + fixedJoint("j", "base", name));
     std::size_t count = 0;
     EXPECT_NO_THROW(count = parseRobot(urdf).links.size());
     EXPECT_EQ(count, 2u);
@@ -211,7 +218,7 @@ TEST(OddRobots, NamesWithEntities) {
 
 TEST(OddRobots, NamesThatParsersSpellDifferentlyGiveNoOtherError) {
   EXPECT_NO_THROW(refusal("<robot name='r'><link/></robot>"));
-  EXPECT_NO_THROW(refusal(inRobot(links({"line\r\nbreak"}))));
+  EXPECT_NO_THROW(refusal(robotOfText(links({"line\r\nbreak"}))));
 }
 
 TEST(OddRobots, UnknownElementsAndAttributesAreIgnored) {
@@ -223,8 +230,8 @@ TEST(OddRobots, UnknownElementsAndAttributesAreIgnored) {
 }
 
 TEST(OddRobots, AByteOrderMark) {
-  EXPECT_EQ(parseRobot("\xef\xbb\xbf<?xml version='1.0'?>" + inRobot(links({"a"}))).links.size(),
-            1u);
+  EXPECT_EQ(
+      parseRobot("\xef\xbb\xbf<?xml version='1.0'?>" + robotOfText(links({"a"}))).links.size(), 1u);
 }
 
 /// Every second text contains a per cent sign, so that messages of urdfdom are switched off.
@@ -232,10 +239,10 @@ TEST(ManyRobots, AtOnceGetTheirOwnReasonsAndLeaveTheLogAsItWas) {
   console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
   std::atomic<int> wrong{0};
   const auto parse = [&wrong](const std::string& name) {
-    const std::string lost = inRobot(links({name, name}));
+    const std::string lost = robotOfText(links({name, name}));
     for (int i = 0; i < 3000; ++i) {
       wrong += refusal(lost).find("'" + name + "'") == std::string::npos ? 1 : 0;
-      wrong += refusal(inRobot(links({"%", "%"}))).empty() ? 1 : 0;
+      wrong += refusal(robotOfText(links({"%", "%"}))).empty() ? 1 : 0;
     }
   };
   std::vector<std::thread> threads;

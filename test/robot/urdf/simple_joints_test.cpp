@@ -15,14 +15,14 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-constexpr double kTolerance = 1e-14;
+constexpr double kChainTolerance = 1e-14;
 
 std::string link(const std::string& name) {
   return "<link name='" + name + "'/>";
 }
 
-std::string joint(const std::string& name, const std::string& type, const std::string& parent,
-                  const std::string& child, const std::string& more = "") {
+std::string jointOfType(const std::string& name, const std::string& type, const std::string& parent,
+                        const std::string& child, const std::string& more = "") {
   return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
          "'/><child link='" + child + "'/>" + more + "</joint>";
 }
@@ -43,28 +43,29 @@ const std::string kOrigin = originOf({1, -2, 0.5}, {0.3, -0.7, 2});
 /// Of the last link of a, b, c: b moves on a, c is fixed to b.
 Eigen::Isometry3d tipOf(const std::string& joint_of_b, const Values& values = {}) {
   const Robot robot = withSimpleJoints(parsed(link("a") + link("b") + link("c") + joint_of_b +
-                                              joint("e", "fixed", "b", "c", kOrigin)));
+                                              jointOfType("e", "fixed", "b", "c", kOrigin)));
   return linkPoses(robot, jointValues(robot, values))[2];
 }
 
 /// j is fixed, and so is another joint in the place of the values.
 Eigen::Isometry3d tipOfFixed(const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy) {
-  const Robot robot = parsed(
-      link("a") + link("m") + link("b") + link("c") + joint("j", "fixed", "a", "m", kOrigin) +
-      joint("k", "fixed", "m", "b", originOf(xyz, rpy)) + joint("e", "fixed", "b", "c", kOrigin));
+  const Robot robot = parsed(link("a") + link("m") + link("b") + link("c") +
+                             jointOfType("j", "fixed", "a", "m", kOrigin) +
+                             jointOfType("k", "fixed", "m", "b", originOf(xyz, rpy)) +
+                             jointOfType("e", "fixed", "b", "c", kOrigin));
   return linkPoses(robot, jointValues(robot, {}))[3];
 }
 
 void expectNear(const Eigen::Isometry3d& found, const Eigen::Isometry3d& expected) {
-  EXPECT_LT((found.matrix() - expected.matrix()).cwiseAbs().maxCoeff(), kTolerance);
+  EXPECT_LT((found.matrix() - expected.matrix()).cwiseAbs().maxCoeff(), kChainTolerance);
 }
 
 std::string planar(const std::string& axis) {
-  return joint("j", "planar", "a", "b", kOrigin + axis);
+  return jointOfType("j", "planar", "a", "b", kOrigin + axis);
 }
 
 TEST(SimpleJoints, FloatingIsWhatOriginIs) {
-  const std::string floating = joint("j", "floating", "a", "b", kOrigin);
+  const std::string floating = jointOfType("j", "floating", "a", "b", kOrigin);
   expectNear(tipOf(floating), tipOfFixed({0, 0, 0}, {0, 0, 0}));
   const Values values{{"j.x", 0.1},  {"j.y", -0.2},   {"j.z", 0.3},
                       {"j.roll", 1}, {"j.pitch", -2}, {"j.yaw", 3}};
@@ -87,15 +88,16 @@ TEST(SimpleJoints, ObliquePlane) {
   ASSERT_EQ(robot.joints.size(), 3U);
   const Eigen::Vector3d x = robot.joints[0].axis, y = robot.joints[1].axis;
   const Eigen::Vector3d normal = robot.joints[2].axis;
-  EXPECT_LT((normal - Eigen::Vector3d(1, 2, -2) / 3).norm(), kTolerance);
-  EXPECT_LT((x.cross(y) - normal).norm(), kTolerance);
-  EXPECT_NEAR(x.norm(), 1, kTolerance);
-  EXPECT_NEAR(y.norm(), 1, kTolerance);
+  EXPECT_LT((normal - Eigen::Vector3d(1, 2, -2) / 3).norm(), kChainTolerance);
+  EXPECT_LT((x.cross(y) - normal).norm(), kChainTolerance);
+  EXPECT_NEAR(x.norm(), 1, kChainTolerance);
+  EXPECT_NEAR(y.norm(), 1, kChainTolerance);
 }
 
 TEST(SimpleJoints, OtherJointsAndLinksStay) {
-  const Robot robot = parsed(link("a") + link("b") + link("c") + joint("p", "planar", "a", "b") +
-                             joint("q", "continuous", "b", "c"));
+  const Robot robot =
+      parsed(link("a") + link("b") + link("c") + jointOfType("p", "planar", "a", "b") +
+             jointOfType("q", "continuous", "b", "c"));
   const Robot simple = withSimpleJoints(robot);
   ASSERT_EQ(simple.joints.size(), 4U);
   for (std::size_t i = 0; i < robot.links.size(); ++i)
@@ -105,8 +107,9 @@ TEST(SimpleJoints, OtherJointsAndLinksStay) {
 }
 
 TEST(SimpleJoints, ANameThatAnotherJointHas) {
-  const Robot robot = parsed(link("a") + link("b") + link("c") + joint("p", "planar", "a", "b") +
-                             joint("p.x", "continuous", "b", "c"));
+  const Robot robot =
+      parsed(link("a") + link("b") + link("c") + jointOfType("p", "planar", "a", "b") +
+             jointOfType("p.x", "continuous", "b", "c"));
   EXPECT_THROW(withSimpleJoints(robot), JointError);
 }
 
@@ -125,8 +128,8 @@ TEST(SimpleJoints, LengthsAreNotKnownUnlessGivenAndAnglesTakeATurn) {
 
 TEST(SimpleJoints, TheBaseIsMovedByJointsOfTheRoot) {
   const Robot robot = withSimpleJoints(
-      parsed(link("a") + link("b") + link("c") + link("d") + joint("f", "fixed", "a", "b") +
-             joint("p", "planar", "b", "c") + joint("q", "floating", "c", "d")));
+      parsed(link("a") + link("b") + link("c") + link("d") + jointOfType("f", "fixed", "a", "b") +
+             jointOfType("p", "planar", "b", "c") + jointOfType("q", "floating", "c", "d")));
   ASSERT_EQ(robot.joints.size(), 10U);
   for (std::size_t i = 0; i < robot.joints.size(); ++i)
     EXPECT_EQ(movesBase(robot, i), robot.joints[i].part_of == "p") << robot.joints[i].name;

@@ -14,13 +14,13 @@ std::string visual(const std::string& geometry) {
   return "<visual><geometry>" + geometry + "</geometry></visual>";
 }
 
-Link linkOf(const std::string& content) {
+Link lossyLinkOf(const std::string& content) {
   return parseRobot("<robot name='r'><link name='l'>" + content + "</link></robot>").links.at(0);
 }
 
 /// The lost element of a link whose second visual is bad.
 LostElement lossOf(const std::string& geometry) {
-  const Link link = linkOf(visual("<sphere radius='1'/>") + visual(geometry));
+  const Link link = lossyLinkOf(visual("<sphere radius='1'/>") + visual(geometry));
   EXPECT_EQ(link.elements.size(), 1u) << geometry;
   if (link.lost.size() != 1) {
     ADD_FAILURE() << link.lost.size() << " losses for " << geometry;
@@ -63,13 +63,13 @@ TEST(UrdfLosses, AShapeThatUrdfdomDoesNotKnow) {
 }
 
 TEST(UrdfLosses, AnElementWithoutGeometry) {
-  const Link link = linkOf("<visual><origin xyz='0 0 0'/></visual>");
+  const Link link = lossyLinkOf("<visual><origin xyz='0 0 0'/></visual>");
   EXPECT_TRUE(link.elements.empty());
   EXPECT_EQ(link.lost.size(), 1u);
 }
 
 TEST(UrdfLosses, AnOriginThatIsNoPose) {
-  const Link link = linkOf("<collision><origin xyz='0 0'/>" + kBall + "</collision>");
+  const Link link = lossyLinkOf("<collision><origin xyz='0 0'/>" + kBall + "</collision>");
   ASSERT_EQ(link.lost.size(), 1u);
   EXPECT_EQ(link.lost[0].purpose, Purpose::kCollision);
   EXPECT_EQ(link.lost[0].number, 1u);
@@ -85,8 +85,9 @@ TEST(UrdfLosses, NumbersThatUrdfdomAcceptsButNobodyCanUse) {
 }
 
 TEST(UrdfLosses, OneBadElementDoesNotHideWhyTheOthersAreGone) {
-  const Link link = linkOf(visual("<sphere radius='1'/>") + visual("<box size='1 2'/>") +
-                           visual("<sphere radius='2'/>") + "<collision>" + kBall + "</collision>");
+  const Link link =
+      lossyLinkOf(visual("<sphere radius='1'/>") + visual("<box size='1 2'/>") +
+                  visual("<sphere radius='2'/>") + "<collision>" + kBall + "</collision>");
   ASSERT_EQ(link.elements.size(), 1u) << "urdfdom stops at the first fault";
   EXPECT_EQ(link.elements[0].number, 1u);
   ASSERT_EQ(link.lost.size(), 3u);
@@ -98,8 +99,8 @@ TEST(UrdfLosses, OneBadElementDoesNotHideWhyTheOthersAreGone) {
 }
 
 TEST(UrdfLosses, ABadCollisionLeavesAllVisuals) {
-  const Link link = linkOf("<collision>" + kBall + "</collision><collision/>" +
-                           visual("<sphere radius='1'/>") + visual("<sphere radius='2'/>"));
+  const Link link = lossyLinkOf("<collision>" + kBall + "</collision><collision/>" +
+                                visual("<sphere radius='1'/>") + visual("<sphere radius='2'/>"));
   EXPECT_EQ(link.elements.size(), 3u);
   ASSERT_EQ(link.lost.size(), 1u);
   EXPECT_EQ(link.lost[0].purpose, Purpose::kCollision);
@@ -107,8 +108,9 @@ TEST(UrdfLosses, ABadCollisionLeavesAllVisuals) {
 }
 
 TEST(UrdfLosses, ABadInertialTakesAllGeometryWithIt) {
-  const Link link = linkOf("<inertial><mass value='heavy'/></inertial>" +
-                           visual("<sphere radius='1'/>") + "<collision>" + kBall + "</collision>");
+  const Link link =
+      lossyLinkOf("<inertial><mass value='heavy'/></inertial>" + visual("<sphere radius='1'/>") +
+                  "<collision>" + kBall + "</collision>");
   EXPECT_TRUE(link.elements.empty());
   ASSERT_EQ(link.lost.size(), 2u);
   for (const LostElement& lost : link.lost) {
@@ -142,7 +144,8 @@ TEST(UrdfLosses, AMaterialDefinedElsewhereIsNoFault) {
 }
 
 TEST(UrdfLosses, NothingIsLostOfAGoodLink) {
-  const Link link = linkOf(visual("<sphere radius='1'/>") + "<collision>" + kBall + "</collision>");
+  const Link link =
+      lossyLinkOf(visual("<sphere radius='1'/>") + "<collision>" + kBall + "</collision>");
   EXPECT_EQ(link.elements.size(), 2u);
   EXPECT_TRUE(link.lost.empty());
 }

@@ -6,6 +6,7 @@
 #include "robot/worker/mesh_import.h"
 #include "testing/brute_force.h"
 #include "testing/mesh_texts.h"
+#include "testing/numbers.h"
 #include "testing/temporary_folder.h"
 
 namespace link_bounds {
@@ -16,21 +17,21 @@ using brute_force::turned;
 constexpr double kTolerance = 1e-6;  // metres; node matrices are float32 in assimp
 
 /// Four vertices of a tetrahedron with legs of 1, 2 and 3, and one far away.
-const std::string kVertices = "0 0 0  1 0 0  0 2 0  0 0 3  99 99 99";
-const std::string kTriangles =
+const std::string kDaeVertices = "0 0 0  1 0 0  0 2 0  0 0 3  99 99 99";
+const std::string kDaeTriangles =
     "<triangles count='4'><input semantic='VERTEX' source='#v' offset='0'/>"
     "<p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>";
 const std::string kInstance = "<instance_geometry url='#g'/>";
 const std::string kMetres = "<unit meter='1'/>";
 
 std::string dae(const std::string& asset, const std::string& scene,
-                const std::string& primitives = kTriangles) {
+                const std::string& primitives = kDaeTriangles) {
   return "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
          "version='1.4.1'><asset>" +
          asset +
          "</asset><library_geometries><geometry id='g'><mesh>"
          "<source id='p'><float_array id='f' count='15'>" +
-         kVertices +
+         kDaeVertices +
          "</float_array>"
          "<technique_common><accessor source='#f' count='5' stride='3'><param name='X' "
          "type='float'/><param name='Y' type='float'/><param name='Z' type='float'/></accessor>"
@@ -48,7 +49,7 @@ std::string node(const std::string& content) {
   return "<node>" + content + "</node>";
 }
 
-TriangleMesh import(const std::string& content, const std::string& name = "a.dae") {
+TriangleMesh importDae(const std::string& content, const std::string& name = "a.dae") {
   const TemporaryFolder folder;
   return importMesh({folder.write(name, content), folder.path().string()});
 }
@@ -65,29 +66,27 @@ Aabb posed(const Eigen::Affine3d& pose) {
   return brute_force::box(tetrahedronCorners(), pose);
 }
 
-const Eigen::Affine3d kIdentity = Eigen::Affine3d::Identity();
-
 TEST(ImportDae, PlainNode) {
-  const TriangleMesh mesh = import(dae(kMetres, node(kInstance)));
+  const TriangleMesh mesh = importDae(dae(kMetres, node(kInstance)));
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_EQ(mesh.triangles.size(), 4u);
   expectBounds(mesh, posed(kIdentity));
 }
 
 TEST(ImportDae, ExtensionInUpperCase) {
-  expectBounds(import(dae(kMetres, node(kInstance)), "A.DAE"), posed(kIdentity));
+  expectBounds(importDae(dae(kMetres, node(kInstance)), "A.DAE"), posed(kIdentity));
 }
 
 TEST(ImportDae, UpAxisDoesNotTurnTheMesh) {
   for (const char* axis : {"X_UP", "Y_UP", "Z_UP"}) {
     SCOPED_TRACE(axis);
     const std::string asset = kMetres + "<up_axis>" + axis + "</up_axis>";
-    expectBounds(import(dae(asset, node(kInstance))), posed(kIdentity));
+    expectBounds(importDae(dae(asset, node(kInstance))), posed(kIdentity));
   }
 }
 
 TEST(ImportDae, UnitScalesTheMeshOnce) {
-  expectBounds(import(dae("<unit meter='0.01'/>", node(kInstance))),
+  expectBounds(importDae(dae("<unit meter='0.01'/>", node(kInstance))),
                posed(Eigen::Affine3d(Eigen::Scaling(0.01))));
 }
 
@@ -95,7 +94,7 @@ TEST(ImportDae, UnitCountsWhateverIsUp) {
   for (const char* axis : {"X_UP", "Y_UP", "Z_UP"}) {
     SCOPED_TRACE(axis);
     const std::string asset = std::string("<unit meter='0.0254'/><up_axis>") + axis + "</up_axis>";
-    expectBounds(import(dae(asset, node(kInstance))),
+    expectBounds(importDae(dae(asset, node(kInstance))),
                  posed(Eigen::Affine3d(Eigen::Scaling(0.0254))));
   }
 }
@@ -103,9 +102,9 @@ TEST(ImportDae, UnitCountsWhateverIsUp) {
 TEST(ImportDae, NodeTransformsCount) {
   Eigen::Affine3d pose(turned(30, Eigen::Vector3d::UnitZ()));
   pose.pretranslate(Eigen::Vector3d(1, 2, 3)).scale(Eigen::Vector3d(1, 2, 0.5));
-  expectBounds(import(dae(kMetres, node("<translate>1 2 3</translate><rotate>0 0 1 30</rotate>"
-                                        "<scale>1 2 0.5</scale>" +
-                                        kInstance))),
+  expectBounds(importDae(dae(kMetres, node("<translate>1 2 3</translate><rotate>0 0 1 30</rotate>"
+                                           "<scale>1 2 0.5</scale>" +
+                                           kInstance))),
                posed(pose));
 }
 
@@ -117,28 +116,28 @@ TEST(ImportDae, NestedNodesAreComposed) {
   const std::string content =
       node("<translate>1 0 0</translate><rotate>1 0 0 45</rotate>" +
            node("<translate>0 0 5</translate><rotate>0 1 0 30</rotate>" + kInstance));
-  expectBounds(import(dae(kMetres, content)), posed(outer * inner));
+  expectBounds(importDae(dae(kMetres, content)), posed(outer * inner));
 }
 
 TEST(ImportDae, NodeTransformsAreInTheUnitOfTheFile) {
   const std::string asset = "<unit meter='0.01'/><up_axis>Y_UP</up_axis>";
   Eigen::Affine3d pose(0.01 * turned(30, Eigen::Vector3d::UnitZ()));
   pose.pretranslate(Eigen::Vector3d(1, 0, 0));
-  expectBounds(import(dae(asset, node("<translate>100 0 0</translate><rotate>0 0 1 30</rotate>" +
-                                      kInstance))),
+  expectBounds(importDae(dae(asset, node("<translate>100 0 0</translate><rotate>0 0 1 30</rotate>" +
+                                         kInstance))),
                posed(pose));
 }
 
 TEST(ImportDae, AMirroredNodeMirrors) {
-  expectBounds(import(dae(kMetres, node("<scale>-1 1 1</scale>" + kInstance))),
+  expectBounds(importDae(dae(kMetres, node("<scale>-1 1 1</scale>" + kInstance))),
                posed(Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0))));
 }
 
 TEST(ImportDae, AMatrixIsWrittenRowByRow) {
   Eigen::Affine3d pose = kIdentity;
   pose.matrix() << 1, 0.5, 0, 4, 0, 1, 0.25, 5, 0, 0, 1, 6, 0, 0, 0, 1;  // sheared
-  expectBounds(import(dae(kMetres, node("<matrix>1 0.5 0 4 0 1 0.25 5 0 0 1 6 0 0 0 1</matrix>" +
-                                        kInstance))),
+  expectBounds(importDae(dae(kMetres, node("<matrix>1 0.5 0 4 0 1 0.25 5 0 0 1 6 0 0 0 1</matrix>" +
+                                           kInstance))),
                posed(pose));
 }
 
@@ -146,7 +145,7 @@ TEST(ImportDae, SeveralRootNodesAndInstances) {
   Aabb expected = posed(kIdentity);
   expected.extend(posed(Eigen::Affine3d(Eigen::Translation3d(-7, 0, 0))));
   const TriangleMesh mesh =
-      import(dae(kMetres, node(kInstance) + node("<translate>-7 0 0</translate>" + kInstance)));
+      importDae(dae(kMetres, node(kInstance) + node("<translate>-7 0 0</translate>" + kInstance)));
   EXPECT_EQ(mesh.triangles.size(), 8u);
   expectBounds(mesh, expected);
 }
@@ -154,23 +153,23 @@ TEST(ImportDae, SeveralRootNodesAndInstances) {
 TEST(ImportDae, LinesAreIgnored) {
   const std::string lines =
       "<lines count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 4</p></lines>";
-  expectBounds(import(dae(kMetres, node(kInstance), kTriangles + lines)), posed(kIdentity));
-  EXPECT_THROW(import(dae(kMetres, node(kInstance), lines)), MeshError) << "nothing but lines";
+  expectBounds(importDae(dae(kMetres, node(kInstance), kDaeTriangles + lines)), posed(kIdentity));
+  EXPECT_THROW(importDae(dae(kMetres, node(kInstance), lines)), MeshError) << "nothing but lines";
 }
 
 TEST(ImportDae, AUnitOfZeroIsRefused) {
-  EXPECT_THROW(import(dae("<unit meter='0'/>", node(kInstance))), MeshError);
+  EXPECT_THROW(importDae(dae("<unit meter='0'/>", node(kInstance))), MeshError);
 }
 
 TEST(ImportDae, NodesWithoutGeometryAreRefused) {
-  EXPECT_THROW(import(dae(kMetres, node(node("<translate>1 0 0</translate>")))), MeshError);
+  EXPECT_THROW(importDae(dae(kMetres, node(node("<translate>1 0 0</translate>")))), MeshError);
 }
 
 TEST(ImportDae, PolylistsAreTriangulated) {
   const std::string polylist =
       "<polylist count='2'><input semantic='VERTEX' source='#v' offset='0'/>"
       "<vcount>4 3</vcount><p>0 1 2 3 0 1 3</p></polylist>";
-  const TriangleMesh mesh = import(dae(kMetres, node(kInstance), polylist));
+  const TriangleMesh mesh = importDae(dae(kMetres, node(kInstance), polylist));
   EXPECT_EQ(mesh.triangles.size(), 3u);
   expectBounds(mesh, posed(kIdentity));
 }

@@ -211,7 +211,7 @@ TEST(WorkerLimits, ItEndsWithItsParent) {
   }
   close(pipe_ends[1]);
   char ready = 0;
-  ASSERT_EQ(read(pipe_ends[0], &ready, 1), 1);
+  ASSERT_EQ(::read(pipe_ends[0], &ready, 1), 1);
   kill(middle, SIGKILL);
   waitpid(middle, nullptr, 0);
   pollfd end{pipe_ends[0], POLLIN, 0};

@@ -7,14 +7,12 @@
 #include <limits>
 
 #include "testing/marker_testing.h"
+#include "testing/numbers.h"
 
 namespace link_bounds {
 namespace {
 
 using visualization_msgs::Marker;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One of each type that has a shape.
 std::vector<Marker> goodMarkers() {

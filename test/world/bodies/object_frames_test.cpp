@@ -4,11 +4,10 @@
 #include <limits>
 
 #include "testing/live_objects_testing.h"
+#include "testing/numbers.h"
 
 namespace link_bounds {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The fixed frame is base at first; later odom, in which base is at x = 100.
 class ObjectFramesTest : public LiveObjectsTest {

@@ -18,7 +18,7 @@ using visualization_msgs::Marker;
 
 constexpr int kSequences = kIsSanitized ? 20 : 200;
 constexpr int kSteps = 60;
-constexpr double kAccuracy = 1e-4;
+constexpr double kMeshAccuracy = 1e-4;
 
 const std::vector<int> kTypes{Marker::CUBE,         Marker::SPHERE,      Marker::CYLINDER,
                               Marker::ARROW,        Marker::LINE_STRIP,  Marker::LINE_LIST,
@@ -70,7 +70,7 @@ class Sequence {
     model->bodies.parents = {0, 0, 1, 2};  // a chain: neighbours are no pairs
     model->ignored_pairs = NamePairs(std::vector<NamePair>{{"link0", "o/0"}});
     model->parameters.distance_limit = random_.uniform(0, 1) < 0.2 ? 0 : random_.uniform(0, 2);
-    model->parameters.distance_accuracy = kAccuracy;
+    model->parameters.distance_accuracy = kMeshAccuracy;
     model->parameters.distance_relative_accuracy = random_.uniform(0, 1) < 0.5 ? 0 : 0.1;
     model_ = model;
     link_poses_.assign(links.size(), Eigen::Affine3d::Identity());
@@ -192,7 +192,7 @@ class Sequence {
   /// Every name was compared, and each pair that was left out has its boxes apart or is named.
   void compareSilence(const Moment& taken, const DistanceArray& array) {
     EXPECT_EQ(array.limit, model_->parameters.distance_limit);
-    EXPECT_EQ(array.accuracy, kAccuracy);
+    EXPECT_EQ(array.accuracy, kMeshAccuracy);
     std::vector<std::string> names;
     auto entry = array.not_compared.begin();
     for (std::size_t i = 0; i < taken.bodies.size(); ++i) {
@@ -234,7 +234,7 @@ class Sequence {
         }
         const auto expected =
             bodyDistance(bodyOf(a), a.frame_from_body, bodyOf(b), b.frame_from_body,
-                         {kAccuracy, std::numeric_limits<double>::infinity(), 1'000'000})
+                         {kMeshAccuracy, std::numeric_limits<double>::infinity(), 1'000'000})
                 .value();
         if (!is_there) {
           ASSERT_GT(expected.upper, limit) << nameOf(a) << " " << nameOf(b);
@@ -246,8 +246,8 @@ class Sequence {
         if (isExact(bodyOf(a)) && isExact(bodyOf(b)) && limit > 0) {
           const double width = entry->distance_max - entry->distance;
           const double part = model_->parameters.distance_relative_accuracy;
-          ASSERT_LE(width, std::max(kAccuracy, part * entry->distance_max));
-          rough_ += width > kAccuracy ? 1 : 0;
+          ASSERT_LE(width, std::max(kMeshAccuracy, part * entry->distance_max));
+          rough_ += width > kMeshAccuracy ? 1 : 0;
         }
         ASSERT_EQ(entry->stamp.toNSec(),
                   a.link ? 5 + (b.link ? std::min(*a.link, *b.link) : *a.link) : 0);

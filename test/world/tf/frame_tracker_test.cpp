@@ -13,8 +13,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kHistories = repetitions(250);
-constexpr int kMessages = 120;
+constexpr int kTrackedHistories = repetitions(250);
+constexpr int kTrackedMessages = 120;
 constexpr std::size_t kFollowed = 6;
 constexpr std::size_t kKept = 3;
 
@@ -82,7 +82,7 @@ int compareHistory(std::uint64_t seed, Oddity oddity) {
   for (const int frame : {0, random.depth() / 2, random.depth(), random.frames() - 1})
     trackers.push_back(std::make_unique<TrackerBesideTf2>(frame, random, both));
   int known = 0;
-  for (int i = 0; i < kMessages && !testing::Test::HasFailure(); ++i) {
+  for (int i = 0; i < kTrackedMessages && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE(i);
     both.add(random.next());
     for (const auto& tracker : trackers) {
@@ -102,7 +102,7 @@ double compareHistories(int histories, Oddity oddity) {
     known += compareHistory(seed, oddity);
     if (testing::Test::HasFailure()) break;
   }
-  const double all = 4.0 * histories * kMessages * kFollowed;
+  const double all = 4.0 * histories * kTrackedMessages * kFollowed;
   std::cout << known << " of " << all << " poses were known\n";
   return known / all;
 }
@@ -110,16 +110,16 @@ double compareHistories(int histories, Oddity oddity) {
 // Several publishers with different clocks, static and dynamic, repeated and late stamps, new
 // parents, gaps, fixed frames above, below and beside, up to a hundred frames deep.
 TEST(FrameTracker, PosesAndStampsAreThoseOfTf2) {
-  EXPECT_GT(compareHistories(kHistories, Oddity::kNone), 0.25);
+  EXPECT_GT(compareHistories(kTrackedHistories, Oddity::kNone), 0.25);
 }
 
 TEST(FrameTracker, WhatALoopCutsOffIsWhatTf2Refuses) {
-  EXPECT_GT(compareHistories(kHistories / 2, Oddity::kLoops), 0.25);
+  EXPECT_GT(compareHistories(kTrackedHistories / 2, Oddity::kLoops), 0.25);
 }
 
 // tf2 would scale by what is above both frames, too.
 TEST(FrameTracker, UnevenQuaternionsCountAsInTf2FromTheNearestFrameAboveBoth) {
-  EXPECT_GT(compareHistories(kHistories, Oddity::kUneven), 0.25);
+  EXPECT_GT(compareHistories(kTrackedHistories, Oddity::kUneven), 0.25);
 }
 
 // A quaternion that is not quite of length 1, as tf2 takes it, scales what it turns.
@@ -163,7 +163,7 @@ TEST(FrameTracker, AnUnevenQuaternionAboveBothScalesInTf2Alone) {
   EXPECT_NEAR(theirs, -20 * std::pow(1.0045, 4), kSame * 20);
 }
 
-const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 6, Eigen::Vector3d::UnitZ()));
+const Eigen::Quaterniond kBaseTurn(Eigen::AngleAxisd(M_PI / 6, Eigen::Vector3d::UnitZ()));
 
 /// Two arms on a base that moves, in a fixed frame above it.
 class ArmsTest : public testing::Test {
@@ -172,15 +172,15 @@ class ArmsTest : public testing::Test {
     poses_.setTarget("map", kTimeout, ros::Time(1));
     left_ = poses_.follow("left");
     right_ = poses_.follow("right");
-    send({edge("map", "base", 1, kTurn, {1, 0, 0}), left(1, 0.1), right(1, 0.2)});
+    send({edge("map", "base", 1, kBaseTurn, {1, 0, 0}), left(1, 0.1), right(1, 0.2)});
   }
 
   static geometry_msgs::TransformStamped left(double stamp, double x) {
-    return edge("base", "left", stamp, kTurn, {x, 0, 0});
+    return edge("base", "left", stamp, kBaseTurn, {x, 0, 0});
   }
 
   static geometry_msgs::TransformStamped right(double stamp, double x) {
-    return edge("base", "right", stamp, kTurn, {x, 0, 0});
+    return edge("base", "right", stamp, kBaseTurn, {x, 0, 0});
   }
 
   void send(const std::vector<geometry_msgs::TransformStamped>& transforms) {
@@ -196,7 +196,7 @@ class ArmsTest : public testing::Test {
 };
 
 TEST_F(ArmsTest, WhatStandsStillHasAnotherStampButDoesNotMove) {
-  send({edge("map", "base", 2, kTurn, {1, 0, 0}), left(2, 0.1), right(2, 0.3)});
+  send({edge("map", "base", 2, kBaseTurn, {1, 0, 0}), left(2, 0.1), right(2, 0.3)});
   EXPECT_TRUE(left_.pose().is_changed);
   EXPECT_FALSE(left_.pose().has_moved);
   EXPECT_EQ(left_.pose().stamp, 2000000000);
@@ -204,7 +204,7 @@ TEST_F(ArmsTest, WhatStandsStillHasAnotherStampButDoesNotMove) {
 }
 
 TEST_F(ArmsTest, EverythingOnABaseMovesWithIt) {
-  send({edge("map", "base", 2, kTurn, {1.5, 0, 0}), left(2, 0.1), right(2, 0.2)});
+  send({edge("map", "base", 2, kBaseTurn, {1.5, 0, 0}), left(2, 0.1), right(2, 0.2)});
   EXPECT_TRUE(left_.pose().has_moved);
   EXPECT_TRUE(right_.pose().has_moved);
 }
@@ -214,7 +214,7 @@ TEST_F(ArmsTest, AnArmWhoseBaseIsSilentKeepsItsPose) {
   EXPECT_FALSE(left_.pose().is_changed);
   EXPECT_FALSE(right_.pose().is_changed);
   EXPECT_EQ(left_.pose().stamp, 1000000000);
-  send({edge("map", "base", 2, kTurn, {1, 0, 0})});
+  send({edge("map", "base", 2, kBaseTurn, {1, 0, 0})});
   EXPECT_TRUE(left_.pose().has_moved);
   EXPECT_EQ(left_.pose().stamp, 2000000000);
   EXPECT_EQ(right_.pose().stamp, 1000000000);
@@ -223,7 +223,7 @@ TEST_F(ArmsTest, AnArmWhoseBaseIsSilentKeepsItsPose) {
 TEST_F(ArmsTest, TheOldestEdgeDecidesWhatIsStale) {
   const auto expire = [this](double now) { poses_.expire(ros::Time(now)); };
   send({left(5, 0.5)});
-  send({edge("map", "base", 9, kTurn, {1, 0, 0})});
+  send({edge("map", "base", 9, kBaseTurn, {1, 0, 0})});
   expire(11);
   EXPECT_FALSE(right_.pose().is_changed);
   expire(11.5);
@@ -233,7 +233,7 @@ TEST_F(ArmsTest, TheOldestEdgeDecidesWhatIsStale) {
   expire(15.5);
   EXPECT_FALSE(right_.pose().is_changed) << "it was stale before";
   EXPECT_EQ(left_.pose().problem, TransformProblem::kStale);
-  send({edge("map", "base", 16, kTurn, {1, 0, 0}), right(16, 0.2)});
+  send({edge("map", "base", 16, kBaseTurn, {1, 0, 0}), right(16, 0.2)});
   EXPECT_EQ(right_.pose().problem, TransformProblem::kNone);
 }
 
@@ -243,10 +243,10 @@ TEST_F(ArmsTest, AFrameIsFollowedAsLongAsOneOfItsHandlesLives) {
   EXPECT_FALSE(left_);
   for (int i = 0; i < 100; ++i)
     poses_.follow("frame_" + std::to_string(i));
-  send({edge("map", "base", 2, kTurn, {1, 0, 0}), left(2, 0.5), right(2, 0.2)});
+  send({edge("map", "base", 2, kBaseTurn, {1, 0, 0}), left(2, 0.5), right(2, 0.2)});
   EXPECT_TRUE(second.pose().has_moved);
   FrameTracker::Handle third = std::move(second);
-  send({edge("map", "base", 3, kTurn, {1, 0, 0}), left(3, 0.7), right(3, 0.2)});
+  send({edge("map", "base", 3, kBaseTurn, {1, 0, 0}), left(3, 0.7), right(3, 0.2)});
   EXPECT_EQ(third.pose().stamp, 3000000000);
 }
 

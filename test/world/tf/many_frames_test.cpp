@@ -22,7 +22,8 @@ constexpr double kTolerance = 1e-9;  // m
 constexpr double kQuadratic = 40;    // how much ten times the frames may cost; quadratic is 100
 constexpr double kAsFlat = 3;  // times; with a path per link the first message costs five or more
 
-const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d(1, 2, 3).normalized()));
+const Eigen::Quaterniond kEighthTurn(Eigen::AngleAxisd(M_PI / 4,
+                                                       Eigen::Vector3d(1, 2, 3).normalized()));
 
 std::string name(int i) {
   return "frame_" + std::to_string(i);
@@ -66,7 +67,8 @@ class Star {
     ++updates_;
     std::vector<geometry_msgs::TransformStamped> transforms;
     for (int i = 0; i < count_; ++i)
-      transforms.push_back(edge("base", name(i), 1 + 0.01 * updates_, kTurn, {1.0 * i, 0, 0}));
+      transforms.push_back(
+          edge("base", name(i), 1 + 0.01 * updates_, kEighthTurn, {1.0 * i, 0, 0}));
     const double start = cpuMilliseconds();
     tf_.add({transforms.begin(), transforms.end()}, false, ros::Time(1 + 0.01 * updates_));
     EXPECT_TRUE(scene_.update(ros::Time(1 + 0.01 * updates_)));
@@ -75,7 +77,7 @@ class Star {
 
   void expectExact() const {
     for (int i = 0; i < count_; ++i) {
-      Eigen::Affine3d pose(kTurn);
+      Eigen::Affine3d pose(kEighthTurn);
       pose.pretranslate(Eigen::Vector3d(i, 0, 0));
       const Aabb expected = linkBox(cube(name(i)), pose).value();
       const BoxState& state = scene_.links.states()[static_cast<std::size_t>(i)];
@@ -117,12 +119,12 @@ TEST(ManyFrames, NewFramesOneByOneBesideALink) {
   scene.adopt(modelOf("base", {cube("link")}), ros::Time(1));
   const double start = cpuMilliseconds();
   for (int i = 0; i < kMany; ++i) {
-    tf.add({edge(i == 0 ? "base" : name(i - 1), name(i), 1, kTurn, {1, 0, 0})}, false,
+    tf.add({edge(i == 0 ? "base" : name(i - 1), name(i), 1, kEighthTurn, {1, 0, 0})}, false,
            ros::Time(1));
     EXPECT_FALSE(scene.update(ros::Time(1)));
   }
   std::cout << kMany << " messages of a new frame each: " << cpuMilliseconds() - start << " ms\n";
-  tf.add({edge("base", "link", 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
+  tf.add({edge("base", "link", 1, kEighthTurn, {1, 0, 0})}, false, ros::Time(1));
   EXPECT_TRUE(scene.update(ros::Time(1)));
   EXPECT_TRUE(scene.links.states()[0].box);
 }
@@ -133,11 +135,11 @@ TEST(ManyFrames, OfStrangersDoNotRebuildTheTree) {
   FrameTracker tracker(tf);
   tracker.setTarget("base", 0, ros::Time(1));
   const auto send = [&](const std::string& parent, const std::string& child) {
-    tf.add({edge(parent, child, 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
+    tf.add({edge(parent, child, 1, kEighthTurn, {1, 0, 0})}, false, ros::Time(1));
     tracker.update(ros::Time(1));
   };
   for (int i = 0; i < kStrangers; ++i)
-    tf.add({edge("base", name(i), 1, kTurn, {1, 0, 0})}, false, ros::Time(1));
+    tf.add({edge("base", name(i), 1, kEighthTurn, {1, 0, 0})}, false, ros::Time(1));
   const FrameTracker::Handle newest = tracker.follow(name(kStrangers - 1));
   const FrameTracker::Handle unknown = tracker.follow("unknown");
   tracker.update(ros::Time(1));
@@ -171,7 +173,7 @@ class Chain {
   double update() {
     const double stamp = 1 + 0.01 * ++updates_;
     std::vector<geometry_msgs::TransformStamped> transforms{
-        edge("base", "beside", stamp, kTurn, {0, 3, 0})};
+        edge("base", "beside", stamp, kEighthTurn, {0, 3, 0})};
     for (int i = 0; i < depth_; ++i)
       transforms.push_back(
           edge(i == 0 ? "base" : name(i - 1), name(i), stamp, step(), {0.01, 0, 0}));
@@ -185,7 +187,7 @@ class Chain {
     for (int i = 0; i < depth_; i += depth_ / 100)
       expectExact(static_cast<std::size_t>(i), topFrom(name(i)));
     expectExact(links_.size() - 2, topFrom(name(depth_ - 1)));
-    expectExact(links_.size() - 1, Eigen::Translation3d(0, 3, 0) * kTurn);
+    expectExact(links_.size() - 1, Eigen::Translation3d(0, 3, 0) * kEighthTurn);
   }
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr int kLives = 300;
 constexpr int kSteps = 200;
 constexpr double kTimeout = 2;  // s
-constexpr double kStart = 1700000000;
+constexpr double kYear2023 = 1700000000;
 
 /// A chain map -> link_0 -> link_1 -> ..., of which some edges are static.
 class RandomStamps {
@@ -143,7 +143,7 @@ class RandomStamps {
   bool is_static_[kLinks];
   double offsets_[kLinks];  ///< of the publishers' clocks [s]
   std::vector<Event> events_[kLinks];
-  double now_ = kStart;
+  double now_ = kYear2023;
 
  public:
   mutable long kept_by_jumps = 0;  ///< how often a replay met an edge that a jump kept fresh

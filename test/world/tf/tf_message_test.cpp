@@ -10,7 +10,8 @@
 namespace link_bounds {
 namespace {
 
-const Eigen::Quaterniond kTurn(Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d(1, 2, 3).normalized()));
+const Eigen::Quaterniond kMessageTurn(Eigen::AngleAxisd(M_PI / 4,
+                                                        Eigen::Vector3d(1, 2, 3).normalized()));
 
 std::vector<std::uint8_t> bytesOf(const tf2_msgs::TFMessage& message) {
   std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
@@ -25,9 +26,9 @@ void read(const std::vector<std::uint8_t>& bytes, TfMessage& message) {
 
 tf2_msgs::TFMessage threeTransforms() {
   tf2_msgs::TFMessage message;
-  message.transforms = {edge("base", "a", 1.5, kTurn, {1, 2, 3}),
-                        edge("/a", "/b", 2.5, kTurn, {4, 5, 6}),
-                        edge("", std::string(100000, 'x'), 0, kTurn, {7, 8, 9})};
+  message.transforms = {edge("base", "a", 1.5, kMessageTurn, {1, 2, 3}),
+                        edge("/a", "/b", 2.5, kMessageTurn, {4, 5, 6}),
+                        edge("", std::string(100000, 'x'), 0, kMessageTurn, {7, 8, 9})};
   return message;
 }
 
@@ -75,7 +76,7 @@ TEST(TfMessage, LyingCountsAndLengthsAreErrors) {
 
 tf2_msgs::TFMessage manyTransforms(std::size_t count) {
   tf2_msgs::TFMessage message;
-  message.transforms.assign(count, edge("a", "b", 1.5, kTurn, {1, 2, 3}));
+  message.transforms.assign(count, edge("a", "b", 1.5, kMessageTurn, {1, 2, 3}));
   return message;
 }
 

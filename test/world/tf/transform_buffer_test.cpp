@@ -8,13 +8,12 @@
 #include <limits>
 
 #include "testing/beside_tf2.h"
+#include "testing/numbers.h"
 #include "world/tf/frame_tracker.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kHistories = 100;
 constexpr int kMessages = 120;
 
