@@ -156,6 +156,26 @@ class PostTest(BagBoundsTest):
         found = self.report(bag, '--distances', '0.02', '--objects', '/objects', code=0)
         self.assertEqual(found['distances'], [])
 
+    def test_a_dip_below_the_limit_is_found(self):
+        """A corner 1 mm off its axis turns by 60 degrees before a plate. It is nearest in the
+        middle, by 0.134 mm."""
+        joint = ('<joint name="{1}_joint" type="continuous"><parent link="{0}"/><child link="{1}"/>'
+                 '<axis xyz="0 0 1"/></joint>')
+        text = ('<robot name="r"><link name="base"><visual><origin xyz="{:.5f} 0 0"/><geometry>'
+                '<box size="1 1 1"/></geometry></visual></link><link name="mast"/><link name="nut">'
+                '<visual><geometry><box size="0.00141421 0.00141421 1e-6"/></geometry></visual>'
+                '</link>' + joint.format('base', 'mast') + joint.format('mast', 'nut') + '</robot>')
+        turns = []
+        for stamp, degrees in (BEGIN, 15), (BEGIN + .1, 75):
+            edges = [transform(*names, time_of(stamp), (0, 0, 0), turn((0, 0, 1), angle))
+                     for names, angle in ((('base', 'mast'), 0), (('mast', 'nut'), degrees))]
+            turns.append(('/tf', TFMessage(edges), time_of(stamp)))
+        bag = self.bag(turns)
+        for limit, gap, code in ((1, .9, UNDERCUT), (50, 49.9, UNDERCUT), (1, 1.2, 0)):  # mm
+            self.urdf = self.write('nut.urdf', text.format(.501 + gap / 1000))
+            with self.subTest(limit=limit, gap=gap):
+                self.report(bag, '--distances', str(limit / 1000), code=code)
+
     def test_a_long_timeout_is_no_short_one(self):
         """Beyond what fits into nanoseconds."""
         self.zone(swing(5), '--timeout', '1e10', code=ENTERED)

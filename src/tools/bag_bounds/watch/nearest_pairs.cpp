@@ -78,7 +78,8 @@ void NearestPairs::lookBetween(const MomentPtr& moment, const TransformBuffer& t
         pairs_.find({moment->name(moment->bodies[first]), moment->name(moment->bodies[second])});
     if (found == pairs_.end()) return limit;
     if (found->second.clearance <= 0) return std::nullopt;
-    return std::max(found->second.distance.distance - kPairAccuracy, 0.0);
+    const double nearest = found->second.distance.distance;
+    return nearest < limit ? std::max(nearest - kPairAccuracy, 0.0) : limit;
   };
   handlers.on_motion = [&](const PairMotion& motion) { take(*moment, motion, now); };
   handlers.gives_up = isInterrupted;

@@ -38,8 +38,8 @@ class PairMotionSearch {
   };
   using Placed = BodyAtTime<Made>;
 
-  PairMotionSearch(const MovedBody& first, const MovedBody& second, double wanted)
-      : first_(first), second_(second), wanted_(wanted) {}
+  PairMotionSearch(const MovedBody& first, const MovedBody& second, double wanted, double limit)
+      : first_(first), second_(second), wanted_(wanted), limit_(limit) {}
 
   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& first_from_second) {
     ++poses_;
@@ -62,8 +62,7 @@ class PairMotionSearch {
                          0.70711 * (b.linear() - a.linear()).norm() * second_.radius;
     const double clearance =
         (from.made->distance + to.made->distance - chord) / 2 - bulge.smooth - bulge.jump;
-    const double wanted = std::min(wanted_, std::max(nearest_ - kPairAccuracy, 0.0));
-    const bool is_clear = clearance > wanted;
+    const bool is_clear = clearance > wanted();
     // In contact there is nothing more to find.
     if (!is_clear && nearest_ > 0 && to.time - from.time > kTimeResolution &&
         poses_ < kMaxPosesOfPair)
@@ -78,9 +77,16 @@ class PairMotionSearch {
   std::int64_t stamp() const { return stamp_; }
 
  private:
+  /// While no pose is below the limit, none between two poses may be, either.
+  double wanted() const {
+    if (nearest_ >= limit_) return wanted_;
+    return std::min(wanted_, std::max(nearest_ - kPairAccuracy, 0.0));
+  }
+
   const MovedBody& first_;
   const MovedBody& second_;
   double wanted_;
+  double limit_;
   double clearance_ = kInfinite;
   double nearest_ = kInfinite;
   std::int64_t stamp_ = 0;
@@ -218,7 +224,7 @@ void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSp
   motion.clearance = 0;
   motion.undecided = path.problem;
   if (!path.problem.empty()) return;
-  PairMotionSearch search(first, second, wanted);
+  PairMotionSearch search(first, second, wanted, parameters.distance_limit);
   MotionWalk<PairMotionSearch> walk(path, span, second.radius, search, handlers.gives_up);
   if (!walk.walk()) {
     motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";

@@ -18,7 +18,7 @@
 namespace link_bounds {
 
 /// What is proven is at most so far from the nearest pose that was looked at [m], where that is
-/// farther away.
+/// farther away. Of a pair that is not below the limit, all motions are proven to stay there.
 constexpr double kPairAccuracy = 1e-3;
 
 /// Two bodies by their indices in the moment.
