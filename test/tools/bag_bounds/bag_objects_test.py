@@ -11,7 +11,8 @@ import genpy
 import rosbag
 import rospy
 from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, UNDERCUT,
-                                BagBoundsTest, arms, degrees_at, main, raw, run, time_of, zone_text)
+                                BagBoundsTest, arms, degrees_at, main, moving_arms, raw, run, static_arms,
+                                time_of, zone_text)
 from bounds_testing import Pose, difference, union
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
@@ -94,6 +95,26 @@ class ObjectsTest(BagBoundsTest):
         pose = joint_pose('left', degrees_at(6)) * joint_pose('left_tip', degrees_at(6))
         box = next(box for box in found['boxes'] if box['name'] == 'part/1')
         self.assertLess(difference(box['min'] + box['max'], pose.box_bounds((.1, .2, .3))), 1e-9)
+
+    def test_an_object_that_waits_for_its_frame(self):
+        """It is there from its marker on, and has a box from the first transform of its frame on."""
+        link = [moving_arms(i, links=('right',)) for i in range(10, 20)]
+        others = [moving_arms(i, links=('left', 'left_tip')) for i in range(20)]
+        for index, coverage, code in ((2, 10 / 18, INCOMPLETE), (12, 1, 0)):
+            cube = marker('part/1', frame='right', scale=(.1, .1, .1))
+            found = self.objects([static_arms()] + others + link + [recorded(index, cube)],
+                                 code=code, err='incomplete names: 1' if code else '')
+            with self.subTest(index=index):
+                share = next(box['coverage'] for box in found['extremes']
+                             if box['name'] == 'part/1')
+                self.assertAlmostEqual(share, coverage, delta=.06)
+                self.assertEqual(list(found['incomplete']), ['part/1'] if code else [])
+
+    def test_an_object_that_is_deleted_has_no_gap(self):
+        """A marker that comes later, or goes, is rightly not there."""
+        cube = marker('part/1', scale=(.1, .1, .1))
+        found = self.objects(arms(20) + [recorded(5, cube), recorded(10, deletion('part/1'))])
+        self.assertEqual((found['extremes'][-1]['coverage'], found['incomplete']), (1, {}))
 
     def test_a_mesh_is_there_at_once(self):
         mesh = marker('part/1', Marker.MESH_RESOURCE, pose=Pose((0, 0, 2)),

@@ -55,6 +55,13 @@ void add(BoxRecord& record, const BoxState& state, std::int64_t now, double time
   }
 }
 
+/// Of the time in which the object was there, with a box.
+double shareOf(const BoxRecord& object) {
+  if (object.time > 0)
+    return static_cast<double>(object.covered) / static_cast<double>(object.time);
+  return object.has_box ? 1 : 0;
+}
+
 }  // namespace
 
 std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, const Aabb& to,
@@ -69,11 +76,14 @@ std::optional<double> centreSpeed(const Aabb& from, std::int64_t from_stamp, con
 bool BoxRecords::add(const Scene& scene, std::int64_t now) {
   const double timeout = scene.model()->parameters.timeout;
   bool has_changed = false;
+  passTo(now);
+  present_.clear();
   links_.resize(scene.model()->links.size());
   scene.forEach([&](const SceneBody& body) {
     BoxRecord* record = recordOf(body);
     if (!record) return;
     if (record->name.empty()) record->name = body.name;
+    if (body.object) present_.push_back(record);
     const bool had_box = record->has_box && !record->gap;
     has_changed |= body.link && had_box != body.state.box.has_value();
     link_bounds::add(*record, body.state, now, timeout, [&] { return scene.reason(body); });
@@ -86,20 +96,38 @@ BoxRecord* BoxRecords::recordOf(const SceneBody& body) {
   if (body.link) return &links_[*body.link];
   const auto found = objects_.find(*body.key);
   if (found != objects_.end()) return &found->second;
-  if (objects_.size() < kMaxObjects) return &objects_[*body.key];
+  if (objects_.size() < kMaxObjects) {
+    BoxRecord& record = objects_[*body.key];
+    record.is_object = true;
+    return &record;
+  }
   ++left_out_;
   return nullptr;
 }
 
+/// An object is there from its first marker until it is deleted.
+void BoxRecords::passTo(std::int64_t now) {
+  const std::int64_t passed = std::max<std::int64_t>(now - last_, 0);
+  for (BoxRecord* object : present_) {
+    object->time += passed;
+    if (object->has_box && !object->gap) object->covered += passed;
+  }
+  last_ = now;
+}
+
 void BoxRecords::finish(std::int64_t now) {
+  passTo(now);
+  present_.clear();
   const auto finish = [now](BoxRecord& record) {
     record.is_lost = record.gap.has_value();
     endGap(record, now);
   };
   for (BoxRecord& link : links_)
     finish(link);
-  for (auto& [key, record] : objects_)
+  for (auto& [key, record] : objects_) {
     finish(record);
+    record.coverage = shareOf(record);
+  }
 }
 
 std::vector<BoxRecord> BoxRecords::records() const {

@@ -34,9 +34,12 @@ struct BoxRecord {
   std::int64_t gaps_length = 0;     ///< of those that have ended [ns]
   std::string reason;               ///< of the first gap; without any box: the newest
   bool is_lost = false;             ///< had a box, but none at the end
-  std::optional<double> coverage;   ///< of links, see Coverage
-  std::string remedy;               ///< for a link without any box; "" if none is known
-  std::string partial;              ///< why the box does not cover everything; "" if it does
+  bool is_object = false;
+  std::int64_t time = 0;           ///< of an object: how long it was there [ns]
+  std::int64_t covered = 0;        ///< of that, with a box [ns]
+  std::optional<double> coverage;  ///< of links, see Coverage; of objects, of `time`
+  std::string remedy;              ///< for a link without any box; "" if none is known
+  std::string partial;             ///< why the box does not cover everything; "" if it does
 };
 
 /// How fast the centre of a box moved from one stamp to the next [m/s]. Nothing between static
@@ -53,7 +56,7 @@ class BoxRecords {
   /// Takes all boxes of a scene that has a model. True if the box of a link came or went.
   bool add(const Scene& scene, std::int64_t now);
 
-  /// Ends the gaps.
+  /// Ends the gaps, and the time of objects that are there.
   void finish(std::int64_t now);
 
   /// In the order of ~boxes.
@@ -66,10 +69,13 @@ class BoxRecords {
 
  private:
   BoxRecord* recordOf(const SceneBody& body);
+  void passTo(std::int64_t now);
 
   std::vector<BoxRecord> links_;
   std::map<ObjectKey, BoxRecord> objects_;
-  std::uint64_t left_out_ = 0;  ///< boxes of objects
+  std::vector<BoxRecord*> present_;  ///< objects that were there at the last add()
+  std::int64_t last_ = 0;            ///< time of that [ns]
+  std::uint64_t left_out_ = 0;       ///< boxes of objects
 };
 
 }  // namespace link_bounds

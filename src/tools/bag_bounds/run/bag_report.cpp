@@ -184,7 +184,7 @@ class Writer {
     writeAligned(rows, out_, 2);
   }
 
-  /// Only of links that were not covered all the time.
+  /// Only of links and objects that were not covered all the time.
   void writeCoverage() const {
     std::vector<Row> rows{{"name", "coverage"}};
     for (const BoxRecord& box : report_.boxes) {
@@ -210,7 +210,7 @@ class Writer {
 /// Why a box was missing for too long; "" if it was not. That of an object may never be missing.
 std::string lossOf(const BoxRecord& box, const BagReport& report) {
   const bool is_short = box.coverage && *box.coverage < report.min_coverage;
-  const bool counts = !box.coverage || box.is_lost || is_short;
+  const bool counts = box.is_object || box.is_lost || is_short;
   if (!box.has_box || !counts) return "";
   const std::string share = is_short ? "had a box in " + shortNumber(*box.coverage) +
                                            " of its time, less than " +
