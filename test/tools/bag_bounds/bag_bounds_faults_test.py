@@ -288,6 +288,32 @@ class BagsTest(BagBoundsTest):
         self.assertEqual(found['messages'], 8)
         self.assertRegex(found['incomplete']['left'], 'had no box 2 times, 999999')
 
+    def test_a_clock_that_goes_back_beyond_the_report(self):
+        """What it records then is not in the report, which says so."""
+        back = arms(100) + [moving_arms(i) for i in range(40)]
+        self.report(self.bag(back), '--start', '1', code=PARTLY_READ,
+                    err='40 messages have a time before --start; leave out --start')
+        self.report(self.bag(back), '--start', '0.5', '--end', '0.7', code=PARTLY_READ,
+                    err='after --end the clock went back, to messages that were not read')
+        self.report(self.bag(back), '--start', '0', code=0, err='the clock jumped back')
+        ahead = arms(20) + [moving_arms(20, BEGIN + YEARS)]
+        for rest, code in ([moving_arms(i) for i in range(21, 60)], PARTLY_READ), ([], 0):
+            with self.subTest(rest=len(rest)):
+                self.report(self.bag(ahead + rest), '--end', '1', code=code,
+                            err='clock went back' if rest else '')
+
+    def test_a_clock_that_goes_back_in_another_chunk(self):
+        """The index tells, or, where there is none, the messages."""
+        path = self.path('chunks.bag')
+        for rest, code in (range(10), PARTLY_READ), (range(300, 310), 0):
+            with rosbag.Bag(path, 'w', chunk_threshold=1000) as bag:
+                for message in arms(300) + [moving_arms(i) for i in rest]:
+                    bag.write(*message)
+            without_index(path, self.path('open.bag'))
+            for bag in path, self.path('open.bag'):
+                with self.subTest(rest=rest, bag=bag):
+                    self.report(bag, '--end', '1', code=code, err='clock went back' if code else '')
+
     def test_record_times_of_zero(self):
         """As rosbag record has them before the first /clock."""
         zero = [(topic, message, genpy.Time(0, 1)) for topic, message, _ in arms(2)]

@@ -98,6 +98,31 @@ bool BagFile::next(BagMessage& message) {
   return false;
 }
 
+// The rest of the chunk has no index. The message behind it is of the next one, which has.
+bool BagFile::goesBackTo(std::int64_t time) {
+  const std::uint32_t chunk = chunks_;
+  const std::optional<bool> later = indexGoesBackTo(time, chunk);
+  if (later.value_or(false)) return true;
+  for (BagMessage message{}; (!later || chunks_ == chunk) && next(message);) {
+    if (message.time <= time) return true;
+  }
+  return false;
+}
+
+// By the infos of all chunks behind the first ones; nothing if the index does not have all of them.
+std::optional<bool> BagFile::indexGoesBackTo(std::int64_t time, std::uint32_t chunk) {
+  std::uint32_t infos = 0;
+  bool goes_back = false;
+  Record record;
+  for (std::uint64_t position = index_position_;
+       position != 0 && readRecord(*bytes_, position, record) == RecordState::kGood;
+       position = record.end()) {
+    if (record.op != RecordOp::kChunkInfo) continue;
+    if (++infos > chunk) goes_back |= record.start_time <= time;
+  }
+  return infos == chunk_count_ && infos > 0 ? std::optional(goes_back) : std::nullopt;
+}
+
 // Stays true.
 bool BagFile::isInterrupted(std::uint64_t position) {
   looked_at_ = position;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ class BagFile {
   /// The next message; false after the last one, or if interrupted.
   bool next(BagMessage& message);
 
+  /// Whether a later message has that time or an earlier one, by the index where there is one.
+  /// Reads as far as that takes: nothing can be read after it.
+  bool goesBackTo(std::int64_t time);
+
   /// As far as the file has been read, also within a compressed chunk.
   std::uint64_t position() const { return std::max(position_, looked_at_); }
   std::uint64_t size() const { return bytes_->size(); }
@@ -54,6 +59,7 @@ class BagFile {
   void loseRest(std::uint64_t begin);
   void loseEnd();
   void endOfFile();
+  std::optional<bool> indexGoesBackTo(std::int64_t time, std::uint32_t chunk);
   void lose(const std::string& what);
 
   std::string name_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/bag_bounds/bag/bag_reader.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -54,6 +55,16 @@ bool BagReader::next(BagMessage& message) {
       last_ = &source;
   if (last_) message = last_->message;
   return last_;
+}
+
+/// What is lost behind is not lost for those who want no more messages.
+bool BagReader::goesBackTo(std::int64_t time) {
+  const std::vector<std::string> losses = losses_;
+  const bool goes_back = std::any_of(
+      sources_.begin(), sources_.end(),
+      [time](const Source& source) { return source.has_message && source.file->goesBackTo(time); });
+  losses_ = losses;
+  return goes_back;
 }
 
 double BagReader::progress() const {

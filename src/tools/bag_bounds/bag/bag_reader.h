@@ -51,6 +51,10 @@ class BagReader {
   /// merged by time.
   bool next(BagMessage& message);
 
+  /// To be called when all times from here on should be later: whether a file goes back to that
+  /// time or an earlier one. Nothing can be read after it.
+  bool goesBackTo(std::int64_t time);
+
   /// Whether next() has ended before the last message.
   bool wasInterrupted() const { return was_interrupted_; }
 

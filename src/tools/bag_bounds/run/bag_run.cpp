@@ -171,9 +171,12 @@ void BagRun::readMessages() {
   while (reader_.next(message)) {
     if (message.time > to_) {
       was_interrupted_ = !scene_.passTo(to_);
+      goes_back_after_end_ = reader_.goesBackTo(to_);
+      was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
+    if (has_recorded_ && message.time < from_) ++back_before_start_;
     if (scene_.take(message)) ++messages_;
     was_interrupted_ = isInterrupted();
     if (was_interrupted_) return;
@@ -245,6 +248,12 @@ BagReport BagRun::report() const {
                             (is_one ? " message is" : " messages are") +
                             " too short and left out; the bag is damaged, record it again");
   }
+  if (back_before_start_ > 0)
+    report.losses.push_back("after the clock went back, " + std::to_string(back_before_start_) +
+                            " messages have a time before --start; leave out --start");
+  if (goes_back_after_end_)
+    report.losses.emplace_back(
+        "after --end the clock went back, to messages that were not read; leave out --end");
   addRefusals(intake_before_, scene_.tf().neededIntake(), report.losses);
   if (was_interrupted_) report.losses.emplace_back("interrupted before the end");
   return report;

@@ -76,6 +76,8 @@ class BagRun {
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
   std::uint64_t steps_ = 0;
+  std::uint64_t back_before_start_ = 0;  ///< messages, after the report had begun
+  bool goes_back_after_end_ = false;     ///< messages that were not read, to times of the report
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none
   std::vector<std::string> static_losses_;  ///< of the bag of --static-from

@@ -106,6 +106,7 @@ bool takeField(std::string_view name, std::string_view value, Record& record, un
   if (name == "op") return take(kOp, isNumber(value, record.op));
   if (name == "conn") return take(kConn, isNumber(value, record.connection));
   if (name == "time") return take(kTime, isTime(value, record.time));
+  if (name == "start_time") return isTime(value, record.start_time);
   if (name == "size") return take(kSize, isNumber(value, ignored));
   if (name == "ver") return take(kVersion, isNumber(value, ignored));
   if (name == "count") return take(kCount, isNumber(value, record.count));

@@ -24,7 +24,8 @@ enum class RecordOp : std::uint8_t {
 struct Record {
   RecordOp op{};
   std::uint32_t connection = 0;
-  std::int64_t time = 0;  ///< [ns]
+  std::int64_t time = 0;        ///< [ns]
+  std::int64_t start_time = 0;  ///< the earliest time in the chunk of a chunk info [ns]
   std::uint64_t index_position = 0;
   std::uint32_t chunk_count = 0;
   std::uint32_t count = 0;  ///< entries of an index or of a chunk info
