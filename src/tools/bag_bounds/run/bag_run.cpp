@@ -327,6 +327,8 @@ Outcome BagRun::outcome(const BagReport& report) const {
                     scene_.tf().neededIntake().late - intake_before_.late);
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
   if (!pairs_) return outcome;
+  if (pairs_->wasInterrupted())
+    outcome.open.emplace_back("distances of the last step, which was interrupted");
   if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
   outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
   if (pairs_->undecided() > 0)

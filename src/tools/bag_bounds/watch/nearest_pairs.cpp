@@ -55,18 +55,23 @@ TreeRequests NearestPairs::requests() {
 void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
   latest_.clear();
   const auto computed = compute(momentOf(scene));
-  if (!computed) return;
-  const DistanceArray& array = computed->array;
+  if (computed) {
+    addNow(*computed, scene.model()->parameters.distance_limit, now);
+    lookBetween(computed->moment, tf, now);
+  }
+  was_interrupted_ = isInterrupted();
+}
+
+void NearestPairs::addNow(const ComputedDistances& computed, double limit, std::int64_t now) {
+  const DistanceArray& array = computed.array;
   has_compared_ |= !array.complete.empty() || !array.distances.empty();
-  for (std::size_t i = computed->moment->incomplete.size(); i < array.incomplete.size(); ++i)
+  for (std::size_t i = computed.moment->incomplete.size(); i < array.incomplete.size(); ++i)
     incomplete_.insert(array.incomplete[i]);
-  const double limit = scene.model()->parameters.distance_limit;
   latest_ = array.distances;
   for (const Distance& distance : latest_) {
     was_undercut_ |= isFinding(distance, limit);
     keep(distance, {now, static_cast<std::int64_t>(distance.stamp.toNSec())});
   }
-  lookBetween(computed->moment, tf, now);
 }
 
 void NearestPairs::lookBetween(const MomentPtr& moment, const TransformBuffer& tf,

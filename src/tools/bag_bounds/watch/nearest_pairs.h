@@ -38,8 +38,8 @@ class NearestPairs {
   NearestPairs(const NearestPairs&) = delete;
   NearestPairs& operator=(const NearestPairs&) = delete;
 
-  /// The scene must have a model. Looks at the motions since the last call, too. Adds nothing if it
-  /// is interrupted.
+  /// The scene must have a model. Looks at the motions since the last call, too. Adds less, or
+  /// nothing, if it is interrupted.
   void add(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
 
   /// Of the last add().
@@ -61,6 +61,9 @@ class NearestPairs {
   /// The first of these, in words.
   const std::string& firstUndecided() const { return first_undecided_; }
 
+  /// Whether the last step was not looked at, or in part.
+  bool wasInterrupted() const { return was_interrupted_; }
+
   /// Names of which not all distances are known, although they have boxes.
   const std::set<std::string>& incomplete() const { return incomplete_; }
 
@@ -70,6 +73,7 @@ class NearestPairs {
  private:
   TreeRequests requests();
   std::optional<ComputedDistances> compute(const MomentPtr& moment);
+  void addNow(const ComputedDistances& computed, double limit, std::int64_t now);
   void lookBetween(const MomentPtr& moment, const TransformBuffer& tf, std::int64_t now);
   void take(const Moment& moment, const PairMotion& motion, std::int64_t now);
   void keep(const Distance& distance, const RecordTime& when);
@@ -87,6 +91,7 @@ class NearestPairs {
   std::uint64_t left_out_ = 0;  ///< distances of further pairs
   bool was_undercut_ = false;
   bool has_compared_ = false;
+  bool was_interrupted_ = false;
 };
 
 }  // namespace link_bounds
