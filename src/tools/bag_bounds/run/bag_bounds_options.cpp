@@ -36,8 +36,9 @@ as one, by their record times.
   --ignore-pairs "A B"  no distances between these links or objects; may be given several times
   --static-from BAG   first takes /tf_static of this bag: for a recording in parts, the first one
   --min-coverage C    share of the time between its first and last transform in which each link must
-                      have a box, and of the time in which links have boxes in which each zone must
-                      be compared with all of them, 0 to 1; default 0.99
+                      have a box, of the time in which an object is there in which it must have one,
+                      and of the time in which links have boxes in which each zone must be compared
+                      with all of them, 0 to 1; default 0.99
   --start S           reports from S seconds after the first message on, as rosbag play -s
   --end S             reads no further than S seconds after the first message
   --at S              also all boxes S seconds after the first message, as tf2 interpolates
@@ -61,7 +62,7 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
      the frame of a zone, although nobody interrupted
   3  a zone was entered, or a distance was less than LIMIT or 0, at a message or between two
-  4  without --allow-incomplete: a name is incomplete, such as a link that never had a
+  4  without --allow-incomplete: a name is incomplete, such as a link or object that never had a
      box, less than --min-coverage, or not any more at the end, or a zone; a topic of
      --objects has no message, not all distances are known, a motion between two messages is
      undecided or a transform came late, nothing was compared, or a part of the bags was not
