@@ -162,6 +162,12 @@ class PathTest(UrdfBoundsTest):
                 ('has velocities but no times', 'push,push.velocity\n0,0\n1,0\n'),
                 ('motion to row 3 is not finite', 'time,push,push.velocity\n0,0,0\n1,0,0\n3,0,1e308\n')):
             self.check_refused_last(reason, self.write('p.csv', table))
+        for name in 'push.velocty', 'push.effort', 'psuh.velocity':
+            table = 'time,push,lift,%s\n0,0,0,0\n1,0,0,0\n' % name
+            self.check_refused_last('p.csv: column "%s" would be ignored.*name it JOINT.velocity'
+                                    % name, self.write('p.csv', table))
+        table = 'time,push,lift,hand,hand.velocity\n0,0,0,0,0\n1,0,0,0,0\n'
+        self.assertEqual(self.verdicts(table), ['SAFE'])  # of another robot, with its positions
         path = self.write('p.csv', 'push,lift\n0,0\n1,0\n')
         for reason, arguments in (
                 ('add --poses FILE', ['--path']),

@@ -49,7 +49,7 @@ class TableReader {
     }
   }
 
-  void setColumns(const std::string& line, const std::vector<std::string>& given) {
+  void setColumns(const std::string& line, const std::vector<std::string>& given, bool is_path) {
     std::set<std::string> names;
     for (const std::string& name : cellsOf(line)) {
       if (!names.insert(name).second)
@@ -59,6 +59,7 @@ class TableReader {
     for (const Column& column : columns_) {
       if (column.quantity == Quantity::kPosition) table_.joints.push_back(column.joint);
     }
+    if (is_path) checkUnknown(names);
     if (table_.joints.empty())
       throw UsageError(file_ + " has no column of a joint; those that can be set:" + settable());
     const std::set<std::string> known(given.begin(), given.end());
@@ -129,18 +130,35 @@ class TableReader {
     const std::optional<std::string> speeding = withoutEnd(name, kAccelerationEnd);
     if (!find(name, Quantity::kPosition) && !(moving && find(*moving, Quantity::kVelocity)) &&
         !(speeding && find(*speeding, Quantity::kAcceleration))) {
-      if (name == kTimeName)
+      if (name == kTimeName) {
         column.quantity = Quantity::kTime;
-      else
+      } else {
+        unknown_.push_back(name);
         table_.problems.push_back(file_ + ": column \"" + name +
                                   "\" is no movable joint of the "
                                   "robot and is ignored; those that can be set:" +
                                   settable());
+      }
     } else if (robot_.joints[column.joint].mimic) {
       column.quantity = Quantity::kNothing;
       mimics_ += (mimics_.empty() ? "\"" : ", \"") + name + "\"";
     }
     return column;
+  }
+
+  /// Columns that would be ignored, although they may say how a joint moves.
+  void checkUnknown(const std::set<std::string>& names) const {
+    for (const std::string& name : unknown_) {
+      const std::size_t dot = name.rfind('.');
+      if (dot == std::string::npos) continue;
+      const std::string joint = name.substr(0, dot);
+      const std::string end = name.substr(dot);
+      const bool is_derivative = end == kVelocityEnd || end == kAccelerationEnd;
+      if (index_.count(joint) || (is_derivative && !names.count(joint)))
+        throw UsageError(file_ + ": column \"" + name + "\" would be ignored, but a path must " +
+                         "know how its joints move; name it JOINT" + kVelocityEnd + " or JOINT" +
+                         kAccelerationEnd + ", or remove it; joints:" + settable());
+    }
   }
 
   std::string settable() const {
@@ -258,6 +276,7 @@ class TableReader {
   const Robot& robot_;
   std::map<std::string, std::size_t> index_;
   std::vector<Column> columns_;
+  std::vector<std::string> unknown_;  ///< columns
   std::string mimics_;
   std::vector<double> numbers_;  ///< of all rows and columns
   JointTable table_;
@@ -267,10 +286,10 @@ class TableReader {
 
 JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
-                           const std::vector<std::string>& given) {
+                           const std::vector<std::string>& given, bool is_path) {
   TableReader reader(file == "-" ? "standard input" : file, robot);
   bool has_columns = columns.has_value();
-  if (has_columns) reader.setColumns(*columns, given);
+  if (has_columns) reader.setColumns(*columns, given, is_path);
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -281,7 +300,7 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
     if (has_columns)
       reader.add(line, number);
     else
-      reader.setColumns(line, given);
+      reader.setColumns(line, given, is_path);
     has_columns = true;
   }
   if (!has_columns)
@@ -294,8 +313,9 @@ JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple)
   std::vector<std::string> given;
   for (const auto& joint : options.joints)
     given.push_back(joint.first);
-  JointTable table = parseJointTable(readText(*options.poses, "a table of joint values"),
-                                     *options.poses, options.columns, simple, given);
+  JointTable table =
+      parseJointTable(readText(*options.poses, "a table of joint values"), *options.poses,
+                      options.columns, simple, given, options.report == Report::kPath);
   for (const std::string& note : table.notes)
     warn(note);
   for (const std::string& problem : table.problems) {

@@ -30,11 +30,11 @@ struct JointTable {
 
 /// Robots are those with simple joints. `columns` are the names of the columns, separated by
 /// commas; none: they are the first line of the text. `given` are the joints that need no column.
-/// Throws UsageError, which names `file`, where no row can be used and where a column is there
-/// twice.
+/// Throws UsageError, which names `file`, where no row can be used, where a column is there twice,
+/// and, of a path, where one is of a joint, but not known: it may be a velocity with another name.
 JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
-                           const std::vector<std::string>& given);
+                           const std::vector<std::string>& given, bool is_path);
 
 /// Reads the file of --poses, and warns of what is wrong with it. `simple` has simple joints.
 /// Throws UsageError; with --strict also where anything is wrong.
