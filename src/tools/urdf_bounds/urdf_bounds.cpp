@@ -142,8 +142,8 @@ PathObjects loadObjects(const UrdfBoundsOptions& options) {
 /// Boxes and distances of the rows of a table, or proofs about the motion between them.
 Outcome runRows(const UrdfBoundsOptions& options, const Robot& robot) {
   const Robot simple = withSimpleJoints(robot);
-  const JointValues given = valuesFor(simple, options.joints);
-  const JointTable table = readJointTable(options, simple);
+  const JointValues given = valuesFor(simple, options.joints, options.demand.strict);
+  const JointTable table = readJointTable(options, simple, given);
   catchInterrupts();
   const BoundedRobot bounded = loadLinks(robot, options);
   const Outcome outcome =

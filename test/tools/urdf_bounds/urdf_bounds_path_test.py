@@ -74,6 +74,17 @@ class PathTest(UrdfBoundsTest):
         self.assertEqual(self.verdicts(quintic % -20), ['SAFE'])
         self.assertEqual(self.verdicts(quintic % -24, code=3), ['COLLIDES'])
 
+    def test_limits_count_between_rows(self):
+        """lift = 0.9 + v (s - 2 s^2 + s^3), and the limit is 1."""
+        table = 'time,push,lift,push.velocity,lift.velocity\n0,0,%g,0,%g\n1,0,%g,0,0\n'
+        reason = 'between row 1 and row 2, joint "lift" leaves the limits -1 to 1: 1.0'
+        for values, leaves in (((.9, .6, .9), False), ((.9, .7, .9), True), ((-1, 0, 1), False)):
+            path = self.write('path.csv', table % values)
+            with self.subTest(values=values):
+                for strict, code in ((), 0), (('--strict',), int(leaves)):
+                    found, _, err = run('-', '--poses', path, '--path', *strict, urdf=SLIDE)
+                    self.assertEqual((found, reason in err), (code, leaves), err)
+
     def test_objects_stand_in_the_way(self):
         table = 'push,lift\n-1,0\n1,0\n'
         self.assertEqual(self.verdicts(table), ['SAFE'])

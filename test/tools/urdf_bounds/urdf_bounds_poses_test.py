@@ -192,6 +192,19 @@ class PosesTest(UrdfBoundsTest):
         self.check_fault('row 1 is left out: has 1 cells instead of 2', 'push,lift\n0\n1,0\n', 4)
         self.check_fault('"push" is outside the limits -1 to 2.5 in 2 rows, first in row 2: 3',
                          'push,lift\n0,0\n3,0\n4,0\n', 0)
+        self.check_fault('beyond the limits .*"lift" at 9 .limits -1 to 1', 'push\n0\n', 0, 'lift:=9')
+
+    def test_limits_of_joints_that_follow(self):
+        urdf = SLIDE.replace('</robot>', """<link name="twin"/><joint name="twin" type="prismatic">
+            <parent link="base"/><child link="twin"/><limit lower="-2" upper="2" effort="1"
+            velocity="1"/><mimic joint="lift" multiplier="-2" offset="0.5"/></joint></robot>""")
+        reason = 'joint "twin", which follows "lift", is outside the limits -2 to 2'
+        for table, row, *arguments in (('push,lift\n0,0\n0,-0.75\n0,-0.8\n', 3),
+                                       ('push\n0\n', 1, 'lift:=-0.8')):
+            text = reason + ', first in row %d: 2.1' % row
+            self.assertIn(text, self.summary(table, *arguments, urdf=urdf)[1])
+            self.check_refused(text, '-', '--poses', self.write('t.csv', table), '--strict',
+                               *arguments, urdf=urdf)
 
     def test_unusable_tables_are_refused(self):
         for reason, table in (

@@ -15,6 +15,7 @@
 #include "tools/command_line/text_file.h"
 #include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
+#include "tools/urdf_bounds/path/path_limits.h"
 #include "tools/urdf_bounds/path/path_table.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 
@@ -133,6 +134,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   PathTable result{options.clearance.value_or(0), bodies.names, {}, bodies.incomplete};
   const Robot simple = withSimpleJoints(robot);
   const std::vector<JointMotion> motions = motionsOf(options, table, given);
+  tellProblems(options, overshoots(*options.poses, simple, motions));
   std::ofstream certificate = beginCertificate("path", options, simple);
   const std::vector<SegmentProof> proofs = prove(options, simple, bodies, motions);
   for (std::size_t i = 0; i < proofs.size(); ++i)

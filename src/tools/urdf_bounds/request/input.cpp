@@ -23,8 +23,8 @@ void checkNames(const Robot& robot, const GivenRanges& given) {
   }
 }
 
-/// `subject` is what is printed. One warning for all of them.
-void checkLimits(const Robot& robot, const GivenRanges& given, const std::string& subject) {
+/// The values beyond their limits, in words.
+std::string beyondLimits(const Robot& robot, const GivenRanges& given) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   for (const Joint& joint : robot.joints) {
@@ -37,9 +37,12 @@ void checkLimits(const Robot& robot, const GivenRanges& given, const std::string
     if (from < to) text << " to " << to;
     text << " (limits " << lower << " to " << upper << ")";
   }
-  if (text.tellp() > 0)
-    warn("beyond the limits of its joint in the URDF: " + text.str() + "; " + subject +
-         " all the same");
+  return text.tellp() > 0 ? "beyond the limits of its joint in the URDF: " + text.str() : "";
+}
+
+/// `subject` is what is printed. One warning for all of them.
+void warnOfLimits(const std::string& beyond, const std::string& subject) {
+  if (!beyond.empty()) warn(beyond + "; " + subject + " all the same");
 }
 
 /// A <limit> without lower and upper means 0 and 0, which its author may not have meant.
@@ -66,9 +69,13 @@ void fixBase(const Robot& robot, GivenRanges& given) {
 
 }  // namespace
 
-std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given) {
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given,
+                              bool refuses_beyond_limits) {
   checkNames(robot, given);
-  checkLimits(robot, given, "the boxes are those of this pose");
+  const std::string beyond = beyondLimits(robot, given);
+  if (refuses_beyond_limits && !beyond.empty())
+    throw UsageError(beyond + "; --strict accepts only values within them");
+  warnOfLimits(beyond, "the boxes are those of this pose");
   std::map<std::string, double> values;
   for (const auto& [name, range] : given)
     values.emplace(name, range.lower);
@@ -78,7 +85,7 @@ std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given) {
 std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base) {
   checkNames(robot, given);
   if (has_fixed_base) fixBase(robot, given);
-  checkLimits(robot, given, "the proof is about these values");
+  warnOfLimits(beyondLimits(robot, given), "the proof is about these values");
   warnOfStill(robot, given);
   return jointRanges(robot, given);
 }

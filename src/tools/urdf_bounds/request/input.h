@@ -11,8 +11,9 @@ namespace link_bounds {
 
 /// One value per joint: the given ones [rad or m], which are ranges of lower == upper, 0 for the
 /// others, and mimic joints follow. Warns about values that have no effect, and once about those
-/// beyond limits. Throws UsageError for an unknown name, and JointError.
-std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given);
+/// beyond limits, or refuses these. Throws UsageError, also for an unknown name, and JointError.
+std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given,
+                              bool refuses_beyond_limits = false);
 
 /// Where each joint can be. Warns about ranges that have no effect, once about those beyond limits,
 /// and once about joints whose limits in the URDF are equal. With a fixed base, floating and planar

@@ -4,9 +4,11 @@
 #include "tools/urdf_bounds/request/joint_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "robot/urdf/joint_ranges.h"
 #include "robot/urdf/trimmed.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
@@ -309,21 +311,57 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
   return reader.result();
 }
 
-JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple) {
-  std::vector<std::string> given;
+/// Joints that follow another one have limits of their own.
+static std::vector<std::string> mimicsBeyond(const JointTable& table, const std::string& file,
+                                             const Robot& simple, const JointValues& given) {
+  std::vector<std::string> problems;
+  const std::vector<Lead> leads = leadsOf(simple);
+  for (std::size_t i = 0; i < simple.joints.size(); ++i) {
+    const Joint& joint = simple.joints[i];
+    if (!joint.mimic || !joint.limits) continue;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      if (!table.faults[row].empty()) continue;
+      const double value =
+          leads[i].factor * valuesOf(table, row, given)[leads[i].leader] + leads[i].offset;
+      if (!isBeyond(*joint.limits, value)) continue;
+      problems.push_back(file + ": joint \"" + joint.name + "\", which follows \"" +
+                         simple.joints[leads[i].leader].name + "\", is outside the limits " +
+                         shortestNumber(joint.limits->lower) + " to " +
+                         shortestNumber(joint.limits->upper) + ", first in row " +
+                         std::to_string(row + 1) + ": " + shortestNumber(value));
+      break;
+    }
+  }
+  return problems;
+}
+
+JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple,
+                          const JointValues& given) {
+  std::vector<std::string> names;
   for (const auto& joint : options.joints)
-    given.push_back(joint.first);
+    names.push_back(joint.first);
   JointTable table =
       parseJointTable(readText(*options.poses, "a table of joint values"), *options.poses,
-                      options.columns, simple, given, options.report == Report::kPath);
+                      options.columns, simple, names, options.report == Report::kPath);
   for (const std::string& note : table.notes)
     warn(note);
-  for (const std::string& problem : table.problems) {
+  tellProblems(options, table.problems);
+  tellProblems(options, mimicsBeyond(table, *options.poses, simple, given));
+  return table;
+}
+
+void tellProblems(const UrdfBoundsOptions& options, const std::vector<std::string>& problems) {
+  for (const std::string& problem : problems) {
     if (options.demand.strict)
       throw UsageError(problem + "; --strict accepts only tables without a fault");
     warn(problem);
   }
-  return table;
+}
+
+bool isBeyond(const Limits& limits, double value) {
+  constexpr double kRounding = 1e-9;
+  return value < limits.lower - kRounding * std::max(1.0, std::abs(limits.lower)) ||
+         value > limits.upper + kRounding * std::max(1.0, std::abs(limits.upper));
 }
 
 JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given) {

@@ -36,12 +36,19 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
                            const std::vector<std::string>& given, bool is_path);
 
-/// Reads the file of --poses, and warns of what is wrong with it. `simple` has simple joints.
-/// Throws UsageError; with --strict also where anything is wrong.
-JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple);
-
 /// What is the same in all rows of a table: the values that the command line gives.
 using JointValues = std::vector<double>;
+
+/// Reads the file of --poses, and warns of what is wrong with it. `simple` has simple joints.
+/// Throws UsageError; with --strict also where anything is wrong.
+JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple,
+                          const JointValues& given);
+
+/// Warns of each, or with --strict refuses the first one.
+void tellProblems(const UrdfBoundsOptions& options, const std::vector<std::string>& problems);
+
+/// Beyond rounding, which a value that was computed may have.
+bool isBeyond(const Limits& limits, double value);
 
 /// One value per joint of the robot in that row.
 JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given);

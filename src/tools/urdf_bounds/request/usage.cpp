@@ -71,7 +71,7 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       standard error
   --strict            exit with 2 if any geometry could not be used; of --poses: with 1 if a joint has
                       no column, a column is none of a joint, or a value is no number or is outside
-                      the limits of its joint
+                      the limits of its joint, also between two rows of --path
   --allow-incomplete  what is incomplete or not decided does not change the exit code
   -h, --help          this text
   --version           the version of link_bounds
