@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From a URDF file and joint values to boxes, or other volumes, on standard output.
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -39,6 +40,28 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   for (const std::string& problem : bounded.body_problems)
     warn(problem);
   return bounded;
+}
+
+bool hasGeometry(const Link& link, Purpose purpose) {
+  const auto is_it = [purpose](const auto& element) { return element.purpose == purpose; };
+  return std::any_of(link.elements.begin(), link.elements.end(), is_it) ||
+         std::any_of(link.lost.begin(), link.lost.end(), is_it);
+}
+
+/// Names the links that no verdict is about, although they have geometry.
+void sayLeftOut(const Robot& robot, const std::string& geometry) {
+  if (geometry == "both") return;
+  const bool is_visual = geometry == "visual";
+  const Purpose chosen = is_visual ? Purpose::kVisual : Purpose::kCollision;
+  const Purpose other = is_visual ? Purpose::kCollision : Purpose::kVisual;
+  std::string names;
+  for (const Link& link : robot.links) {
+    if (!hasGeometry(link, chosen) && hasGeometry(link, other))
+      names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+  }
+  if (!names.empty())
+    say("note: left out are links with " + std::string(toText(other)) + " geometry only: " + names +
+        "; --geometry both takes them, too");
 }
 
 /// Of this program alone: the peak that getrusage gives includes the process that started it.
@@ -184,11 +207,12 @@ int run(const UrdfBoundsOptions& options) {
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
+  const bool has_verdict = options.report != Report::kPose || options.distances;
   Outcome outcome = runReport(options, robot);
+  if (has_verdict) sayLeftOut(robot, options.geometry);
   // What they are about was left out, or may have been.
   outcome.lost_geometry = outcome.lost_geometry || !robot.warnings.empty();
-  if (options.report != Report::kPose || options.distances)
-    outcome.addOpen("warnings of the URDF", robot.warnings.size());
+  if (has_verdict) outcome.addOpen("warnings of the URDF", robot.warnings.size());
   return finishOutput() ? exitCode(outcome, options.demand) : kUnusable;
 }
 

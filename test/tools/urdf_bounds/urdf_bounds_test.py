@@ -45,6 +45,16 @@ class GeometryTest(UrdfBoundsTest):
         self.assertEqual(list(found['boxes']), ['base', 'bar', 'slide', 'follower'])
         self.check_box(found['boxes']['base'], [-2, -2, -2], [2, 2, 2])
 
+    def test_links_of_the_other_kind_are_named_beside_a_verdict(self):
+        for *arguments, other, names in (('--reach', 'collision', '"slide"'),
+                                         ('--pairs', '--geometry', 'collision', 'visual',
+                                          '"bar", "follower"'),
+                                         ('--distances', '1', 'collision', '"slide"')):
+            note = 'note: left out are links with %s geometry only: %s;' % (other, names)
+            self.assertEqual(run('-', *arguments)[2].count(note), 1, arguments)
+        for arguments in ((), ('--distances', '1', '--geometry', 'both')):
+            self.assertEqual(run('-', *arguments)[2], '', arguments)
+
     def test_mimic_joint_follows(self):
         angle = -2 * .3 + .25
         half = [math.cos(angle) + abs(math.sin(angle)) / 2,
