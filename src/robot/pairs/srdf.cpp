@@ -108,6 +108,16 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
   return pairs;
 }
 
+std::string otherRobotWarning(const std::string& text, const Robot& robot,
+                              const std::string& file) {
+  tinyxml2::XMLDocument document;
+  document.Parse(text.c_str(), text.size());
+  const char* name = document.RootElement()->Attribute("name");
+  if (!name || name == robot.name) return "";
+  return "the SRDF \"" + file + "\" is that of a robot \"" + name + "\", the URDF that of \"" +
+         robot.name + "\"; give the SRDF of this robot, or correct the name";
+}
+
 Exemptions::Exemptions(const std::vector<DisabledPair>& pairs) {
   for (const DisabledPair& pair : pairs) {
     const auto [entry, is_new] = reasons_.try_emplace(sorted(pair.first, pair.second), pair.reason);

@@ -40,6 +40,9 @@ constexpr char kByDefault[] = "Default";
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
 
+/// A warning if the SRDF, which parseSrdf() has accepted, names another robot; "" if it does not.
+std::string otherRobotWarning(const std::string& text, const Robot& robot, const std::string& file);
+
 /// By the names of links, in either order.
 class Exemptions {
  public:

@@ -94,6 +94,25 @@ std::string whyNoUrdf(const std::string& text) {
   return "";
 }
 
+std::string secondRobotWarning(const std::string& text) {
+  constexpr char kRobot[] = "robot";
+  const std::string begin = std::string("<") + kRobot;
+  if (text.find(begin) == text.rfind(begin)) return "";  // saves most robots the parsing
+  tinyxml2::XMLDocument document;
+  document.Parse(fromFirstElement(text).c_str());
+  const tinyxml2::XMLElement* first = document.FirstChildElement(kRobot);
+  if (!first) return "";
+  const tinyxml2::XMLElement* second = first->NextSiblingElement(kRobot);
+  if (!second) second = first->FirstChildElement(kRobot);
+  if (!second) return "";
+  const auto nameOf = [](const tinyxml2::XMLElement* robot) {
+    const char* name = robot->Attribute("name");
+    return std::string("\"") + (name ? name : "") + "\"";
+  };
+  return "the robot description has a second <robot>, " + nameOf(second) + " beside " +
+         nameOf(first) + ", and all of it is left out; give one robot";
+}
+
 std::string xacroWarning(const std::string& text) {
   if (text.find("<xacro:") == std::string::npos) return "";  // saves most robots the parsing
   tinyxml2::XMLDocument document;

@@ -11,6 +11,9 @@ namespace link_bounds {
 /// XML, or has another root element. "" if none of these is so.
 std::string whyNoUrdf(const std::string& text);
 
+/// A warning about a second <robot>, of which nothing is read; "" if there is none.
+std::string secondRobotWarning(const std::string& text);
+
 /// A warning about elements that only xacro understands; "" if there are none.
 std::string xacroWarning(const std::string& text);
 

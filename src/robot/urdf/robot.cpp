@@ -206,8 +206,8 @@ Robot parseRobot(const std::string& urdf) {
   const ModelHolder model(readByUrdfdom(urdf));
   if (!model) throw RobotError(refusalOf(urdf, log));
   Robot robot;
-  const std::string warning = xacroWarning(urdf);
-  if (!warning.empty()) robot.warnings.push_back(warning);
+  for (const std::string& warning : {xacroWarning(urdf), secondRobotWarning(urdf)})
+    if (!warning.empty()) robot.warnings.push_back(warning);
   robot.name = (*model).getName();
   addLinks(outlines, *model, log, robot);
   addJoints(*model, robot);

@@ -152,6 +152,18 @@ TEST(OddRobots, XacroElementsThatUrdfdomOverlooksCauseAWarning) {
   EXPECT_NE(robot.warnings[0].find("<xacro:include>"), std::string::npos);
 }
 
+TEST(OddRobots, ASecondRobotCausesAWarning) {
+  const std::string first = "<robot name='one'><link name='a'/>";
+  const std::string second = "<robot name='two'><link name='b'/></robot>";
+  for (const std::string& text : {first + "</robot>" + second, first + second + "</robot>"}) {
+    const Robot robot = parseRobot(text);
+    EXPECT_EQ(robot.links.size(), 1U);
+    ASSERT_EQ(robot.warnings.size(), 1U) << text;
+    EXPECT_NE(robot.warnings[0].find("second <robot>, \"two\" beside \"one\""), std::string::npos);
+  }
+  EXPECT_TRUE(parseRobot(first + "<robot_state/><!-- <robot> --></robot>").warnings.empty());
+}
+
 TEST(OddRobots, WhatXacroHasMadeCausesNoWarning) {
   EXPECT_TRUE(parseRobot("<!-- made by xacro from a.xacro --><robot name='r' "
                          "xmlns:xacro='http://ros.org/wiki/xacro'><!-- <xacro:arm/> -->"

@@ -281,6 +281,15 @@ class BagsTest(BagBoundsTest):
         self.assertEqual(code, INCOMPLETE)
         self.assertIn('names of which not all distances are known', err)
 
+    def test_a_warning_of_the_urdf_leaves_the_report_open(self):
+        """What a macro that was not expanded, or a second robot, stands for is not looked at."""
+        macro = ARMS.replace('<link', '<xacro:hand/><link', 1).replace(
+            '<robot', '<robot xmlns:xacro="http://ros.org/wiki/xacro"')
+        for text in macro, ARMS + '<robot name="other"><link name="tool"/></robot>':
+            self.urdf = self.write('arms.urdf', text)
+            self.report(self.bag(arms(3)), code=INCOMPLETE, err='warnings of the URDF: 1')
+            self.report(self.bag(arms(3)), '--allow-incomplete', err='robot description')
+
     def test_a_recorder_whose_clock_was_set(self):
         """Years without a message take no time; back by years is a clock that jumped."""
         messages = arms(5) + [moving_arms(5, BEGIN + YEARS), moving_arms(6)]

@@ -213,6 +213,12 @@ class PairsTest(UrdfBoundsTest):
         # It may be a pair that the SRDF forgets.
         self.assertEqual(run(*over, '--srdf', self.srdf())[0], 4)
 
+    def test_the_srdf_of_another_robot(self):
+        for name, other in ('arm', False), ('leg', True):
+            path = self.write('r.srdf', '<robot name="%s"/>' % name)
+            err = run(self.urdf, *COARSE, '--srdf', path)[2]
+            self.assertEqual('r.srdf" is that of a robot "leg", the URDF that of "arm"' in err, other)
+
     def test_undecided_pairs_are_named_in_a_srdf(self):
         code, out, err = run(self.urdf, *COARSE, '--budget', '1e-9', '--format', 'srdf')
         self.assertEqual(code, 4)
@@ -232,7 +238,7 @@ class PairsTest(UrdfBoundsTest):
         elements = run(urdf, '--pairs', '--format', 'srdf')[1]
         self.assertIn('link1="base" link2="post" reason="Adjacent"', elements)
         self.assertNotIn('"post" link2="arm"', elements)
-        srdf = self.write('post.srdf', '<robot name="r"><disable_collisions link1="arm" link2="post" '
+        srdf = self.write('post.srdf', '<robot name="post_and_arm"><disable_collisions link1="arm" link2="post" '
                           'reason="Adjacent"/></robot>')
         code, out, err = run(urdf, '--pairs', '--srdf', srdf)
         self.assertEqual((code, err), (3, ''))

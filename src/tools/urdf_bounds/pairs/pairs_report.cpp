@@ -9,10 +9,10 @@
 
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
-#include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/pairs/pairs_certificate.h"
 #include "tools/urdf_bounds/pairs/pairs_srdf.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
+#include "tools/urdf_bounds/request/input.h"
 
 namespace link_bounds {
 namespace {
@@ -82,12 +82,7 @@ void write(const PairsTable& table, const UrdfBoundsOptions& options) {
 
 Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
                    const BoundedRobot& bounded, const std::vector<JointRange>& ranges) {
-  std::string old;
-  std::vector<DisabledPair> exempt;
-  if (options.srdf) {
-    old = readText(*options.srdf, "a SRDF");
-    exempt = parseSrdf(old, robot, *options.srdf);
-  }
+  const Srdf old = readSrdf(options.srdf, robot);
   PairsTable table;
   table.clearance = options.clearance.value_or(0);
   for (const BoundedLink& link : bounded.links) {
@@ -103,7 +98,8 @@ Outcome writePairs(const UrdfBoundsOptions& options, const Robot& robot,
     (proof.is_rigid ? table.rigid : table.rows).push_back(std::move(proof));
   if (hasTerminal()) eraseBar();
   if (options.srdf)
-    table.srdf = checkedSrdf(*options.srdf, old, Exemptions(exempt), table.links, table.rows);
+    table.srdf =
+        checkedSrdf(*options.srdf, old.text, Exemptions(old.pairs), table.links, table.rows);
   for (const auto& [reason, count] : reasonsOf(table))
     warn(std::to_string(count) + (count == 1 ? " pair is" : " pairs are") +
          " not decided: " + reason);

@@ -12,12 +12,12 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
-#include "tools/command_line/text_file.h"
 #include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
 #include "tools/urdf_bounds/path/path_limits.h"
 #include "tools/urdf_bounds/path/path_table.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
+#include "tools/urdf_bounds/request/input.h"
 
 namespace link_bounds {
 namespace {
@@ -77,9 +77,8 @@ PathBodies bodiesOf(const UrdfBoundsOptions& options, const Robot& robot,
       throw UsageError(*options.objects + ": object \"" + object.name +
                        "\" has the name of a link; rename it");
   }
-  std::vector<DisabledPair> disabled;
-  if (options.srdf) disabled = parseSrdf(readText(*options.srdf, "a SRDF"), robot, *options.srdf);
-  return pathBodies(robot, bounded, objects.bounded, Exemptions(disabled));
+  return pathBodies(robot, bounded, objects.bounded,
+                    Exemptions(readSrdf(options.srdf, robot).pairs));
 }
 
 /// The values of the joints that can be set.

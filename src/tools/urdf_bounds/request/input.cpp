@@ -10,6 +10,7 @@
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
+#include "tools/command_line/text_file.h"
 
 namespace link_bounds {
 namespace {
@@ -88,6 +89,15 @@ std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool ha
   warnOfLimits(beyondLimits(robot, given), "the proof is about these values");
   warnOfStill(robot, given);
   return jointRanges(robot, given);
+}
+
+Srdf readSrdf(const std::optional<std::string>& file, const Robot& robot) {
+  if (!file) return {};
+  const std::string text = readText(*file, "a SRDF");
+  Srdf srdf{text, parseSrdf(text, robot, *file)};
+  const std::string warning = otherRobotWarning(text, robot, *file);
+  if (!warning.empty()) warn(warning);
+  return srdf;
 }
 
 }  // namespace link_bounds

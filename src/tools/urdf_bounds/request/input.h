@@ -3,8 +3,11 @@
 // The joint values that the command line names. Robots are those with simple joints.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "robot/pairs/srdf.h"
 #include "robot/urdf/joint_ranges.h"
 
 namespace link_bounds {
@@ -19,5 +22,13 @@ std::vector<double> valuesFor(const Robot& robot, const GivenRanges& given,
 /// and once about joints whose limits in the URDF are equal. With a fixed base, floating and planar
 /// joints of the root stay at 0. Throws UsageError for an unknown name, and JointError.
 std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool has_fixed_base);
+
+/// The text and the pairs of the file of --srdf; empty without one. Warns if it names another
+/// robot.
+struct Srdf {
+  std::string text;
+  std::vector<DisabledPair> pairs;
+};
+Srdf readSrdf(const std::optional<std::string>& file, const Robot& robot);
 
 }  // namespace link_bounds
