@@ -11,8 +11,8 @@ import genpy
 import rosbag
 import rospy
 from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, UNDERCUT,
-                                BagBoundsTest, arms, degrees_at, main, moving_arms, raw, run, static_arms,
-                                time_of, zone_text)
+                                BagBoundsTest, arms, degrees_at, main, moving_arms, raw, run,
+                                static_arms, time_of, zone_text)
 from bounds_testing import Pose, difference, union
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
@@ -97,7 +97,7 @@ class ObjectsTest(BagBoundsTest):
         self.assertLess(difference(box['min'] + box['max'], pose.box_bounds((.1, .2, .3))), 1e-9)
 
     def test_an_object_that_waits_for_its_frame(self):
-        """It is there from its marker on, and has a box from the first transform of its frame on."""
+        """It is there from its marker on, and has a box from the first transform on."""
         link = [moving_arms(i, links=('right',)) for i in range(10, 20)]
         others = [moving_arms(i, links=('left', 'left_tip')) for i in range(20)]
         for index, coverage, code in ((2, 10 / 18, INCOMPLETE), (12, 1, 0)):

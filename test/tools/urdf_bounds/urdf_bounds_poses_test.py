@@ -193,7 +193,8 @@ class PosesTest(UrdfBoundsTest):
         self.check_fault('row 1 is left out: has 1 cells instead of 2', 'push,lift\n0\n1,0\n', 4)
         self.check_fault('"push" is outside the limits -1 to 2.5 in 2 rows, first in row 2: 3',
                          'push,lift\n0,0\n3,0\n4,0\n', 0)
-        self.check_fault('beyond the limits .*"lift" at 9 .limits -1 to 1', 'push\n0\n', 0, 'lift:=9')
+        self.check_fault('beyond the limits .*"lift" at 9 .limits -1 to 1', 'push\n0\n', 0,
+                         'lift:=9')
 
     def test_limits_of_joints_that_follow(self):
         urdf = SLIDE.replace('</robot>', """<link name="twin"/><joint name="twin" type="prismatic">

@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kShortest = 1e-6;  // share of a segment
+constexpr double kShortest = 1e-4;  // share of a segment
 
 class LimitSearch {
  public:
