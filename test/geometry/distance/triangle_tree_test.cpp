@@ -17,6 +17,7 @@ namespace link_bounds {
 namespace {
 
 using brute_force::Random;
+using distance_oracle::Long;
 
 std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_t node) {
   const TreeNode& top = tree.nodes[node];
@@ -35,7 +36,6 @@ std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_
 
 /// Along many directions, no triangle extends farther than the box, in long double.
 void expectContained(const TriangleTree& tree, std::uint32_t node, Random& random) {
-  using Long = distance_oracle::Long;
   const Parallelepiped box = tree.nodes[node].box();
   const auto triangles = trianglesBelow(tree, node);
   for (int i = 0; i < 20; ++i) {
