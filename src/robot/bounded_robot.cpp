@@ -4,8 +4,9 @@
 #include "robot/bounded_robot.h"
 
 #include <algorithm>
+#include <new>
 
-#include "geometry/parts/link_splitter.h"
+#include "link_bounds/geometry/parts/link_parts.h"
 
 namespace link_bounds {
 namespace {
@@ -140,6 +141,50 @@ std::vector<std::vector<LoadedShape>> loadedShapes(const Draft& draft,
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_empty), shapes.end());
   return loaded;
 }
+
+bool isEqual(const DivisibleShape& a, const DivisibleShape& b) {
+  return a.shape.points == b.shape.points && a.shape.solid == b.shape.solid &&
+         a.shape.size == b.shape.size &&
+         a.shape.link_from_shape.matrix() == b.shape.link_from_shape.matrix();
+}
+
+/// Splits the links of a robot. Links of equal shapes, as wheels are, share the points of parts.
+class LinkSplitter {
+ public:
+  explicit LinkSplitter(std::size_t max_parts) : max_parts_(max_parts) {}
+
+  /// The parts of a link with its name and padding. `shapes` are those of the link. If memory does
+  /// not suffice, the link itself is its only part. What `check_interrupt` throws ends it.
+  std::vector<BoundedLink> split(const BoundedLink& link, const std::vector<DivisibleShape>& shapes,
+                                 const CheckInterrupt& check_interrupt) try {
+    std::vector<BoundedLink> parts;
+    for (const LinkPart& part : partsOf(shapes, check_interrupt))
+      parts.push_back({link.name, part, link.padding, link.missing});
+    return parts;
+  } catch (const std::bad_alloc&) {
+    if (link.shapes.empty()) return {};
+    return {link};
+  }
+
+ private:
+  struct SplitLink {
+    std::vector<DivisibleShape> shapes;
+    std::vector<LinkPart> parts;
+  };
+
+  const std::vector<LinkPart>& partsOf(const std::vector<DivisibleShape>& shapes,
+                                       const CheckInterrupt& check_interrupt) {
+    for (const SplitLink& link : known_) {
+      if (std::equal(link.shapes.begin(), link.shapes.end(), shapes.begin(), shapes.end(), isEqual))
+        return link.parts;
+    }
+    known_.push_back({shapes, splitIntoParts(shapes, max_parts_, check_interrupt)});
+    return known_.back().parts;
+  }
+
+  std::size_t max_parts_;
+  std::vector<SplitLink> known_;  ///< that were split before
+};
 
 /// To be called after dropEmptyShapes: the only part of a link that cannot be split is the link.
 /// Splitting a link may take as long as loading a mesh.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/parts/part_cut.h"
+#include "geometry/parts/part_tree.h"
 
 namespace link_bounds {
 namespace {

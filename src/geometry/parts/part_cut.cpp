@@ -3,13 +3,13 @@
 // Finds the best cut through the tree for each number of parts, from the leaves up. Always
 // splitting the part that gains most would stop too early: half a hollow ball needs as much room as
 // half a solid one, so only the second split gains anything.
-#include "geometry/parts/part_cut.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "geometry/parts/part_tree.h"
 
 namespace link_bounds {
 namespace {

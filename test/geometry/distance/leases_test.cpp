@@ -3,8 +3,8 @@
 // Distances that are carried along, in random sequences, against a computation without memory.
 #include <gtest/gtest.h>
 
-#include "geometry/distance/carried_bound.h"
 #include "geometry/distance/lease.h"
+#include "geometry/distance/tree_front.h"
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/distance/body_distances.h"
 #include "testing/distance_bodies.h"

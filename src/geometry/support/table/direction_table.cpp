@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Chooses the grid and packs its lists into blocks.
+// Chooses the grid, and packs its lists, which cells share, into blocks.
 #include "geometry/support/table/direction_table.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 #include "geometry/support/table/direction_build.h"
 #include "geometry/support/table/direction_fold.h"
-#include "geometry/support/table/shared_lists.h"
 
 namespace link_bounds {
 namespace {
@@ -58,6 +57,64 @@ void append(const std::vector<Eigen::Vector3f>& points, const PointIndices& list
     table.overflow.push_back(blockOf(points, list, i));
   table.rests.push_back({first, static_cast<std::uint32_t>(table.overflow.size()) - first});
 }
+
+/// Few lists of points that serve many cells. Joins lists while they have at most `capacity` points
+/// together. A cell may share its list, because further points of the set do no harm to a query.
+class SharedLists {
+ public:
+  /// Points of lists are less than `points`.
+  SharedLists(std::size_t points, std::size_t capacity) : capacity_(capacity), lists_of_(points) {}
+
+  /// The number of a list that holds these points. Longer ones first join best. What is longer than
+  /// the capacity stays alone. Greedy: the list that grows least by the points. Only those with the
+  /// first or the last point are tried, which keeps the search short.
+  std::uint32_t add(const PointIndices& points) {
+    const auto fresh = static_cast<std::uint32_t>(lists_.size());
+    if (points.size() > capacity_) {
+      lists_.push_back(points);
+      return fresh;
+    }
+    std::uint32_t best = fresh;
+    std::size_t least = capacity_;
+    for (const std::uint32_t point : {points.front(), points.back()}) {
+      for (const std::uint32_t number : lists_of_[point]) {
+        const std::size_t grown = growth(number, points);
+        if (grown == 0) return number;
+        if (grown >= least || lists_[number].size() + grown > capacity_) continue;
+        best = number;
+        least = grown;
+      }
+    }
+    if (best == fresh) lists_.emplace_back();
+    return join(best, points);
+  }
+
+  const std::vector<PointIndices>& lists() const { return lists_; }
+
+ private:
+  /// By how many points the list would grow.
+  std::size_t growth(std::uint32_t number, const PointIndices& points) const {
+    const PointIndices& list = lists_[number];
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(), [&list](std::uint32_t point) {
+          return std::find(list.begin(), list.end(), point) == list.end();
+        }));
+  }
+
+  std::uint32_t join(std::uint32_t number, const PointIndices& points) {
+    PointIndices& list = lists_[number];
+    for (const std::uint32_t point : points) {
+      if (std::find(list.begin(), list.end(), point) != list.end()) continue;
+      list.push_back(point);
+      lists_of_[point].push_back(number);
+    }
+    return number;
+  }
+
+  std::size_t capacity_;
+  std::vector<PointIndices> lists_;
+  std::vector<std::vector<std::uint32_t>> lists_of_;  ///< by point
+};
 
 /// The number of the list that serves each of the different lists of a grid.
 using ListNumbers = std::map<PointIndices, std::uint32_t>;
