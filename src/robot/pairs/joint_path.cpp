@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/urdf/joints_above.h"
@@ -121,6 +122,32 @@ JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, s
   for (auto joint = down.rbegin(); joint != down.rend(); ++joint)
     builder.goDown(*joint);
   return builder.result();
+}
+
+JointBox wholeBox(const JointPath& path) {
+  JointBox all;
+  for (const Limits& range : path.ranges) {
+    all.center.push_back(range.lower + width(range) / 2);
+    all.half_widths.push_back(
+        std::nextafter(width(range) / 2, std::numeric_limits<double>::infinity()));
+  }
+  return all;
+}
+
+std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable) {
+  std::array<JointBox, 2> result{box, box};
+  const double half = box.half_widths[variable] / 2;
+  result[0].half_widths[variable] = result[1].half_widths[variable] = half;
+  result[0].center[variable] -= half;
+  result[1].center[variable] += half;
+  return result;
+}
+
+double shareOf(const JointBox& box, const JointPath& path) {
+  double share = 1;
+  for (std::size_t v = 0; v < path.ranges.size(); ++v)
+    share *= 2 * box.half_widths[v] / width(path.ranges[v]);
+  return share;
 }
 
 }  // namespace link_bounds

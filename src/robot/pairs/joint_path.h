@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The joints between two links as one chain, seen from the first link. No other joint changes how
-// the two are to each other.
+// the two are to each other. And boxes of the values of these joints.
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -58,5 +59,25 @@ struct JointPath {
 /// `ranges` has one per joint of the robot.
 JointPath jointPath(const Robot& robot, const std::vector<JointRange>& ranges, std::size_t first,
                     std::size_t second);
+
+/// Joint values: those of the variables of a path that differ from the centre by at most the half
+/// widths.
+struct JointBox {
+  PathValues center;
+  PathValues half_widths;
+};
+
+inline double width(const Limits& range) {
+  return range.upper - range.lower;
+}
+
+/// All values of the path.
+JointBox wholeBox(const JointPath& path);
+
+/// The half with smaller values of the variable, and the other one.
+std::array<JointBox, 2> halves(const JointBox& box, std::size_t variable);
+
+/// Of the whole box.
+double shareOf(const JointBox& box, const JointPath& path);
 
 }  // namespace link_bounds

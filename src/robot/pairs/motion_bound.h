@@ -25,7 +25,7 @@
 #pragma once
 
 #include "robot/pairs/body_cloud.h"
-#include "robot/pairs/joint_box.h"
+#include "robot/pairs/joint_path.h"
 
 namespace link_bounds {
 

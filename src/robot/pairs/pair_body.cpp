@@ -30,6 +30,13 @@ void addCore(const BodyShape& body_shape, std::vector<SolidCore>& cores) {
   cores.push_back({{{core}}, skin * (1 - kRigid)});
 }
 
+std::optional<BodyDistance> within(const Body& first, const Body& second,
+                                   const Eigen::Affine3d& first_from_second, double reach) {
+  if (!(reach > 0)) return {};
+  const auto distance = bodyDistance(first, Eigen::Affine3d::Identity(), second, first_from_second);
+  return distance && distance->upper <= reach ? distance : std::nullopt;
+}
+
 }  // namespace
 
 PairBody pairBody(const Body& body) {
@@ -48,6 +55,19 @@ std::vector<const PairHull*> partsOf(const PairBody& body) {
   for (const PairHull& part : body.parts)
     result.push_back(&part);
   return result;
+}
+
+std::optional<BodyDistance> coreContact(const PairBody& first, const PairBody& second,
+                                        const Eigen::Affine3d& first_from_second, double reach) {
+  for (const SolidCore& core : first.cores) {
+    const auto found = within(core.body, *second.body, first_from_second, reach + core.skin);
+    if (found) return found;
+  }
+  for (const SolidCore& core : second.cores) {
+    const auto found = within(*first.body, core.body, first_from_second, reach + core.skin);
+    if (found) return found;
+  }
+  return {};
 }
 
 }  // namespace link_bounds

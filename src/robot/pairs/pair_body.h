@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A link as every search with it needs it.
+// A link as every search with it needs it, and points that prove that two of them touch.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "link_bounds/geometry/distance/body_distance.h"
 #include "robot/pairs/body_cloud.h"
 
 namespace link_bounds {
@@ -16,7 +18,8 @@ struct PairHull {
   BodyCloud cloud;
 };
 
-/// A solid without its skin: a ball of radius `skin` around each point of `body` lies in the solid.
+/// A solid is no surface. This is it without its skin: a ball of radius `skin` around each point of
+/// `body` lies in the solid.
 struct SolidCore {
   Body body;
   double skin;  ///< m
@@ -33,5 +36,10 @@ PairBody pairBody(const Body& body);
 
 /// The hull of each shape, or that of all.
 std::vector<const PairHull*> partsOf(const PairBody& body);
+
+/// A point of the core of one body that is within `reach` [m] and the skin of that core of a point
+/// of the other body. In the frame of the first one; nothing if there are no two such points.
+std::optional<BodyDistance> coreContact(const PairBody& first, const PairBody& second,
+                                        const Eigen::Affine3d& first_from_second, double reach);
 
 }  // namespace link_bounds

@@ -9,7 +9,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "robot/pairs/pair_contact.h"
 #include "robot/pairs/pair_search.h"
 
 namespace link_bounds {

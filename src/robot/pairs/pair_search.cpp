@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/pairs/joint_box.h"
-#include "robot/pairs/pair_contact.h"
 #include "robot/pairs/swept_search.h"
 
 namespace link_bounds {
@@ -436,7 +434,7 @@ bool PairSearch::isContactIn(const JointBox& box) {
   const double motion = motion_.motion() + motion_.rounding();
   const KnownPose pose = measured(box.center);
   offer(pose);
-  const bool is_always = aim_ == Contact::kAlways;
+  const bool is_always = aim_ == Contact::kColliding;
   if (is_always && path_.variables.empty()) return isTouch(pose.upper);
   const double reach = is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
   if (pose.upper + motion <= reach) return true;

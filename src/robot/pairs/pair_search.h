@@ -65,7 +65,7 @@ class PairSearch {
   bool collides() const;
   /// No pose in the ranges collides.
   bool isFree() const;
-  bool alwaysCollides() const { return contact_ == Contact::kAlways; }
+  bool alwaysCollides() const { return contact_ == Contact::kColliding; }
   /// No pose in the ranges is farther apart than PairGoal::touching.
   bool alwaysTouches() const { return contact_ != Contact::kNone; }
   /// A pose was found that does not collide.
@@ -86,7 +86,7 @@ class PairSearch {
   std::size_t bytes() const;
 
  private:
-  enum class Contact { kNone, kTouching, kAlways };
+  enum class Contact { kNone, kTouching, kColliding };
 
   struct Node {
     double lower;  ///< proven for the whole box
@@ -143,7 +143,7 @@ class PairSearch {
   std::priority_queue<Node> nodes_;
   std::vector<Node> latest_;  ///< searched first, so that memory is bounded
   double dropped_ = std::numeric_limits<double>::infinity();  ///< smallest bound of dropped nodes
-  Contact aim_ = Contact::kAlways;                            ///< what is tried to be proven
+  Contact aim_ = Contact::kColliding;                         ///< what is tried to be proven
   Contact contact_ = Contact::kNone;                          ///< what is proven of all poses
   std::vector<JointBox> open_;                                ///< where the aim is not proven
   int open_steps_ = 0;

@@ -17,6 +17,10 @@
 
 namespace link_bounds {
 
+/// Cylinders about an axis through the origin that hold the body at any angle. `pose` places the
+/// body; `axis` is a unit vector.
+Body sweptBody(const Body& body, const Eigen::Isometry3d& pose, const Eigen::Vector3d& axis);
+
 class SweptSearch {
  public:
   /// `nearest` is a distance at which a pose was found [m]. Refers to the bodies.

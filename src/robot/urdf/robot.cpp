@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From urdfdom's model, whose links own each other, to plain values. Loops instead of recursion,
-// because a chain of links may be longer than the stack is deep.
+// From urdfdom's model, whose links own each other, to plain values, and why it dropped geometry.
+// Loops instead of recursion, because a chain of links may be longer than the stack is deep.
 #include "link_bounds/robot/urdf/robot.h"
 
 #include <urdf_parser/urdf_parser.h>
@@ -13,7 +13,6 @@
 #include "robot/urdf/not_urdf.h"
 #include "robot/urdf/urdf_elements.h"
 #include "robot/urdf/urdf_log.h"
-#include "robot/urdf/urdf_losses.h"
 #include "robot/urdf/urdf_outline.h"
 
 namespace link_bounds {
@@ -45,6 +44,36 @@ class ModelHolder {
  private:
   urdf::ModelInterfaceSharedPtr model_;
 };
+
+/// Why urdfdom cannot parse the element alone, in a robot with one link; "" if it can.
+std::string faultOf(const std::string& element, Purpose purpose) {
+  const UrdfLog log(element);
+  const auto model =
+      urdf::parseURDF("<robot name='r'><link name='l'>" + element + "</link></robot>");
+  const auto link = model ? model->getLink("l") : nullptr;
+  const bool parsed = link && (purpose == Purpose::kVisual ? link->visual_array.size()
+                                                           : link->collision_array.size()) == 1;
+  if (parsed) return "";
+  return "it cannot be parsed (" + log.messages() + "); correct its numbers and attributes";
+}
+
+/// urdfdom reads <inertial>, then the visuals, then the collisions of a link, and stops at the
+/// first element that it cannot parse. So it keeps the first `kept` elements of `purpose`; returns
+/// the others with their reasons. `link_messages` are urdfdom's messages about this link.
+std::vector<LostElement> lostElements(const LinkOutline& link, Purpose purpose, std::size_t kept,
+                                      const std::string& link_messages) {
+  std::vector<LostElement> lost;
+  const std::vector<std::string>& elements = link.elements(purpose);
+  for (std::size_t i = kept; i < elements.size(); ++i) {
+    std::string reason = faultOf(elements[i], purpose);
+    if (reason.empty()) {
+      reason = "urdfdom drops it because of another fault in this link (" + link_messages +
+               "); correct that fault";
+    }
+    lost.push_back({purpose, i + 1, reason});
+  }
+  return lost;
+}
 
 void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfLog& log,
                Link& link) {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "link_bounds/robot/urdf/kinematics.h"
-#include "robot/pairs/swept_body.h"
+#include "robot/pairs/swept_search.h"
 #include "testing/brute_force.h"
 #include "testing/distance_bodies.h"
 #include "testing/sanitized.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry that urdfdom drops is found, numbered and explained; elements before it are kept.
-#include "robot/urdf/urdf_losses.h"
-
 #include <gtest/gtest.h>
+
+#include "link_bounds/robot/urdf/robot.h"
 
 namespace link_bounds {
 namespace {
