@@ -1,14 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages that announce more than they have are refused.
+// Messages that announce more than they have are refused: the type with which to subscribe to
+// messages of strangers, or to serve their requests, and who looks at them.
 #pragma once
+
+#include <ros/message_traits.h>
+#include <ros/service_traits.h>
 
 #include <string>
 
-#include "node/inputs/received.h"
+#include "node/inputs/checked_stream.h"
 #include "world/log/refusal_log.h"
 
 namespace link_bounds {
+
+/// A Message that roscpp reads by CheckedStream. Reading does not throw: roscpp would log each such
+/// message, without its topic.
+template <class Message>
+struct Received : Message {
+  bool is_complete = true;  ///< if not, the message is empty; see IncompleteMessages
+};
 
 /// Of one thread.
 class IncompleteMessages {
@@ -31,3 +42,38 @@ class IncompleteMessages {
 extern const char* const kIncompleteMessage;  ///< why one is refused
 
 }  // namespace link_bounds
+
+namespace ros::message_traits {
+
+template <class Message>
+struct MD5Sum<link_bounds::Received<Message>> : MD5Sum<Message> {};
+template <class Message>
+struct DataType<link_bounds::Received<Message>> : DataType<Message> {};
+template <class Message>
+struct Definition<link_bounds::Received<Message>> : Definition<Message> {};
+template <class Message>
+struct HasHeader<link_bounds::Received<Message>> : HasHeader<Message> {};
+
+}  // namespace ros::message_traits
+
+namespace ros::service_traits {
+
+template <class Request>
+struct MD5Sum<link_bounds::Received<Request>> : MD5Sum<Request> {};
+template <class Request>
+struct DataType<link_bounds::Received<Request>> : DataType<Request> {};
+
+}  // namespace ros::service_traits
+
+namespace ros::serialization {
+
+template <class Message>
+struct Serializer<link_bounds::Received<Message>> {
+  template <class Stream>
+  static void read(Stream& stream, link_bounds::Received<Message>& message) {
+    const std::uint32_t size = stream.getLength();
+    message.is_complete = link_bounds::readComplete<Message>(stream.advance(size), size, message);
+  }
+};
+
+}  // namespace ros::serialization

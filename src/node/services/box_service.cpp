@@ -8,7 +8,6 @@
 
 #include "node/interface/topics.h"
 #include "node/outputs/messages/box_message.h"
-#include "node/services/request_limits.h"
 #include "world/history/past_boxes.h"
 #include "world/log/log_text.h"
 #include "world/model/model.h"

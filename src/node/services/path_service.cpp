@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "node/interface/topics.h"
-#include "node/services/request_limits.h"
 #include "world/log/log_text.h"
 #include "world/path/path_check.h"
 

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A service whose requests take turns, see TurnQueue.
+// A service whose requests take turns, see TurnQueue: how large they may be, how long answers may
+// take, and what is said if one is refused.
 #pragma once
 
 #include <ros/node_handle.h>
 
 #include <boost/make_shared.hpp>
+#include <chrono>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <stdexcept>
@@ -14,10 +17,23 @@
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/interface/topics.h"
-#include "node/services/request_limits.h"
 #include "node/threads/turn_queue.h"
 
 namespace link_bounds {
+
+/// From the arrival of a request.
+constexpr std::chrono::seconds kDeadline(10);
+
+/// A request that takes longer makes way for the next one after so long. A turn of roscpp costs
+/// some microseconds.
+constexpr std::chrono::milliseconds kLongestTurn(5);
+
+/// As sent. In memory a request takes several times its bytes, because each name is a string.
+constexpr std::size_t kMaxRequestBytes = 32 << 20;
+
+constexpr const char* kStopping = "the node is shutting down";
+constexpr const char* kTooBusy =
+    "there was no time to begin within 10 s, because of other requests or much tf; ask again";
 
 /// Advertises one service, refuses requests that are too large, and queues the others.
 template <class Service>

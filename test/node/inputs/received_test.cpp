@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Good messages are read as by roscpp; others take no more memory than their own bytes deserve.
-#include "node/inputs/received.h"
-
 #include <gtest/gtest.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -12,6 +10,7 @@
 
 #include "link_bounds/AxisAlignedBoxArray.h"
 #include "link_bounds/GetBoxes.h"
+#include "node/inputs/incomplete_messages.h"
 #include "testing/replaced_new.h"
 #include "testing/sanitized.h"
 
