@@ -3,7 +3,6 @@
 // What Python sees, and what help() says of it. link_bounds/__init__.pyi has the same signatures.
 #include <pybind11/stl.h>
 
-#include "python/path_calls.h"
 #include "python/posed_calls.h"
 #include "python/proof_calls.h"
 #include "python/text.h"

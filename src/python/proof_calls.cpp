@@ -2,14 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/proof_calls.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "python/joint_input.h"
 #include "python/text.h"
+#include "robot/pairs/srdf.h"
+#include "robot/posed/robot_path.h"
+#include "robot/threads/row_threads.h"
 #include "robot/urdf/joints_above.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
+#include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/request/objects.h"
 
 namespace py = pybind11;
 
@@ -54,6 +61,108 @@ py::array_t<double> facesOf(const Reach& reach, double (*number)(const ReachFace
   for (std::size_t face = 0; face < kFaces; ++face)
     result.mutable_data()[face] = number(reach.faces[face]);
   return result;
+}
+
+/// Poses, or their derivatives: one row per way point.
+JointRows rowsOf(const SharedRobot& shared, const py::object& given, const char* name) {
+  JointRows rows = jointRows(shared, given, name);
+  if (rows.is_single || rows.count < 2)
+    throw py::value_error(std::string(name) +
+                          " has one row; a path needs two or more, as an array [rows, joints] or a "
+                          "list of dicts");
+  return rows;
+}
+
+std::optional<JointRows> optionalRows(const SharedRobot& shared, const py::object& given,
+                                      const char* name, std::size_t count) {
+  if (given.is_none()) return std::nullopt;
+  JointRows rows = rowsOf(shared, given, name);
+  if (rows.count != count)
+    throw py::value_error(std::string(name) + " has " + std::to_string(rows.count) +
+                          " rows, but q has " + std::to_string(count));
+  return rows;
+}
+
+std::vector<double> timesOf(const py::object& given, std::size_t count) {
+  if (given.is_none()) return {};
+  const auto times = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!times) PyErr_Clear();
+  if (!times || times.ndim() != 1 || times.shape(0) != static_cast<Py_ssize_t>(count))
+    throw py::value_error("times must be an array [rows] of " + std::to_string(count) + " numbers");
+  std::vector<double> result(times.data(), times.data() + count);
+  for (std::size_t row = 0; row < count; ++row) {
+    const bool is_right = std::isfinite(result[row]) && (row == 0 || result[row] > result[row - 1]);
+    if (!is_right)
+      throw py::value_error("times[" + std::to_string(row) +
+                            "] is not a finite number above the one before; times must grow");
+  }
+  return result;
+}
+
+/// One per joint of the robot.
+std::vector<double> spread(const SharedRobot& shared, const JointRows& rows, std::size_t row) {
+  std::vector<double> values(shared.robot().joints.size(), 0.0);
+  const double* const given = rows.row(row, shared.joints().size());
+  for (std::size_t i = 0; i < shared.joints().size(); ++i)
+    values[shared.joints()[i]] = given[i];
+  return values;
+}
+
+std::vector<JointMotion> motionsOf(const SharedRobot& shared, const PathRequest& request) {
+  const JointRows poses = rowsOf(shared, request.poses, "q");
+  const auto velocities = optionalRows(shared, request.velocities, "velocities", poses.count);
+  const auto speeding = optionalRows(shared, request.accelerations, "accelerations", poses.count);
+  const std::vector<double> times = timesOf(request.times, poses.count);
+  if (velocities && times.empty()) throw py::value_error("velocities need times; give both");
+  if (speeding && !velocities)
+    throw py::value_error("accelerations need velocities and times; give all three");
+  std::vector<WayPoint> points;
+  for (std::size_t row = 0; row < poses.count; ++row) {
+    points.push_back({spread(shared, poses, row),
+                      velocities ? spread(shared, *velocities, row) : std::vector<double>(),
+                      speeding ? spread(shared, *speeding, row) : std::vector<double>(),
+                      times.empty() ? 0 : times[row]});
+  }
+  std::vector<JointMotion> motions;
+  for (std::size_t row = 1; row < points.size(); ++row) {
+    motions.emplace_back(points[row - 1], points[row]);
+    if (!motions.back().isFinite())
+      throw py::value_error("the motion to q[" + std::to_string(row) +
+                            "] is not finite; its numbers are too large");
+  }
+  return motions;
+}
+
+std::string pathOf(const py::object& file) {
+  return py::cast<std::string>(py::module::import("os").attr("fsencode")(file));
+}
+
+/// Throws UnusableRobot for a mesh that cannot be used, unless the robot may be incomplete.
+BoundedRobot objectsOf(const SharedRobot& shared, const py::object& given) {
+  if (given.is_none()) return {};
+  const std::string file = pathOf(given);
+  const Robot objects = parseObjects(readText(file, "a file of objects"), file);
+  for (const Link& object : objects.links) {
+    const auto has_name = [&](const Link& link) { return link.name == object.name; };
+    const std::vector<Link>& links = shared.robot().links;
+    if (std::any_of(links.begin(), links.end(), has_name))
+      throw py::value_error(file + ": object \"" + object.name +
+                            "\" has the name of a link; rename it");
+  }
+  BoundedRobot loaded = interruptible(
+      [&](const StopFlag& stop) { return shared.loadObjects(objects, folderOf(file), stop); });
+  for (const auto* problems : {&loaded.problems, &loaded.body_problems}) {
+    for (const std::string& problem : *problems)
+      warnInPython(file + ": " + problem);
+  }
+  return loaded;
+}
+
+std::map<std::string, double> poseOf(const SharedRobot& shared, const std::vector<double>& values) {
+  std::map<std::string, double> pose;
+  for (const std::size_t joint : shared.joints())
+    pose.emplace(shared.robot().joints[joint].name, values[joint]);
+  return pose;
 }
 
 }  // namespace
@@ -105,6 +214,36 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
   std::vector<NamedProof> result;
   for (const PairProof& proof : proofs)
     result.push_back({links[proof.first].name, links[proof.second].name, proof});
+  return result;
+}
+
+std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& request) {
+  checkLength("clearance", request.clearance);
+  checkPositive("budget", request.budget, "seconds");
+  const std::vector<JointMotion> motions = motionsOf(shared, request);
+  std::vector<DisabledPair> disabled;
+  if (!request.srdf.is_none()) {
+    const std::string file = pathOf(request.srdf);
+    disabled = parseSrdf(readText(file, "a SRDF"), shared.robot(), file);
+  }
+  const BoundedRobot objects = objectsOf(shared, request.objects);
+  const PathBodies bodies =
+      pathBodies(shared.described(), shared.bounded(), objects, Exemptions(disabled));
+  const auto proofs = interruptible([&](const StopFlag& stop) {
+    PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),
+                        request.jobs == 0 ? coreCount() : request.jobs};
+    return provePath(shared.robot(), bodies, motions, {request.clearance}, control);
+  });
+  std::vector<Segment> result;
+  for (std::size_t i = 0; i < proofs.size(); ++i) {
+    Segment segment{i, proofs[i], "", "", {}};
+    if (std::isfinite(proofs[i].nearest)) {
+      segment.first = bodies.names[proofs[i].first];
+      segment.second = bodies.names[proofs[i].second];
+      segment.pose = poseOf(shared, motions[i].at(proofs[i].share));
+    }
+    result.push_back(std::move(segment));
+  }
   return result;
 }
 
