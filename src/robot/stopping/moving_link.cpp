@@ -154,8 +154,9 @@ void MovingBox::slide(const MovingStep& step, const std::vector<Eigen::Matrix3d>
 void MovingBox::drive(const MovingStep& step, const SweptBall& ball,
                       const std::vector<Eigen::Matrix3d>& directions) {
   const MovingJoint& joint = *step.joint;
+  constexpr double kMaxAngleError = 3e-8;  // of acos, where the cosine is rounded to -1
   const auto support = [&](double cosine) {
-    const double angle = std::acos(std::min(std::max(cosine, -1.0), 1.0));
+    const double angle = std::acos(std::min(std::max(cosine, -1.0), 1.0)) - kMaxAngleError;
     return joint.distance * std::max(0.0, std::cos(std::max(0.0, angle - joint.spread)));
   };
   for (std::size_t i = 0; i < directions.size(); ++i) {

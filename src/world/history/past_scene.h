@@ -24,6 +24,12 @@ struct BoxRequest {
   bool has_robot_frames = false;   ///< PastScene::robot_frames is wanted, too
 };
 
+/// Where an object was on a link when it was placed.
+struct HeldPlace {
+  std::size_t link;  ///< of Model::robot
+  Eigen::Affine3d link_from_body;
+};
+
 /// A link or an object, without its pose.
 struct PastBody {
   const BoundedLink* bounded = nullptr;         ///< its shapes, held by the model or by `object`
@@ -33,6 +39,9 @@ struct PastBody {
   std::optional<TransformBuffer::Frame> frame;
   /// Where an object was placed once in that frame; else it is the frame.
   std::optional<Eigen::Affine3d> frame_from_body;
+  /// Of an object that was placed once and is attached to a link, if tf knows the link at that
+  /// time. Only where BoxRequest::has_robot_frames is set.
+  std::optional<HeldPlace> held;
   std::int64_t stamp = 0;   ///< of the transform that placed it [ns]
   bool incomplete = false;  ///< whatever the time
   std::string reason;       ///< why, in words

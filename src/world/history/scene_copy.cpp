@@ -8,6 +8,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "link_bounds/robot/urdf/overlap_filter.h"
+
 namespace link_bounds {
 namespace {
 
@@ -32,6 +34,8 @@ SceneCopy::SceneCopy(BoxRequest request, std::shared_ptr<const Model> model)
   } else {
     findNames();
   }
+  if (request_.has_robot_frames && model_->robot && !model_->attached.empty())
+    holders_ = rigidBodies(*model_->robot).of_links;
 }
 
 /// Objects of these names are looked for later. A link goes before an object of the same name.
@@ -161,10 +165,26 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
       body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
       body.frame_from_body = object.boxed.fixed_from_header;
       body.stamp = object.state.stamp;
+      body.held = heldPlace(tf, body);
     }
   }
   body.bounded = &body.object->bounded;
   past_->bodies.push_back(std::move(body));
+}
+
+std::optional<HeldPlace> SceneCopy::heldPlace(const TransformBuffer& tf,
+                                              const PastBody& body) const {
+  if (holders_.empty()) return std::nullopt;
+  const auto attached = bodyOf(*model_, {&body.object->bounded.name, std::nullopt});
+  const auto holder =
+      attached ? std::find(holders_.begin(), holders_.end(), *attached) : holders_.end();
+  if (holder == holders_.end()) return std::nullopt;
+  const auto link = static_cast<std::size_t>(holder - holders_.begin());
+  const auto frame = tf.find(tfName(model_->parameters.tf_prefix, model_->robot->links[link].name));
+  const auto fixed = tf.find(model_->fixed_frame);
+  const auto pose = frame && fixed ? tf.pose(*frame, *fixed, body.stamp) : std::nullopt;
+  if (!pose) return std::nullopt;
+  return HeldPlace{link, MatrixPose(*pose).affine * *body.frame_from_body};
 }
 
 }  // namespace link_bounds

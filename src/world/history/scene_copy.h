@@ -34,12 +34,15 @@ class SceneCopy {
   void copyFrame(const Scene& scene, const Link& link);
   void copyLink(const Scene& scene, std::size_t link);
   void copyObject(const Scene& scene, const LiveObject& object);
+  std::optional<HeldPlace> heldPlace(const TransformBuffer& tf, const PastBody& body) const;
 
   BoxRequest request_;
   std::shared_ptr<const Model> model_;
   std::vector<std::size_t> links_;  ///< that are asked for
   std::vector<ObjectKey> keys_;     ///< of the objects that are asked for by name
   std::vector<std::string> unknown_names_;
+  std::vector<std::size_t>
+      holders_;  ///< by link of the robot its rigid body, if objects are attached
   std::unique_ptr<PastScene> past_;
   std::size_t next_link_ = 0;             ///< in links_
   std::size_t next_key_ = 0;              ///< in keys_

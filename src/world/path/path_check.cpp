@@ -26,10 +26,9 @@ std::uint8_t toMessage(PathVerdict verdict) {
 
 PathCheck::PathCheck(PastScene& scene, CheckPath::Request& request, const PathTrees& trees,
                      const PathLimits& limits)
-    : scene_(pathScene(scene,
-                       plannedJoints(withSimpleJoints(*scene.model->robot), request.trajectory),
-                       trees, limits)),
-      trajectory_(scene_.robot, std::move(request.trajectory)),
+    : joints_(plannedJoints(withSimpleJoints(*scene.model->robot), request.trajectory)),
+      scene_(pathScene(scene, joints_, trees, limits)),
+      trajectory_(scene_.robot, joints_, std::move(request.trajectory)),
       ranges_(trajectory_.ranges()),
       prover_(scene_.robot, scene_.bodies, scene_.pairs, ranges_, {request.clearance}) {
   for (const std::size_t joint : trajectory_.joints())

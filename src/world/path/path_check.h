@@ -30,6 +30,7 @@ class PathCheck {
  private:
   void proveNext(const std::function<bool()>& is_over);
 
+  const std::set<std::string> joints_;  ///< of the trajectory, see plannedJoints()
   PathScene scene_;
   PlannedTrajectory trajectory_;
   std::vector<Limits> ranges_;  ///< which no motion leaves

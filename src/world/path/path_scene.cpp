@@ -8,8 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
+#include "robot/stopping/joint_fit.h"
 #include "robot/urdf/simple_joints.h"
+#include "world/stopping/joint_motion.h"
 #include "world/tf/frame_paths.h"
 #include "world/tf/frame_tracker.h"
 
@@ -61,7 +64,10 @@ class SceneMaker {
     Robot robot = original_;
     const std::vector<bool> moves = movedJoints(original_, joints);
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      if (!moves[i] && robot.joints[i].motion != Motion::kNone) rest(robot.joints[i]);
+      if (moves[i])
+        checkFit(robot.joints[i]);
+      else
+        rest(robot.joints[i]);
     }
     rigid_ = rigidBodies(robot);
     result_.robot = withSimpleJoints(robot);
@@ -77,17 +83,36 @@ class SceneMaker {
     return describe(tracker_.keep(frame).problem, tf_.name(frame), tf_.name(scene_.target));
   }
 
-  /// Replaces a joint by what tf says of it now.
-  void rest(Joint& joint) {
+  /// The pose of the joint's child in that of its parent, as tf has it now; else the reason.
+  std::string findPose(const Joint& joint, Eigen::Isometry3d& parent_from_child) {
     const auto& parent = scene_.robot_frames[joint.parent];
     const auto& child = scene_.robot_frames[joint.child];
     const std::string link = "link \"" + original_.links[joint.child].name + "\"";
-    std::string problem = parent && child ? problemOf(*child) : "tf has no frame of " + link;
-    if (problem.empty()) {
-      const std::optional<Tf2Pose> pose = tf_.pose(*parent, *child, 0);
-      if (!pose || !toIsometry(*pose, joint.parent_from_joint))
-        problem = "tf has no usable pose of " + link + " in that of its parent";
-    }
+    if (!parent || !child) return "tf has no frame of " + link;
+    const std::string problem = problemOf(*child);
+    if (!problem.empty()) return problem;
+    const std::optional<Tf2Pose> pose = tf_.pose(*parent, *child, 0);
+    if (pose && toIsometry(*pose, parent_from_child)) return "";
+    return "tf has no usable pose of " + link + " in that of its parent";
+  }
+
+  /// A joint that the trajectory moves is where the robot description has it: tf must agree, where
+  /// it has the joint.
+  void checkFit(const Joint& joint) {
+    Eigen::Isometry3d parent_from_child;
+    if (!hasValue(joint.motion) || joint.axis.isZero(0)) return;
+    if (!findPose(joint, parent_from_child).empty()) return;
+    const std::string misfit = whyMisfit(joint, fitOf(joint, parent_from_child));
+    if (!misfit.empty()) throw std::runtime_error(misfit);
+  }
+
+  /// Replaces a joint by what tf says of it now. A fixed joint that tf does not have stays as the
+  /// robot description has it.
+  void rest(Joint& joint) {
+    Eigen::Isometry3d parent_from_child;
+    const std::string problem = findPose(joint, parent_from_child);
+    if (problem.empty()) joint.parent_from_joint = parent_from_child;
+    if (joint.motion == Motion::kNone) return;
     if (!problem.empty())
       throw std::runtime_error("joint \"" + joint.name +
                                "\" is not in the trajectory, and where it is now is not known: " +
@@ -123,20 +148,23 @@ class SceneMaker {
 
   /// On the link that carries it. Fills `problem` if its place is not known.
   PathBody placedObject(const PastBody& body, std::string& problem) {
-    const PairMember member{&body.bounded->name, std::nullopt};
-    const std::size_t link = carrierOf(body, member);
+    const Carrier carrier = carrierOf(body);
+    const std::size_t link = carrier.link;
     PathBody result{link, {}, false};
     const auto link_frame = scene_.robot_frames[link];
     std::string place_problem = link_frame ? "" : "tf has no frame of the link that carries it";
     for (const auto& frame : {body.frame, link_frame}) {
       if (frame && place_problem.empty()) place_problem = problemOf(*frame);
     }
+    if (place_problem.empty() && carrier.is_elsewhere)
+      place_problem = whyNotHeld(body, *link_frame);
     if (!place_problem.empty()) {
       problem = place_problem;
       return result;
     }
     Eigen::Affine3d link_from_object = placeOf(*link_frame, *body.frame);
     if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
+    if (body.held) link_from_object = body.held->link_from_body;
     if (!link_from_object.matrix().allFinite()) {
       problem = describe(TransformProblem::kPoseNotFinite, tf_.name(*body.frame),
                          tf_.name(scene_.target));
@@ -155,17 +183,36 @@ class SceneMaker {
     return pose(link).inverse() * pose(frame);
   }
 
+  struct Carrier {
+    std::size_t link;
+    bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
+  };
+
   /// The link of the robot to which the object is attached, or below whose frame its own one is. An
   /// object that was placed once rests in the fixed frame.
-  std::size_t carrierOf(const PastBody& body, const PairMember& member) const {
-    if (const auto attached = bodyOf(model_, member)) {
-      const auto& of_links = rigid_in_urdf_.of_links;
-      const auto found = std::find(of_links.begin(), of_links.end(), *attached);
-      if (found != of_links.end()) return static_cast<std::size_t>(found - of_links.begin());
-    }
+  Carrier carrierOf(const PastBody& body) const {
     const auto is_link = [&](Frame frame) { return links_.count(frame) > 0; };
-    const auto link = links_.find(climb(tf_, *body.frame, is_link));
-    return link == links_.end() ? original_.root : link->second;
+    const auto found = links_.find(climb(tf_, *body.frame, is_link));
+    const bool has_link = found != links_.end();
+    const Carrier own{has_link ? found->second : original_.root};
+    if (body.held) return {body.held->link};
+    const auto attached = bodyOf(model_, {&body.bounded->name, std::nullopt});
+    const auto& of_links = rigid_in_urdf_.of_links;
+    if (!attached || (has_link && of_links[own.link] == *attached)) return own;
+    const auto link = std::find(of_links.begin(), of_links.end(), *attached);
+    if (link == of_links.end()) return own;
+    return {static_cast<std::size_t>(link - of_links.begin()), true};
+  }
+
+  /// Why the place of an attached object on its link is not known; "" if it is.
+  std::string whyNotHeld(const PastBody& body, Frame link) {
+    const std::vector<Frame> edges = edgesBetween(tf_, link, *body.frame);
+    const auto is_static = [&](Frame frame) {
+      return !tf_.hasParent(frame) || tf_.isStatic(frame);
+    };
+    if (std::all_of(edges.begin(), edges.end(), is_static)) return "";
+    return "where it is on the link to which it is attached is not known; let it follow a frame of "
+           "that link, with stamp 0, or send it anew";
   }
 
   bool moves(std::size_t body) const {

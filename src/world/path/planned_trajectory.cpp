@@ -40,11 +40,11 @@ std::set<std::string> plannedJoints(const Robot& simple,
   return names;
 }
 
-PlannedTrajectory::PlannedTrajectory(const Robot& simple, trajectory_msgs::JointTrajectory message)
+PlannedTrajectory::PlannedTrajectory(const Robot& simple, const std::set<std::string>& joints,
+                                     trajectory_msgs::JointTrajectory message)
     : joint_count_(simple.joints.size()), message_(std::move(message)) {
-  const std::set<std::string> names = plannedJoints(simple, message_);
   for (std::size_t i = 0; i < message_.joint_names.size(); ++i) {
-    if (!names.count(message_.joint_names[i])) continue;
+    if (!joints.count(message_.joint_names[i])) continue;
     const Joint& joint = movableJoint(simple, message_.joint_names[i]);
     columns_.push_back(i);
     joints_.push_back(static_cast<std::size_t>(&joint - simple.joints.data()));

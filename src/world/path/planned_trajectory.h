@@ -22,9 +22,10 @@ std::set<std::string> plannedJoints(const Robot& simple,
 
 class PlannedTrajectory {
  public:
-  /// `simple` has simple joints, all of plannedJoints() among them. Throws std::runtime_error, with
-  /// the way point and the remedy, for what is no path.
-  PlannedTrajectory(const Robot& simple, trajectory_msgs::JointTrajectory message);
+  /// `simple` has simple joints, `joints` among them, which are those of plannedJoints(). Throws
+  /// std::runtime_error, with the way point and the remedy, for what is no path.
+  PlannedTrajectory(const Robot& simple, const std::set<std::string>& joints,
+                    trajectory_msgs::JointTrajectory message);
 
   std::size_t segments() const { return message_.points.size() - 1; }
 

@@ -18,9 +18,15 @@ constexpr double kStands = 1e-9;
 /// The motion between two poses.
 struct Piece {
   Eigen::Vector3d path;  ///< [m]
-  double turn;           ///< [rad]
+  double turn;           ///< between its ends [rad]
+  double turned;         ///< the sum of its turns [rad]
   double time;           ///< [s]
 };
+
+double turnBetween(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::Quaterniond turn(Eigen::Matrix3d(from.linear().transpose() * to.linear()));
+  return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+}
 
 std::vector<Piece> piecesBetween(const std::vector<TimedPose>& poses, std::int64_t window) {
   std::vector<std::int64_t> stamps;
@@ -31,11 +37,12 @@ std::vector<Piece> piecesBetween(const std::vector<TimedPose>& poses, std::int64
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const TimedPose& from = poses[cuts[i - 1]];
     const TimedPose& to = poses[cuts[i]];
-    const Eigen::Quaterniond turn(
-        Eigen::Matrix3d(from.pose.linear().transpose() * to.pose.linear()));
+    double turned = 0;
+    for (std::size_t k = cuts[i - 1]; k < cuts[i]; ++k)
+      turned += turnBetween(poses[k].pose, poses[k + 1].pose);
     const double time = static_cast<double>(to.stamp - from.stamp) / kSecond;
     pieces.push_back({to.pose.translation() - from.pose.translation(),
-                      2 * std::atan2(turn.vec().norm(), std::abs(turn.w())),
+                      turnBetween(from.pose, to.pose), turned,
                       std::max(time - kStampRounding, time / 2)});
   }
   return pieces;
@@ -77,7 +84,7 @@ BaseMotion baseMotion(const std::vector<TimedPose>& poses, std::int64_t window,
     max_turn = std::max(max_turn, piece.turn);
     turn_speed = std::max(turn_speed, piece.turn / piece.time);
     if (is_moving) spread = std::max(spread, angleBetween(direction, piece.path));
-    if (piece.turn < M_PI / 2)
+    if (piece.turned < M_PI / 2)  // after a whole turn the ends do not show it
       speed = std::max(speed, piece.path.norm() / std::cos(piece.turn / 2) / piece.time);
     else
       result.problem = "the base turns by 90 degrees or more within a piece of ~velocity_window";

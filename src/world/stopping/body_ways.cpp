@@ -61,6 +61,22 @@ std::optional<BodyWays::Frame> BodyWays::moverOf(const PastBody& body) const {
   return std::nullopt;
 }
 
+/// Why it may be elsewhere on the link to which it is attached, or will be; "" if not.
+std::string BodyWays::whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
+                                 const BodyWay& way) const {
+  if (mover == *body.frame) return "";
+  const std::string remedy = "; let it follow a frame of that link, with stamp 0";
+  if (start.stamp != 0 && start.stamp != way.stamp)
+    return "its place is of another time than that of the link to which it is attached" + remedy;
+  if (body.frame_from_body && *body.frame == scene_.target) return "";
+  for (const Frame edge : edgesBetween(tf_, mover, *body.frame)) {
+    if (tf_.hasParent(edge) && !isRigid(edge))
+      return "it follows frame \"" + tf_.name(*body.frame) +
+             "\", which may move against the link to which it is attached" + remedy;
+  }
+  return "";
+}
+
 BodyWay BodyWays::find(const PastBody& body) {
   BodyWay way;
   const FramePose& own = tracker_.keep(*body.frame);
@@ -84,10 +100,8 @@ BodyWay BodyWays::find(const PastBody& body) {
     return way;
   }
   way.has_pose = true;
-  if (*mover != *body.frame && start.stamp != 0 && start.stamp != way.stamp) {
-    way.problem =
-        "its place is of another time than that of the link to which it is attached; let it follow "
-        "a frame of that link, with stamp 0";
+  way.problem = whyNotHeld(body, *mover, start, way);
+  if (!way.problem.empty()) {
     way.is_placed = !isContact();
     return way;
   }

@@ -66,6 +66,8 @@ class BodyWays {
 
   bool isContact() const { return purpose_ == WayPurpose::kContact; }
   std::optional<Frame> moverOf(const PastBody& body) const;
+  std::string whyNotHeld(const PastBody& body, Frame mover, const FramePose& start,
+                         const BodyWay& way) const;
   bool climb(Frame frame, const FramePose& start, BodyWay& way);
   const std::string& groundProblem();
   static void moveInto(const Eigen::Isometry3d& root, BodyWay& way);

@@ -71,7 +71,8 @@ class RuleMaker {
 
   std::optional<Limits> limits(std::size_t index) const {
     const std::optional<Limits> of_leader = leader(index).limits;
-    if (!of_leader) return std::nullopt;
+    if (!of_leader || of_leader->lower > of_leader->upper)
+      return std::nullopt;  // no value obeys them
     const Lead& lead = leads_[index];
     const auto [lower, upper] = std::minmax({lead.factor * of_leader->lower + lead.offset,
                                              lead.factor * of_leader->upper + lead.offset});

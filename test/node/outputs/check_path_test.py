@@ -101,11 +101,11 @@ class CheckPathTest(unittest.TestCase):
         self.objects.clear()
         self.boxes.wait_newest(lambda m: not any("/" in name for name in names_of(m)), "none")
 
-    def send_robot(self, angle=0, push=0, lean=0, without=()):
+    def send_robot(self, angle=0, push=0, lean=0, aside=0, without=()):
         """Returns once ~boxes shows it."""
         type(self).now += 1
         stamp = rospy.Time(self.now)
-        links = [transform("base", "hub", stamp, (0, 0, 0), turn((0, 0, 1), angle)),
+        links = [transform("base", "hub", stamp, (aside, 0, 0), turn((0, 0, 1), angle)),
                  transform("hub", "bar", stamp, (push, 0, 0)),
                  transform("base", "pointer", stamp, (0, 0, 0), turn((0, 0, 1), angle / 2)),
                  transform("base", "other", stamp, (2.5, 0, 0), turn((0, 0, 1), lean)),
@@ -199,6 +199,36 @@ class CheckPathTest(unittest.TestCase):
         self.send_objects(tool)
         self.send_robot()
         self.check_contact(turned(0, 90), "post/1", "tool/1")
+        # Where it was on the link when it was placed counts, as long as tf knows that.
+        self.send_robot(angle=40)
+        self.check_contact(turned(30, 60), "post/1", "tool/1")
+        for _ in range(12):
+            self.send_robot(angle=40)
+        answer = self.check(turned(30, 60))
+        self.assertEqual((answer.segments[0].verdict, answer.incomplete), (UNDECIDED, ["tool/1"]))
+        self.assertIn("let it follow a frame of that link", answer.message)
+
+    def test_what_is_attached_to_one_link_and_follows_another(self):
+        load(NODE, attached={"bar": ["tool/*"]})
+        self.send_robot()
+        self.send_objects(marker("tool/1", scale=(0.3, 0.1, 0.1), pose=Pose((-1, 2, 0)),
+                                 frame="other"))
+        answer = self.check(turned(0, 90))
+        self.assertEqual((answer.segments[0].verdict, answer.incomplete), (UNDECIDED, ["tool/1"]))
+
+    def test_fixed_joints_are_where_tf_has_them(self):
+        load(NODE, BARS.replace('name="push" type="prismatic"', 'name="push" type="fixed"'))
+        self.send_robot(push=0.4)
+        self.send_objects(post("post/1", 45, 1.2))
+        self.check_contact(turned(0, 90), "bar", "post/1")
+
+    def test_a_transform_that_does_not_fit_a_joint(self):
+        self.send_robot(aside=0.3)
+        self.refuse('a transform does not fit joint "turn".*300', turned(0, 90))
+
+    def test_a_joint_that_follows_one_at_rest(self):
+        path = trajectory(["lean", "half"], [0, 0], [1, 1])
+        self.assertEqual(self.check(path).joint_names, ["lean"])
 
     def test_boxes_of_a_neighbour(self):
         sender = rospy.Publisher(NODE + "/neighbours", AxisAlignedBoxArray, queue_size=1)

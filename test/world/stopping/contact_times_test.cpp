@@ -246,7 +246,7 @@ TEST(ContactTimes, APairThatWasNotMeasuredDelaysNothing) {
 
 /// An arm slides by 0.5 m and rests; what it holds meets a wall 0.4 m later.
 EarliestContactArray earliestHeld(const std::string& frame, double x, double placed,
-                                  std::optional<double> map_behind = {}) {
+                                  std::optional<double> map_behind = {}, bool follows = false) {
   const std::string along =
       R"(<axis xyz="1 0 0"/><limit lower="0" upper="1" effort="1" velocity="1"/>)";
   const std::string far_arm =
@@ -271,7 +271,7 @@ EarliestContactArray earliestHeld(const std::string& frame, double x, double pla
     content.bounded.shapes = {
         {nullptr, Solid::kEllipsoid, {0.2, 0.2, 0.2}, Eigen::Affine3d(at(x).matrix())}};
     content.frame = frame;
-    content.stamp = frame == "arm" ? 0 : std::llround(stamp * 1e9);
+    content.stamp = frame == "arm" || follows ? 0 : std::llround(stamp * 1e9);
     robot.scene().objects.put({"held", 1}, content, ros::Time(stamp));
   }
   robot.scene().update(ros::Time(kStamp));
@@ -292,6 +292,11 @@ TEST(ContactTimes, WhatIsHeldMovesWithTheNewestOfItsLink) {
     EXPECT_EQ(earliestHeld("rail", 1.5, kStamp, map_behind).incomplete, Names());
     EXPECT_EQ(earliestHeld("rail", 1, kStamp - 1, map_behind).incomplete, Names{"held/1"});
   }
+}
+
+/// It may leave the link to which it is attached.
+TEST(ContactTimes, WhatIsHeldByOneLinkAndFollowsAnotherIsIncomplete) {
+  EXPECT_EQ(earliestHeld("wall", -0.6, kStamp, {}, true).incomplete, Names{"held/1"});
 }
 
 }  // namespace

@@ -178,16 +178,16 @@ TEST(StoppingBoxes, SlowMotionFarAwayIsNoRounding) {
   }
 }
 
-/// A slide that rises through 0.1175 m may go down to its limit within the reaction time, whatever
-/// the transform before the stamp of the base says.
-TEST(StoppingBoxes, LimitsCountFromThePoseOfTheStamp) {
+/// How far down a slide that rises through 0.1175 m may go.
+double lowestOfSlide(const std::string& limits) {
   Parameters parameters = goodParameters();
   parameters.deceleration = {{"slide", 5}};
   parameters.during_reaction = "limit";
   MovingRobot robot(R"(<robot name="r"><link name="base"/>
       <link name="arm"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>
       <joint name="slide" type="prismatic"><parent link="base"/><child link="arm"/>
-        <axis xyz="1 0 0"/><limit lower="0" upper="2" effort="1" velocity="1"/></joint></robot>)",
+        <axis xyz="1 0 0"/><limit effort="1" velocity="1" )" +
+                        limits + "/></joint></robot>",
                     parameters);
   for (int i = 50; i >= 0; --i)
     robot.add("map", "base", kStamp - 0.005 - 0.01 * i, Eigen::Isometry3d::Identity());
@@ -197,8 +197,21 @@ TEST(StoppingBoxes, LimitsCountFromThePoseOfTheStamp) {
   }
   robot.scene().update(ros::Time(kStamp));
   const WayBoxes found = robot.stopping();
-  ASSERT_EQ(found.problem, "");
-  EXPECT_LE(boxesOf(found).at("arm").min().x(), -0.1);
+  EXPECT_EQ(found.problem, "");
+  return boxesOf(found).at("arm").min().x();
+}
+
+/// It may reach its limit within the reaction time, whatever the transform before the stamp of the
+/// base says.
+TEST(StoppingBoxes, LimitsCountFromThePoseOfTheStamp) {
+  const double lowest = lowestOfSlide("lower=\"0\" upper=\"2\"");
+  EXPECT_LE(lowest, -0.1);
+  EXPECT_GT(lowest, -0.11);
+}
+
+/// No value obeys them.
+TEST(StoppingBoxes, LimitsThatAreSwappedDoNotCount) {
+  EXPECT_LT(lowestOfSlide("lower=\"2\" upper=\"0\""), -0.15);
 }
 
 TEST(StoppingBoxes, AContinuousJointMayWrap) {
@@ -306,6 +319,19 @@ TEST(StoppingBoxes, ABaseOnACircleGoesItsArc) {
   ASSERT_EQ(found.moment->bodies.size(), robot.robot().links.size());
   for (int i = 0; i <= 10; ++i)
     EXPECT_TRUE(contains(*found.moment, robot.boxesAt(values, on_circle(60 * 0.0002 * i)))) << i;
+}
+
+/// A whole turn within each piece of the window looks like standing.
+TEST(StoppingBoxes, ABaseThatTurnsFullyWithinAPieceIsTold) {
+  Parameters parameters = goodParameters();
+  parameters.velocity_window = 0.2;
+  Robotics robot(parameters);
+  const Values values = robot.values({});
+  for (int i = 80; i >= 0; --i)
+    robot.send(kStamp - 0.0025 * i, values, drivenBase(0, -2 * M_PI / 16 * i));
+  const WayBoxes found = robot.stopping();
+  EXPECT_EQ(found.moment->incomplete.size(), robot.robot().links.size());
+  EXPECT_NE(found.problem.find("90 degrees or more"), std::string::npos) << found.problem;
 }
 
 }  // namespace
