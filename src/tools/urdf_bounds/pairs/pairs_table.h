@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/formats/table_text.h"
-#include "tools/urdf_bounds/pairs/srdf_check.h"
+#include "tools/urdf_bounds/pairs/pairs_srdf.h"
 
 namespace link_bounds {
 
