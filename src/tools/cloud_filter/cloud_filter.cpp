@@ -10,18 +10,30 @@
 #include <string>
 #include <vector>
 
+#include "node/interface/usage.h"
 #include "node/master/master_uri.h"
 #include "tools/cloud_filter/cloud_filter_node.h"
+#include "tools/cloud_filter/filter_parameters.h"
 #include "world/log/log_text.h"
 
 namespace {
+
+std::string usage() {
+  const link_bounds::FilterParameters defaults;
+  return "usage: rosrun link_bounds cloud_filter [_PARAMETER:=VALUE ...] [--help] [--version]\n\n"
+         "Removes the points of the robot from point clouds and laser scans: by its exact meshes,\n"
+         "at each point's own time.\n\n" +
+         link_bounds::interfaceTables(
+             link_bounds::kFilterTopics, link_bounds::kFilterServices,
+             [&](auto& rows) { link_bounds::visitFilterParameters(defaults, rows); });
+}
 
 int run(int argc, char** argv) {
   std::vector<std::string> arguments;
   ros::removeROSArgs(argc, argv, arguments);
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (arguments[i] == "--help" || arguments[i] == "-h") {
-      std::cout << link_bounds::filterUsage();
+      std::cout << usage();
       return 0;
     }
     if (arguments[i] == "--version") {

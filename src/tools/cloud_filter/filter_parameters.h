@@ -99,7 +99,4 @@ constexpr TopicName kFilterReload{
 
 constexpr std::array<TopicName, 1> kFilterServices{{kFilterReload}};
 
-/// For --help.
-std::string filterUsage();
-
 }  // namespace link_bounds

@@ -1,12 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The name comes first, so that a line that was cut says what it was about.
+// The name comes first, so that a line that was cut says what it was about. JSON on one line is YAML
+// as well: so it is read.
 #include "tools/bag_bounds/lines/bag_line.h"
 
+#include <yaml-cpp/yaml.h>
+
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "tools/bag_bounds/run/bag_report_json.h"
 #include "tools/bag_bounds/run/fingerprint.h"
+#include "tools/command_line/options.h"
 #include "tools/formats/safe_text.h"
 
 namespace link_bounds {
@@ -28,6 +35,106 @@ BagLine lineWithout(const BagIdentity& bag, const std::string& question, const c
   return {start(bag, question, verdict, kUnusable) + ", \"reason\": " + jsonString(reason) + "}\n",
           kUnusable};
 }
+
+/// No string has these characters: it would have its quotes escaped.
+constexpr char kStart[] = "{\"bag\": ";
+
+std::string reasonIn(const YAML::Node& line) {
+  if (line["reason"]) return line["reason"].as<std::string>();
+  std::string text;
+  for (const auto& [name, reason] : line["incomplete"].as<std::map<std::string, std::string>>())
+    text += (text.empty() ? "" : "; ") + name + " " + reason;
+  for (const YAML::Node& loss : line["losses"])
+    text += (text.empty() ? "" : "; ") + loss.as<std::string>();
+  for (const YAML::Node& open : text.empty() ? line["open"] : YAML::Node())
+    text += (text.empty() ? "" : "; ") + open.as<std::string>();
+  return text;
+}
+
+/// Throws YAML::Exception.
+ReadLine parse(const std::string& text) {
+  const YAML::Node line = YAML::Load(text);
+  ReadLine result;
+  result.text = text;
+  result.bag.name = line["bag"].as<std::string>();
+  if (!line["size"].IsNull()) {
+    result.bag.size = line["size"].as<std::uint64_t>();
+    result.bag.head = line["head"].as<std::string>();
+  }
+  result.question = line["question"].as<std::string>();
+  result.verdict = line["verdict"].as<std::string>();
+  result.exit_code = line["exit"].as<int>();
+  result.reason = reasonIn(line);
+  if (const YAML::Node least = line["coverage"]; least && !least.IsNull())
+    result.coverage = {least["name"].as<std::string>(), least["share"].as<double>()};
+  if (const YAML::Node worst = line["worst"]; worst && !worst.IsNull())
+    result.worst = {worst["first"].as<std::string>(), worst["second"].as<std::string>(),
+                    worst["clearance"].as<double>(), worst["distance"].as<double>(),
+                    worst["time"].as<std::string>()};
+  for (const YAML::Node& zone : line["zones"])
+    result.zones.push_back({zone["name"].as<std::string>(), zone["entries"].as<std::uint64_t>()});
+  return result;
+}
+
+/// Nothing if the line was cut.
+std::optional<ReadLine> tryParse(const std::string& text) try {
+  return text.back() == '}' ? std::optional(parse(text)) : std::nullopt;
+} catch (const YAML::Exception&) {
+  return std::nullopt;
+}
+
+/// Whether it may have been a line before it was cut.
+bool isBegun(const std::string& text) {
+  return std::string(kStart).compare(0, text.size(), text, 0, sizeof(kStart) - 1) == 0;
+}
+
+/// The name in a line that was cut, as JSON; "" if it was cut before its end.
+std::string nameIn(const std::string& cut) {
+  const std::size_t end = cut.find(", \"size\": ");
+  const std::size_t begin = sizeof(kStart) - 1;
+  return end == std::string::npos || end < begin ? "" : cut.substr(begin, end - begin);
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& file) : file_(file) {}
+
+  /// What another program appended to a line that was cut is a line of its own.
+  void add(const std::string& text) {
+    ++number_;
+    if (text.empty()) return;
+    const std::size_t start = text.rfind(kStart);
+    if (start == std::string::npos && !isBegun(text))
+      throw UsageError(place() +
+                       " is no line of bag_bounds --each; remove it, or name another file");
+    const std::optional<ReadLine> line =
+        start == std::string::npos ? std::nullopt : tryParse(text.substr(start));
+    if (start != 0 || !line) cut_.push_back({place(), nameIn(text)});
+    if (!line) return;
+    result_.lines[line->bag.name] = *line;
+    result_.lines[line->bag.name].file = file_;
+  }
+
+  LineFile take() {
+    for (const auto& [place, name] : cut_)
+      if (!isWhole(name)) result_.cut.push_back(place);
+    return std::move(result_);
+  }
+
+ private:
+  std::string place() const { return file_ + ", line " + std::to_string(number_); }
+
+  bool isWhole(const std::string& name) const {
+    for (const auto& [bag, line] : result_.lines)
+      if (jsonString(bag) == name) return true;
+    return false;
+  }
+
+  const std::string& file_;
+  std::size_t number_ = 0;
+  std::vector<std::pair<std::string, std::string>> cut_;  ///< place, name
+  LineFile result_;
+};
 
 }  // namespace
 
@@ -61,6 +168,16 @@ BagLine unusableLine(const BagIdentity& bag, const std::string& question,
 
 BagLine diedLine(const BagIdentity& bag, const std::string& question, const std::string& reason) {
   return lineWithout(bag, question, "DIED", reason);
+}
+
+LineFile readLines(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw UsageError("cannot read " + file + ": " + std::strerror(errno));
+  Reader reader(file);
+  for (std::string text; std::getline(in, text);)
+    reader.add(text);
+  if (in.bad()) throw UsageError("cannot read " + file + " to its end");
+  return reader.take();
 }
 
 }  // namespace link_bounds

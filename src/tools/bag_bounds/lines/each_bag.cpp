@@ -24,7 +24,6 @@
 
 #include "robot/threads/row_threads.h"
 #include "tools/bag_bounds/lines/bag_line.h"
-#include "tools/bag_bounds/lines/line_file.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"

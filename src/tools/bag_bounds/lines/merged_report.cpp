@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "tools/bag_bounds/lines/line_file.h"
+#include "tools/bag_bounds/lines/bag_line.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
