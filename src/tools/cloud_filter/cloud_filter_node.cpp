@@ -10,7 +10,7 @@
 #include <chrono>
 
 #include "tools/cloud_filter/nearest_message.h"
-#include "world/cloud/laser_points.h"
+#include "world/cloud/cloud_layout.h"
 #include "world/cloud/without_points.h"
 #include "world/log/guarded.h"
 #include "world/log/log_text.h"

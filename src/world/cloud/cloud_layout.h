@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the coordinates and times of points are in the bytes of a cloud.
+// Where the coordinates and times of points are in the bytes of a cloud, and those of a scan.
 //
 // Drivers write the time of a point into one of four fields:
 //
@@ -13,6 +13,7 @@
 // nanoseconds of ROS time.
 #pragma once
 
+#include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace link_bounds {
 
@@ -91,5 +93,29 @@ struct TimeSpan {
   std::int64_t begin, end;  // ns
 };
 std::optional<TimeSpan> timeSpan(const CloudPoints& points);
+
+/// The points that a laser scan stands for. A point per range: where it was measured, and when.
+/// Ranges outside range_min to range_max give points that are not finite.
+class LaserPoints {
+ public:
+  explicit LaserPoints(const sensor_msgs::LaserScan& scan);
+  LaserPoints(const LaserPoints&) = delete;
+  LaserPoints& operator=(const LaserPoints&) = delete;
+
+  const CloudPoints& points() const { return points_; }
+
+  /// Why the scan cannot be read, and the remedy; "" if it can.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  struct Point {
+    double x, y, z;
+    double seconds;  ///< after the stamp
+  };
+
+  std::vector<Point> memory_;
+  CloudPoints points_;
+  std::string problem_;
+};
 
 }  // namespace link_bounds

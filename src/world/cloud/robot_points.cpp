@@ -5,13 +5,84 @@
 #include "world/cloud/robot_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "robot/threads/row_threads.h"
-#include "world/cloud/link_cells.h"
 
 namespace link_bounds {
 namespace {
+
+/// Which links can be where, from the sensor: a coarse grid over the box around all links. Made for
+/// each scan. A point in the box of a link finds that link.
+class LinkCells {
+ public:
+  struct Links {
+    const std::uint32_t* first;
+    const std::uint32_t* last;  ///< behind them
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+  };
+
+  explicit LinkCells(const ScanPoses& poses);
+
+  /// Of a point in poses.box, which must not be empty.
+  Links at(const Eigen::Vector3d& point) const {
+    const std::size_t cell =
+        indexOf(placeOf(0, point[0]), placeOf(1, point[1]), placeOf(2, point[2]));
+    return {links_.data() + starts_[cell], links_.data() + starts_[cell + 1]};
+  }
+
+ private:
+  /// Along each axis: a cell then has few of the 50 links of a PR2.
+  static constexpr std::size_t kCells = 16;
+
+  /// Larger coordinates have no smaller place, also rounded.
+  std::size_t placeOf(int axis, double coordinate) const {
+    const double place = (coordinate - origin_[axis]) * per_cell_[axis];
+    return place >= kCells - 1 ? kCells - 1 : place > 0 ? static_cast<std::size_t>(place) : 0;
+  }
+  static std::size_t indexOf(std::size_t x, std::size_t y, std::size_t z) {
+    return (z * kCells + y) * kCells + x;
+  }
+  template <class Visit>
+  void forEachCell(const Aabb& box, const Visit& visit) const;
+
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d per_cell_ = Eigen::Vector3d::Zero();
+  std::array<std::uint32_t, kCells * kCells * kCells + 1> starts_{};  ///< in links_, by cell
+  std::vector<std::uint32_t> links_;
+};
+
+LinkCells::LinkCells(const ScanPoses& poses) {
+  if (poses.box.isEmpty()) return;
+  origin_ = poses.box.min();
+  for (int k = 0; k < 3; ++k) {
+    const double size = poses.box.sizes()[k];
+    per_cell_[k] = size > 0 ? kCells / size : 0;
+  }
+  for (const LinkMotion& link : poses.links)
+    forEachCell(link.box, [&](std::size_t cell) { ++starts_[cell + 1]; });
+  for (std::size_t i = 1; i < starts_.size(); ++i)
+    starts_[i] += starts_[i - 1];
+  links_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::uint32_t i = 0; i < poses.links.size(); ++i)
+    forEachCell(poses.links[i].box, [&](std::size_t cell) { links_[next[cell]++] = i; });
+}
+
+template <class Visit>
+void LinkCells::forEachCell(const Aabb& box, const Visit& visit) const {
+  if (box.isEmpty()) return;
+  for (std::size_t z = placeOf(2, box.min()[2]); z <= placeOf(2, box.max()[2]); ++z) {
+    for (std::size_t y = placeOf(1, box.min()[1]); y <= placeOf(1, box.max()[1]); ++y) {
+      for (std::size_t x = placeOf(0, box.min()[0]); x <= placeOf(0, box.max()[0]); ++x)
+        visit(indexOf(x, y, z));
+    }
+  }
+}
 
 /// Whether the straight way from `from` to `to` meets the box, which must not be empty.
 bool meets(const Aabb& box, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/stopping/seconds.h"
 #include "world/tf/frame_paths.h"
 
 namespace link_bounds {

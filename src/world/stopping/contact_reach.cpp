@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/stopping/seconds.h"
+#include "world/stopping/edge_samples.h"
 
 namespace link_bounds {
 namespace {

@@ -12,6 +12,9 @@
 
 namespace link_bounds {
 
+constexpr double kSecond = 1e9;          // ns
+constexpr double kStampRounding = 1e-9;  // s, of the difference of two stamps
+
 /// A pose at a time [ns].
 struct TimedPose {
   std::int64_t stamp;

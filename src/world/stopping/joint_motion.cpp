@@ -8,8 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "world/stopping/seconds.h"
-
 namespace link_bounds {
 namespace {
 

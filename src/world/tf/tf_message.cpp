@@ -5,6 +5,8 @@
 #include "world/tf/tf_message.h"
 
 #include <boost/make_shared.hpp>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace link_bounds {
@@ -25,6 +27,22 @@ std::string_view readName(IStream& stream) {
   return stripped({reinterpret_cast<const char*>(stream.advance(size)), size});
 }
 
+/// QUATERNION_NORMALIZATION_TOLERANCE of tf2, for the squared length.
+constexpr double kNormTolerance = 0.01;
+
+/// tf2 adds its ten seconds of history to a stamp and throws if the seconds exceed 32 bits.
+constexpr std::uint32_t kLastSecond = UINT32_MAX - 11;
+constexpr std::uint32_t kLastNanosecond = 999999999;
+
+/// A sum of squares is NaN only if one of them is.
+bool hasNan(const Tf2Pose& pose) {
+  return std::isnan(pose.rotation().length2() + pose.translation().length2());
+}
+
+bool isUnit(const tf2::Quaternion& q) {
+  return std::abs(q.length2() - 1) < kNormTolerance;
+}
+
 }  // namespace
 
 TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
@@ -34,6 +52,22 @@ TransformView::TransformView(const geometry_msgs::TransformStamped& transform)
   const auto& q = transform.transform.rotation;
   const auto& t = transform.transform.translation;
   parent_from_child.numbers = {t.x, t.y, t.z, q.x, q.y, q.z, q.w};
+}
+
+/// The checks of tf2's setTransform, without its line of output per refused transform.
+const char* whyRefused(const TransformView& transform) {
+  if (transform.child.empty()) return "child_frame_id is empty; name the frame";
+  if (transform.parent.empty()) return "header.frame_id is empty; name the parent frame";
+  if (hasNan(transform.parent_from_child))
+    return "it has a NaN (not a number); correct the publisher";
+  if (!isUnit(transform.parent_from_child.rotation())) {
+    return "the length of its quaternion is not 1; normalise it";
+  }
+  const ros::Time stamp = transform.stamp;
+  if (stamp.sec > kLastSecond || stamp.nsec > kLastNanosecond) {
+    return "its stamp is no time that tf can handle; correct the publisher's clock";
+  }
+  return nullptr;
 }
 
 void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {

@@ -33,6 +33,10 @@ struct TransformView {
   Tf2Pose parent_from_child;
 };
 
+/// Why the transform can never be used, by the rules of tf2's setTransform, with the remedy; null
+/// if it can. Does not check whether a frame is its own parent.
+const char* whyRefused(const TransformView& transform);
+
 struct TfMessage {
   TfMessage() = default;
   TfMessage(const TfMessage&) = delete;

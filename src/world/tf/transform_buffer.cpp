@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "world/tf/transform_refusal.h"
 
 namespace link_bounds {
 namespace {

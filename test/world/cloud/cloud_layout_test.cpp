@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "testing/brute_force.h"
-#include "world/cloud/laser_points.h"
 #include "world/cloud/without_points.h"
 
 namespace link_bounds {
