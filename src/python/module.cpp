@@ -7,7 +7,6 @@
 #include "python/proof_calls.h"
 #include "python/text.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/pairs/pair_words.h"
 
 namespace py = pybind11;
 

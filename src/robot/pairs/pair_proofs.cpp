@@ -12,6 +12,9 @@
 namespace link_bounds {
 namespace {
 
+constexpr const char* kVerdicts[kVerdictCount] = {
+    "NEVER", "ALWAYS", "TOUCHING", "CONTACT_SAMPLED", "SOMETIMES", "UNDECIDED", "ADJACENT"};
+
 /// Which links are joined so closely that MoveIt never checks them for collisions. Refers to the
 /// robot. Links by their index in BoundedRobot::links.
 ///
@@ -154,6 +157,10 @@ class Prover {
 };
 
 }  // namespace
+
+const char* toText(Verdict verdict) {
+  return kVerdicts[static_cast<std::size_t>(verdict)];
+}
 
 std::vector<PairProof> provePairs(const Robot& robot, const BoundedRobot& bounded,
                                   const std::vector<JointRange>& ranges, const PairGoal& goal,

@@ -24,6 +24,11 @@ enum class Verdict {
   kAdjacent  ///< a joint is between the links; not examined
 };
 
+constexpr std::size_t kVerdictCount = 7;
+
+/// As in all formats: NEVER, ALWAYS and so on.
+const char* toText(Verdict verdict);
+
 /// Pairs of links that are not rigidly joined are listed, and examined but for those of adjacent
 /// links.
 struct PairChoice {

@@ -15,11 +15,7 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/pairs/pairs_report.h"
-#include "tools/urdf_bounds/path/path_report.h"
-#include "tools/urdf_bounds/poses/report.h"
-#include "tools/urdf_bounds/poses/rows_report.h"
-#include "tools/urdf_bounds/reach/reach_report.h"
+#include "tools/urdf_bounds/reports.h"
 #include "tools/urdf_bounds/request/input.h"
 #include "tools/urdf_bounds/request/objects.h"
 

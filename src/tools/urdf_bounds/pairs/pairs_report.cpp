@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Proofs first, then the comparison with the SRDF and the file of --certificate, which doc/tools.md
-// describes.
-#include "tools/urdf_bounds/pairs/pairs_report.h"
-
+// Which links can collide: proofs first, then the comparison with the SRDF, and the file of
+// --certificate, which doc/tools.md describes.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -16,8 +14,8 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
-#include "tools/urdf_bounds/pairs/pair_words.h"
 #include "tools/urdf_bounds/pairs/pairs_table.h"
+#include "tools/urdf_bounds/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 #include "tools/urdf_bounds/request/input.h"
 

@@ -7,11 +7,18 @@
 #include <set>
 
 #include "tools/formats/safe_text.h"
-#include "tools/urdf_bounds/pairs/pair_words.h"
 #include "tools/urdf_bounds/pairs/pairs_table.h"
 
 namespace link_bounds {
 namespace {
+
+constexpr const char* kReasons[kVerdictCount] = {"Never", "Always", "Always",  nullptr,
+                                                 nullptr, nullptr,  "Adjacent"};
+
+/// MoveIt's word for a pair that needs no check; null for others.
+const char* reasonFor(Verdict verdict) {
+  return kReasons[static_cast<std::size_t>(verdict)];
+}
 
 std::string metres(double value) {
   return shortNumber(value) + " m";

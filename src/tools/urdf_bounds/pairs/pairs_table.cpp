@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "tools/formats/safe_text.h"
-#include "tools/urdf_bounds/pairs/pair_words.h"
 
 namespace link_bounds {
 namespace {
@@ -67,6 +66,14 @@ void writeSummary(const PairsTable& table, std::ostream& out) {
 }
 
 }  // namespace
+
+std::string namesOf(const PairProof& proof, const std::vector<std::string>& links) {
+  return printable(links[proof.first]) + " and " + printable(links[proof.second]);
+}
+
+std::string inAllPoses(const PairProof& proof) {
+  return "all " + std::to_string(proof.poses) + " poses that were tried";
+}
 
 std::map<std::string, std::size_t> reasonsOf(const PairsTable& table) {
   std::map<std::string, std::size_t> reasons;

@@ -23,6 +23,12 @@ struct PairsTable {
   Reasons incomplete;
 };
 
+/// "a and b", printable.
+std::string namesOf(const PairProof& proof, const std::vector<std::string>& links);
+
+/// "all 300 poses that were tried".
+std::string inAllPoses(const PairProof& proof);
+
 /// Why nothing is known about pairs, and about how many.
 std::map<std::string, std::size_t> reasonsOf(const PairsTable& table);
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From rows to way points, and from proofs to text: a table to read, CSV or JSON.
-#include "tools/urdf_bounds/path/path_report.h"
-
+// Whether a robot collides on its way along the rows of a table: from rows to way points, and from
+// proofs to text, as a table to read, CSV or JSON.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,6 +22,7 @@
 #include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
 #include "tools/urdf_bounds/path/path_limits.h"
+#include "tools/urdf_bounds/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 #include "tools/urdf_bounds/request/input.h"
 

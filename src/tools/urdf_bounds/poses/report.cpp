@@ -3,8 +3,6 @@
 // The volumes of a robot as text: a table to read, CSV or JSON; the kinds differ in their words
 // only. Boxes are computed in the frame of the report; other volumes in that of their link, then
 // placed.
-#include "tools/urdf_bounds/poses/report.h"
-
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -19,6 +17,7 @@
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
 #include "tools/formats/table_text.h"
+#include "tools/urdf_bounds/reports.h"
 
 namespace link_bounds {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks of rows are shared among threads; each thread sums up what it saw, and all of them
-// together make the summary, which does not depend on who saw what.
-#include "tools/urdf_bounds/poses/rows_report.h"
-
+// The boxes and distances of many rows of joint values. Blocks of rows are shared among threads;
+// each thread sums up what it saw, and all of them together make the summary, which does not depend
+// on who saw what.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -17,6 +16,7 @@
 #include "tools/command_line/terminal.h"
 #include "tools/urdf_bounds/poses/distance_table.h"
 #include "tools/urdf_bounds/poses/rows_table.h"
+#include "tools/urdf_bounds/reports.h"
 
 namespace link_bounds {
 namespace {

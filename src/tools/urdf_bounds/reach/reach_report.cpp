@@ -3,8 +3,6 @@
 // The boxes that links never leave as a table to read, CSV, JSON or markers, with the same numbers
 // in the same order. The search ends when all gaps are as small as --accuracy, --budget is used up,
 // or at Ctrl-C.
-#include "tools/urdf_bounds/reach/reach_report.h"
-
 #include <algorithm>
 #include <iostream>
 #include <ostream>
@@ -20,6 +18,7 @@
 #include "tools/formats/safe_text.h"
 #include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/reach/reach_certificate.h"
+#include "tools/urdf_bounds/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 
 namespace link_bounds {
