@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "tools/bag_bounds/lines/each_bag.h"
-#include "tools/bag_bounds/lines/merged_report.h"
 #include "tools/bag_bounds/run/bag_run.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/terminal.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The name comes first, so that a line that was cut says what it was about. JSON on one line is YAML
-// as well: so it is read.
+// The name comes first, so that a line that was cut says what it was about. JSON on one line is
+// YAML as well: so it is read.
 #include "tools/bag_bounds/lines/bag_line.h"
 
 #include <yaml-cpp/yaml.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tools/bag_bounds/run/bag_report_json.h"
+#include "tools/bag_bounds/run/bag_report.h"
 #include "tools/bag_bounds/run/fingerprint.h"
 #include "tools/command_line/options.h"
 #include "tools/formats/safe_text.h"

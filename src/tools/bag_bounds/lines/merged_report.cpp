@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bags by name, then what is worst of all.
-#include "tools/bag_bounds/lines/merged_report.h"
-
+// The report of --merge: bags by name, then what is worst of all.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "tools/bag_bounds/lines/bag_line.h"
+#include "tools/bag_bounds/lines/each_bag.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 
-#include "tools/bag_bounds/run/bag_report_json.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/formats/table_text.h"
 

@@ -43,4 +43,10 @@ Reasons incompleteOf(const BagReport& report);
 
 void write(const BagReport& report, Format format, std::ostream& out);
 
+void writeJson(const BagReport& report, std::ostream& out);
+
+/// The members of an object, on one line: the least covered link, the nearest pair, entries of
+/// zones, what is incomplete.
+std::string summaryJson(const BagReport& report);
+
 }  // namespace link_bounds

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One element of a list per line.
-#include "tools/bag_bounds/run/bag_report_json.h"
-
+// A report as JSON, of which doc/tools.md has the keys: one element of a list per line.
 #include <algorithm>
 #include <array>
 #include <sstream>
 #include <utility>
 
+#include "tools/bag_bounds/run/bag_report.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/formats/table_text.h"
 #include "world/moment/distance_message.h"
