@@ -31,9 +31,10 @@ struct PointQuery {
   bool with_shadow = false;
 };
 
-/// In the order of the cloud: all points that are at most padding + LinkMotion::error from a link,
-/// or inside it, at their own time. None that is farther from all links. Points that are not finite
-/// are never among them. The work is divided among `threads`.
+/// In the order of the cloud: all points that are at most the padding from a link, or inside it, at
+/// their own time. None that is farther than the padding and twice LinkMotion::error, which is less
+/// than 1 mm, from all links. Points that are not finite are never among them. The work is divided
+/// among `threads`.
 std::vector<RobotPoint> robotPoints(const PointQuery& query, std::size_t threads = 1);
 
 }  // namespace link_bounds

@@ -17,6 +17,10 @@ constexpr std::int64_t kMaxSpan = 5000000000;  // ns
 /// A pose of 50 links takes some 20 us.
 constexpr std::size_t kMaxMoments = 1000;
 
+/// Between moments, in nanoseconds: rounded up to whole ones, a step is then longer by a twentieth
+/// at most, which the tenth left free by partsFor() covers.
+constexpr double kMinStep = 20;
+
 /// What rounding adds to a box, relative to its largest coordinate, and a floor [m].
 constexpr double kRounding = 1e-12;
 constexpr double kFloor = 1e-9;
@@ -150,9 +154,10 @@ class Scan {
   bool follow(std::int64_t begin, std::int64_t end, std::size_t left) {
     const std::int64_t duration = end - begin;
     double parts = partsBetween(begin, end);
-    // No point has a time between two nanoseconds.
-    if (std::isfinite(parts) || duration == 1)
-      parts = std::min(parts, static_cast<double>(duration));
+    // No point has a time between two nanoseconds. Parts of a few would differ too much in length.
+    const auto nanoseconds = static_cast<double>(duration);
+    if (duration == 1 || (std::isfinite(parts) && kMinStep * parts > nanoseconds && parts > 1))
+      parts = nanoseconds;
     if (!(parts + static_cast<double>(result_.moments.size() + left) <= kMaxMoments)) {
       result_.problem =
           "the robot or the sensor moves so fast that a thousand poses are too few; look at tf";

@@ -4,7 +4,9 @@
 //
 // tf2's poses are computed at some moments. Between two of them a point of the sensor's frame goes,
 // in the frame of a link, nearly the straight way. deviation_bound.h proves how far it leaves it,
-// and there are as many moments as keep that below a millimetre.
+// and there are as many moments as keep that below half a millimetre. It counts twice: of a point,
+// and of the padding, which grows by it. So no point that is farther than a millimetre from the
+// padded link is taken for a point of it.
 #pragma once
 
 #include <string>
@@ -17,7 +19,7 @@
 namespace link_bounds {
 
 /// The largest error of a point in the frame of a link, from the motion during a scan [m].
-constexpr double kMaxMotionError = 1e-3;
+constexpr double kMaxMotionError = 5e-4;
 
 /// A link and the box that its points can be in, in its own frame.
 struct ScannedLink {

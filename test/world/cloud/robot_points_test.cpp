@@ -23,6 +23,9 @@ using distance_oracle::Long;
 constexpr double kPadding = 0.01;
 constexpr double kBegin = 1000;  // s
 
+/// A point that is farther than padding and this from all links is never removed [m].
+constexpr double kPromised = 1e-3;
+
 struct TestPoint {
   Eigen::Vector3d place;  ///< in the sensor's frame
   std::uint32_t time;     ///< after kBegin [ns]
@@ -159,6 +162,7 @@ Result compare(Scanned& scanned, const std::vector<TestPoint>& points, std::size
   for (const LinkMotion& link : poses.links)
     result.error = std::max(result.error, link.error);
   EXPECT_LE(result.error, kMaxMotionError);
+  EXPECT_LE(2 * result.error, kPromised);  // one of the point, and one that the padding grows by
   std::vector<bool> is_robot(points.size(), false);
   for (const RobotPoint& found : robotPoints({layout.points, scanned.grids, poses}, threads))
     is_robot[found.point] = true;
@@ -228,6 +232,35 @@ TEST(RobotPoints, AreThoseOfTheMovingRobotAtEachPointsOwnTime) {
     EXPECT_GT(result.scene, 500u);
     EXPECT_GT(result.error, 0);
   }
+}
+
+/// Interpolated, a point outside the box goes the chord of its way, which is nearer to the box.
+TEST(RobotPoints, OutsideTheArcOfALinkAreKept) {
+  Scanned scanned;
+  const auto turned = [&](double stamp, double angle) {
+    const Eigen::Quaterniond rotation(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+    scanned.tf.add({edge("world", "sensor", stamp, Eigen::Quaterniond::Identity(), {0, 0, 0}),
+                    edge("world", "one", stamp, rotation, {0, 0, 0})},
+                   false, ros::Time(kBegin + 1));
+  };
+  turned(kBegin, -0.04);
+  turned(kBegin + 0.05, 0.04);
+  MeshBody body;
+  body.add(boxMesh({0.02, 0.02, 0.02}), Eigen::Affine3d(Eigen::Translation3d(1, 0, 0)));
+  scanned.add("one", body.body, body.placed(Eigen::Affine3d::Identity()));
+  std::vector<TestPoint> points{{{5, 0, 0}, 0}, {{5, 0, 0}, 50000000}};
+  for (double beyond = -0.002; beyond < 0.0025; beyond += 0.0001)
+    points.push_back({{1.01 + kPadding + beyond, 0, 0}, 25000000});
+  const sensor_msgs::PointCloud2 cloud = cloudOf(points);
+  const CloudLayout layout = layoutOf(cloud);
+  const ScanPoses poses = scanned.poses(*timeSpan(layout.points));
+  ASSERT_EQ(poses.problem, "");
+  std::size_t removed = 0;
+  for (const RobotPoint& found : robotPoints({layout.points, scanned.grids, poses})) {
+    EXPECT_LE(trueDistance(scanned, points[found.point]).lower, kPadding + kPromised);
+    ++removed;
+  }
+  EXPECT_GE(removed, 20u);  // up to the padding
 }
 
 TEST(RobotPoints, OfARobotAtRestHaveNoError) {
