@@ -45,6 +45,38 @@ std::vector<std::uint32_t> weldedVertices(const TriangleTree& tree) {
   return result;
 }
 
+using Corners = std::array<std::uint32_t, 3>;
+
+/// The vertices of each triangle by their new numbers, ascending.
+std::vector<Corners> weldedTriangles(const TriangleTree& tree) {
+  const std::vector<std::uint32_t> welded = weldedVertices(tree);
+  std::vector<Corners> result;
+  result.reserve(tree.triangles.size());
+  for (const auto& [a, b, c] : tree.triangles) {
+    result.push_back({welded[a], welded[b], welded[c]});
+    std::sort(result.back().begin(), result.back().end());
+  }
+  return result;
+}
+
+/// How often each triangle is there: at the first one of equal ones, 0 at the others. 0 also for
+/// one that is a line or a point, which no ray crosses.
+std::vector<std::uint32_t> copiesOf(const std::vector<Corners>& triangles) {
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return std::tie(triangles[a], a) < std::tie(triangles[b], b); });
+  std::vector<std::uint32_t> result(triangles.size(), 0);
+  std::uint32_t first = 0;
+  for (const std::uint32_t i : order) {
+    const auto& [a, b, c] = triangles[i];
+    if (a == b || b == c) continue;
+    if (triangles[first] != triangles[i] || result[first] == 0) first = i;
+    ++result[first];
+  }
+  return result;
+}
+
 /// An edge of a triangle, with the smaller vertex first.
 struct Edge {
   std::uint32_t first, second, triangle;
@@ -53,16 +85,15 @@ struct Edge {
   }
 };
 
-std::vector<Edge> sortedEdges(const TriangleTree& tree) {
-  const std::vector<std::uint32_t> welded = weldedVertices(tree);
+/// Of triangles that have copies.
+std::vector<Edge> sortedEdges(const std::vector<Corners>& triangles,
+                              const std::vector<std::uint32_t>& copies) {
   std::vector<Edge> edges;
-  edges.reserve(3 * tree.triangles.size());
-  for (std::uint32_t i = 0; i < tree.triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] =
-          std::minmax({welded[tree.triangles[i][k]], welded[tree.triangles[i][(k + 1) % 3]]});
-      if (a != b) edges.push_back({a, b, i});
-    }
+  edges.reserve(3 * triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (copies[i] == 0) continue;
+    const auto& [a, b, c] = triangles[i];
+    edges.insert(edges.end(), {{a, b, i}, {b, c, i}, {a, c, i}});
   }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -109,23 +140,32 @@ bool mayHit(const TreeNode& node, const Eigen::Vector3d& from, const Eigen::Vect
 
 }  // namespace
 
-MeshInside::MeshInside(const TriangleTree& tree) : tree_(tree) {
-  const std::vector<Edge> edges = sortedEdges(tree);
-  Parts parts(tree.triangles.size());
+MeshInside::MeshInside(const TriangleTree& tree)
+    : tree_(tree), parts_(tree.triangles.size(), kOpen) {
+  const std::vector<Corners> triangles = weldedTriangles(tree);
+  const std::vector<std::uint32_t> copies = copiesOf(triangles);
+  const std::vector<Edge> edges = sortedEdges(triangles, copies);
+  Parts parts(triangles.size());
   for (std::size_t i = 1; i < edges.size(); ++i) {
     if (!(edges[i - 1] < edges[i])) parts.join(edges[i - 1].triangle, edges[i].triangle);
   }
-  std::vector<bool> is_open(tree.triangles.size(), false);
+  const auto is_odd = [&](std::uint32_t triangle) { return copies[triangle] % 2 != 0; };
+  std::vector<bool> has_odd(triangles.size(), false), is_odd_open = has_odd, is_open = has_odd;
   for (auto edge = edges.begin(); edge != edges.end();) {
     const auto end = std::upper_bound(edge, edges.end(), *edge);
-    if ((end - edge) % 2 != 0) is_open[parts.find(edge->triangle)] = true;
+    const auto odd = std::count_if(edge, end, [&](const Edge& e) { return is_odd(e.triangle); });
+    const std::uint32_t part = parts.find(edge->triangle);
+    has_odd[part] = has_odd[part] || odd > 0;
+    is_odd_open[part] = is_odd_open[part] || odd % 2 != 0;
+    is_open[part] = is_open[part] || (end - edge) % 2 != 0;
     edge = end;
   }
-  parts_.resize(tree.triangles.size());
   for (std::uint32_t i = 0; i < parts_.size(); ++i) {
     const std::uint32_t part = parts.find(i);
-    parts_[i] = is_open[part] ? kOpen : part;
-    if (part == i && !is_open[part]) ++closed_parts_;
+    const bool is_by_odd = has_odd[part] && !is_odd_open[part];
+    if (copies[i] == 0 || !(is_by_odd ? is_odd(i) : !is_open[part])) continue;
+    parts_[i] = part;
+    has_inside_ = true;
   }
 }
 

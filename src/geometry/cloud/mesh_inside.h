@@ -6,6 +6,10 @@
 // closed if an even number of its triangles meets at each edge. Then any ray from a point that
 // passes through no edge crosses the part an even or an odd number of times, whatever its
 // direction: odd is inside. A part that is not closed has no inside.
+//
+// A triangle may be there twice: as the wall between two boxes, of which no ray needs to know, or
+// because an exporter wrote each face for both of its sides. So triangles of which there is an even
+// number are left out; if nothing closed is left then, each counts once.
 #pragma once
 
 #include <optional>
@@ -20,7 +24,7 @@ class MeshInside {
   /// The tree must live as long, and no solid may sweep its triangles.
   explicit MeshInside(const TriangleTree& tree);
 
-  bool hasInside() const { return closed_parts_ > 0; }
+  bool hasInside() const { return has_inside_; }
 
   /// True if the point is inside a closed part: so a cavity that a closed shell surrounds is
   /// inside. A ray that passes too close to an edge to be sure is replaced by another one; nothing
@@ -44,8 +48,8 @@ class MeshInside {
                  const Eigen::Vector3d& direction) const;
 
   const TriangleTree& tree_;
-  std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: its part is not closed
-  std::size_t closed_parts_ = 0;
+  std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: of no closed part, or left out
+  bool has_inside_ = false;
 };
 
 }  // namespace link_bounds

@@ -170,6 +170,57 @@ TEST(BodyGrid, ClosedPartsOfOneMeshCountOneByOne) {
   EXPECT_FALSE(grid.isBody({0.15, 0.08, 0}));
 }
 
+/// Each triangle again, with vertices of its own and turned round, as some exporters do.
+TriangleMesh doubled(TriangleMesh mesh, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const std::array<std::uint32_t, 3> corners = mesh.triangles[i];
+    for (const std::uint32_t corner : corners)
+      mesh.vertices.push_back(Eigen::Vector3f(mesh.vertices[corner]));
+    mesh.triangles.push_back({first + 2, first + 1, first});
+  }
+  return mesh;
+}
+
+TEST(BodyGrid, AClosedMeshWhoseFacesAreDoubledHasAnInside) {
+  const TriangleMesh mesh = torus(0.2, 0.06, 24, 12);
+  for (const std::size_t count : {mesh.triangles.size(), mesh.triangles.size() / 2}) {
+    const BodyGrid grid(BodySurface(bodyOf(doubled(mesh, count)).body), {0.01, 0, kMaxBytes});
+    EXPECT_TRUE(grid.isBody({0.2, 0, 0})) << count;
+    EXPECT_TRUE(grid.isBody({-0.01, -0.2, 0})) << count;
+    EXPECT_FALSE(grid.isBody({0, 0, 0})) << count;
+  }
+  TriangleMesh open = mesh;
+  open.triangles.pop_back();
+  open = doubled(open, open.triangles.size());
+  EXPECT_FALSE(BodyGrid(BodySurface(bodyOf(open).body), {0.01, 0, kMaxBytes}).isBody({0.2, 0, 0}));
+}
+
+TEST(BodyGrid, BoxesThatShareAWallAreBothFilled) {
+  TriangleMesh mesh = boxMesh({0.2, 0.2, 0.2});
+  const TriangleMesh other = mesh;
+  for (const Eigen::Vector3f& vertex : other.vertices)
+    mesh.vertices.push_back(vertex + Eigen::Vector3f(0.2f, 0, 0));
+  for (const auto& [a, b, c] : other.triangles)
+    mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  for (std::size_t i = 0; i < 8; ++i) {  // the vertices of the wall have the same coordinates
+    if (mesh.vertices[i + 8].x() < 0.15f) mesh.vertices[i + 8].x() = 0.1f;
+  }
+  const BodyGrid grid(BodySurface(bodyOf(mesh).body), {0.005, 0, kMaxBytes});
+  EXPECT_TRUE(grid.isBody({0.01, 0.02, 0.03}));
+  EXPECT_TRUE(grid.isBody({0.21, 0.02, 0.03}));
+  EXPECT_FALSE(grid.isBody({0.32, 0.02, 0.03}));
+}
+
+TEST(BodyGrid, ATriangleThatIsALineLeavesNoDoubtWhatIsInside) {
+  TriangleMesh box = boxMesh({0.2, 0.2, 0.2});
+  box.triangles.push_back({0, 0, 7});  // the diagonal
+  EXPECT_EQ(BodySurface(bodyOf(box).body).contains({0, 0, 0}), true);
+  TriangleMesh ring = torus(0.2, 0.06, 24, 12);
+  ring.triangles.push_back({0, 12 * 12, 0});  // through the hole
+  EXPECT_EQ(BodySurface(bodyOf(ring).body).contains({0, 0, 0}), false);
+}
+
 TEST(BodyGrid, KeepsWhatLiesInTheHoleOfATorus) {
   const BodyGrid grid(BodySurface(bodyOf(torus(0.1, 0.03, 48, 24)).body),
                       {0.01, kSlack, kMaxBytes});
