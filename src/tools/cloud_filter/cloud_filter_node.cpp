@@ -207,13 +207,16 @@ std::size_t CloudFilterNode::Waiting::bytes() const {
   return cloud ? cloud->data.size() : scan->ranges.size() * sizeof(float);
 }
 
+/// While the first one waits for tf, all do.
 void CloudFilterNode::add(Waiting waiting) {
   std::size_t bytes = waiting.bytes();
   for (const Waiting& other : waiting_)
     bytes += other.bytes();
   while (!waiting_.empty() &&
          (waiting_.size() >= FilterHealth::kMaxWaiting || bytes > kMaxWaitingBytes)) {
-    giveUp(waiting_.front(), "more clouds came than could be filtered", false);
+    const bool is_late = !waits_for_.empty();
+    giveUp(waiting_.front(), is_late ? waits_for_ : "more clouds came than could be filtered",
+           is_late);
     bytes -= waiting_.front().bytes();
     waiting_.pop_front();
   }
@@ -233,6 +236,7 @@ bool CloudFilterNode::filterFirst() {
   } catch (const std::exception& error) {  // it would wait for ever, and all others behind it
     outcome.reason = error.what();
   }
+  waits_for_ = outcome.may_come ? outcome.reason : "";
   if (!outcome.is_done) {
     const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
     if (outcome.may_come && waited < max_wait) return false;

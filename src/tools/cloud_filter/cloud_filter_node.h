@@ -94,6 +94,7 @@ class CloudFilterNode {
   TransformInput tf_input_;
   ClockWatch clock_;
   std::deque<Waiting> waiting_;
+  std::string waits_for_;  ///< what of tf the first of them lacked, or the last one that was first
   std::size_t clouds_taken_ = 0, scans_taken_ = 0;  ///< by takeAll()
   std::shared_ptr<const FilteredRobot> robot_;      ///< null until it is loaded
   // Links, then held objects:

@@ -68,6 +68,7 @@ class CloudFilter(unittest.TestCase):
         cls.removed = Recorder("/cloud_filter/robot_points", PointCloud2)
         cls.nearest = Recorder("/cloud_filter/nearest", DistanceArray)
         cls.prefixed = Recorder("/prefixed_filter/output", PointCloud2)
+        cls.late = Recorder("/late_filter/output", PointCloud2)
         cls.objects = rospy.Publisher("/cloud_filter/objects", MarkerArray, queue_size=100)
         cls.scans = Recorder("/cloud_filter/output_scan", LaserScan)
         cls.status = Recorder("/diagnostics", DiagnosticArray)
@@ -76,14 +77,14 @@ class CloudFilter(unittest.TestCase):
         cls.tf, cls.tf_static = TfSender(), TfSender(is_static=True)
         cls.wait_status("/cloud_filter", lambda status: status.level == 2)  # no robot yet
         rospy.set_param("/robot_description", HAND)
-        for name in ("/cloud_filter", "/compact_filter", "/prefixed_filter"):
+        for name in ("/cloud_filter", "/compact_filter", "/prefixed_filter", "/late_filter"):
             cls.wait_status(name, lambda status: status.level == 1 and
                             status.message.startswith("no cloud or scan has been filtered"))
         cls.wait_status("/blind_filter", lambda status: status.level == 2 and
                         status.message.startswith("no link of the robot is filtered"))
         cls.tf.wait_for_listener()
         cls.tf_static.wait_for_listener()
-        wait_for(lambda: cls.clouds.get_num_connections() >= 3, "the filters listen")
+        wait_for(lambda: cls.clouds.get_num_connections() >= 4, "the filters listen")
         wait_for(lambda: cls.objects.get_num_connections() >= 1, "the filter listens to objects")
         wait_for(lambda: cls.scan.get_num_connections() >= 1, "the filter listens to scans")
         cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE),
@@ -100,7 +101,7 @@ class CloudFilter(unittest.TestCase):
 
     def setUp(self):
         for recorder in (self.output, self.compact, self.removed, self.scans, self.nearest,
-                         self.prefixed, self.status):
+                         self.prefixed, self.late, self.status):
             recorder.clear()
         self.stamp = self.next_stamp()
 
@@ -163,17 +164,24 @@ class CloudFilter(unittest.TestCase):
         self.wait_refused("does not cover the span")
         self.assertEqual(self.output.messages, [])
 
-    def test_more_clouds_than_can_wait_are_told(self):
+    def test_more_clouds_than_can_wait_for_tf_are_late(self):
         self.send_tf(-0.1, 0)
-        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 41)]
-        for stamp in stamps:
+        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 42)]
+        self.clouds.publish(cloud(stamps[0], [(LEFT, 0)]))
+        for name in ("/cloud_filter", "/late_filter"):
+            self.wait_status(name, lambda status: any(
+                (value.key, value.value) == ("waiting", "1") for value in status.values), False)
+        for stamp in stamps[1:]:
             self.clouds.publish(cloud(stamp, [(LEFT, 0)]))
-        wait_for(lambda: self.refused("more clouds came than could be filtered") == 8,
-                 "those that cannot wait are counted")
+        wait_for(lambda: self.refused("does not cover the span") == 9,
+                 "those that cannot wait are counted, and why")
+        self.late.wait(lambda m: m.header.stamp == stamps[8], "the last late one is passed")
+        self.assertEqual([m.header.stamp for m in self.late.messages], stamps[:9])
         self.send_tf(0, 0.1)
         self.output.wait(lambda m: m.header.stamp == stamps[-1], "the last cloud")
         # The newest ones are left, in their order.
         self.assertEqual([m.header.stamp for m in self.output.messages], stamps[-32:])
+        self.assertEqual(self.refused("more clouds came"), 0)
 
     def test_the_nearest_point_of_what_remains(self):
         self.send_tf(-0.1, 0.1)
