@@ -61,8 +61,8 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
         guarded([&] {
           const auto cloud = event.getMessage();
           ++clouds_taken_;
-          if (incomplete_messages_.accept(*cloud, kCloudTopic.name, event.getPublisherName()))
-            add({cloud, nullptr, ros::SteadyTime::now(), {}});
+          if (isComplete(*cloud, kCloudTopic.name, event.getPublisherName()))
+            add({cloud, nullptr, ros::SteadyTime::now()});
         });
       },
       {}, no_delay);
@@ -72,8 +72,8 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
         guarded([&] {
           const auto scan = event.getMessage();
           ++scans_taken_;
-          if (incomplete_messages_.accept(*scan, kScanTopic.name, event.getPublisherName()))
-            add({nullptr, scan, ros::SteadyTime::now(), {}});
+          if (isComplete(*scan, kScanTopic.name, event.getPublisherName()))
+            add({nullptr, scan, ros::SteadyTime::now()});
         });
       },
       {}, no_delay);
@@ -201,6 +201,14 @@ void CloudFilterNode::observeClock() {
   for (const Waiting& waiting : waiting_)
     giveUp(waiting, "the clock jumped back", false);
   waiting_.clear();
+}
+
+template <class Message>
+bool CloudFilterNode::isComplete(const Message& message, const char* topic,
+                                 const std::string& sender) {
+  if (incomplete_messages_.accept(message, topic, sender)) return true;
+  health_.addUnfiltered(topic, kIncompleteMessage, false);
+  return false;
 }
 
 std::size_t CloudFilterNode::Waiting::bytes() const {

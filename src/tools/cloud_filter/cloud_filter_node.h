@@ -70,6 +70,8 @@ class CloudFilterNode {
   };
 
   void takeAll();
+  template <class Message>
+  bool isComplete(const Message& message, const char* topic, const std::string& sender);
   void add(Waiting waiting);
   bool filterFirst();
   void giveUp(const Waiting& waiting, const std::string& reason, bool is_late);

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
+import io
 import itertools
 import math
 import os
@@ -50,6 +51,26 @@ def cloud(stamp, points, frame="sensor"):
 def places_of(message):
     return [struct.unpack_from("<fff", message.data, i * message.point_step)
             for i in range(message.width * message.height)]
+
+
+def serialized(message):
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
+
+
+def as_bytes(message, data):
+    """A message of that type that is sent as these bytes."""
+    class Raw(type(message)):
+        __slots__ = ()
+
+        def serialize(self, buff):
+            buff.write(data)
+    return Raw()
+
+
+def cut_off(message):
+    return as_bytes(message, serialized(message)[:-1])
 
 
 def address_space(pid):
@@ -352,6 +373,13 @@ class CloudFilter(unittest.TestCase):
         self.scan.publish(scan)
         ranges = self.scans.wait(lambda m: m.header.stamp == self.stamp, "the scan").ranges
         self.assertEqual([math.isnan(r) for r in ranges], [True, True, False, True, False])
+
+    def test_messages_that_are_cut_off_are_counted(self):
+        scan = LaserScan(ranges=[1])
+        scan.header.stamp = self.stamp
+        self.scan.publish(cut_off(scan))
+        self.clouds.publish(cut_off(cloud(self.stamp, [(LEFT, 0)])))
+        wait_for(lambda: self.refused("shorter than it says") == 2, "both are counted")
 
     def test_a_scan_without_limits_is_refused(self):
         for low, high in ((float("nan"), 10), (0.01, float("nan")), (0, 0), (3, 2)):
