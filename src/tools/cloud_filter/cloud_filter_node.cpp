@@ -193,7 +193,10 @@ void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_stati
 void CloudFilterNode::observeClock() {
   const ros::Time now = ros::Time::now();
   const ClockWatch::Event event = clock_.observe(now);
-  if (event == ClockWatch::Event::kStarted) tf_.startClock(now);
+  if (event == ClockWatch::Event::kStarted) {
+    tf_.startClock(now);
+    held_->restart(now);
+  }
   if (event != ClockWatch::Event::kJumpedBack) return;
   tf_.clear();
   tf_input_.forgetLog();

@@ -13,6 +13,7 @@ from bounds_testing import Recorder, TfSender, box_link, robot, transform, wait_
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import PointCloud2, PointField
+from visualization_msgs.msg import Marker, MarkerArray
 
 
 def cloud(stamp, x):
@@ -59,6 +60,21 @@ class CloudClock(unittest.TestCase):
         self.status.wait(lambda message: any(condition(value.key, value.value)
                                              for status in message.status
                                              for value in status.values), what)
+
+    def test_a_beginning_of_the_clock(self):
+        """What the robot held before lives on; it goes first, because the clock begins once."""
+        marker = Marker(ns="held", id=1, type=Marker.CUBE, frame_locked=True,
+                        lifetime=rospy.Duration(20))
+        marker.header.frame_id, marker.pose.orientation.w = "hand", 1
+        marker.pose.position.x = 0.5
+        marker.scale.x = marker.scale.y = marker.scale.z = 0.1
+        objects = rospy.Publisher("/cloud_filter/objects", MarkerArray, queue_size=1)
+        wait_for(lambda: objects.get_num_connections() >= 1, "the filter listens to objects")
+        objects.publish(MarkerArray([marker]))
+        self.status.clear()
+        wait_for(lambda: len(self.status.messages) >= 3, "the grid of the object is made")
+        for seconds in (1000, 1001, 1002):
+            self.assertTrue(self.is_removed(seconds, 1, 1.5))
 
     def test_a_jump_back(self):
         self.assertTrue(self.is_removed(1000, 1, 1))
