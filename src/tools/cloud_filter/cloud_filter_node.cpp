@@ -215,12 +215,20 @@ bool CloudFilterNode::isComplete(const Message& message, const char* topic,
 }
 
 std::size_t CloudFilterNode::Waiting::bytes() const {
-  return cloud ? cloud->data.size() : scan->ranges.size() * sizeof(float);
+  std::size_t sum = header().frame_id.size();
+  if (scan) return sum + (scan->ranges.size() + scan->intensities.size()) * sizeof(float);
+  for (const sensor_msgs::PointField& field : cloud->fields)
+    sum += sizeof field + field.name.size();
+  return sum + cloud->data.size();
 }
 
 /// While the first one waits for tf, all do.
 void CloudFilterNode::add(Waiting waiting) {
   std::size_t bytes = waiting.bytes();
+  if (bytes > kMaxWaitingBytes) {
+    giveUp(waiting, "it is larger than 256 MB, which is all that may wait", false);
+    return;
+  }
   for (const Waiting& other : waiting_)
     bytes += other.bytes();
   while (!waiting_.empty() &&

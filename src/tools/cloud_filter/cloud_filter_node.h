@@ -57,7 +57,7 @@ class CloudFilterNode {
     ros::SteadyTime since;
     std::optional<TimeSpan> span = std::nullopt;  ///< of its points, once it is known
 
-    std::size_t bytes() const;
+    std::size_t bytes() const;  ///< of all that has no fixed size
     const std_msgs::Header& header() const { return cloud ? cloud->header : scan->header; }
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
   };

@@ -179,6 +179,17 @@ class CloudFilter(unittest.TestCase):
             value.key == "wait for tf, max [ms]" and float(value.value) > 50
             for value in status.values), is_new=False)
 
+    def test_a_message_larger_than_all_that_may_wait_is_told(self):
+        """By its intensities alone."""
+        self.send_tf(-0.1, 0.1)
+        scan = LaserScan(range_min=0.01, range_max=10, ranges=[1])
+        scan.header.stamp, scan.header.frame_id = self.stamp, "sensor"
+        count = 65_000_000
+        self.scan.publish(as_bytes(scan, serialized(scan)[:-4] + struct.pack("<I", count) +
+                                   bytes(4 * count)))
+        self.wait_refused("larger than 256 MB")
+        self.assertEqual(self.scans.messages, [])
+
     def test_tf_that_ends(self):
         self.send_tf(-0.1, 0)
         self.clouds.publish(cloud(self.stamp + rospy.Duration(0.05), [(LEFT, 0)]))
