@@ -327,6 +327,7 @@ void CloudFilterNode::sendNearest(const std_msgs::Header& header, const CloudPoi
   const NearestPoints found = nearestPoints({points, removed, grids_, links_, tf_, *sensor});
   if (!found.problem.empty()) {
     ROS_WARN_THROTTLE(10, "no ~nearest: %s", logText(found.problem).c_str());
+    health_.addWithoutNearest(found.problem);
     return;
   }
   nearest_.publish(nearestMessage(header, names_, found.links, incomplete_));

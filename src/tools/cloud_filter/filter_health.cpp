@@ -46,10 +46,14 @@ void FilterHealth::addFiltered(std::size_t points, std::size_t robot_points, dou
   max_waited_ms_ = std::max(max_waited_ms_, waited_ms);
 }
 
+void FilterHealth::addReason(const std::string& reason, Reasons& reasons) {
+  if (reasons.size() < kMaxReasons || reasons.count(reason) > 0) ++reasons[reason];
+}
+
 void FilterHealth::addUnfiltered(const std::string& topic, const std::string& reason,
                                  bool is_passed) {
   ++(is_passed ? passed_ : dropped_);
-  if (new_reasons_.size() < kMaxReasons || new_reasons_.count(reason)) ++new_reasons_[reason];
+  addReason(reason, new_reasons_);
   const std::string line = log_.line(
       "a message on " + topic +
           (is_passed ? " was passed on with the points of the robot: " : " was dropped: ") + reason,
@@ -77,6 +81,8 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
           "objects that the robot holds are not filtered as they are");
   if (!new_reasons_.empty())
     raise(status, DiagnosticStatus::WARN, "clouds or scans were not filtered");
+  if (!without_nearest_.empty())
+    raise(status, DiagnosticStatus::WARN, "nearest points of clouds are missing");
   if (new_full_ > 0)
     raise(status, DiagnosticStatus::WARN,
           "clouds or scans may have been lost, because filtering took too long");
@@ -105,6 +111,8 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   add(status, "passed unfiltered", std::to_string(passed_));
   for (const auto& [reason, count] : new_reasons_)
     add(status, "not filtered: " + reason, std::to_string(count));
+  for (const auto& [reason, count] : without_nearest_)
+    add(status, "no ~nearest: " + reason, std::to_string(count));
   if (robot) {
     for (const std::string& problem : robot->problems)
       add(status, "problem", problem);
@@ -116,6 +124,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   filter_ms_.clear();
   max_waited_ms_ = 0;
   new_reasons_.clear();
+  without_nearest_.clear();
   new_full_ = 0;
 }
 

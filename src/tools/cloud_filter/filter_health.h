@@ -37,9 +37,12 @@ class FilterHealth {
   /// rate.
   void addUnfiltered(const std::string& topic, const std::string& reason, bool is_passed);
 
+  /// A cloud was filtered, but there are no nearest points of it, for which somebody listens.
+  void addWithoutNearest(const std::string& reason) { addReason(reason, without_nearest_); }
+
   /// One status named "<node name>: cloud filter". ERROR: there is no robot, or none of its links
   /// is filtered. WARN: geometry or held objects are missing, or since the last status clouds were
-  /// not filtered, or none was. Else OK. `robot` may be null.
+  /// not filtered or lacked nearest points, or none was filtered. Else OK. `robot` may be null.
   /// `problems` are those of held objects; `waiting` messages wait for tf. `most_waiting` callbacks
   /// waited at once since the last status: if that are as many as fit into the queue of /tf,
   /// transforms may have been lost.
@@ -47,6 +50,10 @@ class FilterHealth {
                std::size_t waiting, std::size_t most_waiting);
 
  private:
+  using Reasons = std::map<std::string, std::size_t>;
+
+  static void addReason(const std::string& reason, Reasons& reasons);
+
   std::string name_;
   ros::Publisher publisher_;
   ros::SteadyTime last_status_ = ros::SteadyTime::now();
@@ -55,7 +62,8 @@ class FilterHealth {
   std::vector<double> filter_ms_;
   double max_waited_ms_ = 0;
   std::uint64_t new_full_ = 0;
-  std::map<std::string, std::size_t> new_reasons_;  ///< why clouds were not filtered
+  Reasons new_reasons_;      ///< why clouds were not filtered
+  Reasons without_nearest_;  ///< why filtered ones have no nearest points
   // Since the start:
   std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0, full_ = 0;
   RepeatLog log_;

@@ -264,6 +264,21 @@ class CloudFilter(unittest.TestCase):
         wait_for(is_held_again, "the held object is filtered again")
         wait_for(lambda: self.is_kept(BETWEEN), "its lifetime is over")
 
+    def test_nearest_points_that_are_missing_are_told(self):
+        """A thousand poses are enough for the links, but not for a point so far away."""
+        for i in range(-5, 10):
+            stamp = self.stamp + rospy.Duration(i / 50)
+            self.tf.send(*[transform("sensor", finger, stamp, (0, 0, 0),
+                                     (0, 0, math.sin(i / 2), math.cos(i / 2)))
+                           for finger in ("left", "right")])
+        type(self).newest = self.stamp + rospy.Duration(0.2)
+        self.clouds.publish(cloud(self.stamp, [((900, 0, 0), 0), (FAR, 90000000)]))
+        self.output.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
+        self.wait_status("/cloud_filter", lambda status: status.level == 1 and any(
+            value.key.startswith("no ~nearest: the robot or the sensor moves so fast")
+            for value in status.values), False)
+        self.assertEqual(self.nearest.messages, [])
+
     def test_reload(self):
         reload_robot = rospy.ServiceProxy("/cloud_filter/reload", Trigger)
         self.assertFalse(self.is_kept(LEFT))
