@@ -61,6 +61,10 @@ std::string problemOfSizes(const PointCloud2& cloud) {
     return numbers(cloud.data.size(), " bytes of data are less than height times row_step, ",
                    height * cloud.row_step) +
            "; correct row_step or height, or send all data";
+  if (cloud.data.size() > height * cloud.row_step)
+    return numbers(cloud.data.size(), " bytes of data are more than height times row_step, ",
+                   height * cloud.row_step) +
+           "; correct row_step or height";
   return "";
 }
 
@@ -190,6 +194,10 @@ CloudLayout layoutOf(const PointCloud2& cloud) {
   points.stamp = static_cast<std::int64_t>(cloud.header.stamp.toNSec());
   if (cloud.width == 0 || cloud.height == 0) {
     points.height = 1;
+    if (!cloud.data.empty())
+      result.problem =
+          std::to_string(cloud.data.size()) +
+          " bytes of data belong to no point, because width or height is 0; correct them";
     return result;
   }
   result.problem = problemOfSizes(cloud);

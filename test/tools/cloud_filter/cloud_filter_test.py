@@ -391,6 +391,19 @@ class CloudFilter(unittest.TestCase):
         self.clouds.publish(cloud(self.stamp, []))
         self.output.wait(lambda m: m.header.stamp == self.stamp and m.width == 0, "the empty cloud")
 
+    def test_a_cloud_without_width_has_no_data(self):
+        """And none has more than its rows."""
+        for field in ("width", "height"):
+            message = cloud(self.stamp, [(LEFT, 0)] * 3)
+            setattr(message, field, 0)
+            self.clouds.publish(message)
+        wait_for(lambda: self.refused("60 bytes of data") == 2, "both are refused")
+        message = cloud(self.stamp, [(LEFT, 0)] * 3)
+        message.data += bytes(1)
+        self.clouds.publish(message)
+        self.wait_refused("61 bytes of data")
+        self.assertEqual(self.output.messages, [])
+
     def test_ranges_of_a_scan_become_nan(self):
         self.send_tf(-0.1, 0.1)
         scan = LaserScan(angle_min=-math.pi, angle_increment=math.pi / 2, range_min=0.01,

@@ -95,6 +95,9 @@ TEST(CloudLayout, RefusesWhatDoesNotFitItsData) {
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.row_step = 20; }), "row_step");
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.data.pop_back(); }), "bytes of data");
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.height = 4000000000u; }), "bytes of data");
+  EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.data.push_back(0); }), "bytes of data");
+  EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.width = 0; }), "bytes of data");
+  EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.height = 0; }), "bytes of data");
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.is_bigendian = true; }), "big-endian");
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.fields[0].name = "a"; }), "no field z");
   EXPECT_PRED2(has, problemOf([](PointCloud2& c) { c.fields[0].offset = 4294967295u; }),
