@@ -47,6 +47,9 @@ class BodyGrid {
   /// Outside it no point belongs to the body, whatever the slack.
   const Aabb& box() const { return box_; }
 
+  /// False if a shape belongs to no point, because its coordinates are too large or not finite.
+  bool isWhole() const { return surface_.isWhole() && box_.isEmpty() == surface_.box().isEmpty(); }
+
   /// Bytes of the cells.
   std::size_t bytes() const { return cells_.size(); }
 

@@ -177,6 +177,7 @@ BodySurface::BodySurface(const Body& body, const CheckInterrupt& check_interrupt
     }
     const auto box = worldBox(shape.shape, Eigen::Affine3d::Identity());
     if (box) box_.extend(*box);
+    is_whole_ = is_whole_ && box;
     if (shape.tip) box_.extend(shape.shape.link_from_shape * *shape.tip);
   }
 }
@@ -185,7 +186,10 @@ void BodySurface::addMesh(const BodyShape& shape, const CheckInterrupt& check_in
   std::shared_ptr<const TriangleTree> tree = shape.triangles;
   if (!shape.shape.link_from_shape.matrix().isIdentity(0))
     tree = placedTree(*tree, shape.shape.link_from_shape, check_interrupt);
-  if (!tree) return;  // not finite in this pose: such a shape has no box either
+  if (!tree) {  // not finite in this pose
+    is_whole_ = false;
+    return;
+  }
   MeshInside inside(*tree);
   meshes_.push_back({std::move(tree), std::move(inside)});
 }

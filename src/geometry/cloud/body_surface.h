@@ -61,6 +61,9 @@ class BodySurface {
   /// Around all shapes.
   const Aabb& box() const { return box_; }
 
+  /// False if a shape is left out, because its coordinates are too large or not finite.
+  bool isWhole() const { return is_whole_; }
+
   /// Bytes of the trees.
   std::size_t bytes() const;
 
@@ -76,6 +79,7 @@ class BodySurface {
   Body solids_;  ///< all that has no triangles, or triangles that a solid sweeps
   std::vector<Mesh> meshes_;
   Aabb box_;
+  bool is_whole_ = true;
 };
 
 }  // namespace link_bounds

@@ -81,6 +81,14 @@ class GridMaker {
   std::vector<std::shared_ptr<const BodyGrid>> grids_;
 };
 
+void tellUnwhole(const BoundedRobot& bounded, FilteredRobot& robot) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.grids[i]->isWhole()) continue;
+    robot.problems.push_back("link " + robot.links[i] + kNotWhole);
+    if (bounded.links[i].isWhole()) robot.incomplete.push_back(robot.links[i]);
+  }
+}
+
 std::string summaryOf(const FilteredRobot& robot, std::chrono::duration<double> duration) {
   std::size_t bytes = 0;
   for (const auto& grid : std::set(robot.grids.begin(), robot.grids.end()))
@@ -121,6 +129,7 @@ std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& descriptio
   }
   result.grids = GridMaker(bounded, is_cancelled).grids();
   if (is_cancelled()) return nullptr;
+  tellUnwhole(bounded, result);
   result.summary = summaryOf(result, std::chrono::steady_clock::now() - begin);
   return std::make_shared<const FilteredRobot>(std::move(result));
 }

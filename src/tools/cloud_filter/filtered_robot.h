@@ -26,6 +26,10 @@ struct FilteredRobot {
   std::string summary;                ///< one line for the log
 };
 
+/// Of what has a grid that is not whole, after its name.
+constexpr char kNotWhole[] =
+    " is not filtered, or not all of it: coordinates are too large or not finite";
+
 /// Loads the meshes and makes the grids, on up to four threads. Throws RobotError. `is_cancelled`
 /// may be called on several threads; once it returns true, the result is null.
 std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& description,

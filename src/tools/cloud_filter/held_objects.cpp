@@ -158,6 +158,7 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
       grid = std::make_shared<BodyGrid>(
           BodySurface(bodyOf(*content, is_over, check_interrupt), check_interrupt),
           GridOptions{padding, kMaxMotionError}, check_interrupt);
+      if (!grid->isWhole()) problem = "object " + content->bounded.name + kNotWhole;
     } catch (const std::exception& error) {
       problem = "object " + content->bounded.name + " is not filtered: " + error.what();
     }

@@ -288,6 +288,14 @@ TEST(BodyGrid, PointsThatAreNotFiniteAreNoBody) {
   EXPECT_FALSE(BodyGrid(BodySurface(Body()), {0.01, 0}).isBody({0, 0, 0}));
 }
 
+TEST(BodyGrid, TellsThatAShapeIsTooLarge) {
+  EXPECT_TRUE(BodyGrid(BodySurface(Body()), {0.01, 0}).isWhole());
+  MeshBody body = bodyOf(boxMesh({1, 1, 1}));
+  EXPECT_TRUE(BodyGrid(BodySurface(body.body), {0.01, 0, 1000}).isWhole());
+  body.add(boxMesh({1e12, 1, 1}), Eigen::Affine3d(Eigen::Scaling(1e300)));
+  EXPECT_FALSE(BodyGrid(BodySurface(body.body), {0.01, 0, 1000}).isWhole());
+}
+
 TEST(BodyGrid, MemoryIsBounded) {
   for (const std::size_t max_bytes : {16u, 1000u, 65536u}) {
     const BodyGrid grid(BodySurface(bodyOf(torus(0.3, 0.1, 12, 8)).body), {0.001, 0, max_bytes});

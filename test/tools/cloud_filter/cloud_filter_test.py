@@ -15,6 +15,7 @@ import rospy
 import rostest
 from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import Point
 from link_bounds.msg import Distance, DistanceArray
 from node_testing import SANITIZED, Repeater
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
@@ -323,6 +324,17 @@ class CloudFilter(unittest.TestCase):
         wait_for(lambda: self.incomplete_at(FAR) == left_out, "those are incomplete")
         self.wait_status("/cloud_filter", lambda status: status.level == 1 and left_out == {
             value.value.split()[1] for value in status.values if value.key == "problem"})
+
+    def test_an_object_too_large_for_a_grid_is_told(self):
+        self.addCleanup(self.delete_held)
+        marker = self.held(7, (0, 0, 0), 1e29)
+        marker.type = Marker.TRIANGLE_LIST
+        marker.points = [Point(1e12, 0, 0), Point(0, 1e12, 0), Point(0, 0, 1e12)]
+        self.objects.publish(MarkerArray([marker]))
+        wait_for(lambda: self.incomplete_at(FAR) == {"held/7"}, "it is incomplete")
+        self.wait_status("/cloud_filter", lambda status: status.level == 1 and any(
+            value.key == "problem" and "held/7 is not filtered" in value.value and
+            "not finite" in value.value for value in status.values))
 
     def test_an_object_that_changes_all_the_time_is_filtered(self):
         """Its grid takes longer to be made than its shape lasts."""
