@@ -50,7 +50,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
           private_node_.advertise<sensor_msgs::PointCloud2>(privateName(kRobotPoints), kQueue)),
       nearest_(private_node_.advertise<DistanceArray>(privateName(kNearestPoints), kQueue)),
       tf_receiver_(node_, [this](const TfReceiver::Event& event, bool is_static) {
-        guarded([&] { onTransforms(event, is_static); });
+        guarded([&] { completed([&] { onTransforms(event, is_static); }); });
       }) {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   using CloudEvent = ros::MessageEvent<Cloud>;
@@ -87,7 +87,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
     const auto robot = filteredRobot(all...);
     return Loading::Loaded{robot, robot ? robot->summary : ""};
   };
-  handlers.adopt = [this](auto robot) { adopt(std::move(robot)); };
+  handlers.adopt = [this](auto robot) { completed([&] { adopt(std::move(robot)); }); };
   handlers.on_failure = std::move(on_failure);
   loading_ =
       std::make_unique<Loading>(kFilterReload, node_, private_node_, queue_, std::move(handlers));
@@ -104,15 +104,17 @@ void CloudFilterNode::spin() {
     takeAll();
     has_more = false;
     guarded([&] {
-      observeClock();
+      completed([&] { observeClock(); });
       has_more = filterFirst();
     });
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (now >= next_expiry) {
       next_expiry = now + kExpirePeriod;
       guarded([&] {
-        held_->expire(ros::Time::now());
-        tf_.forgetQuiet(now);
+        completed([&] {
+          held_->expire(ros::Time::now());
+          tf_.forgetQuiet(now);
+        });
       });
     }
     if (now < next_status) continue;

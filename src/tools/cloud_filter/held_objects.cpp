@@ -57,8 +57,10 @@ HeldObjects::HeldObjects(ros::NodeHandle& private_node, TransformBuffer& tf, Wor
     : worker_(worker), queue_(queue), on_change_(std::move(on_change)), frames_(tf) {
   subscriber_ = private_node.subscribe<Markers, const ros::MessageEvent<Markers>&>(
       privateName(kHeldObjects), kObjectQueue,
-      [this](const ros::MessageEvent<Markers>& event) { guarded([&] { onMarkers(event); }); }, {},
-      ros::TransportHints().tcpNoDelay());
+      [this](const ros::MessageEvent<Markers>& event) {
+        guarded([&] { completed([&] { onMarkers(event); }); });
+      },
+      {}, ros::TransportHints().tcpNoDelay());
 }
 
 void HeldObjects::onMarkers(const ros::MessageEvent<Markers>& event) {
@@ -163,7 +165,7 @@ void HeldObjects::request(const ObjectKey& key, HeldObject& held) {
       problem = "object " + content->bounded.name + " is not filtered: " + error.what();
     }
     enqueue(queue_, [this, key, request, frame = content->frame, grid, problem] {
-      take(key, request, frame, grid, problem);
+      completed([&] { take(key, request, frame, grid, problem); });
     });
   };
   worker_.post(keyOf(key), make);

@@ -31,8 +31,8 @@ void logUnexpected(const std::exception& error) {
 
 void endWithoutMemory() noexcept {
   constexpr char kLine[] =
-      "[FATAL] memory ran out during an update: the node ends, because later boxes could be wrong. "
-      "Give it more memory; link_bounds.launch starts it again with respawn:=true\n";
+      "[FATAL] memory ran out during an update: the node ends, because later results could be "
+      "wrong. Give it more memory; roslaunch starts it again with respawn=\"true\"\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kLine, sizeof kLine - 1);
   std::_Exit(1);
 }

@@ -28,8 +28,8 @@ void guarded(Body&& body) {
 /// Ends the process with exit code 1 and one line on stderr. Allocates nothing.
 [[noreturn]] void endWithoutMemory() noexcept;
 
-/// Calls `body`, which changes what boxes are computed from. If memory runs out half way, later
-/// boxes could be wrong, so the process ends.
+/// Calls `body`, which changes what boxes are computed from, or which points are the robot's. If
+/// memory runs out half way, later results could be wrong, so the process ends.
 template <class Body>
 void completed(Body&& body) {
   try {
