@@ -63,9 +63,9 @@ std::string faultOf(const std::string& element, Purpose purpose) {
 std::vector<LostElement> lostElements(const LinkOutline& link, Purpose purpose, std::size_t kept,
                                       const std::string& link_messages) {
   std::vector<LostElement> lost;
-  const std::vector<std::string>& elements = link.elements(purpose);
+  const std::vector<ElementOutline>& elements = link.elements(purpose);
   for (std::size_t i = kept; i < elements.size(); ++i) {
-    std::string reason = faultOf(elements[i], purpose);
+    std::string reason = faultOf(elements[i].xml, purpose);
     if (reason.empty()) {
       reason = "urdfdom drops it because of another fault in this link (" + link_messages +
                "); correct that fault";
@@ -75,11 +75,20 @@ std::vector<LostElement> lostElements(const LinkOutline& link, Purpose purpose, 
   return lost;
 }
 
+/// Of the first `kept` elements, those of which urdfdom read a part only. That part is kept.
+void addSurplus(const LinkOutline& outline, Purpose purpose, std::size_t kept, Link& link) {
+  const std::vector<ElementOutline>& elements = outline.elements(purpose);
+  for (std::size_t i = 0; i < std::min(kept, elements.size()); ++i) {
+    if (!elements[i].surplus.empty()) link.lost.push_back({purpose, i + 1, elements[i].surplus});
+  }
+}
+
 void addLosses(const LinkOutline& outline, const urdf::Link& source, const UrdfLog& log,
                Link& link) {
   for (const Purpose purpose : {Purpose::kVisual, Purpose::kCollision}) {
     const std::size_t kept =
         purpose == Purpose::kVisual ? source.visual_array.size() : source.collision_array.size();
+    addSurplus(outline, purpose, kept, link);
     if (kept >= outline.elements(purpose).size()) continue;
     const std::string messages = log.messages("[" + link.name + "]");
     for (const LostElement& lost : lostElements(outline, purpose, kept, messages)) {
@@ -230,15 +239,16 @@ const char* toText(Purpose purpose) {
 
 Robot parseRobot(const std::string& urdf) {
   if (isBlank(urdf)) throw RobotError("the robot description is empty");
-  const std::vector<LinkOutline> outlines = outlineOf(urdf);
+  const RobotOutline outline = outlineOf(urdf);
   const UrdfLog log(urdf);
   const ModelHolder model(readByUrdfdom(urdf));
   if (!model) throw RobotError(refusalOf(urdf, log));
   Robot robot;
   for (const std::string& warning : {xacroWarning(urdf), secondRobotWarning(urdf)})
     if (!warning.empty()) robot.warnings.push_back(warning);
+  robot.warnings.insert(robot.warnings.end(), outline.warnings.begin(), outline.warnings.end());
   robot.name = (*model).getName();
-  addLinks(outlines, *model, log, robot);
+  addLinks(outline.links, *model, log, robot);
   addJoints(*model, robot);
   return robot;
 }

@@ -27,13 +27,47 @@ std::string printedWithoutMaterial(const tinyxml2::XMLElement& element) {
   return printer.CStr();
 }
 
-std::vector<std::string> childrenOf(const tinyxml2::XMLElement& link, const char* tag) {
-  std::vector<std::string> result;
+/// Two elements of the tag, or of any if it is null.
+bool hasTwo(const tinyxml2::XMLElement& element, const char* tag) {
+  const tinyxml2::XMLElement* const first = element.FirstChildElement(tag);
+  return first && first->NextSiblingElement(tag);
+}
+
+std::string twoOf(const char* tag) {
+  return std::string("has two <") + tag + ">, of which the second is left out; ";
+}
+
+std::string surplusOf(const tinyxml2::XMLElement& element) {
+  const std::string another =
+      "write another shape as a <" + std::string(element.Name()) + "> of its own";
+  const tinyxml2::XMLElement* const geometry = element.FirstChildElement("geometry");
+  if (geometry && hasTwo(*geometry, nullptr))
+    return "its <geometry> has two shapes, of which the second is left out; " + another;
+  if (hasTwo(element, "geometry")) return "it " + twoOf("geometry") + another;
+  if (hasTwo(element, "origin")) return "it " + twoOf("origin") + "remove one";
+  return "";
+}
+
+std::vector<ElementOutline> childrenOf(const tinyxml2::XMLElement& link, const char* tag) {
+  std::vector<ElementOutline> result;
   for (const auto* element = link.FirstChildElement(tag); element;
        element = element->NextSiblingElement(tag)) {
-    result.push_back(printedWithoutMaterial(*element));
+    result.push_back({printedWithoutMaterial(*element), surplusOf(*element)});
   }
   return result;
+}
+
+std::vector<std::string> jointWarnings(const tinyxml2::XMLElement& robot) {
+  std::vector<std::string> warnings;
+  for (const auto* joint = robot.FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint")) {
+    for (const char* const tag : {"parent", "child", "origin", "axis", "limit", "mimic"}) {
+      const char* const name = joint->Attribute("name");
+      if (name && hasTwo(*joint, tag))
+        warnings.push_back("joint \"" + std::string(name) + "\" " + twoOf(tag) + "remove one");
+    }
+  }
+  return warnings;
 }
 
 /// urdfdom refuses two links of one name. If it accepts the text, it has read it in another way.
@@ -66,7 +100,7 @@ std::string fromFirstElement(const std::string& urdf) {
   return "";
 }
 
-std::vector<LinkOutline> outlineOf(const std::string& urdf) {
+RobotOutline outlineOf(const std::string& urdf) {
   tinyxml2::XMLDocument document;
   document.Parse(fromFirstElement(urdf).c_str());
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
@@ -86,7 +120,7 @@ std::vector<LinkOutline> outlineOf(const std::string& urdf) {
     if (name) links.push_back({name, childrenOf(*link, "visual"), childrenOf(*link, "collision")});
   }
   if (hasEqualNames(links)) return {};
-  return links;
+  return {std::move(links), jointWarnings(*robot)};
 }
 
 }  // namespace link_bounds

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The links and geometry elements in the XML of a URDF, found without urdfdom.
+// The links, geometry elements and joints in the XML of a URDF, found without urdfdom.
 #pragma once
 
 #include <string>
@@ -10,20 +10,30 @@
 
 namespace link_bounds {
 
+struct ElementOutline {
+  std::string xml;  ///< without its material
+  std::string
+      surplus;  ///< what it has twice, so that urdfdom reads a part only, and a remedy; or ""
+};
+
 struct LinkOutline {
   std::string name;
-  std::vector<std::string> visuals;     ///< each element as XML, without its material
-  std::vector<std::string> collisions;  ///< likewise
+  std::vector<ElementOutline> visuals;
+  std::vector<ElementOutline> collisions;
 
-  const std::vector<std::string>& elements(Purpose purpose) const {
+  const std::vector<ElementOutline>& elements(Purpose purpose) const {
     return purpose == Purpose::kVisual ? visuals : collisions;
   }
 };
 
-/// In the order of the text. Empty if the XML is malformed; urdfdom's parser is more lenient.
-/// Throws RobotError if elements are nested so deeply that urdfdom's recursive parser could
-/// overflow the stack.
-std::vector<LinkOutline> outlineOf(const std::string& urdf);
+struct RobotOutline {
+  std::vector<LinkOutline> links;     ///< in the order of the text
+  std::vector<std::string> warnings;  ///< of joints that have an element twice
+};
+
+/// Empty if the XML is malformed; urdfdom's parser is more lenient. Throws RobotError if elements
+/// are nested so deeply that urdfdom's recursive parser could overflow the stack.
+RobotOutline outlineOf(const std::string& urdf);
 
 /// The text from the first element on, without the comments and the XML declaration before it.
 std::string fromFirstElement(const std::string& urdf);

@@ -164,6 +164,25 @@ TEST(OddRobots, ASecondRobotCausesAWarning) {
   EXPECT_TRUE(parseRobot(first + "<robot_state/><!-- <robot> --></robot>").warnings.empty());
 }
 
+TEST(OddRobots, WhatAJointHasTwiceCausesAWarning) {
+  const std::string parts =
+      "<parent link='a'/><child link='b'/><origin/><axis xyz='1 0 0'/>"
+      "<limit lower='0' upper='1' velocity='1' effort='1'/><mimic joint='lead'/>";
+  const std::string lead =
+      "<joint name='lead' type='continuous'><parent link='a'/><child link='c'/></joint>";
+  const auto warnings = [&](const std::string& second) {
+    return parseRobot(robotOfText(links({"a", "b", "c"}) + lead +
+                                  "<joint name='j' type='revolute'>" + parts + second + "</joint>"))
+        .warnings;
+  };
+  EXPECT_TRUE(warnings("<dynamics damping='1'/>").empty());
+  for (const char* tag : {"parent", "child", "origin", "axis", "limit", "mimic"}) {
+    const std::vector<std::string> found = warnings("<" + std::string(tag) + " link='c'/>");
+    ASSERT_EQ(found.size(), 1u) << tag;
+    EXPECT_EQ(found[0].find("joint \"j\" has two <" + std::string(tag) + ">"), 0u) << found[0];
+  }
+}
+
 TEST(OddRobots, WhatXacroHasMadeCausesNoWarning) {
   EXPECT_TRUE(parseRobot("<!-- made by xacro from a.xacro --><robot name='r' "
                          "xmlns:xacro='http://ros.org/wiki/xacro'><!-- <xacro:arm/> -->"

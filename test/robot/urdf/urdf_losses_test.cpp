@@ -143,6 +143,32 @@ TEST(UrdfLosses, AMaterialDefinedElsewhereIsNoFault) {
   EXPECT_TRUE(robot.links[0].lost.empty());
 }
 
+/// Of which only the first part is read, and remains.
+void expectSurplus(const std::string& element, const std::string& word) {
+  const Link link = lossyLinkOf(element);
+  EXPECT_EQ(link.elements.size(), 1u) << element;
+  ASSERT_EQ(link.lost.size(), 1u) << element;
+  EXPECT_EQ(link.lost[0].number, 1u);
+  EXPECT_NE(link.lost[0].reason.find(word), std::string::npos) << link.lost[0].reason;
+}
+
+TEST(UrdfLosses, WhatAnElementHasTwice) {
+  expectSurplus(visual("<box size='1 1 1'/><box size='5 5 5'/>"), "two shapes");
+  expectSurplus(visual("<box size='1 1 1'/><!-- and --><cone/>"), "two shapes");
+  expectSurplus("<visual>" + kBall + kBall + "</visual>", "two <geometry>");
+  expectSurplus("<collision><origin/><origin xyz='1 0 0'/>" + kBall + "</collision>",
+                "two <origin>");
+}
+
+TEST(UrdfLosses, ASecondPartOfTheSecondCollision) {
+  const Link link = lossyLinkOf("<visual>" + kBall + "</visual><collision>" + kBall +
+                                "</collision><collision>" + kBall + kBall + "</collision>");
+  EXPECT_EQ(link.elements.size(), 3u);
+  ASSERT_EQ(link.lost.size(), 1u);
+  EXPECT_EQ(link.lost[0].purpose, Purpose::kCollision);
+  EXPECT_EQ(link.lost[0].number, 2u);
+}
+
 TEST(UrdfLosses, NothingIsLostOfAGoodLink) {
   const Link link =
       lossyLinkOf(visual("<sphere radius='1'/>") + "<collision>" + kBall + "</collision>");

@@ -38,7 +38,7 @@ struct Element {
   Eigen::Affine3d link_from_shape = Eigen::Affine3d::Identity();  ///< origin times mesh scale
 };
 
-/// An element of the URDF that cannot be used.
+/// An element of the URDF that cannot be used, or of which only a part, in Link::elements, can.
 struct LostElement {
   Purpose purpose;
   std::size_t number;  ///< from 1
