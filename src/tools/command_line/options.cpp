@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -62,6 +64,10 @@ Option flag(const char* name, bool& target) {
   return {name, [&target](const auto&, const auto&) { target = true; }, false};
 }
 
+Option repeatable(const char* name, Option::Take take) {
+  return {name, std::move(take), true, true};
+}
+
 bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
                       const std::function<void(const std::string&)>& take_argument) {
   std::vector<option> table;
@@ -71,6 +77,7 @@ bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
   table.push_back({nullptr, 0, nullptr, 0});
   opterr = 0;
   int code = 0;
+  std::set<std::string> given;
   // The leading minus returns other arguments in order, even if POSIXLY_CORRECT is set.
   while ((code = getopt_long(argc, argv, "-:h", table.data(), nullptr)) != -1) {
     if (code == 1) {
@@ -83,6 +90,8 @@ bool parseCommandLine(int argc, char** argv, const std::vector<Option>& options,
         code == 'h' ? "help" : table[static_cast<std::size_t>(code - kFirstCode)].name;
     const auto entry = std::find_if(options.begin(), options.end(),
                                     [&](const Option& known) { return known.name == name; });
+    if (entry->has_value && !entry->is_repeatable && !given.insert(name).second)
+      throw UsageError("--" + name + " is given twice; give it once");
     entry->take("--" + name, optarg ? optarg : "");
     if (name == "help" || name == "version") return false;
   }

@@ -50,10 +50,14 @@ struct Option {
   const char* name;  ///< without dashes
   Take take;
   bool has_value = true;
+  bool is_repeatable = false;  ///< with a value each time; without a value, any option is
 };
 
 /// Sets the target to true.
 Option flag(const char* name, bool& target);
+
+/// May be given several times.
+Option repeatable(const char* name, Option::Take take);
 
 /// Sets the target to read(name, value).
 template <class Target, class Read>

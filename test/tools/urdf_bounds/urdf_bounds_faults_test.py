@@ -418,8 +418,13 @@ class OptionTest(UrdfBoundsTest):
         self.assertEqual(expected, run('turn:=0.2', '--format', 'csv', '-', 'push:=1',
                                        '--geometry=both', env={'POSIXLY_CORRECT': '1'}))
 
-    def test_the_last_of_an_option_counts(self):
-        self.assertEqual(run('-', '--format=csv', '--format=json'), run('-', '--format=json'))
+    def test_an_option_with_a_value_is_given_once(self):
+        for option, value in (('--format', 'csv'), ('--geometry', 'both'), ('--accuracy', '1'),
+                              ('--poses', 'a'), ('--objects', 'a'), ('--series', 'a'),
+                              ('--srdf', 'a'), ('--certificate', 'a'), ('--distances', '1')):
+            self.check_refused(option + ' is given twice; give it once', '-', option, value, option,
+                               value)
+        self.assertEqual(run('-', '--verbose', '--strict', '--strict')[0], 0)
 
 
 if __name__ == '__main__':

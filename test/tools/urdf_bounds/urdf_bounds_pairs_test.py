@@ -51,7 +51,8 @@ COARSE = ['--pairs', '--accuracy', '0.2']  # takes little time
 
 
 def pairs(*arguments, **options):
-    found = boxes(*COARSE, *arguments, **options)['pairs']
+    coarse = ['--pairs'] if '--accuracy' in arguments else COARSE
+    found = boxes(*coarse, *arguments, **options)['pairs']
     return {(pair['first'], pair['second']): pair for pair in found}
 
 
