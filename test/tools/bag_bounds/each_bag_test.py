@@ -188,6 +188,16 @@ class LinesTest(EachBagTest):
         self.check_refused('--urdf does not fit --merge', bag, '--merge', '--urdf', self.urdf)
         self.check_refused('there is no line to merge', '--merge', self.write('empty.jsonl', ''))
 
+    def test_names_that_are_not_utf8(self):
+        """They would be one name in the lines."""
+        bag = self.bag(arms(3))
+        for number in b'\xfe', b'\xff':
+            os.link(bag, os.fsencode(self.path('run_')) + number + b'.bag')
+        for name in sorted(os.listdir(os.fsencode(self.folder))):
+            if name.startswith(b'run_'):
+                self.check_refused_each('the name is not UTF-8.*; rename the bag', bag,
+                                        os.path.join(self.folder, os.fsdecode(name)))
+
     def test_standard_output_that_replaces_the_lines(self):
         bag, path = self.bag(calm(3)), self.write('lines.jsonl', '')
         with open(path, 'r+', encoding='utf-8') as out:

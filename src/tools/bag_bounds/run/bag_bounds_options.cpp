@@ -4,6 +4,7 @@
 
 #include "node/interface/parameter_table.h"
 #include "tools/command_line/options.h"
+#include "tools/formats/safe_text.h"
 
 namespace link_bounds {
 
@@ -163,6 +164,10 @@ void checkEach(const BagBoundsOptions& options) {
       throw UsageError("--each has no --" + name + "; its lines are JSON, and --merge makes a " +
                        "report of them");
   std::set<std::string> names;
+  for (const std::string& bag : options.bags)
+    if (validUtf8(bag) != bag)
+      throw UsageError(bag +
+                       ": the name is not UTF-8, which lines of JSON must be; rename the bag");
   for (const std::string& bag : options.bags)
     if (!names.insert(bag).second) throw UsageError(bag + ": is given twice; give each bag once");
 }
