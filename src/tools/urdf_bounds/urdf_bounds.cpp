@@ -9,6 +9,7 @@
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "packages/package_path.h"
+#include "robot/mesh/mesh_files.h"
 #include "robot/posed/posed_robot.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
@@ -22,6 +23,12 @@
 namespace link_bounds {
 
 namespace {
+
+/// None of these files is to be overwritten.
+void checkOutputs(const UrdfBoundsOptions& options, const std::vector<std::string>& inputs) {
+  checkOutput("--series", options.series.value_or(""), inputs);
+  checkOutput("--certificate", options.certificate.value_or(""), inputs);
+}
 
 BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   Selection selection;
@@ -150,6 +157,7 @@ PathObjects loadObjects(const UrdfBoundsOptions& options) {
   Selection selection;
   selection.triangles = true;
   const MeshSource source{rosPackages(), folderOf(file), progressBar(), {}, isInterrupted};
+  checkOutputs(options, meshFiles(objects.robot, source.package_path, source.base_folder));
   objects.bounded = RobotLoader().load(objects.robot, selection, source);
   for (const auto* problems : {&objects.bounded.problems, &objects.bounded.body_problems}) {
     for (const std::string& problem : *problems)
@@ -191,18 +199,13 @@ Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
   return runProof(options, withSimpleJoints(robot));
 }
 
-void checkOutputs(const UrdfBoundsOptions& options) {
-  const std::vector<std::string> inputs{options.file, options.poses.value_or(""),
-                                        options.srdf.value_or(""), options.objects.value_or("")};
-  checkOutput("--series", options.series.value_or(""), inputs);
-  checkOutput("--certificate", options.certificate.value_or(""), inputs);
-}
-
 int run(const UrdfBoundsOptions& options) {
-  checkOutputs(options);
+  checkOutputs(options, {options.file, options.poses.value_or(""), options.srdf.value_or(""),
+                         options.objects.value_or("")});
   const Robot robot = parseRobot(readText(options.file, "a URDF"));
   for (const std::string& warning : robot.warnings)
     warn(warning);
+  checkOutputs(options, meshFiles(robot, rosPackages(), folderOf(options.file)));
   const bool has_verdict = options.report != Report::kPose || options.distances;
   Outcome outcome = runReport(options, robot);
   if (has_verdict) sayLeftOut(robot, options.geometry);

@@ -8,6 +8,7 @@ Run as: bag_bounds_faults_test.py PATH_OF_bag_bounds
 import csv
 import io
 import os
+import pathlib
 import shutil
 import struct
 
@@ -22,6 +23,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 YEARS = 1e9  # s
+MESHES = pathlib.Path(__file__).resolve().parents[3] / 'launch/demo/meshes'
 
 
 def without_index(source, target):
@@ -101,6 +103,17 @@ class ArgumentsTest(BagBoundsTest):
                     self.assertEqual(opened.read(), before)
             os.remove(self.path('link'))
             os.remove(self.path('hard'))
+
+    def test_meshes_are_not_overwritten(self):
+        shutil.copy(MESHES / 'wrist.stl', self.path('part.stl'))
+        urdf = self.write('meshes.urdf', ARMS.replace(
+            '<link name="bare"/>', '<link name="bare"><visual><geometry><mesh filename="part.stl"/>'
+            '</geometry></visual></link>'))
+        size = os.path.getsize(self.path('part.stl'))
+        for option in '--out', '--series':
+            self.check_refused(option + ' is .*part.stl, which is read', self.bag(arms(3)), '--urdf',
+                               urdf, option, self.path('part.stl'))
+            self.assertEqual(os.path.getsize(self.path('part.stl')), size)
 
     def test_standard_input_is_not_overwritten(self):
         with open(self.urdf, encoding='utf-8') as file:

@@ -383,6 +383,30 @@ class RefusalTest(UrdfBoundsTest):
                 with open(file, encoding='utf-8') as opened:
                     self.assertEqual(opened.read(), before)
 
+    def test_meshes_are_not_overwritten(self):
+        part = self.write('part.stl', tetrahedron())
+        robot_mesh, broken = self.write('t.stl', tetrahedron()), self.write('broken.stl', 'none')
+        urdf = self.write('r.urdf', tree(solid('a'), mesh('b', 't.stl'), mesh('c', 'broken.stl'))
+                          .replace('fixed', 'continuous'))
+        table = self.write('t.csv', 'j1\n0\n1\n')
+        objects = self.write('o.yaml', 'o: {type: MESH_RESOURCE, mesh_resource: part.stl}')
+        path = ('--poses', table, '--path', '--objects', objects)
+        for file, option, *others in ((robot_mesh, '--series', '--poses', table),
+                                      (robot_mesh, '--certificate', '--reach'),
+                                      (broken, '--certificate', '--pairs'),
+                                      (robot_mesh, '--certificate', *path),
+                                      (part, '--certificate', *path),
+                                      (table, '--certificate', *path),
+                                      (objects, '--certificate', *path)):
+            with self.subTest(option=option, file=file):
+                with open(file, 'rb') as opened:
+                    before = opened.read()
+                code, _, err = run(urdf, *others, option, file)
+                self.assertEqual(code, 1)
+                self.assertIn('error: %s is %s, which is read' % (option, file), err)
+                with open(file, 'rb') as opened:
+                    self.assertEqual(opened.read(), before)
+
     def test_broken_standard_output(self):
         with open('/dev/full', 'wb') as full:
             for arguments in (['-'], ['--help']):

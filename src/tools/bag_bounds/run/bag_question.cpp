@@ -7,6 +7,7 @@
 
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "packages/package_path.h"
+#include "robot/mesh/mesh_files.h"
 #include "tools/bag_bounds/run/fingerprint.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
@@ -16,11 +17,16 @@
 namespace link_bounds {
 namespace {
 
+/// None of these files is to be overwritten.
+void checkOutputs(const BagBoundsOptions& options, const std::vector<std::string>& inputs) {
+  checkOutput("--out", options.out, inputs);
+  checkOutput("--series", options.series, inputs);
+}
+
 const BagBoundsOptions& checkedOut(const BagBoundsOptions& options) {
   std::vector<std::string> inputs = options.bags;
   inputs.insert(inputs.end(), {options.urdf, options.zones, options.static_from});
-  checkOutput("--out", options.out, inputs);
-  checkOutput("--series", options.series, inputs);
+  checkOutputs(options, inputs);
   if (!options.series.empty() && isSameFile(options.series, options.out))
     throw UsageError("--series is the file of --out; name another file");
   checkStandardInput({{"--urdf", options.urdf}, {"--zones", options.zones}});
@@ -57,6 +63,8 @@ Model BagQuestion::makeModelOf(const std::string& urdf) {
     warn(problem);
   for (const std::string& warning : model.warnings)
     warn(warning);
+  checkOutputs(options_,
+               meshFiles(*model.robot, mesh_source_.package_path, mesh_source_.base_folder));
   return model;
 }
 
