@@ -180,11 +180,25 @@ void checkMerge(const BagBoundsOptions& options) {
       throw UsageError("--" + name + " does not fit --merge, which reads no bag; leave it out");
 }
 
+/// Its messages would be taken for transforms.
+void checkObjects(const BagBoundsOptions& options) {
+  const bool has_joints = !options.joint_states.empty();
+  const std::set<std::string> others =
+      has_joints ? std::set<std::string>{options.joint_states}
+                 : std::set<std::string>{options.tf_topic, options.tf_topic + "_static"};
+  for (const std::string& topic : options.objects)
+    if (others.count(topic))
+      throw UsageError("--objects is " + topic + ", which has " +
+                       (has_joints ? "positions of joints" : "transforms") +
+                       "; name a topic of markers or boxes");
+}
+
 void check(const BagBoundsOptions& options) {
   if (options.merge) return checkMerge(options);
   if (options.each) checkEach(options);
   if (!options.each && !options.resume.empty()) throw UsageError("--resume needs --each");
   if (options.bags.empty()) throw UsageError("no bag is given");
+  checkObjects(options);
   if (options.urdf.empty()) throw UsageError("no robot is given; add --urdf FILE");
   if (options.end && *options.end < options.start)
     throw UsageError("--end is before --start; nothing would be reported");
