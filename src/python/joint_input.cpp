@@ -6,6 +6,7 @@
 
 #include "python/text.h"
 #include "robot/urdf/simple_joints.h"
+#include "tools/command_line/options.h"
 
 namespace py = pybind11;
 
@@ -172,6 +173,12 @@ GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
     if (isSettable(shared, name)) given.emplace(name, range);
   }
   return given;
+}
+
+void checkJobs(unsigned jobs) {
+  if (jobs <= kMaxJobs) return;
+  throw py::value_error("jobs is " + std::to_string(jobs) + ", but must be at most " +
+                        std::to_string(kMaxJobs) + ", or 0 for one per core");
 }
 
 void checkLength(const char* name, double metres) {

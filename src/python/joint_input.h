@@ -35,6 +35,9 @@ JointRows jointRows(const SharedRobot& shared, const pybind11::handle& q,
 GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& ranges);
 
 /// Refuses a number that is not finite, or below 0.
+/// Throws ValueError for more threads than any machine has. 0: one per core.
+void checkJobs(unsigned jobs);
+
 void checkLength(const char* name, double metres);
 
 /// Refuses a number that is not above 0.

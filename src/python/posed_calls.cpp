@@ -147,6 +147,7 @@ void refuseUnboxed(const SharedRobot& shared, const PosedRobot& posed) {
 }  // namespace
 
 py::array boxesOf(SharedRobot& shared, const py::object& q, unsigned jobs) {
+  checkJobs(jobs);
   const JointRows rows = jointRows(shared, q);
   const std::size_t links = shared.bounded().links.size();
   std::vector<Py_ssize_t> shape{static_cast<Py_ssize_t>(links), 2, 3};
@@ -165,6 +166,7 @@ py::array boxesOf(SharedRobot& shared, const py::object& q, unsigned jobs) {
 
 py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, unsigned jobs) {
   checkLength("limit", limit);
+  checkJobs(jobs);
   const JointRows rows = jointRows(shared, q);
   std::vector<std::vector<PairRow>> found(rows.count);
   const auto measure = [&](PosedRobot& posed, std::size_t row) {

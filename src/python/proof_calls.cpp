@@ -202,6 +202,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
                                      unsigned jobs) {
   checkLength("clearance", clearance);
   checkLength("touching", touching);
+  checkJobs(jobs);
   const std::vector<JointRange> ranges = rangesOf(shared, request);
   const std::vector<PairProof> proofs = interruptible([&](const StopFlag& stop) {
     ProofControl control;
@@ -220,6 +221,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
 std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& request) {
   checkLength("clearance", request.clearance);
   checkPositive("budget", request.budget, "seconds");
+  checkJobs(request.jobs);
   const std::vector<JointMotion> motions = motionsOf(shared, request);
   std::vector<DisabledPair> disabled;
   if (!request.srdf.is_none()) {

@@ -80,6 +80,12 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check('ranges must be a dict', robot.reach, [1])
         self.check('"x" is no movable joint', robot.reach, {'x': (0, 1)})
         self.check('', robot.boxes, [[0, 0]], jobs=-1, error=TypeError)
+        for call in (lambda jobs: robot.boxes([0, 0], jobs=jobs),
+                     lambda jobs: robot.distances([0, 0], 1, jobs=jobs),
+                     lambda jobs: robot.pairs(jobs=jobs),
+                     lambda jobs: robot.check_path([[0, 0], [1, 0]], jobs=jobs)):
+            self.check('jobs is 1025, but must be at most 1024, or 0', call, 1025)
+            call(1024)
 
     def test_paths(self):
         robot = link_bounds.Robot(ARM)

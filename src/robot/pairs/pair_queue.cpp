@@ -3,6 +3,7 @@
 // Pairs without a verdict go first, then those that have had fewer turns.
 #include "robot/pairs/pair_queue.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "robot/threads/row_threads.h"
@@ -31,7 +32,8 @@ PairQueue::PairQueue(const std::vector<std::size_t>& pairs, PairWork work,
 }
 
 void PairQueue::run() {
-  const unsigned threads = control_.threads > 0 ? control_.threads : coreCount();
+  const unsigned wanted = control_.threads > 0 ? control_.threads : coreCount();
+  const auto threads = static_cast<unsigned>(std::min<std::size_t>(wanted, tasks_.size()));
   forRows(0, threads, threads, 1, [this](unsigned, std::size_t, std::size_t) { work(); });
   for (Task& task : tasks_) {
     if (task.search) store(task);

@@ -15,9 +15,6 @@
 namespace link_bounds {
 namespace {
 
-/// Threads beyond any machine.
-constexpr unsigned kMaxJobs = 1024;
-
 constexpr int kFirstCode = 256;  // of long options; others are letters
 
 /// getopt_long leaves the letter or code in optopt where it knows one.

@@ -27,7 +27,10 @@ std::optional<double> toNumber(const std::string& text);
 double limitOption(const std::string& option_name, const std::string& text,
                    const std::string& unit = "metres");
 
-/// A number of threads or processes, 1 to 1024. Throws UsageError.
+/// Threads beyond any machine.
+constexpr unsigned kMaxJobs = 1024;
+
+/// A number of threads or processes, 1 to kMaxJobs. Throws UsageError.
 unsigned jobsOption(const std::string& option_name, const std::string& text);
 
 /// The value called `name`. Throws UsageError with all names if there is none.

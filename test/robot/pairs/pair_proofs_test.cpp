@@ -9,6 +9,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -435,6 +437,22 @@ TEST(PairProofs, EndsWhenItIsOver) {
   EXPECT_EQ(proofs[0].clearance, 0);
   EXPECT_EQ(proofs[0].poses, 0U);
   EXPECT_TRUE(std::isinf(proofs[0].nearest));
+}
+
+/// Each thread looks whether it is over.
+TEST(PairProofs, NoMoreThreadsThanPairs) {
+  const Model model = planarArm(1e-6);
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  ProofControl control;
+  control.threads = 16;
+  control.is_over = [&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    threads.insert(std::this_thread::get_id());
+    return true;
+  };
+  provePairs(model.robot, model.bounded, jointRanges(model.robot), {}, control);
+  EXPECT_EQ(threads.size(), 1U);
 }
 
 /// With one thread, which waits before each slice of work.
