@@ -338,6 +338,18 @@ class MergeTest(EachBagTest):
         newest = self.write('5.jsonl', lines[0] + '\n' + changed + '\n')
         self.assertIn('1 bag: 1 CLEAR', self.merged(newest, code=0)[0])
 
+    def test_verdicts_that_contradict_exit_codes(self):
+        _, lines, _ = self.files()
+        for verdict, code in (('CLEAR', 3), ('FOUND', 0), ('DIED', 0), ('FINE', 0), ('UNUSABLE', 9)):
+            wrong = lines[0].replace('"verdict": "CLEAR", "exit": 0',
+                                     '"verdict": "%s", "exit": %d' % (verdict, code))
+            self.assertNotEqual(wrong, lines[0])
+            self.check_refused('wrong.jsonl, line 2 has the verdict "%s", but the exit code %d'
+                               % (verdict, code), '--merge',
+                               self.write('wrong.jsonl', lines[1] + '\n' + wrong + '\n'))
+        died = lines[2].replace('UNUSABLE', 'DIED')
+        self.assertIn('1 DIED', self.merged(self.write('died.jsonl', died + '\n'), code=1)[0])
+
     def test_lines_that_were_cut(self):
         _, lines, _ = self.files()
         for text in (lines[0] + '\n' + lines[1][:300], lines[0] + '\n{"ba',

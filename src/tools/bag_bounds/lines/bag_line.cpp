@@ -83,6 +83,12 @@ std::optional<ReadLine> tryParse(const std::string& text) try {
   return std::nullopt;
 }
 
+/// Whether verdict and exit code go together.
+bool isConsistent(const ReadLine& line) {
+  const bool is_unusable = line.hasDied() || line.verdict == verdictOf(kUnusable);
+  return is_unusable ? line.exit_code == kUnusable : line.verdict == verdictOf(line.exit_code);
+}
+
 /// Whether it may have been a line before it was cut.
 bool isBegun(const std::string& text) {
   return std::string(kStart).compare(0, text.size(), text, 0, sizeof(kStart) - 1) == 0;
@@ -111,6 +117,9 @@ class Reader {
         start == std::string::npos ? std::nullopt : tryParse(text.substr(start));
     if (start != 0 || !line) cut_.push_back({place(), nameIn(text)});
     if (!line) return;
+    if (!isConsistent(*line))
+      throw UsageError(place() + " has the verdict \"" + line->verdict + "\", but the exit code " +
+                       std::to_string(line->exit_code) + ", which does not go with it; remove it");
     result_.lines[line->bag.name] = *line;
     result_.lines[line->bag.name].file = file_;
   }
