@@ -338,6 +338,21 @@ class MergeTest(EachBagTest):
         newest = self.write('5.jsonl', lines[0] + '\n' + changed + '\n')
         self.assertIn('1 bag: 1 CLEAR', self.merged(newest, code=0)[0])
 
+    def test_lines_from_another_system(self):
+        _, lines, files = self.files()
+        expected = self.merged(*files, '--format', 'json', code=1)
+        marked = self.write('marked.jsonl', '\ufeff' + '\r\n'.join(lines) + '\r\n')
+        self.assertEqual(self.merged(marked, '--format', 'json', code=1), expected)
+
+    def test_lines_without_what_is_needed(self):
+        _, lines, _ = self.files()
+        for text in ('{"bag": "a"}', lines[0].replace('"exit"', '"quit"'),
+                     lines[0].replace('"size": ', '"size": -')):
+            self.check_refused('few.jsonl, line 2 is no line of bag_bounds --each', '--merge',
+                               self.write('few.jsonl', lines[1] + '\n' + text + '\n'))
+        self.check_refused('no line to merge in .*cut.jsonl', '--merge',
+                           self.write('cut.jsonl', lines[0][:300]))
+
     def test_verdicts_that_contradict_exit_codes(self):
         _, lines, _ = self.files()
         for verdict, code in (('CLEAR', 3), ('FOUND', 0), ('DIED', 0), ('FINE', 0), ('UNUSABLE', 9)):

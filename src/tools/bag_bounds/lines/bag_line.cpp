@@ -76,11 +76,19 @@ ReadLine parse(const std::string& text) {
   return result;
 }
 
-/// Nothing if the line was cut.
+/// Nothing if the line was cut. Throws YAML::Exception if it is whole, but lacks what is needed.
 std::optional<ReadLine> tryParse(const std::string& text) try {
   return text.back() == '}' ? std::optional(parse(text)) : std::nullopt;
-} catch (const YAML::Exception&) {
+} catch (const YAML::ParserException&) {
   return std::nullopt;
+}
+
+/// Without what editors and other systems add: a byte order mark and a carriage return.
+std::string plain(std::string text) {
+  constexpr char kMark[] = "\xef\xbb\xbf";
+  if (text.rfind(kMark, 0) == 0) text.erase(0, sizeof(kMark) - 1);
+  if (!text.empty() && text.back() == '\r') text.pop_back();
+  return text;
 }
 
 /// Whether verdict and exit code go together.
@@ -110,11 +118,9 @@ class Reader {
     ++number_;
     if (text.empty()) return;
     const std::size_t start = text.rfind(kStart);
-    if (start == std::string::npos && !isBegun(text))
-      throw UsageError(place() +
-                       " is no line of bag_bounds --each; remove it, or name another file");
+    if (start == std::string::npos && !isBegun(text)) refuse();
     const std::optional<ReadLine> line =
-        start == std::string::npos ? std::nullopt : tryParse(text.substr(start));
+        start == std::string::npos ? std::nullopt : read(text.substr(start));
     if (start != 0 || !line) cut_.push_back({place(), nameIn(text)});
     if (!line) return;
     if (!isConsistent(*line))
@@ -131,6 +137,16 @@ class Reader {
   }
 
  private:
+  [[noreturn]] void refuse() const {
+    throw UsageError(place() + " is no line of bag_bounds --each; remove it, or name another file");
+  }
+
+  std::optional<ReadLine> read(const std::string& text) const try {
+    return tryParse(text);
+  } catch (const YAML::Exception&) {
+    refuse();
+  }
+
   std::string place() const { return file_ + ", line " + std::to_string(number_); }
 
   bool isWhole(const std::string& name) const {
@@ -184,7 +200,7 @@ LineFile readLines(const std::string& file) {
   if (!in) throw UsageError("cannot read " + file + ": " + std::strerror(errno));
   Reader reader(file);
   for (std::string text; std::getline(in, text);)
-    reader.add(text);
+    reader.add(plain(text));
   if (in.bad()) throw UsageError("cannot read " + file + " to its end");
   return reader.take();
 }

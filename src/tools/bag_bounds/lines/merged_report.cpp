@@ -59,7 +59,7 @@ class MergedReport {
         if (!is_new) known->second = betterOf(known->second, line);
       }
     }
-    if (lines_.empty()) throw UsageError("there is no line to merge");
+    if (lines_.empty()) throw UsageError("there is no line to merge in " + joined(files, ", "));
     for (const auto& [bag, line] : lines_)
       add(line);
   }
