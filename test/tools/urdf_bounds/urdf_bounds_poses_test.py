@@ -155,6 +155,24 @@ class PosesTest(UrdfBoundsTest):
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.25), (2.5, 0.5, 0.75))
         self.assertEqual(err, '')
 
+    def test_quoted_cells(self):
+        """As csv has them where a name has commas or quotes; blanks may stand around them."""
+        urdf = ARM.replace('"push"', '"pu,sh &quot;it&quot;"').replace('"turn"', '"turn "')
+        names = '"turn ", "pu,sh ""it"""'
+        table = self.write('t.csv', names + ' ,time\n0.5,"1" , "0"\n"0.25",2,1\n')
+        expected = self.write('e.csv', '0.5,1\n0.25,2\n')
+        found = run('-', '--poses', table, '--format=csv', urdf=urdf)
+        self.assertEqual(found[0], 0)
+        self.assertNotIn('warning', found[2])
+        self.assertEqual(found, run('-', '--poses', expected, '--columns', names, '--format=csv',
+                                    urdf=urdf))
+        for row in '0,"1', '0,1"', '0,"1"2', '0,"1""', '0"0",1':
+            found = run('-', '--poses', self.write('w.csv', 'turn,push\n1,1\n%s\n' % row))
+            self.assertEqual(found[0], 4, row)
+            self.assertIn('row 2 is left out: has quotes that are not around whole cells', found[2])
+        self.check_refused('the line of names has quotes', '-', '--poses',
+                           self.write('w.csv', 'turn,"push\n1,1\n'))
+
     def test_a_byte_order_mark_is_no_part_of_the_first_name(self):
         summary, err = self.summary('\ufeffpush\n1\n')
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.5), (2.5, 0.5, 0.5))

@@ -33,15 +33,42 @@ struct Column {
   std::size_t joint = 0;
 };
 
-std::vector<std::string> cellsOf(const std::string& line) {
+/// The text in quotes that begin there, in which two quotes are one; `at` is moved behind them.
+/// Nothing if they do not end.
+std::optional<std::string> quoted(const std::string& line, std::size_t& at) {
+  std::string text;
+  while (++at < line.size()) {
+    if (line[at] != '"') {
+      text += line[at];
+    } else if (line.compare(++at, 1, "\"") != 0) {
+      return text;
+    } else {
+      text += '"';
+    }
+  }
+  return std::nullopt;
+}
+
+/// By RFC 4180, but blanks around cells are none of them. Nothing if a quote stands elsewhere than
+/// at both ends of a cell, or the line ends within quotes.
+std::optional<std::vector<std::string>> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.push_back(trimmed(line.substr(begin, comma - begin), " \t\""));
-    if (comma == std::string::npos) return cells;
-    begin = comma + 1;
+  for (std::size_t begin = 0;; ++begin) {
+    begin = std::min(line.find_first_not_of(" \t", begin), line.size());
+    const bool has_quotes = line.compare(begin, 1, "\"") == 0;
+    const std::optional<std::string> cell = has_quotes ? quoted(line, begin) : std::nullopt;
+    const std::size_t comma = std::min(line.find(',', begin), line.size());
+    const std::string rest = trimmed(line.substr(begin, comma - begin), " \t");
+    if (has_quotes ? !cell || !rest.empty() : rest.find('"') != std::string::npos)
+      return std::nullopt;
+    cells.push_back(cell.value_or(rest));
+    begin = comma;
+    if (begin == line.size()) return cells;
   }
 }
+
+constexpr char kWrongQuotes[] =
+    "has quotes that are not around whole cells of one line; correct them";
 
 class TableReader {
  public:
@@ -53,7 +80,9 @@ class TableReader {
 
   void setColumns(const std::string& line, const std::vector<std::string>& given, bool is_path) {
     std::set<std::string> names;
-    for (const std::string& name : cellsOf(line)) {
+    const auto cells = cellsOf(line);
+    if (!cells) throw UsageError(file_ + ": the line of names " + kWrongQuotes);
+    for (const std::string& name : *cells) {
       if (!names.insert(name).second)
         throw UsageError(file_ + ": column \"" + name + "\" is there twice; remove one");
       columns_.push_back(columnOf(name));
@@ -81,10 +110,13 @@ class TableReader {
   }
 
   void add(const std::string& line, std::size_t line_number) {
-    const std::vector<std::string> cells = cellsOf(line);
+    const auto read = cellsOf(line);
+    const std::vector<std::string> cells = read.value_or(std::vector<std::string>());
     std::vector<double> numbers(columns_.size(), 0.0);
     std::string fault;
-    if (cells.size() != columns_.size()) {
+    if (!read) {
+      fault = kWrongQuotes;
+    } else if (cells.size() != columns_.size()) {
       fault = "has " + std::to_string(cells.size()) + " cells instead of " +
               std::to_string(columns_.size());
     }
