@@ -100,9 +100,7 @@ bool isMasked(const py::handle& q) {
 }
 
 JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q, const std::string& name) {
-  if (isMasked(q))
-    throw py::value_error(name + kWhatRows + ", but it is a masked array; fill it, or leave out " +
-                          "what is masked");
+  refuseMasked(q, name, kWhatRows);
   const py::array any = py::array::ensure(q);
   if (!any) {
     PyErr_Clear();
@@ -144,6 +142,12 @@ Limits rangeOf(const py::handle& value, const std::string& joint) {
 }
 
 }  // namespace
+
+void refuseMasked(const py::handle& given, const std::string& name, const std::string& what) {
+  if (isMasked(given))
+    throw py::value_error(name + what +
+                          ", but it is a masked array; fill it, or leave out what is masked");
+}
 
 JointRows jointRows(const SharedRobot& shared, const py::handle& q, const std::string& name) {
   const auto read = [&] {

@@ -85,6 +85,7 @@ std::optional<JointRows> optionalRows(const SharedRobot& shared, const py::objec
 
 std::vector<double> timesOf(const py::object& given, std::size_t count) {
   if (given.is_none()) return {};
+  refuseMasked(given, "times", " must be an array [rows]");
   const auto times = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!times) PyErr_Clear();
   if (!times || times.ndim() != 1 || times.shape(0) != static_cast<Py_ssize_t>(count))

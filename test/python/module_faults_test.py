@@ -105,6 +105,12 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check(r'times\[1\] .* times must grow', call, rows, times=[0, 0])
         self.check(r'times must be an array \[rows\] of 2', call, rows, times=[0, 1, 2])
         self.check('times must be an array', call, rows, times='ab')
+        masked = np.ma.array(rows, mask=[[False, True], [False, False]])
+        self.check('times must .* masked array; fill it', call, rows,
+                   times=np.ma.array([0, 1], mask=[False, True]))
+        self.check('velocities must .* masked array', call, rows, times=[0, 1], velocities=masked)
+        self.check('accelerations must .* masked array', call, rows, times=[0, 1], velocities=rows,
+                   accelerations=masked)
         self.check('clearance is -1', call, rows, clearance=-1)
         self.check('budget is 0', call, rows, budget=0)
         self.check('cannot read /no/such.yaml', call, rows, objects='/no/such.yaml',

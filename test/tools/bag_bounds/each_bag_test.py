@@ -177,7 +177,10 @@ class LinesTest(EachBagTest):
 
     def test_refused(self):
         bag = self.bag(calm(3))
-        self.check_refused_each('is given twice', bag, bag)
+        os.symlink(bag, self.path('linked.bag'))
+        for again in bag, os.path.relpath(bag), self.path('linked.bag'):
+            self.check_refused_each('is given twice', bag, again)
+        self.check_refused_each('none.bag: is given twice', 'none.bag', 'none.bag')
         self.check_refused_each('--each has no --out', bag, '--out', 'a.bag')
         self.check_refused_each('--each has no --format', bag, '--format', 'csv')
         self.check_refused_each('--each has no --at', bag, '--at', '1')

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/bag_bounds/run/bag_bounds_options.h"
 
+#include <sys/stat.h>
+
 #include "node/interface/parameter_table.h"
 #include "tools/command_line/options.h"
 #include "tools/formats/safe_text.h"
@@ -157,19 +159,30 @@ std::vector<Option> optionsInto(BagBoundsOptions& options) {
           flag("version", options.version)};
 }
 
+/// One bag may have several names; one that is not there is known by its name.
+void checkBagsOnce(const std::vector<std::string>& bags) {
+  std::set<std::string> names;
+  std::set<std::pair<dev_t, ino_t>> files;
+  for (const std::string& bag : bags) {
+    struct stat file {};
+    const bool is_new_file =
+        stat(bag.c_str(), &file) != 0 || files.emplace(file.st_dev, file.st_ino).second;
+    if (!names.insert(bag).second || !is_new_file)
+      throw UsageError(bag + ": is given twice; give each bag once");
+  }
+}
+
 /// What --each cannot do, because it is about one bag or one report.
 void checkEach(const BagBoundsOptions& options) {
   for (const std::string name : {"out", "series", "format", "at"})
     if (options.given.count(name))
       throw UsageError("--each has no --" + name + "; its lines are JSON, and --merge makes a " +
                        "report of them");
-  std::set<std::string> names;
   for (const std::string& bag : options.bags)
     if (validUtf8(bag) != bag)
       throw UsageError(bag +
                        ": the name is not UTF-8, which lines of JSON must be; rename the bag");
-  for (const std::string& bag : options.bags)
-    if (!names.insert(bag).second) throw UsageError(bag + ": is given twice; give each bag once");
+  checkBagsOnce(options.bags);
 }
 
 void checkMerge(const BagBoundsOptions& options) {
