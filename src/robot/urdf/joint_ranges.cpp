@@ -19,11 +19,16 @@ constexpr double kTurn = 2 * M_PI;
 /// A range that is short of a turn by rounding of pi only is a full turn [rad].
 constexpr double kTurnRounding = 1e-12;
 
-std::size_t leaderOf(const Joint& joint, const JointIndex& index) {
+std::size_t leaderOf(const Robot& robot, const Joint& joint, const JointIndex& index) {
   const auto leader = index.find(joint.mimic->joint);
   if (leader != index.end()) return leader->second;
-  throw JointError("joint \"" + joint.name + "\" mimics \"" + joint.mimic->joint +
-                   "\", which is no joint of the robot");
+  const auto is_part = [&](const Joint& other) {
+    return !other.part_of.empty() && other.part_of == joint.mimic->joint;
+  };
+  const bool has_parts = std::any_of(robot.joints.begin(), robot.joints.end(), is_part);
+  throw JointError("joint \"" + joint.name + "\" mimics \"" + joint.mimic->joint + "\", which " +
+                   (has_parts ? "has more than one value; let it mimic a joint with one value"
+                              : "is no joint of the robot"));
 }
 
 Lead leadOf(const Robot& robot, const JointIndex& index, std::size_t joint) {
@@ -35,7 +40,7 @@ Lead leadOf(const Robot& robot, const JointIndex& index, std::size_t joint) {
     const Mimic& mimic = *robot.joints[lead.leader].mimic;
     lead.offset += lead.factor * mimic.offset;
     lead.factor *= mimic.multiplier;
-    lead.leader = leaderOf(robot.joints[lead.leader], index);
+    lead.leader = leaderOf(robot, robot.joints[lead.leader], index);
   }
   return lead;
 }

@@ -196,6 +196,11 @@ void addJoints(const urdf::ModelInterface& model, Robot& robot) {
       reached[child] = true;
       queue.push_back(child);
       robot.joints.push_back(toJoint(*above[child], index));
+      const Joint& joint = robot.joints.back();
+      if (joint.mimic && (joint.motion == Motion::kPlanar || joint.motion == Motion::kFloating))
+        robot.warnings.push_back("joint \"" + joint.name +
+                                 "\" has a <mimic>, which is left out: it has more than one value; "
+                                 "remove it");
     }
   }
   const auto detached = std::find(reached.begin(), reached.end(), false);

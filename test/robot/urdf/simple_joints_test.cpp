@@ -113,6 +113,31 @@ TEST(SimpleJoints, ANameThatAnotherJointHas) {
   EXPECT_THROW(withSimpleJoints(robot), JointError);
 }
 
+TEST(SimpleJoints, NoJointMimicsSeveralValues) {
+  const Robot robot =
+      parsed(link("a") + link("b") + link("c") + jointOfType("p", "planar", "a", "b") +
+             jointOfType("q", "continuous", "b", "c", "<mimic joint='p'/>"));
+  EXPECT_TRUE(robot.warnings.empty());
+  try {
+    leadsOf(withSimpleJoints(robot));
+    FAIL() << "not refused";
+  } catch (const JointError& error) {
+    EXPECT_STREQ(error.what(),
+                 "joint \"q\" mimics \"p\", which has more than one value; let it "
+                 "mimic a joint with one value");
+  }
+}
+
+TEST(SimpleJoints, AMimicElementOfSeveralValuesCausesAWarning) {
+  for (const char* type : {"planar", "floating"}) {
+    const Robot robot =
+        parsed(link("a") + link("b") + link("c") + jointOfType("q", "continuous", "a", "b") +
+               jointOfType("p", type, "b", "c", "<mimic joint='q'/>"));
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_EQ(robot.warnings[0].find("joint \"p\" has a <mimic>, which is left out"), 0U);
+  }
+}
+
 TEST(SimpleJoints, LengthsAreNotKnownUnlessGivenAndAnglesTakeATurn) {
   const Robot robot = withSimpleJoints(parsed(link("a") + link("b") + planar("")));
   std::vector<JointRange> ranges = jointRanges(robot, {{"j.x", {-1, 2}}});
