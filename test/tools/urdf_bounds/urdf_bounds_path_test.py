@@ -113,6 +113,8 @@ class PathTest(UrdfBoundsTest):
                 ('x is "wide"', 'a: {type: CUBE, scale: {x: wide}}'),
                 ('has the name of a link', POST.replace('post', 'block') % 1),
                 ('mesh_resource is empty', 'a: {type: MESH_RESOURCE}'),
+                ('mesh_resource is for the type MESH_RESOURCE, but the type is "CUBE"',
+                 'a: {type: CUBE, scale: {x: 1}, mesh_resource: "file:///t.stl"}'),
                 ('scale is negative', 'a: {type: CUBE, scale: {x: -1, y: 1, z: 1}}'),
                 ('scale is zero', 'a: {type: CUBE, scale: {x: 0, y: 0, z: 0}}'),
                 ('has 2 documents', 'a: {type: CUBE, scale: {x: 1}}\n---\nb: {type: CUBE, scale: {x: 1}}'),

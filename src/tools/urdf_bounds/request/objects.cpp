@@ -104,6 +104,9 @@ class ObjectReader {
         refuse("mesh_resource is empty; name a mesh file, such as package://my_package/part.stl");
       element.link_from_shape.scale(scale);
     } else {
+      if (fields["mesh_resource"])
+        refuse("mesh_resource is for the type MESH_RESOURCE, but the type is \"" + type +
+               "\"; correct the type, or remove the field");
       element.solid = chosen<Solid>("type of object \"" + name + "\"", type,
                                     {{"CUBE", Solid::kBox},
                                      {"CYLINDER", Solid::kCylinder},
