@@ -26,6 +26,11 @@ std::string badOption(const char* const* argv) {
 
 }  // namespace
 
+std::string nonEmpty(const std::string& option_name, const std::string& text) {
+  if (text.empty()) throw UsageError(option_name + " is empty");
+  return text;
+}
+
 std::optional<double> toNumber(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());

@@ -20,6 +20,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The text. Throws UsageError if it is empty.
+std::string nonEmpty(const std::string& option_name, const std::string& text);
+
 /// Nothing if the text is no finite number to its last character.
 std::optional<double> toNumber(const std::string& text);
 

@@ -21,6 +21,13 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
 /// Some editors write it before UTF-8: it is no part of the first word.
 constexpr std::string_view kMark = "\xef\xbb\xbf";
 
+/// By its byte order mark, or because its first character has one byte in UTF-8.
+bool isUtf16(const std::string& text) {
+  const std::string start = text.substr(0, 2);
+  return start == "\xff\xfe" || start == "\xfe\xff" ||
+         (start.size() == 2 && (start[0] == '\0') != (start[1] == '\0'));
+}
+
 }  // namespace
 
 std::string readText(const std::string& file, const std::string& what) {
@@ -36,6 +43,7 @@ std::string readText(const std::string& file, const std::string& what) {
     if (text.size() > kMaxBytes) throw UsageError(name + " is too large for " + what);
   }
   if (std::ferror(in.get())) throw UsageError("cannot read " + name + ": " + std::strerror(errno));
+  if (isUtf16(text)) throw UsageError(name + " is UTF-16; save it as UTF-8");
   if (text.compare(0, kMark.size(), kMark) == 0) text.erase(0, kMark.size());
   return text;
 }

@@ -199,10 +199,19 @@ Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
   return runProof(options, withSimpleJoints(robot));
 }
 
+Robot readRobot(const std::string& file) {
+  const std::string text = readText(file, "a URDF");
+  try {
+    return parseRobot(text);
+  } catch (const RobotError& error) {
+    throw UsageError((file == "-" ? "standard input" : file) + ": " + error.what());
+  }
+}
+
 int run(const UrdfBoundsOptions& options) {
   checkOutputs(options, {options.file, options.poses.value_or(""), options.srdf.value_or(""),
                          options.objects.value_or("")});
-  const Robot robot = parseRobot(readText(options.file, "a URDF"));
+  const Robot robot = readRobot(options.file);
   for (const std::string& warning : robot.warnings)
     warn(warning);
   checkOutputs(options, meshFiles(robot, rosPackages(), folderOf(options.file)));

@@ -324,6 +324,8 @@ class RefusalTest(UrdfBoundsTest):
             self.check_refused(option + ' needs a value', '-', option)
             self.check_refused(option + ' is "odd".* one of: ', '-', option, 'odd')
             self.check_refused(option + ' is "".* one of: ', '-', option + '=')
+        for option in '--poses', '--columns', '--objects', '--series', '--srdf', '--certificate':
+            self.check_refused(option + ' is empty', '-', option, '')
 
     def test_joints(self):
         self.check_refused('"elbow" is no movable joint.*turn push', '-', 'elbow:=1')
@@ -355,7 +357,14 @@ class RefusalTest(UrdfBoundsTest):
     def test_unreadable_files(self):
         self.check_refused('cannot read .*directory', self.folder)
         self.check_refused('cannot read .*No such file', os.path.join(self.folder, 'no.urdf'))
-        self.check_refused('empty', self.write('empty.urdf', ''))
+        self.check_refused('empty.urdf: .*empty', self.write('empty.urdf', ''))
+        self.check_refused('/dev/null: .*empty', '/dev/null')
+        self.check_refused('standard input: .*empty', '-', urdf='')
+        for code in 'utf-16', 'utf-16-be', 'utf-16-le':
+            self.check_refused('u.urdf is UTF-16; save it as UTF-8',
+                               self.write('u.urdf', ARM.encode(code)))
+            self.check_refused('u.csv is UTF-16; save it as UTF-8', '-', '--poses',
+                               self.write('u.csv', 'turn,push\n0,0\n'.encode(code)))
         self.check_refused('too large', '/dev/zero')
 
     def test_unusable_robots(self):
@@ -413,6 +422,12 @@ class RefusalTest(UrdfBoundsTest):
                 code, _, err = run(*arguments, stdout=full)
                 self.assertEqual(code, 1)
                 self.assertRegex(err, '^urdf_bounds: error: cannot write')
+
+    def test_certificates_that_cannot_be_written(self):
+        for file, reason in (('/dev/full', 'No space left on device'),
+                             (self.folder + '/none/c', 'No such file or directory')):
+            self.check_refused('cannot write %s: %s' % (file, reason), '-', '--reach',
+                               '--certificate', file)
 
     def test_closed_pipe(self):
         reader, writer = os.pipe()

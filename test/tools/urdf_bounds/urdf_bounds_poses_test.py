@@ -214,6 +214,12 @@ class PosesTest(UrdfBoundsTest):
         self.check_fault('beyond the limits .*"lift" at 9 .limits -1 to 1', 'push\n0\n', 0,
                          'lift:=9')
 
+    def test_long_cells_are_shown_in_part(self):
+        long = 'x' * 10**5
+        _, err = self.summary('push,lift,%s\n0,%s,1\n0,0,1\n' % (long, long), code=4)
+        self.assertEqual(err.count('x' * 100 + '...'), 2)
+        self.assertLess(len(err), 1000)
+
     def test_limits_of_joints_that_follow(self):
         urdf = SLIDE.replace('</robot>', """<link name="twin"/><joint name="twin" type="prismatic">
             <parent link="base"/><child link="twin"/><limit lower="-2" upper="2" effort="1"

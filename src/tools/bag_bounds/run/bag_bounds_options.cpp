@@ -78,12 +78,6 @@ within a line leads to 4.
 
 namespace {
 
-/// Throws UsageError if there is no text.
-std::string nonEmpty(const std::string& option_name, const std::string& text) {
-  if (text.empty()) throw UsageError(option_name + " is empty");
-  return text;
-}
-
 /// In tf and in bags, names of topics begin with a slash.
 std::string topicName(const std::string& option_name, const std::string& text) {
   const std::string name = nonEmpty(option_name, text);

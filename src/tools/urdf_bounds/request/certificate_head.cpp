@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/urdf_bounds/request/certificate_head.h"
 
+#include <cerrno>
+#include <cstring>
+
 #include "tools/command_line/options.h"
 #include "tools/formats/safe_text.h"
 
@@ -22,7 +25,8 @@ std::ofstream beginCertificate(const char* kind, const UrdfBoundsOptions& option
       << ", \"touching\": " << exactNumber(options.touching.value_or(kDefaultTouching))
       << ", \"base\": \"" << (options.has_fixed_base ? "fixed" : "free") << "\", \"given\": {"
       << joined(options.joints, ", ", given) << "}}\n";
-  if (!out.flush()) throw UsageError("cannot write " + *options.certificate);
+  if (!out.flush())
+    throw UsageError("cannot write " + *options.certificate + ": " + std::strerror(errno));
   return out;
 }
 
@@ -30,7 +34,7 @@ void endCertificate(const UrdfBoundsOptions& options, const char* what, std::siz
                     const std::string& not_covered, std::ofstream& out) {
   out << "{\"" << what << "\": " << covered << ", \"not_covered\": " << not_covered << "}\n";
   out.close();
-  if (!out) throw UsageError("cannot write " + *options.certificate);
+  if (!out) throw UsageError("cannot write " + *options.certificate + "; is the disk full?");
 }
 
 }  // namespace link_bounds

@@ -67,6 +67,12 @@ std::optional<std::vector<std::string>> cellsOf(const std::string& line) {
   }
 }
 
+/// For a message: of a long text the begin.
+std::string shown(const std::string& text) {
+  constexpr std::size_t kMaxShown = 100;
+  return text.size() <= kMaxShown ? text : text.substr(0, kMaxShown) + "...";
+}
+
 constexpr char kWrongQuotes[] =
     "has quotes that are not around whole cells of one line; correct them";
 
@@ -84,7 +90,7 @@ class TableReader {
     if (!cells) throw UsageError(file_ + ": the line of names " + kWrongQuotes);
     for (const std::string& name : *cells) {
       if (!names.insert(name).second)
-        throw UsageError(file_ + ": column \"" + name + "\" is there twice; remove one");
+        throw UsageError(file_ + ": column \"" + shown(name) + "\" is there twice; remove one");
       columns_.push_back(columnOf(name));
     }
     for (const Column& column : columns_) {
@@ -126,7 +132,7 @@ class TableReader {
       if (number)
         numbers[i] = *number;
       else
-        fault = "column \"" + columns_[i].name + "\" is \"" + cells[i] +
+        fault = "column \"" + columns_[i].name + "\" is \"" + shown(cells[i]) +
                 "\", which is no finite number";
     }
     if (!fault.empty()) fault += " (line " + std::to_string(line_number) + ")";
@@ -168,7 +174,7 @@ class TableReader {
         column.quantity = Quantity::kTime;
       } else {
         unknown_.push_back(name);
-        table_.problems.push_back(file_ + ": column \"" + name +
+        table_.problems.push_back(file_ + ": column \"" + shown(name) +
                                   "\" is no movable joint of the "
                                   "robot and is ignored; those that can be set:" +
                                   settable());

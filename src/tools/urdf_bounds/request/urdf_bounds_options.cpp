@@ -83,7 +83,6 @@ VolumeKind volumeOption(const std::string& option_name, const std::string& text)
 }
 
 std::vector<Option> optionsInto(UrdfBoundsOptions& options) {
-  const auto as_is = [](const auto&, const auto& text) { return text; };
   const auto limit = [](const auto& name, const auto& text) { return limitOption(name, text); };
   const auto metres = [](const auto& name, const auto& text) {
     return positive(name, text, "metres");
@@ -103,11 +102,11 @@ std::vector<Option> optionsInto(UrdfBoundsOptions& options) {
           {"format", [&](const auto&, const auto& text) { addFormat(text, options); }},
           {"volume", into(options.volume, volumeOption)},
           {"distances", into(options.distances, limit)},
-          {"poses", into(options.poses, as_is)},
-          {"columns", into(options.columns, as_is)},
+          {"poses", into(options.poses, nonEmpty)},
+          {"columns", into(options.columns, nonEmpty)},
           report("path", Report::kPath),
-          {"objects", into(options.objects, as_is)},
-          {"series", into(options.series, as_is)},
+          {"objects", into(options.objects, nonEmpty)},
+          {"series", into(options.series, nonEmpty)},
           {"jobs", into(options.jobs, jobsOption)},
           report("reach", Report::kReach),
           report("pairs", Report::kPairs),
@@ -115,8 +114,8 @@ std::vector<Option> optionsInto(UrdfBoundsOptions& options) {
           {"budget", into(options.budget, seconds)},
           {"clearance", into(options.clearance, limit)},
           {"touching", into(options.touching, limit)},
-          {"srdf", into(options.srdf, as_is)},
-          {"certificate", into(options.certificate, as_is)},
+          {"srdf", into(options.srdf, nonEmpty)},
+          {"certificate", into(options.certificate, nonEmpty)},
           {"base", into(options.has_fixed_base, fixed_base)},
           flag("adjacent", options.adjacent),
           flag("accept-sampled", options.accept_sampled),
