@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "python/text.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/options.h"
@@ -27,7 +28,12 @@ std::string reprOf(const py::handle& object) {
 }
 
 std::string jointName(const py::handle& key) {
-  if (py::isinstance<py::str>(key)) return py::cast<std::string>(key);
+  if (py::isinstance<py::str>(key)) {
+    const auto bytes = py::reinterpret_steal<py::bytes>(
+        PyUnicode_AsEncodedString(key.ptr(), "utf-8", "surrogateescape"));
+    if (bytes) return bytes;
+    PyErr_Clear();
+  }
   throw py::value_error(reprOf(key) + " is not the name of a joint");
 }
 
@@ -35,8 +41,8 @@ double numberOf(const py::handle& value, const std::string& joint) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred()) {
     PyErr_Clear();
-    throw py::value_error("the value of joint \"" + joint + "\" is " + reprOf(value) +
-                          ", but must be a number");
+    throw JointError("the value of joint \"" + joint + "\" is " + reprOf(value) +
+                     ", but must be a number");
   }
   return number;
 }
@@ -44,7 +50,7 @@ double numberOf(const py::handle& value, const std::string& joint) {
 /// Returns false for a joint that mimics another one. Throws if there is none of that name.
 bool isSettable(const SharedRobot& shared, const std::string& name) {
   const std::string reason = whyNoJoint(shared.robot(), name);
-  if (!reason.empty()) throw py::value_error(reason);
+  if (!reason.empty()) throw JointError(reason);
   const Joint& joint = movableJoint(shared.robot(), name);
   if (joint.mimic) warnInPython(whyIgnored(joint));
   return !joint.mimic;
@@ -124,9 +130,9 @@ void checkFinite(const SharedRobot& shared, const JointRows& rows, const std::st
   const double* const values = rows.values.data();
   for (std::size_t i = 0; i < rows.count * columns; ++i) {
     if (std::isfinite(values[i])) continue;
-    throw py::value_error("joint \"" + shared.robot().joints[shared.joints()[i % columns]].name +
-                          "\" in " + nameOf(name, i / columns, rows.is_single) + " is " +
-                          reprOf(py::float_(values[i])) + ", but must be a finite number");
+    throw JointError("joint \"" + shared.robot().joints[shared.joints()[i % columns]].name +
+                     "\" in " + nameOf(name, i / columns, rows.is_single) + " is " +
+                     reprOf(py::float_(values[i])) + ", but must be a finite number");
   }
 }
 
@@ -172,8 +178,8 @@ GivenRanges givenRanges(const SharedRobot& shared, const py::object& ranges) {
     const std::string name = jointName(key);
     const Limits range = rangeOf(value, name);
     if (!(std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower <= range.upper))
-      throw py::value_error("the range of joint \"" + name + "\" is " + reprOf(value) +
-                            ", but must go from the smaller number to the larger one");
+      throw JointError("the range of joint \"" + name + "\" is " + reprOf(value) +
+                       ", but must go from the smaller number to the larger one");
     if (isSettable(shared, name)) given.emplace(name, range);
   }
   return given;

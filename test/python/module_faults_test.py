@@ -61,12 +61,24 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.check('"bar" is no movable joint', call, [{}, {'bar': 1}])
             self.check('value of joint "turn" is \'a\'', call, {'turn': 'a'})
             self.check('1 is not the name of a joint', call, {1: 1})
+            self.check('"a\ufffd" is no movable joint', call, {'a\udcff': 1})
+            self.check(r"'\\ud800' is not the name of a joint", call, {'\ud800': 1})
 
     def test_values_without_a_box(self):
         robot = link_bounds.Robot(ARM, 'collision')
         for call in (robot.boxes, lambda q: robot.distances(q, 1)):
             self.check(r'q\[1\]: link "slide": its size and pose give no finite', call,
                        [[0, 0], [0, sys.float_info.max]])
+
+    def test_names_that_are_not_utf8(self):
+        """As .joints has them, they are taken."""
+        path = self.write('r.urdf', ARM.encode().replace(b'"turn"', b'"t\xff"'))
+        robot = link_bounds.Robot(pathlib.Path(path))
+        self.assertEqual(robot.joints[0], 't\udcff')
+        np.testing.assert_array_equal(robot.boxes({'t\udcff': 1}), robot.boxes([1, 0]))
+        self.check('value of joint "t\ufffd" is', robot.boxes, {'t\udcff': 'a'})
+        self.check('range of joint "t\ufffd" is', robot.reach, {'t\udcff': (2, 1)})
+        self.check('joint "t\ufffd" in q is nan', robot.boxes, [np.nan, 0])
 
     def test_numbers(self):
         robot = link_bounds.Robot(ARM)
