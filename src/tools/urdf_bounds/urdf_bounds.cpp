@@ -14,6 +14,7 @@
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
+#include "tools/command_line/robot_names.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/reports.h"
@@ -214,6 +215,7 @@ int run(const UrdfBoundsOptions& options) {
   const Robot robot = readRobot(options.file);
   for (const std::string& warning : robot.warnings)
     warn(warning);
+  checkNames(robot);
   checkOutputs(options, meshFiles(robot, rosPackages(), folderOf(options.file)));
   const bool has_verdict = options.report != Report::kPose || options.distances;
   Outcome outcome = runReport(options, robot);

@@ -135,6 +135,12 @@ class ArgumentsTest(BagBoundsTest):
         self.check_refused('no link of the robot has geometry of the kind collision', bag, '--urdf',
                            bare, '--geometry', 'collision')
 
+    def test_names_that_differ_in_bytes_that_are_not_utf8(self):
+        with open(self.urdf, 'wb') as file:
+            file.write(ARMS.encode().replace(b'"left"', b'"a\xfe"').replace(b'"right"', b'"a\xff"'))
+        self.check_refused('two links of the robot are called "a\ufffd"', self.bag(arms(3)),
+                           '--urdf', self.urdf)
+
     def test_another_robot(self):
         other = self.write('other.urdf', robot(
             ['<link name="a"/>', '<link name="b"><visual><geometry><box size="1 1 1"/></geometry>'

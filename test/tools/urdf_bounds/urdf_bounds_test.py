@@ -142,6 +142,15 @@ class FormatTest(UrdfBoundsTest):
         self.assertEqual(list(boxes(urdf=urdf)['boxes']), ['base', name])
         self.assertIn(name, run('-', urdf=urdf)[1])
 
+    def test_names_that_differ_in_bytes_that_are_not_utf8(self):
+        """They would be one name in JSON."""
+        links = tree(solid('base'), solid('XX'), solid('YY')).encode()
+        joints = tree(solid('base'), solid('a'), solid('b')).encode().replace(
+            b'"j1"', b'"XX"').replace(b'"j2"', b'"YY"')
+        for urdf, what in (links, 'links'), (joints, 'joints'):
+            self.check_refused('two %s of the robot are called "a\ufffd"' % what, '-',
+                               urdf=urdf.replace(b'XX', b'a\xfe').replace(b'YY', b'a\xff'))
+
     def test_table(self):
         code, out, err = run('-', '--representation', 'center-radius', 'turn:=0.7')
         self.assertEqual((code, err), (0, ''))

@@ -11,6 +11,7 @@
 #include "tools/bag_bounds/run/fingerprint.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
+#include "tools/command_line/robot_names.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
 
@@ -63,6 +64,7 @@ Model BagQuestion::makeModelOf(const std::string& urdf) {
     warn(problem);
   for (const std::string& warning : model.warnings)
     warn(warning);
+  checkNames(*model.robot);
   checkOutputs(options_,
                meshFiles(*model.robot, mesh_source_.package_path, mesh_source_.base_folder));
   return model;
