@@ -73,7 +73,10 @@ def known_tests():
     """The names by which ctest -R finds them."""
     lists = ' '.join(path.read_text('utf-8')
                      for path in (PACKAGE / 'test').rglob('CMakeLists.txt'))
-    return set(re.findall(r'(?:bounds_\w+\(|NAME )(\w+)', lists))
+    names = re.findall(r'(?:bounds_\w+\(|NAME )(\w+)', lists)
+    for several in re.findall(r'bounds_gtests\(([^)]*)\)', lists):
+        names += several.split()
+    return set(names)
 
 
 def needs_data(name):

@@ -12,8 +12,8 @@ namespace link_bounds {
 
 struct ElementOutline {
   std::string xml;  ///< without its material
-  std::string
-      surplus;  ///< what it has twice, so that urdfdom reads a part only, and a remedy; or ""
+  /// What it has twice, of which urdfdom reads the first, with the remedy; "" if nothing.
+  std::string surplus;
 };
 
 struct LinkOutline {
