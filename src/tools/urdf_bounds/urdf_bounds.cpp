@@ -17,7 +17,7 @@
 #include "tools/command_line/robot_names.h"
 #include "tools/command_line/terminal.h"
 #include "tools/command_line/text_file.h"
-#include "tools/urdf_bounds/reports.h"
+#include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/request/input.h"
 #include "tools/urdf_bounds/request/objects.h"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-
 namespace link_bounds {
 namespace {
 

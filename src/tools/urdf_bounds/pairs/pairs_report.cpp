@@ -15,7 +15,7 @@
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
 #include "tools/urdf_bounds/pairs/pairs_table.h"
-#include "tools/urdf_bounds/reports.h"
+#include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 #include "tools/urdf_bounds/request/input.h"
 

@@ -22,7 +22,7 @@
 #include "tools/formats/table_text.h"
 #include "tools/urdf_bounds/path/path_certificate.h"
 #include "tools/urdf_bounds/path/path_limits.h"
-#include "tools/urdf_bounds/reports.h"
+#include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 #include "tools/urdf_bounds/request/input.h"
 

@@ -17,7 +17,7 @@
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
 #include "tools/formats/table_text.h"
-#include "tools/urdf_bounds/reports.h"
+#include "tools/urdf_bounds/poses/reports.h"
 
 namespace link_bounds {
 namespace {

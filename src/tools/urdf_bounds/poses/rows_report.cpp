@@ -15,8 +15,8 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/urdf_bounds/poses/distance_table.h"
+#include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/poses/rows_table.h"
-#include "tools/urdf_bounds/reports.h"
 
 namespace link_bounds {
 namespace {

@@ -17,8 +17,8 @@
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
 #include "tools/formats/table_text.h"
+#include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/reach/reach_certificate.h"
-#include "tools/urdf_bounds/reports.h"
 #include "tools/urdf_bounds/request/certificate_head.h"
 
 namespace link_bounds {
