@@ -44,8 +44,8 @@ function(bounds_gtest name)
   bounds_test_of(${name} ${program})
 endfunction()
 
-# A test of each NAME_test.cpp, which runs what stands in it. They are one program, which takes half as
-# long to compile.
+# A test of each NAME_test.cpp, which runs what stands in it. They are one program, which is compiled and
+# linked in less time than many.
 function(bounds_gtests)
   name_in_room(tests program)
   set(sources ${ARGN})

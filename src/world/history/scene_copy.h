@@ -41,8 +41,7 @@ class SceneCopy {
   std::vector<std::size_t> links_;  ///< that are asked for
   std::vector<ObjectKey> keys_;     ///< of the objects that are asked for by name
   std::vector<std::string> unknown_names_;
-  std::vector<std::size_t>
-      holders_;  ///< by link of the robot its rigid body, if objects are attached
+  std::vector<std::size_t> holders_;  ///< rigid body of each link; empty if nothing is attached
   std::unique_ptr<PastScene> past_;
   std::size_t next_link_ = 0;             ///< in links_
   std::size_t next_key_ = 0;              ///< in keys_

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A step that was interrupted is told.
+// wasInterrupted() after a step that was interrupted.
 #include "tools/bag_bounds/watch/nearest_pairs.h"
 
 #include <gtest/gtest.h>
