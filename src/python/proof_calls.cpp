@@ -227,7 +227,10 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
   std::vector<DisabledPair> disabled;
   if (!request.srdf.is_none()) {
     const std::string file = pathOf(request.srdf);
-    disabled = parseSrdf(readText(file, "a SRDF"), shared.robot(), file);
+    const std::string text = readText(file, "a SRDF");
+    disabled = parseSrdf(text, shared.robot(), file);
+    const std::string warning = otherRobotWarning(text, shared.robot(), file);
+    if (!warning.empty()) warnInPython(warning);
   }
   const BoundedRobot objects = objectsOf(shared, request.objects);
   const PathBodies bodies =

@@ -165,6 +165,9 @@ class RobotTest(UrdfBoundsTest):
                                    columns=columns, velocities=speeds, times=times,
                                    objects=objects, srdf=srdf)
         self.assertEqual(len(verdicts), 2)
+        other = self.write('other.srdf', '<robot name="leg"/>')
+        with self.assertWarnsRegex(RuntimeWarning, 'other.srdf.*"leg".*"arm"'):
+            link_bounds.Robot(urdf).check_path(rows, srdf=other)
 
     def test_forms_of_a_pose(self):
         robot = link_bounds.Robot(ARM)

@@ -264,6 +264,7 @@ bool CloudFilterNode::filterFirst() {
     giveUp(waiting, outcome.reason, outcome.may_come);
   }
   waiting_.pop_front();
+  if (waiting_.empty()) waits_for_.clear();  // what comes next may find its transforms
   return true;
 }
 
