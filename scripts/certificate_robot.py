@@ -83,7 +83,7 @@ def shape(element, file_of):
     if not np.isfinite(points).all():
         raise NotCovered('a vertex is no number')
     points, index = np.unique(points, axis=0, return_inverse=True)
-    scale = Interval(numbers(solid.get('scale', '1 1 1')))
+    scale = Interval(numbers(solid.get('scale', '1 1 1') if solid.tag == 'mesh' else '1 1 1'))
     return (origin(element).apply(Interval(points) * scale), radius,
             index.reshape((-1, 3) if solid.tag == 'mesh' else (1, -1)))
 

@@ -17,7 +17,8 @@
 namespace {
 
 int run(int argc, char** argv) {
-  const link_bounds::CommandLine line = link_bounds::readCommandLine(argc, argv);
+  const link_bounds::CommandLine line =
+      link_bounds::readCommandLine(argc, argv, link_bounds::publisherTables());
   if (line.help || line.version) {
     std::cout << (line.help ? link_bounds::usage()
                             : "link_bounds_publisher " LINK_BOUNDS_VERSION "\n");

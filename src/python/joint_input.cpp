@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/joint_input.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -99,8 +100,11 @@ std::string shapeOf(const py::array& array) {
   return reprOf(array.attr("shape"));
 }
 
-/// The values below the mask are no values.
+/// The values below the mask are no values, also where a list has the array.
 bool isMasked(const py::handle& q) {
+  if (py::isinstance<py::float_>(q) || py::isinstance<py::int_>(q)) return false;  // most are
+  if (py::isinstance<py::list>(q) || py::isinstance<py::tuple>(q))
+    return std::any_of(q.begin(), q.end(), isMasked);
   const auto module = py::getattr(py::type::handle_of(q), "__module__", py::str(""));
   return py::cast<std::string>(py::str(module)).rfind("numpy.ma", 0) == 0;
 }
@@ -138,7 +142,8 @@ void checkFinite(const SharedRobot& shared, const JointRows& rows, const std::st
 
 /// A number, or two.
 Limits rangeOf(const py::handle& value, const std::string& joint) {
-  const bool is_pair = py::isinstance<py::sequence>(value) && py::len(value) == 2;
+  const bool is_pair = py::isinstance<py::sequence>(value) && PyObject_Size(value.ptr()) == 2;
+  PyErr_Clear();  // of what has no size, such as an array without a dimension
   if (!is_pair) {
     const double number = numberOf(value, joint);
     return {number, number};

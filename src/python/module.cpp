@@ -3,6 +3,7 @@
 // What Python sees, and what help() says of it. link_bounds/__init__.pyi has the same signatures.
 #include <pybind11/stl.h>
 
+#include "link_bounds/robot/urdf/kinematics.h"
 #include "python/posed_calls.h"
 #include "python/proof_calls.h"
 #include "python/text.h"
@@ -128,7 +129,7 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
   if (given.empty()) throw py::value_error("the name of the URDF file is empty");
   const std::size_t begin = given.find_first_not_of(" \t\r\n");
   const bool is_text = begin != std::string::npos && given[begin] == '<';
-  request.text = is_text ? given : readText(given, "a URDF");
+  request.text = is_text ? given : textOfFile(given, "a URDF");
   request.base_folder = is_text ? "." : folderOf(given);
   if (geometry != "visual" && geometry != "collision" && geometry != "both")
     throw py::value_error("geometry is \"" + geometry +
@@ -146,8 +147,13 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
 std::unique_ptr<SharedRobot> load(const py::object& urdf, const std::string& geometry,
                                   const py::object& packages, bool allow_incomplete) {
   const RobotRequest request = requestOf(urdf, geometry, packages, allow_incomplete);
-  auto shared = interruptible(
-      [&](const StopFlag& stop) { return std::make_unique<SharedRobot>(request, stop); });
+  auto shared = interruptible([&](const StopFlag& stop) {
+    try {
+      return std::make_unique<SharedRobot>(request, stop);
+    } catch (const JointError& error) {  // no value was given yet: the URDF is wrong
+      throw UnusableRobot(error.what());
+    }
+  });
   for (const std::string& warning : shared->warnings())
     warnInPython(warning);
   return shared;

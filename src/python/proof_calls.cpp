@@ -13,9 +13,11 @@
 #include "robot/posed/robot_path.h"
 #include "robot/threads/row_threads.h"
 #include "robot/urdf/joints_above.h"
+#include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/text_file.h"
+#include "tools/urdf_bounds/path/path_limits.h"
 #include "tools/urdf_bounds/request/objects.h"
 
 namespace py = pybind11;
@@ -32,6 +34,11 @@ std::vector<JointRange> rangesOf(const SharedRobot& shared, const ProofRequest& 
     if (!movesBase(shared.robot(), i)) continue;
     if (!given.emplace(name, Limits{0, 0}).second)
       throw JointError("fixed_base keeps \"" + name + "\" at 0; give only one of the two");
+  }
+  std::string beyond = beyondLimits(shared.robot(), given);
+  if (!beyond.empty()) beyond += "; the proof is about these values all the same";
+  for (const std::string& warning : {beyond, equalLimits(shared.robot(), given)}) {
+    if (!warning.empty()) warnInPython(warning);
   }
   return jointRanges(shared.robot(), given);
 }
@@ -134,6 +141,14 @@ std::vector<JointMotion> motionsOf(const SharedRobot& shared, const PathRequest&
   return motions;
 }
 
+void warnOfLimits(const SharedRobot& shared, const std::vector<JointMotion>& motions) {
+  const auto row_name = [](std::size_t row) { return "q[" + std::to_string(row) + "]"; };
+  for (const auto& search : {rowsBeyond, overshoots}) {
+    for (const std::string& warning : search(shared.robot(), motions, row_name))
+      warnInPython(warning);
+  }
+}
+
 std::string pathOf(const py::object& file) {
   return py::cast<std::string>(py::module::import("os").attr("fsencode")(file));
 }
@@ -142,7 +157,7 @@ std::string pathOf(const py::object& file) {
 BoundedRobot objectsOf(const SharedRobot& shared, const py::object& given) {
   if (given.is_none()) return {};
   const std::string file = pathOf(given);
-  const Robot objects = parseObjects(readText(file, "a file of objects"), file);
+  const Robot objects = parseObjects(textOfFile(file, "a file of objects"), file);
   for (const Link& object : objects.links) {
     const auto has_name = [&](const Link& link) { return link.name == object.name; };
     const std::vector<Link>& links = shared.robot().links;
@@ -224,10 +239,11 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
   checkPositive("budget", request.budget, "seconds");
   checkJobs(request.jobs);
   const std::vector<JointMotion> motions = motionsOf(shared, request);
+  warnOfLimits(shared, motions);
   std::vector<DisabledPair> disabled;
   if (!request.srdf.is_none()) {
     const std::string file = pathOf(request.srdf);
-    const std::string text = readText(file, "a SRDF");
+    const std::string text = textOfFile(file, "a SRDF");
     disabled = parseSrdf(text, shared.robot(), file);
     const std::string warning = otherRobotWarning(text, shared.robot(), file);
     if (!warning.empty()) warnInPython(warning);
@@ -235,6 +251,7 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
   const BoundedRobot objects = objectsOf(shared, request.objects);
   const PathBodies bodies =
       pathBodies(shared.described(), shared.bounded(), objects, Exemptions(disabled));
+  if (bodies.pairs.empty()) warnInPython("no two bodies were compared");
   const auto proofs = interruptible([&](const StopFlag& stop) {
     PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),
                         request.jobs == 0 ? coreCount() : request.jobs};

@@ -6,6 +6,7 @@
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "robot/pairs/srdf.h"
 #include "tools/command_line/options.h"
+#include "tools/command_line/text_file.h"
 #include "tools/formats/safe_text.h"
 
 namespace link_bounds {
@@ -15,6 +16,12 @@ pybind11::str toPython(const std::string& text) {
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape");
   if (!result) throw pybind11::error_already_set();
   return pybind11::reinterpret_steal<pybind11::str>(result);
+}
+
+std::string textOfFile(const std::string& file, const std::string& what) {
+  // Standard input is Python's own.
+  if (file == "-") throw UsageError("\"-\" is no file; give the path of " + what);
+  return readText(file, what);
 }
 
 void warnInPython(const std::string& text) {

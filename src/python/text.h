@@ -19,6 +19,9 @@ class UnusableRobot : public std::runtime_error {
 /// Bytes that are no UTF-8 become surrogates, as in the names of files.
 pybind11::str toPython(const std::string& text);
 
+/// The text of a file; `what` it must be, such as "a URDF". Throws UsageError with the reason.
+std::string textOfFile(const std::string& file, const std::string& what);
+
 /// Emits a RuntimeWarning at the line of the caller. Throws where Python makes it an exception.
 void warnInPython(const std::string& text);
 

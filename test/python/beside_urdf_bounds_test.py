@@ -169,6 +169,28 @@ class RobotTest(UrdfBoundsTest):
         with self.assertWarnsRegex(RuntimeWarning, 'other.srdf.*"leg".*"arm"'):
             link_bounds.Robot(urdf).check_path(rows, srdf=other)
 
+    def test_warnings_of_proofs(self):
+        """Are those of urdf_bounds."""
+        robot = link_bounds.Robot(ARM)
+        with self.assertWarnsRegex(RuntimeWarning, '"turn" at 4 .limits -3 to 3'):
+            robot.pairs({'turn': 4})
+        with self.assertWarnsRegex(RuntimeWarning, '"turn" at -4 to 0 .limits -3 to 3'):
+            robot.reach({'turn': (-4, 0)})
+        still = link_bounds.Robot(ARM.replace('lower="-3" upper="3"', '', 1))
+        with self.assertWarnsRegex(RuntimeWarning, 'joints stay there: "turn"'):
+            still.pairs()
+        with self.assertWarnsRegex(RuntimeWarning, r'in q\[1\], joint "turn" leaves .*-3 to 3: 4'):
+            robot.check_path([[0, 0], [4, 0]])
+        with self.assertWarnsRegex(RuntimeWarning, r'between q\[0\] and q\[1\], joint "turn"'):
+            robot.check_path([[0, 0], [2, 0]], velocities=[[99, 0], [0, 0]], times=[0, 1])
+        every = ''.join('<disable_collisions link1="%s" link2="%s" reason="User"/>' % pair for pair in
+                        (('base', 'bar'), ('base', 'follower'), ('bar', 'follower')))
+        srdf = self.write('every.srdf', '<robot name="arm">%s</robot>' % every)
+        with self.assertWarnsRegex(RuntimeWarning, 'no two bodies were compared'):
+            segment, = robot.check_path([[0, 0], [1, 0]], srdf=srdf)
+        self.assertEqual(segment.verdict, 'UNDECIDED')
+        self.assertEqual(list(robot.reach({'turn': np.array(0.5)})), robot.links)
+
     def test_forms_of_a_pose(self):
         robot = link_bounds.Robot(ARM)
         self.assertEqual(robot.links, ['base', 'bar', 'follower'])

@@ -57,6 +57,7 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.check('joint "push" in q is nan', call, [0, float('nan')])
             self.check('joint "turn" in q is inf', call, {'turn': float('inf')})
             self.check(r'joint "turn" in q\[2\] is nan', call, [[0, 0], [0, 0], [np.nan, 0]])
+            self.check('masked array; fill it', call, [np.ma.array([0.0, 9.0], mask=[0, 1])])
             self.check('"elbow" is no movable joint of the robot; .* turn push', call, {'elbow': 1})
             self.check('"bar" is no movable joint', call, [{}, {'bar': 1}])
             self.check('value of joint "turn" is \'a\'', call, {'turn': 'a'})
@@ -142,6 +143,11 @@ class RobotFaultsTest(UrdfBoundsTest):
                    error=link_bounds.RobotError)
         self.check('', link_bounds.Robot, '<robot', error=link_bounds.RobotError)
         self.check('geometry is "visaul".*collision', link_bounds.Robot, ARM, 'visaul')
+        self.check('"-" is no file; give the path of a URDF', link_bounds.Robot, '-',
+                   error=link_bounds.RobotError)
+        turn = '<joint name="turn" type="revolute">'
+        circle = ARM.replace(turn, turn + '<mimic joint="follow"/>')
+        self.check('mimics in a circle', link_bounds.Robot, circle, error=link_bounds.RobotError)
 
     def test_a_build_without_pybind11(self):
         """Has the messages' package alone, and says so where a robot is asked for."""

@@ -5,11 +5,12 @@
 
 #include <ros/names.h>
 
+#include <algorithm>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <set>
 
-#include "node/interface/parameter_reader.h"
 #include "node/interface/parameter_table.h"
+#include "node/interface/topics.h"
 
 namespace link_bounds {
 namespace {
@@ -23,12 +24,15 @@ struct Assignment {
   std::string argument, left, right;
 };
 
-bool isParameter(const std::string& name) {
+bool isParameter(const std::string& name, const NodeTables& tables) {
   XmlRpcValue none;
-  Parameters ignored;
   ParameterReader reader(none);
-  visitParameters(ignored, reader);
+  tables.read_parameters(reader);
   return reader.knows(name);
+}
+
+bool isTopic(const std::string& name, const NodeTables& tables) {
+  return std::find(tables.topics.begin(), tables.topics.end(), name) != tables.topics.end();
 }
 
 bool isName(const std::string& text) {
@@ -66,32 +70,38 @@ void checkKeyword(const Assignment& a) {
   }
 }
 
-/// roscpp sets the parameter before the node reads it, so a bad value would stay on the server.
-void checkParameters(XmlRpcValue& values) {
-  Parameters ignored;
-  visitParameters(ignored, ParameterReader(values));
-}
-
 /// Launch files remap names for all nodes of a scope, so an unused name is no error.
-void checkRemapping(const Assignment& a, CommandLine& line) {
-  const bool is_parameter = isParameter(a.left);
+void checkRemapping(const Assignment& a, const NodeTables& tables, CommandLine& line) {
+  const bool is_topic = isTopic(a.left, tables);
+  const bool is_parameter = !is_topic && isParameter(a.left, tables);
+  const bool is_private = !is_topic && isTopic("~" + a.left, tables);
   const std::string hint = "to set the parameter, write _" + a.argument;
   if (!isName(a.left) || !isName(a.right)) {
     refuse(a.argument, "is a remapping, but \"" + (isName(a.left) ? a.right : a.left) +
                            "\" is no name of ROS; " +
                            (is_parameter ? hint : "names have letters, digits, _ and / only"));
   }
-  if (is_parameter) {
-    line.warnings.push_back("argument \"" + a.argument +
-                            "\" has no effect: it remaps a topic of that name, which the node "
-                            "does not have; " +
-                            hint);
-  }
+  if (!is_parameter && !is_private) return;
+  line.warnings.push_back("argument \"" + a.argument +
+                          "\" has no effect: it remaps a topic of that name, which the node does "
+                          "not have; " +
+                          (is_parameter ? hint : "to remap the private one, write ~" + a.argument));
 }
 
 }  // namespace
 
-CommandLine readCommandLine(int argc, const char* const* argv) {
+NodeTables publisherTables() {
+  NodeTables tables;
+  tables.read_parameters = [](ParameterReader& reader) {
+    Parameters ignored;
+    visitParameters(ignored, reader);
+  };
+  for (const TopicName& topic : kTopics)
+    tables.topics.emplace_back(topic.name);
+  return tables;
+}
+
+CommandLine readCommandLine(int argc, const char* const* argv, const NodeTables& tables) {
   CommandLine line;
   XmlRpcValue values;
   for (int i = 1; i < argc; ++i) {
@@ -108,7 +118,7 @@ CommandLine readCommandLine(int argc, const char* const* argv) {
       if (a.left.compare(0, 2, "__") == 0) {
         checkKeyword(a);
       } else if (a.left.compare(0, 1, "_") != 0) {
-        checkRemapping(a, line);
+        checkRemapping(a, tables, line);
       } else if (isName("~" + a.left.substr(1))) {
         values[a.left.substr(1)] = valueOf(a.right);
       } else {
@@ -116,7 +126,9 @@ CommandLine readCommandLine(int argc, const char* const* argv) {
       }
     }
   }
-  checkParameters(values);
+  // roscpp sets a parameter before the node reads it, so a bad value would stay on the server.
+  ParameterReader reader(values);
+  tables.read_parameters(reader);
   return line;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line of the node.
+// The command line of a node.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "node/interface/parameter_reader.h"
 
 namespace link_bounds {
 
@@ -15,6 +18,16 @@ class ArgumentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What the tables of a node have.
+struct NodeTables {
+  /// Reads all parameters of the node.
+  std::function<void(ParameterReader& reader)> read_parameters;
+  std::vector<std::string> topics;  ///< private ones begin with ~
+};
+
+/// Those of link_bounds_publisher.
+NodeTables publisherTables();
+
 struct CommandLine {
   bool help = false;     ///< print the usage and end
   bool version = false;  ///< print the version and end
@@ -23,6 +36,6 @@ struct CommandLine {
 
 /// Checks all arguments and the values of parameters among them, without a word to the ROS master:
 /// a node that registers ends the running one of its name. Throws ArgumentError and ParameterError.
-CommandLine readCommandLine(int argc, const char* const* argv);
+CommandLine readCommandLine(int argc, const char* const* argv, const NodeTables& tables);
 
 }  // namespace link_bounds

@@ -106,6 +106,8 @@ MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
   if (uri.find("://") != std::string::npos) {
     throw MeshError("the scheme of this URI is not supported; use package:// or file://");
   }
+  if (uri[0] == '/' && base_folder.empty())
+    throw MeshError("it is a path without a scheme; write file://" + uri);
   if (base_folder.empty()) {
     throw MeshError(
         "it is a relative name without a folder to start from; use package:// or file://");

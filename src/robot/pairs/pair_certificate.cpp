@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMaxBoxes = 1'000'000;
 constexpr double kFinestDistance = 1e-8;  // m
 constexpr double kMargin = 1e-8;
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// A direction with fewer digits is as good, and shorter.
 constexpr double kDigits = 1e6;
@@ -116,7 +116,7 @@ bool PairCertificate::writeContact(std::ostream& out) {
   const Eigen::Affine3d first_from_second(placed_.first_from_second);
   const double reach = claim_.distance - motion_.motion() * (1 + kMargin) - 2 * motion_.rounding();
   distances_.move(1, first_from_second);
-  distances_.setGoal({kFinestDistance, kFar, PairGoal::kMaxTreeSteps});
+  distances_.setGoal({kFinestDistance, kNoLimit, PairGoal::kMaxTreeSteps});
   auto found = distances_.find(0, 1);
   if (!found || found->upper > reach)
     found = coreContact(first_, second_, first_from_second, reach);
@@ -167,7 +167,7 @@ bool PairCertificate::writeDirections(std::ostream& out) const {
 Eigen::Vector3d PairCertificate::directionOf(const PairHull& first, const PairHull& second) const {
   const auto distance = bodyDistance(*first.body, Eigen::Affine3d::Identity(), *second.body,
                                      Eigen::Affine3d(placed_.first_from_second),
-                                     {accuracy(), kFar, PairGoal::kMaxTreeSteps});
+                                     {accuracy(), kNoLimit, PairGoal::kMaxTreeSteps});
   return distance ? distance->normal : Eigen::Vector3d::Zero();
 }
 

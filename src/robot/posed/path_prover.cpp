@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMaxSteps = 200'000;
 
 /// Beyond any robot [m].
-constexpr double kFar = 1e9;
+constexpr double kFarthest = 1e9;
 
 }  // namespace
 
@@ -218,7 +218,7 @@ class PathProver::Search {
     Pair& pair = begun(index);
     place(pair, share, 0);
     if (sphereGap(pair) >= proof_.nearest) return;
-    const double limit = std::min(proof_.nearest, kFar);
+    const double limit = std::min(proof_.nearest, kFarthest);
     const auto distance = distanceOf(pair, {goal_.accuracy / 10, limit, PairGoal::kMaxTreeSteps});
     if (distance) offer(pair, *distance, share);
   }
@@ -245,7 +245,7 @@ class PathProver::Search {
     double lower = sphereGap(pair) - motion;
     if (lower >= enough()) return lower;
     const DistanceGoal goal{std::max(PairGoal::kPoseAccuracy, PairGoal::kShareOfMotion * motion),
-                            std::min(enough(), kFar) + motion, PairGoal::kMaxTreeSteps};
+                            std::min(enough(), kFarthest) + motion, PairGoal::kMaxTreeSteps};
     pair.hulls.move(1, first_from_second);
     pair.hulls.setGoal(goal);
     const std::optional<BodyDistance> hulls = pair.hulls.find(0, 1);

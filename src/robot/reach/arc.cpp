@@ -14,19 +14,19 @@ namespace {
 constexpr double kMaxAngle = 1e9;
 
 /// Rounding of 2 pi.
-constexpr double kTurnRounding = 1e-12;
+constexpr double kAngleRounding = 1e-12;
 
 /// A test builds an engine that moves too little, which a check of its proofs has to find.
 #ifndef LINK_BOUNDS_SHARE_OF_MOTION
 #define LINK_BOUNDS_SHARE_OF_MOTION 1
 #endif
-constexpr double kShare = LINK_BOUNDS_SHARE_OF_MOTION;
+constexpr double kArcShare = LINK_BOUNDS_SHARE_OF_MOTION;
 
-Limits withinOneTurn(const Limits& range) {
-  const bool is_turn = range.upper - range.lower >= 2 * M_PI - kTurnRounding ||
+Limits anglesOf(const Limits& range) {
+  const bool is_turn = range.upper - range.lower >= 2 * M_PI - kAngleRounding ||
                        std::max(std::abs(range.lower), std::abs(range.upper)) > kMaxAngle;
-  return is_turn ? Limits{-kShare * M_PI, kShare * M_PI}
-                 : Limits{kShare * range.lower, kShare * range.upper};
+  return is_turn ? Limits{-kArcShare * M_PI, kArcShare * M_PI}
+                 : Limits{kArcShare * range.lower, kArcShare * range.upper};
 }
 
 /// A direction that turns about an axis.
@@ -48,7 +48,7 @@ struct TurningDirection {
 }  // namespace
 
 Arc::Arc(const Limits& range, double max_piece) {
-  const auto [lower, upper] = withinOneTurn(range);
+  const auto [lower, upper] = anglesOf(range);
   const double count = std::max(1.0, std::ceil((upper - lower) / max_piece));
   const auto angle = [&, lower = lower, upper = upper](double i) {
     return i < count ? lower + (upper - lower) * (i / count) : upper;

@@ -9,8 +9,8 @@ namespace link_bounds {
 namespace {
 
 /// [rad or m]. A face is off by about the square of the last step.
-constexpr double kFirstStep = 0.1;
-constexpr double kLastStep = 1e-7;
+constexpr double kLargestStep = 0.1;
+constexpr double kSmallestStep = 1e-7;
 
 /// A round of steps that gains less than this is the last one of its size [m]. Otherwise the search
 /// would creep for ever where a direction is almost level.
@@ -43,7 +43,7 @@ double faceAt(const JointPath& chain, const BoundedLink& link, std::size_t face,
 AttainedFace attainedFrom(const JointPath& chain, const BoundedLink& link, std::size_t face,
                           std::vector<double> start, const Stop& stop) {
   AttainedFace best{faceAt(chain, link, face, start), std::move(start)};
-  for (double step = kFirstStep; step > kLastStep && !stop();) {
+  for (double step = kLargestStep; step > kSmallestStep && !stop();) {
     const double before = best.at;
     for (std::size_t variable = 0; variable < chain.variables.size(); ++variable) {
       if (!improve(chain, link, face, variable, step, best))

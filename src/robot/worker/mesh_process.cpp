@@ -23,7 +23,7 @@ namespace {
 /// larger mesh: the 10 bytes of "f 1 2 3 4" become two triangles of 12 bytes each.
 constexpr std::uint64_t kExpansionBytes = 16 << 20;
 
-constexpr double kMaxTimeout = 1e8;  // s; three years of processor time
+constexpr double kMaxSeconds = 1e8;  // s; three years of processor time
 
 void checkSize(const MeshFile& file, const MeshLimits& limits) {
   std::error_code error;
@@ -40,7 +40,7 @@ void checkSize(const MeshFile& file, const MeshLimits& limits) {
 /// See src/tools/mesh_worker/mesh_worker.cpp.
 std::vector<std::string> commandLine(const std::string& worker, const MeshFile& file,
                                      const MeshLimits& limits) {
-  const double seconds = std::ceil(std::min(limits.timeout, kMaxTimeout));
+  const double seconds = std::ceil(std::min(limits.timeout, kMaxSeconds));
   return {worker,
           file.path,
           file.root,

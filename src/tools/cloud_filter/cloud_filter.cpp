@@ -8,10 +8,11 @@
 #include <exception>
 #include <iostream>
 #include <string>
-#include <vector>
 
+#include "node/interface/command_line.h"
 #include "node/interface/usage.h"
 #include "node/master/master_uri.h"
+#include "node/master/master_watch.h"
 #include "tools/cloud_filter/cloud_filter_node.h"
 #include "tools/cloud_filter/filter_parameters.h"
 #include "world/log/log_text.h"
@@ -28,26 +29,31 @@ std::string usage() {
              [&](auto& rows) { link_bounds::visitFilterParameters(defaults, rows); });
 }
 
+link_bounds::NodeTables filterTables() {
+  link_bounds::NodeTables tables;
+  tables.read_parameters = [](link_bounds::ParameterReader& reader) {
+    link_bounds::FilterParameters ignored;
+    link_bounds::visitFilterParameters(ignored, reader);
+  };
+  for (const link_bounds::TopicName& topic : link_bounds::kFilterTopics)
+    tables.topics.emplace_back(topic.name);
+  return tables;
+}
+
 int run(int argc, char** argv) {
-  std::vector<std::string> arguments;
-  ros::removeROSArgs(argc, argv, arguments);
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
-    if (arguments[i] == "--help" || arguments[i] == "-h") {
-      std::cout << usage();
-      return 0;
-    }
-    if (arguments[i] == "--version") {
-      std::cout << "cloud_filter " LINK_BOUNDS_VERSION "\n";
-      return 0;
-    }
-    std::cerr << "argument " << link_bounds::logText(arguments[i]) << " is not known; see --help\n";
-    return 1;
+  const link_bounds::CommandLine line = link_bounds::readCommandLine(argc, argv, filterTables());
+  if (line.help || line.version) {
+    std::cout << (line.help ? usage() : "cloud_filter " LINK_BOUNDS_VERSION "\n");
+    return 0;
   }
   link_bounds::checkMasterUri(argc, argv);
   ros::init(argc, argv, "cloud_filter");
   // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  for (const std::string& warning : line.warnings)
+    ROS_WARN("%s", link_bounds::logText(warning).c_str());
   link_bounds::CloudFilterNode node(ros::NodeHandle(), ros::NodeHandle("~"), ros::requestShutdown);
+  const link_bounds::MasterWatch master_watch;
   node.spin();
   return node.exitCode();
 }

@@ -3,6 +3,7 @@
 // Lines with the name of the program, and a bar of plain characters.
 #include "tools/command_line/terminal.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,6 +19,15 @@ namespace link_bounds {
 namespace {
 
 constexpr std::size_t kBarWidth = 30;
+
+/// A closed standard descriptor would be that of the next file that is opened, and warnings would
+/// be written into it. Standard output stays one that cannot be written to.
+void holdStandardDescriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) == -1)
+      open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 void drawMeshes(std::size_t done, std::size_t total) {
   drawBar(done, total, "meshes");
@@ -53,6 +63,7 @@ LoadProgress progressBar() {
 }
 
 int runProgram(const std::function<int()>& program) {
+  holdStandardDescriptors();
   // Without the signal, writing to a closed pipe is an error that finishOutput reports.
   std::signal(SIGPIPE, SIG_IGN);
   try {

@@ -11,7 +11,7 @@ namespace {
 
 CommandLine read(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "link_bounds_publisher");
-  return readCommandLine(static_cast<int>(arguments.size()), arguments.data());
+  return readCommandLine(static_cast<int>(arguments.size()), arguments.data(), publisherTables());
 }
 
 /// "" if the arguments are accepted.
@@ -35,6 +35,12 @@ TEST(CommandLine, TakesWhatRoslaunchAndUsersGive) {
        "_geometry:=collision", "_marker_labels:=True", "_parts_per_link:=8", "_paddign:=x"});
   EXPECT_FALSE(line.help || line.version);
   EXPECT_TRUE(line.warnings.empty());
+}
+
+TEST(CommandLine, WarnsOfTopicsWithoutTheirTilde) {
+  const CommandLine line = read({"objects:=/markers", "joint_states:=/arm/joint_states"});
+  ASSERT_EQ(line.warnings.size(), 1U);  // the other topic is public
+  EXPECT_TRUE(contains(line.warnings[0], "write ~objects:=/markers")) << line.warnings[0];
 }
 
 TEST(CommandLine, KnowsHelpAndVersion) {

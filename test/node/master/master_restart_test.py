@@ -11,7 +11,7 @@ import xmlrpc.client
 
 import rosgraph
 import rospy
-from bounds_testing import DEADLINE, Recorder, wait_for
+from bounds_testing import DEADLINE, Recorder, executable, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
 from own_master import OwnMaster
 from patience import PATIENCE
@@ -118,6 +118,20 @@ class MasterRestart(unittest.TestCase):
         self.assertEqual(entries(NODE), before)
         self.assertIn(NODE, run("rosnode", "list"))
         self.check_said_once()
+
+    def test_a_new_master_learns_of_the_cloud_filter(self):
+        cloud_filter = subprocess.Popen([executable("link_bounds", "cloud_filter")])
+        self.addCleanup(cloud_filter.wait)
+        self.addCleanup(cloud_filter.kill)
+        name = "/cloud_filter"
+
+        def is_complete():
+            return is_known(name) and name + "/reload" in dict(entries(name)["services"])
+        wait_for(is_complete, "the filter has registered")
+        before = entries(name)
+        self.restart_master()
+        wait_for(lambda: is_known(name) and entries(name) == before,
+                 "the new master knows the filter")
 
     def test_who_comes_after_the_restart_is_served(self):
         self.restart_master()

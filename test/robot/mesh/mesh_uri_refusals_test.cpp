@@ -75,6 +75,10 @@ TEST_F(MeshUriRefusals, AFifoIsRefusedWithoutBeingOpened) {
   expectRefused("file://" + (folder_ / "arm/pipe.stl"), "not a regular file");
 }
 
+TEST_F(MeshUriRefusals, APathWithoutAScheme) {
+  expectRefused("/tmp/x.stl", "write file:///tmp/x.stl");
+}
+
 TEST_F(MeshUriRefusals, ADevice) {
   expectRefused("file:///dev/zero", "not a regular file");
 }

@@ -491,6 +491,18 @@ class CloudFilter(unittest.TestCase):
             self.assertIn("~%s" % name, run.stdout)
             self.assertIn("must be", run.stdout)
 
+    def test_a_wrong_argument_does_no_harm_to_the_running_filter(self):
+        """A node that registers would end the running one, and set the parameter for ever."""
+        for argument, words in (("_padding:=abc", "~padding"), ("padding:=0.1", "_padding:=0.1"),
+                                ("what", "see --help")):
+            run = subprocess.run([executable("link_bounds", "cloud_filter"),
+                                  "__name:=cloud_filter", argument], timeout=60, check=False,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(run.returncode, 1, run.stdout)
+            self.assertIn(words, run.stdout)
+        self.assertFalse(rospy.has_param("/cloud_filter/padding"))
+        self.wait_status("/cloud_filter", lambda status: True)
+
     def test_a_master_uri_that_ros_refuses(self):
         for arguments, uri in ((["__master:=localhost"], os.environ["ROS_MASTER_URI"]),
                                ([], "localhost")):

@@ -66,6 +66,18 @@ class CertificateTest(UrdfBoundsTest):
                     joint('turn', 'revolute', 'arm', 'tip', limits=(-1e-4, 1e-4))]))
                 self.accept(urdf, '--all')
 
+    def test_a_scale_of_a_box_scales_nothing(self):
+        """So the box that is drawn is larger, and comes nearer, than the certificate says."""
+        def urdf(name, box_of_base):
+            return self.write(name, '<robot name="scale">%s</robot>' % ''.join([
+                link('base', '<geometry>%s</geometry>' % box_of_base), link('arm'),
+                link('tip', box('0.1 0.1 0.1', '0.3 0 0')),
+                joint('lift', 'prismatic', 'base', 'arm'),
+                joint('turn', 'revolute', 'arm', 'tip', limits=(-0.1, 0.1))]))
+        file, _ = self.certificate(urdf('small.urdf', '<box size="0.2 0.2 0.2"/>'))
+        large = urdf('large.urdf', '<box size="1 0.2 0.2" scale="0.2 1 1"/>')
+        self.assertEqual(check(file, large, '--all')[0], REFUSED)
+
     def test_pairs_that_were_taken_out(self):
         """The last line counts them; so does who knows the robot."""
         file, _ = self.certificate(self.urdf)

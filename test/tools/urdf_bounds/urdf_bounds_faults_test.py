@@ -423,6 +423,19 @@ class RefusalTest(UrdfBoundsTest):
                 self.assertEqual(code, 1)
                 self.assertRegex(err, '^urdf_bounds: error: cannot write')
 
+    def test_warnings_get_into_no_file_where_standard_error_is_closed(self):
+        urdf = self.write('r.urdf', ARM.replace('type="prismatic"', 'type="floating"'))
+        file = os.path.join(self.folder, 'r.cert')
+        arguments = (urdf, '--geometry', 'both', '--reach', '--certificate', file)
+        code, _, err = run(*arguments)
+        self.assertIn('warning: link "slide"', err)
+        with open(file, encoding='utf-8') as lines:
+            expected = lines.read()
+        self.assertEqual(run(*arguments, stderr=None, preexec_fn=lambda: os.close(2))[0], code)
+        with open(file, encoding='utf-8') as lines:
+            self.assertEqual(re.sub(r'"seconds": [^,}]*', '', lines.read()),
+                             re.sub(r'"seconds": [^,}]*', '', expected))
+
     def test_certificates_that_cannot_be_written(self):
         for file, reason in (('/dev/full', 'No space left on device'),
                              (self.folder + '/none/c', 'No such file or directory')):

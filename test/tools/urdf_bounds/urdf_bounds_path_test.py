@@ -110,6 +110,7 @@ class PathTest(UrdfBoundsTest):
                 ('has no objects', ''), ('is no YAML', 'a: ['), ('has no field "size"', 'a: {size: 1}'),
                 ('type of object "a" is "CONE".*CUBE', 'a: {type: CONE, scale: {x: 1, y: 1, z: 1}}'),
                 ('has no scale', 'a: {type: CUBE}'),
+                ('its scale has no z; give', 'a: {type: CUBE, scale: {x: 1, y: 1}}'),
                 ('x is "wide"', 'a: {type: CUBE, scale: {x: wide}}'),
                 ('has the name of a link', POST.replace('post', 'block') % 1),
                 ('mesh_resource is empty', 'a: {type: MESH_RESOURCE}'),

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "robot/urdf/limit_warnings.h"
 #include "tools/formats/safe_text.h"
-#include "tools/urdf_bounds/request/joint_table.h"
 
 namespace link_bounds {
 namespace {
@@ -16,13 +16,25 @@ constexpr double kShortest = 1e-4;  // share of a segment
 
 class LimitSearch {
  public:
-  LimitSearch(const JointMotion& motion, const Lead& lead, const Limits& limits)
-      : motion_(motion), lead_(lead), limits_(limits) {}
+  LimitSearch(const JointMotion& motion, const Lead& lead, const Joint& joint)
+      : motion_(motion), lead_(lead), joint_(joint), limits_(*joint.limits) {}
+
+  /// The value at that share of the motion, if it is beyond the limits.
+  std::optional<double> beyondAt(double share) const {
+    const double value = valueAt(share);
+    return isBeyond(limits_, value) ? std::make_optional(value) : std::nullopt;
+  }
 
   /// A value beyond the limits, if both ends keep them.
   std::optional<double> overshoot() const {
-    if (isBeyond(limits_, valueAt(0)) || isBeyond(limits_, valueAt(1))) return std::nullopt;
+    if (beyondAt(0) || beyondAt(1)) return std::nullopt;
     return search(0.5, 0.5);
+  }
+
+  /// In words.
+  std::string leaves(double value) const {
+    return "joint \"" + joint_.name + "\" leaves the limits " + shortestNumber(limits_.lower) +
+           " to " + shortestNumber(limits_.upper) + ": " + shortestNumber(value);
   }
 
  private:
@@ -42,29 +54,48 @@ class LimitSearch {
 
   const JointMotion& motion_;
   const Lead& lead_;
+  const Joint& joint_;
   const Limits& limits_;
 };
 
-}  // namespace
-
-std::vector<std::string> overshoots(const std::string& file, const Robot& simple,
-                                    const std::vector<JointMotion>& motions) {
+/// Of each joint with limits the first text that `say` has of a motion, the one from that row on.
+template <class Say>
+std::vector<std::string> ofEachJoint(const Robot& simple, const std::vector<JointMotion>& motions,
+                                     const Say& say) {
   std::vector<std::string> result;
   const std::vector<Lead> leads = leadsOf(simple);
   for (std::size_t i = 0; i < simple.joints.size(); ++i) {
     const Joint& joint = simple.joints[i];
     if (!hasValue(joint.motion) || !joint.limits) continue;
-    for (std::size_t row = 0; row < motions.size(); ++row) {
-      const auto value = LimitSearch(motions[row], leads[i], *joint.limits).overshoot();
-      if (!value) continue;
-      result.push_back(file + ": between row " + std::to_string(row + 1) + " and row " +
-                       std::to_string(row + 2) + ", joint \"" + joint.name +
-                       "\" leaves the limits " + shortestNumber(joint.limits->lower) + " to " +
-                       shortestNumber(joint.limits->upper) + ": " + shortestNumber(*value));
-      break;
-    }
+    std::string text;
+    for (std::size_t row = 0; row < motions.size() && text.empty(); ++row)
+      text = say(LimitSearch(motions[row], leads[i], joint), row);
+    if (!text.empty()) result.push_back(text);
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<std::string> overshoots(const Robot& simple, const std::vector<JointMotion>& motions,
+                                    const RowName& row_name) {
+  return ofEachJoint(simple, motions, [&](const LimitSearch& search, std::size_t row) {
+    const std::optional<double> value = search.overshoot();
+    return value ? "between " + row_name(row) + " and " + row_name(row + 1) + ", " +
+                       search.leaves(*value)
+                 : "";
+  });
+}
+
+std::vector<std::string> rowsBeyond(const Robot& simple, const std::vector<JointMotion>& motions,
+                                    const RowName& row_name) {
+  return ofEachJoint(simple, motions, [&](const LimitSearch& search, std::size_t row) {
+    if (const auto value = search.beyondAt(0))
+      return "in " + row_name(row) + ", " + search.leaves(*value);
+    if (const auto value = search.beyondAt(1))
+      return "in " + row_name(row + 1) + ", " + search.leaves(*value);
+    return std::string();
+  });
 }
 
 }  // namespace link_bounds

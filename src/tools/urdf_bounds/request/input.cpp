@@ -3,10 +3,8 @@
 // Each refusal says what could be given instead.
 #include "tools/urdf_bounds/request/input.h"
 
-#include <locale>
-#include <sstream>
-
 #include "link_bounds/robot/urdf/kinematics.h"
+#include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
@@ -24,38 +22,9 @@ void checkNames(const Robot& robot, const GivenRanges& given) {
   }
 }
 
-/// The values beyond their limits, in words.
-std::string beyondLimits(const Robot& robot, const GivenRanges& given) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  for (const Joint& joint : robot.joints) {
-    const auto found = given.find(joint.name);
-    if (found == given.end() || joint.mimic || !joint.limits) continue;
-    const auto [lower, upper] = *joint.limits;
-    const auto [from, to] = found->second;
-    if (from >= lower && to <= upper) continue;
-    text << (text.tellp() > 0 ? ", \"" : "\"") << joint.name << "\" at " << from;
-    if (from < to) text << " to " << to;
-    text << " (limits " << lower << " to " << upper << ")";
-  }
-  return text.tellp() > 0 ? "beyond the limits of its joint in the URDF: " + text.str() : "";
-}
-
 /// `subject` is what is printed. One warning for all of them.
 void warnOfLimits(const std::string& beyond, const std::string& subject) {
   if (!beyond.empty()) warn(beyond + "; " + subject + " all the same");
-}
-
-/// A <limit> without lower and upper means 0 and 0, which its author may not have meant.
-void warnOfStill(const Robot& robot, const GivenRanges& given) {
-  std::string names;
-  for (const Joint& joint : robot.joints) {
-    const bool is_still = joint.limits && joint.limits->lower == joint.limits->upper;
-    if (!is_still || joint.mimic || given.count(joint.name)) continue;
-    names += (names.empty() ? "\"" : ", \"") + joint.name + "\"";
-  }
-  if (!names.empty())
-    warn("the lower limit is equal to the upper one, so these joints stay there: " + names);
 }
 
 /// Floating and planar joints of the root do not move.
@@ -87,7 +56,8 @@ std::vector<JointRange> rangesFor(const Robot& robot, GivenRanges given, bool ha
   checkNames(robot, given);
   if (has_fixed_base) fixBase(robot, given);
   warnOfLimits(beyondLimits(robot, given), "the proof is about these values");
-  warnOfStill(robot, given);
+  const std::string equal = equalLimits(robot, given);
+  if (!equal.empty()) warn(equal);
   return jointRanges(robot, given);
 }
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "robot/urdf/joint_ranges.h"
+#include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/trimmed.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
@@ -394,12 +394,6 @@ void tellProblems(const UrdfBoundsOptions& options, const std::vector<std::strin
       throw UsageError(problem + "; --strict accepts only tables without a fault");
     warn(problem);
   }
-}
-
-bool isBeyond(const Limits& limits, double value) {
-  constexpr double kRounding = 1e-9;
-  return value < limits.lower - kRounding * std::max(1.0, std::abs(limits.lower)) ||
-         value > limits.upper + kRounding * std::max(1.0, std::abs(limits.upper));
 }
 
 JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given) {

@@ -47,9 +47,6 @@ JointTable readJointTable(const UrdfBoundsOptions& options, const Robot& simple,
 /// Warns of each, or with --strict refuses the first one.
 void tellProblems(const UrdfBoundsOptions& options, const std::vector<std::string>& problems);
 
-/// Beyond rounding, which a value that was computed may have.
-bool isBeyond(const Limits& limits, double value);
-
 /// One value per joint of the robot in that row.
 JointValues valuesOf(const JointTable& table, std::size_t row, JointValues given);
 

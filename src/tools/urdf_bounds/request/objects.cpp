@@ -116,6 +116,10 @@ class ObjectReader {
         refuse("it has no scale; give its lengths, as in " + std::string(kExample));
       element.size = scale;
     }
+    for (const char* const axis : {"x", "y", "z"}) {
+      if (fields["scale"] && !fields["scale"][axis])
+        refuse(std::string("its scale has no ") + axis + "; give x, y and z");
+    }
     objects_.links.push_back({name, {element}, {}});
   }
 

@@ -80,9 +80,9 @@ Lengths are metres. Exit code, the first that applies:
   1  unusable robot, SRDF, table or arguments
   3  the SRDF disables a pair that can collide; a row of --poses has a contact; a segment of
      --path COLLIDES
-  4  of --distances, --poses, --reach and --pairs without --allow-incomplete: a mesh is missing or
-     something else is incomplete, a pair or segment is UNDECIDED, the accuracy was not reached, a row was left
-     out, or nothing was looked at
+  4  of --distances, --poses, --path, --reach and --pairs without --allow-incomplete: a mesh is
+     missing or something else is incomplete, a pair or segment is UNDECIDED, the accuracy was not
+     reached, a row was left out, or nothing was looked at
   2  see --strict
   0  everything was answered and holds
 )";
