@@ -22,6 +22,7 @@ namespace {
 /// An output takes at once all that waited.
 constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
+constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
@@ -224,8 +225,14 @@ std::size_t CloudFilterNode::Waiting::bytes() const {
   return sum + cloud->data.size();
 }
 
+std::string CloudFilterNode::Waiting::fault() const {
+  if (header().stamp.isZero()) return kNoStamp;
+  return cloud ? layoutOf(*cloud).problem : LaserPoints(*scan).problem();
+}
+
 /// While the first one waits for tf, all do.
 void CloudFilterNode::add(Waiting waiting) {
+  completed([&] { observeClock(); });  // what is of after a jump must not be dropped with the rest
   std::size_t bytes = waiting.bytes();
   if (bytes > kMaxWaitingBytes) {
     giveUp(waiting, "it is larger than 256 MB, which is all that may wait", false);
@@ -268,10 +275,11 @@ bool CloudFilterNode::filterFirst() {
   return true;
 }
 
-/// What cannot be read is never passed on.
+/// What cannot be read is never passed on, also where it is late because it was behind others.
 void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, bool is_late) {
-  const bool is_passed = is_late && robot_ && robot_->parameters.late == "pass";
-  health_.addUnfiltered(waiting.topic(), reason, is_passed);
+  const std::string fault = waiting.fault();
+  const bool is_passed = is_late && fault.empty() && robot_ && robot_->parameters.late == "pass";
+  health_.addUnfiltered(waiting.topic(), fault.empty() ? reason : fault, is_passed);
   if (!is_passed) return;
   publish(waiting);
 }
@@ -286,8 +294,7 @@ void CloudFilterNode::publish(const Waiting& waiting) {
 }
 
 CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting) {
-  if (waiting.header().stamp.isZero())
-    return {false, false, "its header has no stamp; set that of the measurement"};
+  if (waiting.header().stamp.isZero()) return {false, false, kNoStamp};
   if (!robot_) return {false, true, "no robot has been loaded yet"};
   if (waiting.cloud) {
     const CloudLayout layout = layoutOf(*waiting.cloud);

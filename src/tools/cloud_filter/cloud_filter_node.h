@@ -58,6 +58,7 @@ class CloudFilterNode {
     std::optional<TimeSpan> span = std::nullopt;  ///< of its points, once it is known
 
     std::size_t bytes() const;  ///< of all that has no fixed size
+    std::string fault() const;  ///< why it cannot be read; "" if it can
     const std_msgs::Header& header() const { return cloud ? cloud->header : scan->header; }
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
   };

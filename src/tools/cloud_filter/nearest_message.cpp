@@ -11,12 +11,15 @@ namespace link_bounds {
 namespace {
 
 constexpr char kCloudName[] = "cloud";
+/// A time of a point may be garbage where no transform moves; ros::Time has no later one [ns].
+constexpr std::int64_t kLatest = 4'294'967'295'999'999'999;
 
 Distance toDistance(const std::string& name, const NearestPoint& nearest) {
   Distance result;
   result.first = name;
   result.second = kCloudName;
-  if (nearest.stamp >= 0) result.stamp.fromNSec(static_cast<std::uint64_t>(nearest.stamp));
+  const std::int64_t stamp = std::clamp(nearest.stamp, std::int64_t{0}, kLatest);
+  result.stamp.fromNSec(static_cast<std::uint64_t>(stamp));
   result.distance = nearest.lower;
   result.distance_max = nearest.upper;
   result.on_first = toPoint(nearest.on_link);

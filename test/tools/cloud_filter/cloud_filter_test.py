@@ -216,6 +216,21 @@ class CloudFilter(unittest.TestCase):
         self.assertEqual([m.header.stamp for m in self.output.messages], stamps[-32:])
         self.assertEqual(self.refused("more clouds came"), 0)
 
+    def test_a_late_cloud_that_cannot_be_read_is_not_passed(self):
+        self.send_tf(-0.1, 0)
+        stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 35)]
+        self.clouds.publish(cloud(stamps[0], [(LEFT, 0)]))
+        self.wait_status("/late_filter", lambda status: any(
+            (value.key, value.value) == ("waiting", "1") for value in status.values), False)
+        for i, stamp in enumerate(stamps[1:]):
+            message = cloud(stamp, [(LEFT, 0)])
+            message.is_bigendian = i == 0
+            self.clouds.publish(message)
+        wait_for(lambda: self.refused("big-endian", "/late_filter") == 1, "why it is dropped")
+        self.assertEqual([m.header.stamp for m in self.late.messages], stamps[:1])
+        self.send_tf(0, 0.1)
+        self.late.wait(lambda m: m.header.stamp == stamps[-1], "the last cloud")
+
     def test_the_nearest_point_of_what_remains(self):
         self.send_tf(-0.1, 0.1)
         self.clouds.publish(cloud(self.stamp, [(LEFT, 0), (BETWEEN, 0), (FAR, 0)]))
@@ -373,10 +388,10 @@ class CloudFilter(unittest.TestCase):
         self.assertEqual([math.isnan(place[0]) for place in places_of(output)],
                          IS_ROBOT[:-1] + [True])
 
-    def refused(self, words):
+    def refused(self, words, name="/cloud_filter"):
         """How many clouds were not filtered for that reason, in all statuses of this test."""
         return sum(int(value.value) for message in self.status.messages
-                   for status in message.status if status.name == "/cloud_filter: cloud filter"
+                   for status in message.status if status.name == name + ": cloud filter"
                    for value in status.values
                    if value.key.startswith("not filtered") and words in value.key)
 
