@@ -4,8 +4,8 @@
 #include "world/history/motion_path.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+
+#include "world/history/pose_gap.h"
 
 namespace link_bounds {
 namespace {
@@ -14,9 +14,7 @@ using Frame = TransformBuffer::Frame;
 using Samples = std::vector<const EdgeSample*>;
 
 std::string seconds(std::int64_t nanoseconds) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << static_cast<double>(nanoseconds) / 1e9 << " s";
-  return text.str();
+  return secondsText(nanoseconds) + " s";
 }
 
 std::string quoted(const std::string& name) {
@@ -60,9 +58,11 @@ class Climber {
  private:
   std::string notCovered(Frame frame, const EdgeHistory& history) const {
     const SampleRing& samples = history.samples();
-    const std::size_t forgotten = samples.countUntil(history.oldestKept() - 1);
-    return "tf knows frame " + quoted(tf_.name(frame)) + " from " +
-           seconds(samples[forgotten].stamp) + " to " + seconds(samples.newest().stamp) +
+    const std::int64_t oldest = samples[samples.countUntil(history.oldestKept() - 1)].stamp;
+    // An excerpt of tf may end soon after the span.
+    const std::string known = oldest > span_.begin ? "from " + seconds(oldest) + " on"
+                                                   : "up to " + seconds(samples.newest().stamp);
+    return "tf knows frame " + quoted(tf_.name(frame)) + " only " + known +
            ", which does not cover the span from " + seconds(span_.begin) + " to " +
            seconds(span_.end);
   }
