@@ -217,6 +217,13 @@ class MomentsTest(BagBoundsTest):
         rows = run(bag, '--urdf', self.urdf, '--at', '0.51', '--format', 'csv')[1]
         self.assertRegex(rows, r'(?m)^at_max_x,left,,[\d.]+,0\.51\d*,1000\.51\d*$')
 
+    def test_a_time_that_is_no_sum_of_powers_of_two(self):
+        """A message at 1.001 s belongs to a report that ends there."""
+        messages = [static_arms()] + [moving_arms(t / PERIOD) for t in (1, 1.001)]
+        found = self.report(self.bag(messages), '--end', '1.001', '--at', '1.001')
+        self.assertEqual((found['messages'], found['to']), (3, 1.001))
+        self.assertEqual(found['boxes'][2]['time'], 1.001)
+
     def test_boxes_that_are_not_known_then_are_incomplete(self):
         bag = self.bag([static_arms()] + [moving_arms(i, links=('right',)) for i in range(5)] +
                        [moving_arms(i) for i in range(5, 9)])

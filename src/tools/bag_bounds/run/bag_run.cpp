@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/run/bag_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -43,7 +44,7 @@ std::set<std::string> topicsOf(const BagBoundsOptions& options) {
 /// Nanoseconds, of any number of seconds.
 std::int64_t after(std::int64_t begin, double seconds) {
   constexpr double kFar = 4e9;  // s
-  return begin + static_cast<std::int64_t>(std::min(seconds, kFar) * 1e9);
+  return begin + std::llround(std::min(seconds, kFar) * 1e9);
 }
 
 /// Transforms that boxes needed, and that none was made of. Repeated ones say nothing new, unless
