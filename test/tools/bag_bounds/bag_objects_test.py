@@ -86,6 +86,17 @@ class ObjectsTest(BagBoundsTest):
         self.assertEqual([stay['name'] for stay in stays], ['part/1'])
         self.assertTrue(stays[0]['entered']['time'] <= 5 * PERIOD <= stays[0]['end']['time'])
 
+    def test_objects_are_those_of_the_time_of_at(self):
+        """Not those after the next message, which may move or delete them."""
+        near, far = (marker('part/1', pose=Pose((x, 0, 0))) for x in (10, 20))
+        changes = [recorded(1, near), recorded(20.5, far), recorded(40.5, deletion('part/1'))]
+        messages = [static_arms()] + [moving_arms(i) for i in range(0, 60, 5)] + changes
+        for at, x in ((.405, [10]), (.43, [20]), (.805, [20]), (.83, [])):
+            with self.subTest(at=at):
+                boxes = self.objects(messages, '--at', str(at))['boxes']
+                found = [box['min'][0] + .5 for box in boxes if box['name'] == 'part/1']
+                self.assertEqual([round(value, 6) for value in found], x)
+
     def test_the_box_of_an_earlier_marker_stands_while_the_new_one_waits(self):
         """For the transform of another frame, at a stamp that tf reaches later."""
         old = marker('part/1', frame='left_tip', scale=(.1, .2, .3))

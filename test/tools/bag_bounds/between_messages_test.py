@@ -140,6 +140,26 @@ class PostTest(BagBoundsTest):
         self.assertEqual((found['entries'], found['undecided']), (0, 0))
         self.zone(swing(5, jump=0.45), '--timeout', '5', code=ENTERED)
 
+    def test_a_motion_that_goes_on_at_the_start(self):
+        """It counts for a report that begins within it, and not for one that ends there."""
+        bag = self.bag([marker(1, 0, 0.05)] + swing(5))
+        zones = self.write('zones.yaml', self.POST)
+        for arguments in (('--zones', zones), ('--distances', '0.01', '--objects', '/objects')):
+            for start, code in ((0.45, ENTERED), (0.57, ENTERED), (0.61, 0)):
+                with self.subTest(arguments=arguments, start=start):
+                    self.report(bag, *arguments, '--start', str(start), code=code)
+            self.report(bag, *arguments, '--end', '0.57', code=0)
+
+    def test_what_is_there_at_the_start(self):
+        """Also where the report ends before the next message or tick."""
+        place = zone_text('place', [0.9, -0.3, -1], [1, -0.1, 1])  # where the hand is at 0.4 s
+        bag = self.bag(swing(5))
+        found = self.report(bag, '--zones', self.write('zones.yaml', place), '--start', '0.57',
+                            '--end', '0.58', code=ENTERED)
+        self.assertEqual((found['from'], found['to']), (0.57, 0.57))
+        stay, = found['zones'][0]['stays']
+        self.assertEqual((stay['entered']['time'], stay['entered']['stamp']), (0.57, BEGIN + 0.4))
+
     def test_a_distance_is_undercut(self):
         for size, code in ((0.05, UNDERCUT), (0.002, UNDERCUT)):
             bag = self.bag([marker(1, 0, size)] + swing(5))

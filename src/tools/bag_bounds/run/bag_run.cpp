@@ -101,7 +101,8 @@ void BagRun::begin() {
   to_ = options_.end ? after(begin_, *options_.end) : std::numeric_limits<std::int64_t>::max();
   if (options_.start == 0) from_ = std::numeric_limits<std::int64_t>::min();
   last_ = begin_;
-  if (options_.at) boxes_at_.emplace(after(begin_, *options_.at));
+  looks_ = {from_};
+  if (options_.at) looks_.insert(boxes_at_.emplace(after(begin_, *options_.at)).stamp());
   scene_.adopt(model_, begin_);
   zones_.watch(scene_.scene(), scene_.tf(), toRosTime(begin_));
   if (joints_) scene_.takeJoints(options_.joint_states, *joints_);
@@ -170,6 +171,8 @@ bool BagRun::lacksLinkBox() const {
 void BagRun::readMessages() {
   BagMessage message;
   while (reader_.next(message)) {
+    was_interrupted_ = !lookBefore(message.time);
+    if (was_interrupted_) return;
     if (message.time > to_) {
       was_interrupted_ = !scene_.passTo(to_);
       goes_back_after_end_ = reader_.goesBackTo(to_);
@@ -183,6 +186,17 @@ void BagRun::readMessages() {
     if (was_interrupted_) return;
   }
   was_interrupted_ = reader_.wasInterrupted();
+}
+
+/// The begin of the report and --at may lie between two messages or ticks: what is there then
+/// counts, before a later message changes it. False if it was interrupted.
+bool BagRun::lookBefore(std::int64_t message) {
+  for (const std::int64_t time : looks_) {
+    if (time <= scene_.now() || time >= message || time > to_) continue;
+    if (!scene_.passTo(time)) return false;
+    onStep(time, false);
+  }
+  return true;
 }
 
 /// Called by the reader now and then.

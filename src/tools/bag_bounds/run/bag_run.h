@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "tools/bag_bounds/boxes/boxes_bag.h"
@@ -48,6 +49,7 @@ class BagRun {
   void findOtherTopics();
   bool lacksLinkBox() const;
   void readMessages();
+  bool lookBefore(std::int64_t message);
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);
   void onStep(std::int64_t now, bool is_tick);
@@ -71,7 +73,8 @@ class BagRun {
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
   std::int64_t from_ = 0;   ///< what is reported, likewise
   std::int64_t to_ = 0;
-  std::int64_t last_ = 0;  ///< the newest that is reported, likewise
+  std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
+  std::int64_t last_ = 0;         ///< the newest that is reported, likewise
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
