@@ -160,6 +160,25 @@ class PostTest(BagBoundsTest):
         stay, = found['zones'][0]['stays']
         self.assertEqual((stay['entered']['time'], stay['entered']['stamp']), (0.57, BEGIN + 0.4))
 
+    def test_a_recorder_that_stalls(self):
+        """For longer than `timeout`, so that the hand had no box. tf knows its whole way."""
+        stall = time_of(BEGIN + 3)
+        messages = [(topic, message, max(stamp, stall) if stamp > time_of(BEGIN + .45) else stamp)
+                    for topic, message, stamp in swing(5)]
+        self.zone(messages, code=ENTERED, text=self.POST)
+        found = self.report(self.bag([marker(1, 0, 0.05)] + messages), '--distances', '0.01',
+                            '--objects', '/objects', code=UNDERCUT)
+        self.assertEqual(found['distances'][0]['clearance'], 0)
+
+    def test_who_is_inside_while_the_recorder_stalls(self):
+        """Entered once more, but was not known outside before."""
+        stall = time_of(BEGIN + 3)
+        messages = [(topic, message, max(stamp, stall) if stamp > time_of(BEGIN + .45) else stamp)
+                    for topic, message, stamp in swing(5, speed=0)]
+        stays = self.zone(messages, text=self.POST, code=ENTERED)['stays']
+        self.assertEqual([stay['how'] for stay in stays], ['lost', 'report_ended'])
+        self.assertEqual([stay['entered'].get('after') for stay in stays], [None, None])
+
     def test_a_distance_is_undercut(self):
         for size, code in ((0.05, UNDERCUT), (0.002, UNDERCUT)):
             bag = self.bag([marker(1, 0, size)] + swing(5))

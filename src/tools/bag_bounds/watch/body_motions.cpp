@@ -99,11 +99,10 @@ BodyMotions::Last& BodyMotions::lastOf(const ObjectKey& key) {
 
 const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                                     const FrameView::Placed& placed) {
-  const bool had_box = std::exchange(last.has_box, placed.state.box.has_value());
-  if (!last.has_box) return nullptr;
+  if (!placed.state.box) return nullptr;
   const BoxSource source = scene_.boxSource(body);
   const std::int64_t passed = placed.pose_stamp - last.stamp;
-  const bool has_moved = had_box && last.object == source.object && last.stamp != 0 && passed > 0 &&
+  const bool has_moved = last.object == source.object && last.stamp != 0 && passed > 0 &&
                          (timeout_ == 0 || static_cast<double>(passed) <= timeout_);
   if (has_moved) {
     motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,

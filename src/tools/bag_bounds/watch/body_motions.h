@@ -70,9 +70,10 @@ using BodyNumber = std::uint64_t;
 /// All points of the shapes are at most so far from the origin of the motion's source [m].
 double radiusOf(const BodyMotion& motion);
 
-/// A body moves while the stamp of its box grows, from one transform to a later one. It does not
-/// move, but is another one, where its box was lost meanwhile, where a marker came again, where the
-/// clock jumped back, and where nothing was known of it for longer than `timeout`.
+/// A body moves while the stamp of its box grows, from one transform to a later one, also where its
+/// box was lost meanwhile: transforms may have been recorded late. It does not move, but is another
+/// one, where a marker came again, where the clock jumped back, and where its stamps are farther
+/// apart than `timeout`.
 class BodyMotions {
  public:
   /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
@@ -95,8 +96,7 @@ class BodyMotions {
 
  private:
   struct Last {
-    bool has_box = false;
-    std::int64_t stamp = 0;  ///< of the pose; 0: does not move
+    std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
     Aabb box;
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     BodyNumber number = 0;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "tools/bag_bounds/watch/zone_search.h"
 #include "world/history/motion_walk.h"
@@ -102,7 +104,7 @@ void PairMotions::look(const MomentPtr& moment, MomentPairs& pairs, const LiveBo
   double way = 0;
   for (const MovedBody& mover : movers_)
     way = std::max(way, mover.way);
-  if (last_ && way > 0) {
+  if (way > 0) {
     const double margin = moment->model->parameters.distance_limit + 2 * way;
     std::vector<BoxPair> near;
     pairs.read(
@@ -115,41 +117,52 @@ void PairMotions::look(const MomentPtr& moment, MomentPairs& pairs, const LiveBo
   }
   for (auto lease = leases_.begin(); lease != leases_.end();)
     lease = lease->second.first == pass_ ? std::next(lease) : leases_.erase(lease);
-  last_ = moment;
 }
 
 void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
   ++pass_;
   moment_ = moment;
   movers_.clear();
-  const double timeout = moment->model->parameters.timeout;
-  const auto fixed = tf.find(moment->model->fixed_frame);
   for (const Moment::Body& body : moment->bodies) {
     MovedBody mover = moverOf(body, tf);
     mover.end = !body.object || body.object->follows() ? body.stamp : 0;
     movers_.push_back(mover);
   }
+  findBegins(*moment);
   if (!edges_) edges_.emplace(tf);
-  if (!last_ || !fixed) return;
-  std::map<std::pair<std::size_t, const ObjectContent*>, const Moment::Body*> before;
-  for (const Moment::Body& body : last_->bodies)
-    before[{body.link.value_or(0), body.object.get()}] = &body;
-  WayBound& ways = ways_.try_emplace(*fixed, *edges_, *fixed).first->second;
-  std::int64_t earliest = 0;  // begin of a motion of this step; 0: none
+  const auto fixed = tf.find(moment->model->fixed_frame);
+  if (fixed) findWays(ways_.try_emplace(*fixed, *edges_, *fixed).first->second);
+}
+
+/// Remembers the stamps of this moment for the next one, and forgets objects that are gone.
+void PairMotions::findBegins(const Moment& moment) {
+  const double timeout = moment.model->parameters.timeout;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const Moment::Body& body = moment->bodies[i];
-    const auto found = before.find({body.link.value_or(0), body.object.get()});
-    if (found == before.end()) continue;
+    const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
-    mover.begin = mover.end == 0 ? 0 : found->second->stamp;
+    const BodyKey key{body.link ? *body.link + 1 : 0, body.object};
+    const auto [last, is_new] = stamps_.try_emplace(key, 0);
+    const std::int64_t before = std::exchange(last->second, body.stamp);
+    if (is_new) continue;
+    mover.begin = mover.end == 0 ? 0 : before;
     const std::int64_t passed = mover.end - mover.begin;
     mover.was_there =
         passed == 0 || (mover.begin != 0 && passed > 0 &&
                         (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
-    if (mover.was_there && passed > 0 && (earliest == 0 || mover.begin < earliest))
+  }
+  for (auto last = stamps_.begin(); last != stamps_.end();) {
+    const auto& [link, object] = last->first;
+    last = link == 0 && object.expired() ? stamps_.erase(last) : std::next(last);
+  }
+}
+
+/// Of a pair, the motion is looked at that begins where the one of the older stamps was.
+void PairMotions::findWays(WayBound& ways) {
+  std::int64_t earliest = 0;  // begin of a motion of this step; 0: none
+  for (const MovedBody& mover : movers_) {
+    if (mover.was_there && mover.begin < mover.end && (earliest == 0 || mover.begin < earliest))
       earliest = mover.begin;
   }
-  // Of a pair, the motion is looked at that begins where the one of the older stamps was.
   for (MovedBody& mover : movers_) {
     const std::int64_t begin = std::min(earliest, mover.begin);
     if (mover.was_there && begin != 0 && begin < mover.end)

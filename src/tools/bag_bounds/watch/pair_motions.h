@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,7 +43,7 @@ struct MovedBody {
   double radius = 0;                        ///< about the origin of the frame [m]
   std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
-  bool was_there = false;  ///< in the last moment, the same one
+  bool was_there = false;  ///< known before, not longer ago than `timeout`
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
 };
 
@@ -59,9 +60,9 @@ class PairMotions {
     std::function<bool()> gives_up;
   };
 
-  /// Looks at all motions from the last moment to this one, of the pairs of the moment's model.
-  /// They are over where a body was lost or replaced, and where nothing was known for `timeout`.
-  /// `tf` is the same one in all calls.
+  /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
+  /// also of bodies that were not in the last one. They are over where an object was replaced, and
+  /// where stamps are farther apart than `timeout`. `tf` is the same one in all calls.
   void look(const MomentPtr& moment, MomentPairs& pairs, const LiveBodies& bodies,
             const TransformBuffer& tf, const Handlers& handlers);
 
@@ -73,9 +74,22 @@ class PairMotions {
     double distance = 0;  ///< proven then [m]
   };
 
+  /// A link by its index + 1, an object by 0 and its content, which is another one when it comes
+  /// again.
+  using BodyKey = std::pair<std::size_t, std::weak_ptr<const ObjectContent>>;
+
+  struct IsBefore {
+    bool operator()(const BodyKey& a, const BodyKey& b) const {
+      if (a.first != b.first) return a.first < b.first;
+      return a.second.owner_before(b.second);
+    }
+  };
+
   using Names = std::pair<std::string, std::string>;
 
   void begin(const MomentPtr& moment, const TransformBuffer& tf);
+  void findBegins(const Moment& moment);
+  void findWays(WayBound& ways);
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
               const Handlers& handlers);
@@ -84,8 +98,8 @@ class PairMotions {
             const TransformBuffer& tf, const Handlers& handlers, PairMotion& motion) const;
 
   MomentPtr moment_;
-  MomentPtr last_;
   std::vector<MovedBody> movers_;
+  std::map<BodyKey, std::int64_t, IsBefore> stamps_;  ///< the last ones of all that are there
   std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                           ///< by target

@@ -126,10 +126,16 @@ void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
   }
   auto inside = watched.inside.find(body.number);
   if (inside == watched.inside.end())
-    inside = enter(watched, body, moment,
-                   body.motion ? std::optional(body.motion->span.begin) : std::nullopt);
+    inside = enter(watched, body, moment, outsideAt(watched, body));
   inside->second.seen = comparisons_;
   inside->second.stamp = body.state.stamp;
+}
+
+/// Of a body that is inside now. It may have been inside when its box was lost.
+std::optional<std::int64_t> ZoneWatch::outsideAt(const Watched& watched, const Seen& body) {
+  const bool was_outside =
+      body.motion && signedDistance(body.motion->before, watched.record.zone.box) > 0;
+  return was_outside ? std::optional(body.motion->span.begin) : std::nullopt;
 }
 
 /// Of a body that is outside now. The distance of two boxes changes by no more than sqrt(3) times

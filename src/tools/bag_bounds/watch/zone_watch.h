@@ -130,6 +130,7 @@ class ZoneWatch {
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
+  static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
   void lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now);
   void take(Watched& watched, const Seen& body, const ZoneSearch& found, std::int64_t now);
   InsideBody enter(Watched& watched, const Seen& body, const RecordTime& now,
