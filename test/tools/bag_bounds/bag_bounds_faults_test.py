@@ -350,6 +350,19 @@ class BagsTest(BagBoundsTest):
                 with self.subTest(rest=rest, bag=bag):
                     self.report(bag, '--end', '1', code=code, err='clock went back' if code else '')
 
+    def test_a_clock_that_goes_back_on_topics_that_are_not_read(self):
+        """With an index or without one, in chunks of their own or in the same ones."""
+        others = [('/other', String('x'), message[2]) for message in arms(300)]
+        for size in 1000, 100000:
+            path = self.path('others.bag')
+            with rosbag.Bag(path, 'w', chunk_threshold=size) as bag:
+                for message in arms(300) + others:
+                    bag.write(*message)
+            without_index(path, self.path('open.bag'))
+            for bag in path, self.path('open.bag'):
+                with self.subTest(size=size, bag=bag):
+                    self.report(bag, '--end', '1')
+
     def test_record_times_of_zero(self):
         """As rosbag record has them before the first /clock."""
         zero = [(topic, message, genpy.Time(0, 1)) for topic, message, _ in arms(2)]

@@ -101,26 +101,37 @@ bool BagFile::next(BagMessage& message) {
 // The rest of the chunk has no index. The message behind it is of the next one, which has.
 bool BagFile::goesBackTo(std::int64_t time) {
   const std::uint32_t chunk = chunks_;
-  const std::optional<bool> later = indexGoesBackTo(time, chunk);
-  if (later.value_or(false)) return true;
-  for (BagMessage message{}; (!later || chunks_ == chunk) && next(message);) {
+  const bool is_later = isLaterByIndex(time, chunk);
+  for (BagMessage message{}; (!is_later || chunks_ == chunk) && next(message);) {
     if (message.time <= time) return true;
   }
   return false;
 }
 
-// By the infos of all chunks behind the first ones; nothing if the index does not have all of them.
-std::optional<bool> BagFile::indexGoesBackTo(std::int64_t time, std::uint32_t chunk) {
+// Whether the index has all chunks, and none behind the first ones has both a message that is
+// wanted and one of that time or an earlier one. They need not be the same one.
+bool BagFile::isLaterByIndex(std::int64_t time, std::uint32_t chunk) {
   std::uint32_t infos = 0;
-  bool goes_back = false;
   Record record;
   for (std::uint64_t position = index_position_;
        position != 0 && readRecord(*bytes_, position, record) == RecordState::kGood;
        position = record.end()) {
+    if (record.op == RecordOp::kConnection) connections_.add(*bytes_, record);
     if (record.op != RecordOp::kChunkInfo) continue;
-    if (++infos > chunk) goes_back |= record.start_time <= time;
+    if (++infos > chunk && record.start_time <= time && hasWanted(record)) return false;
   }
-  return infos == chunk_count_ && infos > 0 ? std::optional(goes_back) : std::nullopt;
+  return infos == chunk_count_ && infos > 0;
+}
+
+// Of the info of a chunk. What is not announced may be wanted.
+bool BagFile::hasWanted(const Record& info) {
+  const std::uint8_t* const data =
+      info.data_size > kMaxChunkSize ? nullptr : bytes_->at(info.data, info.data_size);
+  for (std::uint32_t i = 0; data && i < info.count; ++i) {
+    const Connection* const connection = connections_.find(connectionOfEntry(data, i));
+    if (!connection || connection->is_wanted) return true;
+  }
+  return !data;
 }
 
 // Stays true.

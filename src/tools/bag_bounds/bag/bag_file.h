@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -59,7 +58,8 @@ class BagFile {
   void loseRest(std::uint64_t begin);
   void loseEnd();
   void endOfFile();
-  std::optional<bool> indexGoesBackTo(std::int64_t time, std::uint32_t chunk);
+  bool isLaterByIndex(std::int64_t time, std::uint32_t chunk);
+  bool hasWanted(const Record& info);
   void lose(const std::string& what);
 
   std::string name_;

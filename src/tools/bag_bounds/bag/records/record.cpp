@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kMaxHeaderSize = 64 << 10;  // bytes; rosbag writes less than 1 kB
 constexpr int kMaxFields = 16;                      // rosbag writes up to 6
 constexpr std::uint32_t kNanoseconds = 1000000000;
+constexpr std::uint64_t kChunkInfoEntrySize = 8;  // a connection and how many messages it has
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
               "bags are little-endian, but roscpp sends numbers as they are in memory");
@@ -119,8 +120,7 @@ bool takeField(std::string_view name, std::string_view value, Record& record, un
 }
 
 bool fitsCount(const Record& record) {
-  constexpr std::uint64_t kIndexEntrySize = 12;     // a time and where the message is in the chunk
-  constexpr std::uint64_t kChunkInfoEntrySize = 8;  // a connection and how many messages it has
+  constexpr std::uint64_t kIndexEntrySize = 12;  // a time and where the message is in the chunk
   if (record.op == RecordOp::kIndex) return record.data_size == record.count * kIndexEntrySize;
   if (record.op == RecordOp::kChunkInfo)
     return record.data_size == record.count * kChunkInfoEntrySize;
@@ -132,6 +132,10 @@ bool isOutsideOfChunks(RecordOp op) {
 }
 
 }  // namespace
+
+std::uint32_t connectionOfEntry(const std::uint8_t* data, std::uint32_t entry) {
+  return sizeAt(data + entry * kChunkInfoEntrySize);
+}
 
 RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record) {
   const std::uint8_t* const length = bytes.at(offset, 4);

@@ -54,6 +54,9 @@ RecordState readRecord(Bytes& bytes, std::uint64_t offset, Record& record);
 std::uint64_t findRecord(Bytes& bytes, std::uint64_t offset, bool is_compressed,
                          const IsInterrupted& is_interrupted);
 
+/// The connection of an entry of a chunk info, of which `data` is that of the record.
+std::uint32_t connectionOfEntry(const std::uint8_t* data, std::uint32_t entry);
+
 /// The header of a connection, which is the data of its record.
 struct ConnectionHeader {
   std::string_view type;
