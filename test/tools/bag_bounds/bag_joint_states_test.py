@@ -79,6 +79,41 @@ class JointStatesTest(BagBoundsTest):
         for a, b in zip(expected['extremes'], found['extremes']):
             (self.assertNotEqual if a['name'] == link else self.assertEqual)(a['max'], b['max'])
 
+    def test_a_chain_of_mimic_joints(self):
+        """Each takes the value of the joint that it names, if a message has it."""
+        slide = ('<link name="{0}"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual>'
+                 '</link><joint name="j{0}" type="prismatic"><parent link="base"/>'
+                 '<child link="{0}"/><axis xyz="1 0 0"/>{1}'
+                 '<limit lower="-9" upper="9" effort="1" velocity="1"/></joint>')
+        mimics = ('z', ''), ('m', '<mimic joint="jz" multiplier="2"/>'), ('n', '<mimic joint="jm"/>')
+        self.urdf = self.write('chain.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
+                               ''.join(slide.format(*mimic) for mimic in mimics))
+        for told, places in (({'jz': .1}, (.1, .2, .2)), ({'jz': .1, 'jm': .7}, (.1, .7, .7)),
+                             ({'jz': .1, 'jn': .7}, (.1, .2, .7))):
+            message = JointState(name=list(told), position=list(told.values()))
+            message.header.stamp = time_of(BEGIN)
+            found = self.report(self.bag([('/joint_states', message, time_of(BEGIN))]),
+                                '--joint-states', '/joint_states')
+            with self.subTest(told=told):
+                self.assertEqual([round(box['max'][0] - .05, 9) for box in found['extremes']],
+                                 list(places))
+
+    def test_a_message_with_other_than_one_position_per_name_is_lost(self):
+        """robot_state_publisher takes nothing of it."""
+        states = [self.state(i, self.leaders) for i in range(9)]
+        expected = self.report(self.bag(states), '--joint-states', '/joint_states')
+        for change in (lambda message: message.position.pop(),
+                       lambda message: message.position.append(1)):
+            _, other, time = self.state(9, self.leaders)
+            other.position = [1.0] * len(other.name)
+            change(other)
+            found = self.report(self.bag(states + [('/joint_states', other, time)], 'other.bag'),
+                                '--joint-states', '/joint_states', code=INCOMPLETE,
+                                err='losses while reading: 1')
+            self.assertRegex(found['losses'][0], '^1 message of joints left out, .*one position for each name')
+            self.assertEqual([box['max'] for box in found['extremes']],
+                             [box['max'] for box in expected['extremes']])
+
     def test_motion_between_positions_is_covered(self):
         states = [self.state(i, self.leaders) for i in range(0, 60, 15)]
         found = self.report(self.bag(states), '--joint-states', '/joint_states', '--distances', '1',

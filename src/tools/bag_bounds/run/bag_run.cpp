@@ -263,6 +263,11 @@ BagReport BagRun::report() const {
                             (is_one ? " message is" : " messages are") +
                             " too short and left out; the bag is damaged, record it again");
   }
+  if (scene_.unfit() > 0)
+    report.losses.push_back(std::to_string(scene_.unfit()) +
+                            (scene_.unfit() == 1 ? " message" : " messages") +
+                            " of joints left out, with other than one position for each name, "
+                            "which robot_state_publisher ignores, too");
   if (back_before_start_ > 0)
     report.losses.push_back("after the clock went back, " + std::to_string(back_before_start_) +
                             " messages have a time before --start; leave out --start");

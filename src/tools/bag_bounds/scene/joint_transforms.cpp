@@ -3,7 +3,6 @@
 // One transform per joint, by the kinematics of the URDF.
 #include "tools/bag_bounds/scene/joint_transforms.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "link_bounds/robot/urdf/kinematics.h"
@@ -15,12 +14,12 @@ JointTransforms::JointTransforms(Robot robot, const std::string& tf_prefix)
     : robot_(std::move(robot)) {
   for (const Link& link : robot_.links)
     frames_.push_back(tfName(tf_prefix, link.name));
+  for (const Joint& joint : robot_.joints)
+    joints_.emplace(joint.name, &joint);
   const std::vector<Lead> leads = leadsOf(robot_);
   for (std::size_t i = 0; i < leads.size(); ++i) {
     const Joint& leader = robot_.joints[leads[i].leader];
     if (!hasValue(robot_.joints[i].motion) || !hasValue(leader.motion)) continue;
-    followers_[leader.name].push_back({i, leads[i].factor, leads[i].offset});
-    if (leads[i].leader != i) mimics_[robot_.joints[i].name] = i;
     is_met_[leader.name] = false;
   }
 }
@@ -36,25 +35,31 @@ std::vector<TransformView> JointTransforms::fixed() const {
 std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& message,
                                                ros::Time stamp) {
   std::vector<TransformView> result;
-  const std::size_t count = std::min(message.name.size(), message.position.size());
-  std::map<std::string, double> told;
-  for (std::size_t i = 0; i < count; ++i)
+  Values told;
+  for (std::size_t i = 0; i < message.name.size(); ++i)
     told.emplace(message.name[i], message.position[i]);
-  for (const auto& [name, value] : told) {
-    const auto found = followers_.find(name);
-    if (found != followers_.end()) {
-      is_met_[name] = true;
-      for (const Follower& follower : found->second) {
-        const Joint& joint = robot_.joints[follower.joint];
-        if (joint.name == name || told.count(joint.name) == 0)
-          result.push_back(transformOf(joint, follower.factor * value + follower.offset, stamp));
-      }
-    }
-    const auto mimic = mimics_.find(name);
-    if (mimic != mimics_.end())
-      result.push_back(transformOf(robot_.joints[mimic->second], value, stamp));
+  for (auto& [name, is_met] : is_met_)
+    is_met |= told.count(name) > 0;
+  for (const Joint& joint : robot_.joints) {
+    const std::optional<double> value = valueOf(joint, told);
+    if (value) result.push_back(transformOf(joint, *value, stamp));
   }
   return result;
+}
+
+/// By the way from a joint to the one that it names, and on, until the message has a position.
+std::optional<double> JointTransforms::valueOf(const Joint& joint, const Values& told) const {
+  if (!hasValue(joint.motion)) return std::nullopt;
+  double factor = 1, offset = 0;
+  const Joint* leader = &joint;
+  auto found = told.find(leader->name);
+  for (; found == told.end(); found = told.find(leader->name)) {
+    if (!leader->mimic) return std::nullopt;
+    offset += factor * leader->mimic->offset;
+    factor *= leader->mimic->multiplier;
+    leader = joints_.at(leader->mimic->joint);
+  }
+  return hasValue(leader->motion) ? std::optional(factor * found->second + offset) : std::nullopt;
 }
 
 TransformView JointTransforms::transformOf(const Joint& joint, double value,

@@ -6,6 +6,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,27 +28,24 @@ class JointTransforms {
   /// Of all fixed joints.
   std::vector<TransformView> fixed() const;
 
-  /// Of the joints whose positions the message has, and of those that mimic them and have none of
-  /// their own. Other names are those of other robots, or of joints that the URDF does not have.
+  /// Of the joints whose positions the message has, one per name, and of those that mimic them and
+  /// have none of their own. Other names are those of other robots, or of joints that the URDF does
+  /// not have.
   std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
 
   /// Joints with a value that no message had so far.
   std::vector<std::string> missing() const;
 
  private:
-  struct Follower {
-    std::size_t joint;
-    double factor;
-    double offset;  ///< rad or m
-  };
+  using Values = std::map<std::string, double>;  // by the name of the joint
 
+  std::optional<double> valueOf(const Joint& joint, const Values& told) const;
   TransformView transformOf(const Joint& joint, double value, ros::Time stamp) const;
 
   Robot robot_;
-  std::vector<std::string> frames_;                         ///< of the links
-  std::map<std::string, std::vector<Follower>> followers_;  ///< by the name of their leader
-  std::map<std::string, std::size_t> mimics_;               ///< joints that follow another one
-  std::map<std::string, bool> is_met_;                      ///< leaders
+  std::vector<std::string> frames_;  ///< of the links
+  std::map<std::string, const Joint*> joints_;
+  std::map<std::string, bool> is_met_;  ///< leaders
 };
 
 }  // namespace link_bounds

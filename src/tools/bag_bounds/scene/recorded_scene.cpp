@@ -124,11 +124,16 @@ void RecordedScene::takeJoints(const std::string& topic, JointTransforms& joints
       joints.fixed(), true, [] { return std::string(); }, toRosTime(now_), passed());
 }
 
-/// Where a driver gives no stamp, that of the recording serves.
+/// As robot_state_publisher, takes nothing of a message without one position for each name. Where a
+/// driver gives no stamp, that of the recording serves.
 void RecordedScene::takeJointState(const BagMessage& message) {
   checkType(message, {"sensor_msgs/JointState", ""});
   sensor_msgs::JointState state;
   deserialize(message, state);
+  if (state.name.size() != state.position.size()) {
+    ++unfit_;
+    return;
+  }
   const ros::Time now = toRosTime(now_);
   const ros::Time stamp = state.header.stamp.isZero() ? now : state.header.stamp;
   feed_.onTransforms(

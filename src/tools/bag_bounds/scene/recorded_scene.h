@@ -61,6 +61,9 @@ class RecordedScene {
   /// Messages that could not be read.
   std::uint64_t damaged() const { return damaged_; }
 
+  /// Messages of joints with another number of positions than of names.
+  std::uint64_t unfit() const { return unfit_; }
+
  private:
   ros::SteadyTime passed() const;
   void tick(std::int64_t time);
@@ -85,6 +88,7 @@ class RecordedScene {
   std::vector<std::string> wanted_meshes_;
   std::uint64_t transforms_ = 0;
   std::uint64_t damaged_ = 0;
+  std::uint64_t unfit_ = 0;
 };
 
 }  // namespace link_bounds
