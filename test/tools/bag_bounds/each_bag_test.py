@@ -23,6 +23,7 @@ from bag_bounds_testing import (ENTERED, INCOMPLETE, BagBoundsTest, arms, main, 
                                 static_arms, time_of, zone_text)
 from bounds_testing import wait_for
 from node_testing import arm_transform
+from object_testing import marker
 from patience import PATIENCE
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
@@ -346,6 +347,18 @@ class MergeTest(EachBagTest):
         expected = self.merged(*files, '--format', 'json', code=1)
         marked = self.write('marked.jsonl', '\ufeff' + '\r\n'.join(lines) + '\r\n')
         self.assertEqual(self.merged(marked, '--format', 'json', code=1), expected)
+
+    def test_names_of_any_length(self):
+        """They are keys in a line."""
+        text = 'n' * 1100
+        post = marker(text + '/1', frame='unknown', frame_locked=True)
+        bags = [self.bag(calm(3) + [('/objects', post, time_of(1000))])]
+        options = ('--objects', '/objects')
+        path = self.write('long.jsonl', self.lines(bags, *options, code=INCOMPLETE)[0] + '\n')
+        table, err = self.merged(path, code=INCOMPLETE)
+        self.assertEqual(err, '')
+        self.assertIn('INCOMPLETE: %s: %s/1 never had a box' % (bags[0], text), table)
+        self.assertEqual(self.lines(bags, *options, '--resume', path, code=INCOMPLETE), [])
 
     def test_lines_without_what_is_needed(self):
         _, lines, _ = self.files()

@@ -6,6 +6,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -51,9 +52,30 @@ std::string reasonIn(const YAML::Node& line) {
   return text;
 }
 
+/// Behind the string that begins with a quote there.
+std::size_t endOfString(const std::string& json, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < json.size() && json[end] != '"')
+    end += json[end] == '\\' ? 2 : 1;
+  return std::min(end + 1, json.size());
+}
+
+/// In YAML, a key of more than 1024 bytes needs a question mark. Each key gets one.
+std::string withMarkedKeys(const std::string& json) {
+  std::string yaml;
+  std::size_t end = 0;
+  for (auto begin = json.find('"'); begin != std::string::npos; begin = json.find('"', end)) {
+    yaml.append(json, end, begin - end);
+    end = endOfString(json, begin);
+    if (json.compare(end, 1, ":") == 0) yaml += "? ";
+    yaml.append(json, begin, end - begin);
+  }
+  return yaml.append(json, end);
+}
+
 /// Throws YAML::Exception.
 ReadLine parse(const std::string& text) {
-  const YAML::Node line = YAML::Load(text);
+  const YAML::Node line = YAML::Load(withMarkedKeys(text));
   ReadLine result;
   result.text = text;
   result.bag.name = line["bag"].as<std::string>();
