@@ -360,6 +360,22 @@ class MergeTest(EachBagTest):
         self.assertIn('INCOMPLETE: %s: %s/1 never had a box' % (bags[0], text), table)
         self.assertEqual(self.lines(bags, *options, '--resume', path, code=INCOMPLETE), [])
 
+    def test_a_finding_beside_a_zone_that_is_never_compared(self):
+        """It is not lost, and the reason why the rest is not known, neither."""
+        with open(self.zones, 'a', encoding='utf-8') as file:
+            file.write(zone_text('lost', [0] * 3, [1] * 3, 'wrold'))
+        bag = self.bag(arms(100))
+        line = self.lines([bag], code=ENTERED)[0]
+        found = json.loads(line)
+        self.assertEqual((found['verdict'], found['exit']), ('FOUND', ENTERED))
+        self.assertEqual([zone['entries'] for zone in found['zones']], [0, 1, 0])
+        self.assertIn('zone "lost" was never compared', found['reason'])
+        table, _ = self.merged(self.write('lines.jsonl', line + '\n'), code=ENTERED)
+        self.assertRegex(table, '(?m)^FOUND: .*arms.bag: zone "lost" was never compared')
+        self.assertRegex(table, r'(?m)^front +1 +1$')
+        self.report(bag, '--zones', self.zones, code=ENTERED,
+                    err='warning: zone "lost" was never compared')
+
     def test_lines_without_what_is_needed(self):
         _, lines, _ = self.files()
         for text in ('{"bag": "a"}', lines[0].replace('"exit"', '"quit"'),

@@ -201,9 +201,11 @@ BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun
                const Demand& demand) {
   const BagReport report = run.report();
   const Outcome outcome = run.outcome(report);
-  if (outcome.is_unusable) return unusableLine(bag, question, run.whyUseless(report));
+  const std::string useless = run.whyUseless(report);
+  if (outcome.is_unusable) return unusableLine(bag, question, useless);
   const int code = exitCode(outcome, demand);
-  return {start(bag, question, verdictOf(code), code) + ", " + summaryJson(report) +
+  const std::string reason = useless.empty() ? "" : "\"reason\": " + jsonString(useless) + ", ";
+  return {start(bag, question, verdictOf(code), code) + ", " + reason + summaryJson(report) +
               ", \"open\": [" + joined(outcome.open, ", ", jsonString) + "]}\n",
           code};
 }

@@ -63,7 +63,7 @@ as one, by their record times.
 
 Lengths are metres, times are seconds. Exit code, the first that applies:
   1  unusable arguments, robot, zones or bags; no link ever had a box, or none in
-     the frame of a zone, although nobody interrupted
+     the frame of a zone, although nobody interrupted and nothing was found
   3  a zone was entered, or a distance was less than LIMIT or 0, at a message or between two
   4  without --allow-incomplete: a name is incomplete, such as a link or object that never had a
      box, less than --min-coverage, or not any more at the end, or a zone; a topic of

@@ -331,10 +331,10 @@ Outcome BagRun::outcome(const BagReport& report) const {
            " motions between two messages are not decided, the first of " + zone.first_undecided +
            "; record tf at a higher rate");
   }
-  const std::string useless = whyUseless(report);
-  if (!useless.empty()) say("error: " + useless);
-  outcome.is_unusable = !useless.empty();
   outcome.has_finding = zones_.wasEntered() || (pairs_ && pairs_->wasUndercut());
+  const std::string useless = whyUseless(report);
+  if (!useless.empty()) say((outcome.has_finding ? "warning: " : "error: ") + useless);
+  outcome.is_unusable = !useless.empty() && !outcome.has_finding;
   const std::size_t warnings = model_->robot->warnings.size();
   outcome.lost_geometry = !model_->problems.empty() || warnings > 0;
   outcome.addOpen("warnings of the URDF", warnings);

@@ -37,7 +37,7 @@ class BagRun {
   /// After read().
   BagReport report() const;
 
-  /// Why the report is about nothing; "" if it is about something, or was interrupted.
+  /// Why the report is about nothing, or not about all zones; "" if it is, or was interrupted.
   std::string whyUseless(const BagReport& report) const;
 
   /// What the report says; warns of losses, and says why it is about nothing.
