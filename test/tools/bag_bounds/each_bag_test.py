@@ -13,7 +13,9 @@ import json
 import os
 import pty
 import random
+import re
 import signal
+import struct
 import subprocess
 import time
 
@@ -22,7 +24,7 @@ from bag_interrupts_test import bomb
 from bag_bounds_testing import (ENTERED, INCOMPLETE, BagBoundsTest, arms, main, moving_arms, raw, run,
                                 static_arms, time_of, zone_text)
 from bounds_testing import wait_for
-from node_testing import arm_transform
+from node_testing import ARMS, arm_transform
 from object_testing import marker
 from patience import PATIENCE
 from std_msgs.msg import String
@@ -38,6 +40,12 @@ LONG = 60  # MB of what nobody reads
 def calm(count):
     """Around the middle of their way the arms are far from each other, and from the zones."""
     return [static_arms()] + [moving_arms(i, angle_index=45 + i) for i in range(count)]
+
+
+def arms_with_mesh(name):
+    """The arms, where the mast has the shape of a mesh file."""
+    return re.sub(r'(<link name="mast">.*?<geometry>).*?(</geometry>)',
+                  r'\1<mesh filename="%s"/>\2' % name, ARMS, count=1, flags=re.DOTALL)
 
 
 def of_another_robot():
@@ -226,6 +234,38 @@ class ResumeTest(EachBagTest):
         with open(self.urdf, 'a', encoding='utf-8') as file:
             file.write('<!-- -->')
         self.assertEqual(len(self.lines(bags, *again, code=0)), 3)
+
+    def test_a_file_that_a_mesh_names(self):
+        """What was loaded counts, not only the file that the URDF names."""
+        corners = [(0, 0, 0), (.1, 0, 0), (0, .1, 0), (0, 0, .1), (.02, .02, .02)]
+        self.write('m.gltf', json.dumps({
+            'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}],
+            'nodes': [{'mesh': 0}], 'buffers': [{'uri': 'm.bin', 'byteLength': 96}],
+            'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1}]}],
+            'bufferViews': [{'buffer': 0, 'byteOffset': 0, 'byteLength': 60},
+                            {'buffer': 0, 'byteOffset': 60, 'byteLength': 30}],
+            'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 5, 'type': 'VEC3',
+                           'min': [0, 0, 0], 'max': [.3, .3, .3]},
+                          {'bufferView': 1, 'componentType': 5123, 'count': 15, 'type': 'SCALAR'}]}))
+
+        def write_buffer(points):
+            numbers = [number for point in points for number in point]
+            with open(self.path('m.bin'), 'wb') as file:
+                file.write(struct.pack('<15f18H', *numbers, 0, 1, 2, 0, 2, 3, 0, 1, 3, 1, 2, 3, 0, 1,
+                                       4, 0, 0, 0))
+
+        write_buffer(corners)
+        self.urdf = self.write('mesh.urdf', arms_with_mesh('m.gltf'))
+        bags = [self.bag(calm(3))]
+        inner, outer = corners[:4] + [(.03, .02, .02)], [(-.1, 0, 0)] + corners[1:]
+        for changed, arguments in (outer, ()), (inner, ('--distances', str(LIMIT))):
+            with self.subTest(changed=changed):
+                arguments = (*bags, '--each', '--urdf', self.urdf, *arguments)
+                write_buffer(corners)
+                again = (*arguments, '--resume', self.write('lines.jsonl', run(*arguments)[1]))
+                self.assertEqual(run(*again)[1], '')
+                write_buffer(changed)
+                self.assertNotEqual(run(*again)[1], '')
 
     def test_the_exit_code_counts_lines_that_are_there(self):
         bags = [self.bag(arms(100), 'a.bag'), self.bag(calm(3), 'b.bag')]

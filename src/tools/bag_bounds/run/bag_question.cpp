@@ -3,8 +3,12 @@
 // Standard input and pipes can be read only once, so texts are kept.
 #include "tools/bag_bounds/run/bag_question.h"
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
+#include "geometry/distance/triangle_tree.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
 #include "packages/package_path.h"
 #include "robot/mesh/mesh_files.h"
@@ -39,6 +43,31 @@ bool isCounted(const std::string& option_name) {
   static const std::set<std::string> kOthers{"each", "jobs",  "resume",
                                              "urdf", "zones", "static-from"};
   return kOthers.count(option_name) == 0;
+}
+
+/// The bytes of numbers, whatever the order of the items.
+template <class Item>
+std::string bytesOf(std::vector<Item> items) {
+  std::sort(items.begin(), items.end());
+  return std::string(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
+}
+
+std::string bytesOf(const PointSet& points) {
+  std::vector<std::array<double, 3>> items;
+  for (const Eigen::Vector3d& point : points.keptPoints())
+    items.push_back({point.x(), point.y(), point.z()});
+  return bytesOf(std::move(items));
+}
+
+std::string bytesOf(const TriangleTree& tree) {
+  std::vector<std::array<double, 9>> items;
+  for (std::size_t i = 0; i < tree.triangles.size(); ++i) {
+    const Triangle corners = tree.corners(i);
+    std::array<double, 9>& item = items.emplace_back();
+    for (std::size_t k = 0; k < item.size(); ++k)
+      item[k] = corners[k / 3][static_cast<Eigen::Index>(k % 3)];
+  }
+  return bytesOf(std::move(items));
 }
 
 }  // namespace
@@ -88,6 +117,7 @@ void BagQuestion::loadTrees() {
     trees_[uris[i]] = trees[i];
 }
 
+/// A mesh file may name others, such as the buffers of glTF: what was loaded counts, too.
 std::string BagQuestion::fingerprint() const {
   Fingerprint result;
   const auto add_file = [&result](const std::string& file) {
@@ -99,7 +129,10 @@ std::string BagQuestion::fingerprint() const {
   for (const auto& [uri, points] : model_->mesh_uris) {
     result.add(uri);
     add_file(resolveMeshUri(uri, mesh_source_.package_path, mesh_source_.base_folder).path);
+    result.add(bytesOf(*points));
   }
+  for (const auto& [uri, tree] : trees_)
+    if (tree.triangles) result.add(bytesOf(*tree.triangles));
   for (const auto& [name, values] : options_.given) {
     if (!isCounted(name)) continue;
     result.add(name);

@@ -33,7 +33,8 @@ class BagQuestion {
   void loadTrees();
 
   /// The same for the same version, robot, meshes, zones and options, on any machine and whatever
-  /// the names of their files. Throws UsageError if a file cannot be read any more.
+  /// the names of their files; of triangles, those of loadTrees(). Throws UsageError if a file
+  /// cannot be read any more.
   std::string fingerprint() const;
 
  private:
