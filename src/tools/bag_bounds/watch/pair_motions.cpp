@@ -129,12 +129,13 @@ void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
     movers_.push_back(mover);
   }
   findBegins(*moment);
+  forgetObjects();
   if (!edges_) edges_.emplace(tf);
   const auto fixed = tf.find(moment->model->fixed_frame);
   if (fixed) findWays(ways_.try_emplace(*fixed, *edges_, *fixed).first->second);
 }
 
-/// Remembers the stamps of this moment for the next one, and forgets objects that are gone.
+/// Remembers the stamps of this moment for the next ones.
 void PairMotions::findBegins(const Moment& moment) {
   const double timeout = moment.model->parameters.timeout;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -150,6 +151,9 @@ void PairMotions::findBegins(const Moment& moment) {
         passed == 0 || (mover.begin != 0 && passed > 0 &&
                         (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
   }
+}
+
+void PairMotions::forgetObjects() {
   for (auto last = stamps_.begin(); last != stamps_.end();) {
     const auto& [link, object] = last->first;
     last = link == 0 && object.expired() ? stamps_.erase(last) : std::next(last);

@@ -89,6 +89,7 @@ class PairMotions {
 
   void begin(const MomentPtr& moment, const TransformBuffer& tf);
   void findBegins(const Moment& moment);
+  void forgetObjects();
   void findWays(WayBound& ways);
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
@@ -99,7 +100,7 @@ class PairMotions {
 
   MomentPtr moment_;
   std::vector<MovedBody> movers_;
-  std::map<BodyKey, std::int64_t, IsBefore> stamps_;  ///< the last ones of all that are there
+  std::map<BodyKey, std::int64_t, IsBefore> stamps_;  ///< the last ones, while the bodies exist
   std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                           ///< by target
