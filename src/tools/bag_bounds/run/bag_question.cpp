@@ -3,10 +3,8 @@
 // Standard input and pipes can be read only once, so texts are kept.
 #include "tools/bag_bounds/run/bag_question.h"
 
-#include <algorithm>
-#include <array>
+#include <cstdint>
 #include <set>
-#include <utility>
 
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/robot/mesh/mesh_uri.h"
@@ -45,29 +43,34 @@ bool isCounted(const std::string& option_name) {
   return kOthers.count(option_name) == 0;
 }
 
-/// The bytes of numbers, whatever the order of the items.
-template <class Item>
-std::string bytesOf(std::vector<Item> items) {
-  std::sort(items.begin(), items.end());
-  return std::string(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
-}
-
-std::string bytesOf(const PointSet& points) {
-  std::vector<std::array<double, 3>> items;
-  for (const Eigen::Vector3d& point : points.keptPoints())
-    items.push_back({point.x(), point.y(), point.z()});
-  return bytesOf(std::move(items));
-}
-
-std::string bytesOf(const TriangleTree& tree) {
-  std::vector<std::array<double, 9>> items;
-  for (std::size_t i = 0; i < tree.triangles.size(); ++i) {
-    const Triangle corners = tree.corners(i);
-    std::array<double, 9>& item = items.emplace_back();
-    for (std::size_t k = 0; k < item.size(); ++k)
-      item[k] = corners[k / 3][static_cast<Eigen::Index>(k % 3)];
+/// Of items of numbers, whatever their order.
+class SumOfItems {
+ public:
+  template <class Item>
+  void add(const Item& item) {
+    Fingerprint numbers;
+    numbers.add({reinterpret_cast<const char*>(&item), sizeof item});
+    sum_ += numbers.value();
   }
-  return bytesOf(std::move(items));
+
+  std::string text() const { return std::to_string(sum_); }
+
+ private:
+  std::uint64_t sum_ = 0;
+};
+
+std::string sumOf(const PointSet& points) {
+  SumOfItems sum;
+  for (const Eigen::Vector3d& point : points.keptPoints())
+    sum.add(point);
+  return sum.text();
+}
+
+std::string sumOf(const TriangleTree& tree) {
+  SumOfItems sum;
+  for (std::size_t i = 0; i < tree.triangles.size(); ++i)
+    sum.add(tree.corners(i));
+  return sum.text();
 }
 
 }  // namespace
@@ -129,10 +132,10 @@ std::string BagQuestion::fingerprint() const {
   for (const auto& [uri, points] : model_->mesh_uris) {
     result.add(uri);
     add_file(resolveMeshUri(uri, mesh_source_.package_path, mesh_source_.base_folder).path);
-    result.add(bytesOf(*points));
+    result.add(sumOf(*points));
   }
   for (const auto& [uri, tree] : trees_)
-    if (tree.triangles) result.add(bytesOf(*tree.triangles));
+    if (tree.triangles) result.add(sumOf(*tree.triangles));
   for (const auto& [name, values] : options_.given) {
     if (!isCounted(name)) continue;
     result.add(name);

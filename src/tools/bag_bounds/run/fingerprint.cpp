@@ -17,7 +17,7 @@ void Fingerprint::addBytes(const char* bytes, std::size_t count) {
     state_ = (state_ ^ static_cast<std::uint8_t>(bytes[i])) * kPrime;
 }
 
-void Fingerprint::add(const std::string& field) {
+void Fingerprint::add(std::string_view field) {
   const std::string length = std::to_string(field.size()) + ":";
   addBytes(length.data(), length.size());
   addBytes(field.data(), field.size());

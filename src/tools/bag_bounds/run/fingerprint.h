@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace link_bounds {
 
@@ -13,10 +14,12 @@ namespace link_bounds {
 class Fingerprint {
  public:
   /// The length of each text goes before it, so "ab", "c" differs from "a", "bc".
-  void add(const std::string& field);
+  void add(std::string_view field);
 
   /// At most `limit` bytes from the begin of a file. False if it cannot be read.
   bool addFile(const std::string& name, std::uint64_t limit = UINT64_MAX);
+
+  std::uint64_t value() const { return state_; }
 
   /// In hexadecimal.
   std::string text() const;
