@@ -64,7 +64,7 @@ struct ReadLine {
   std::optional<std::pair<std::string, double>> coverage;  ///< the least covered link, its share
   std::optional<PairOfLine> worst;
   std::vector<ZoneOfLine> zones;
-  std::string reason;  ///< why it is not clear; "" if it is, or if a finding says so
+  std::string reason;  ///< why it is not clear, beside a finding; "" if there is nothing to say
 
   bool hasDied() const { return verdict == "DIED"; }
 };
