@@ -10,7 +10,7 @@ namespace {
 /// Stamps that are less ahead of the clock [ns] come from clocks that differ a little.
 constexpr std::int64_t kFarAhead = 500'000'000;
 
-std::int64_t nanoseconds(ros::Time time) {
+std::int64_t nanosecondsOf(ros::Time time) {
   return static_cast<std::int64_t>(time.toNSec());
 }
 
@@ -28,18 +28,18 @@ std::int64_t elapsed(const LiveObject& object, std::int64_t now) {
 }  // namespace
 
 std::int64_t ObjectClock::observe(ros::Time now) {
-  last_now_ = std::max(last_now_, nanoseconds(now));
-  return nanoseconds(now);
+  last_now_ = std::max(last_now_, nanosecondsOf(now));
+  return nanosecondsOf(now);
 }
 
 std::int64_t ObjectClock::restart(ros::Time now) {
   newest_now_ = std::max(newest_now_, last_now_);
-  last_now_ = nanoseconds(now);
+  last_now_ = nanosecondsOf(now);
   return last_now_;
 }
 
 std::int64_t ObjectClock::receivedAfterJump(const LiveObject& object, ros::Time now) const {
-  return nanoseconds(now) - elapsed(object, last_now_);
+  return nanosecondsOf(now) - elapsed(object, last_now_);
 }
 
 std::int64_t ObjectClock::stampOf(const ObjectContent& content, std::int64_t now) const {

@@ -22,7 +22,7 @@ constexpr std::size_t kMaxMoments = 1000;
 constexpr double kMinStep = 20;
 
 /// What rounding adds to a box, relative to its largest coordinate, and a floor [m].
-constexpr double kRounding = 1e-12;
+constexpr double kPlaceRounding = 1e-12;
 constexpr double kFloor = 1e-9;
 
 constexpr double kTooMany = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ Aabb boxAt(const Aabb& link_box, const Eigen::Affine3d& link_from_sensor) {
   const Eigen::Vector3d half = sensor_from_link.linear().cwiseAbs() * (link_box.sizes() / 2);
   const double size =
       link_from_sensor.translation().norm() + link_box.sizes().norm() + link_box.center().norm();
-  return padded(Aabb(center - half, center + half), kFloor + kRounding * size);
+  return padded(Aabb(center - half, center + half), kFloor + kPlaceRounding * size);
 }
 
 double largestNorm(const Aabb& box) {

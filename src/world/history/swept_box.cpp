@@ -11,7 +11,7 @@ namespace link_bounds {
 namespace {
 
 /// By how much a face may lie outside [m]; the box is longer by two of them.
-constexpr double kTolerance = 4e-4;
+constexpr double kSmoothTolerance = 4e-4;
 
 /// No more poses than this between samples: half a second. Beyond it the box is larger.
 constexpr int kMaxPoses = 1000000;
@@ -35,7 +35,7 @@ class Hull {
 
   bool isCovered(const Placed& from, const Placed& to, const Bulge& bulge) {
     const Aabb bound = padded(from.made->merged(*to.made), bulge.smooth + bulge.jump);
-    const bool is_covered = bulge.smooth <= kTolerance || hull_.contains(bound) ||
+    const bool is_covered = bulge.smooth <= kSmoothTolerance || hull_.contains(bound) ||
                             to.time - from.time < 2 || poses_ == kMaxPoses;
     if (is_covered) {
       hull_.extend(bound);

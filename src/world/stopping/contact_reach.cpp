@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 1e-9;          // of a reach, much more than its arithmetic needs
+constexpr double kReachRounding = 1e-9;     // of a reach, much more than its arithmetic needs
 constexpr std::int64_t kResolution = 1000;  // ns, of times
 
 double leverOf(const MovingJoint& joint, const Aabb& box) {
@@ -62,7 +62,7 @@ double ContactReach::until(std::int64_t time, std::size_t first) const {
                 ? offset
                 : 2 * std::sin(std::min(offset, M_PI) / 2) * (step.lever + path);
   }
-  return path * (1 + kRounding);
+  return path * (1 + kReachRounding);
 }
 
 std::size_t sharedJoints(const ContactReach& a, const ContactReach& b) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMinJump = 0.1;       // s
 constexpr double kMinJumpAhead = 2.0;  // s
-constexpr double kFarAhead = 0.5;      // s
+constexpr double kJumpAhead = 0.5;     // s
 const ros::WallDuration kLateArrivals(0.5);
 const ros::WallDuration kReportJump(5.0);
 const ros::WallDuration kClockTimeout(5.0);
@@ -43,7 +43,7 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
 }
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now, ros::SteadyTime arrival) const {
-  if (jump_.isZero() || since(now, stamp) <= kFarAhead) return false;
+  if (jump_.isZero() || since(now, stamp) <= kJumpAhead) return false;
   return arrival - jump_ <= kLateArrivals;
 }
 

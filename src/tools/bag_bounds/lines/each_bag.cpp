@@ -34,7 +34,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Shares = std::atomic<double>;  // of a bag that has been read, 0 to 1
 
-constexpr int kGlance = 100;     // ms between looks at interrupts and progress
+constexpr int kPollPause = 100;  // ms between looks at interrupts and progress
 constexpr int kInterrupted = 5;  // exit code of a process that was to end; no line is of it
 
 [[noreturn]] void failed(const char* what) {
@@ -242,7 +242,7 @@ void EachBag::collect() {
   std::vector<pollfd> pipes;
   for (const Reading& reading : readings_)
     pipes.push_back({reading.pipe, POLLIN, 0});
-  if (poll(pipes.data(), pipes.size(), kGlance) <= 0) return;
+  if (poll(pipes.data(), pipes.size(), kPollPause) <= 0) return;
   auto reading = readings_.begin();
   for (const pollfd& pipe : pipes) {
     const auto current = reading++;
