@@ -15,13 +15,17 @@ bool isSame(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-bool isSame(const ObjectContent& a, const ObjectContent& b) {
+bool isSameBody(const ObjectContent& a, const ObjectContent& b) {
   const std::vector<Shape>& shapes = b.bounded.shapes;
-  return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
-         a.drawing == b.drawing && a.is_neighbour == b.is_neighbour &&
-         a.bounded.missing == b.bounded.missing && a.refused_name == b.refused_name &&
+  return a.drawing == b.drawing &&
          std::equal(a.bounded.shapes.begin(), a.bounded.shapes.end(), shapes.begin(), shapes.end(),
                     [](const Shape& x, const Shape& y) { return isSame(x, y); });
+}
+
+bool isSame(const ObjectContent& a, const ObjectContent& b) {
+  return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
+         a.is_neighbour == b.is_neighbour && a.bounded.missing == b.bounded.missing &&
+         a.refused_name == b.refused_name && isSameBody(a, b);
 }
 
 std::string whyNameRefused(const LiveObject& other) {

@@ -47,6 +47,9 @@ struct ObjectContent {
   }
 };
 
+/// True if both have the same shapes in their header frames, drawn in the same way.
+bool isSameBody(const ObjectContent& a, const ObjectContent& b);
+
 /// True if both are the same body at the same place and time. Publisher and lifetime are not
 /// compared.
 bool isSame(const ObjectContent& a, const ObjectContent& b);

@@ -244,9 +244,11 @@ bool LiveObjects::refreshAll(ros::Time now) {
   return is_changed;
 }
 
+/// Another body is news even in the same box, because distances are those of bodies.
 bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   if (object.problem == TransformProblem::kWaiting) --waiting_;
   BoxState state;
+  const std::shared_ptr<const ObjectContent> boxed = object.boxed.content;
   const TransformProblem before = std::exchange(object.problem, bound(object, now, state));
   if (object.problem == TransformProblem::kWaiting) ++waiting_;
   const bool is_loading = object.content->isLoading();
@@ -256,7 +258,9 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   state.incomplete = object.problem != TransformProblem::kNone || is_loading || !has_name ||
                      !object.content->bounded.isWhole();
   if (!state.box) object.boxed = BoxedObject();
-  const bool is_changed = before != object.problem || !isSame(state, object.state);
+  const bool is_other = boxed && state.box && boxed != object.boxed.content &&
+                        !isSameBody(*boxed, *object.boxed.content);
+  const bool is_changed = is_other || before != object.problem || !isSame(state, object.state);
   object.state = state;
   return is_changed;
 }

@@ -18,7 +18,7 @@
 namespace link_bounds {
 
 /// Until a fixed frame is known the objects are kept and none has a box. All functions that return
-/// bool tell whether a box, a stamp or an incomplete name changed.
+/// bool tell whether a box, what is in it, a stamp or an incomplete name changed.
 class LiveObjects {
  public:
   using Objects = std::map<ObjectKey, LiveObject>;

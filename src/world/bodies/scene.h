@@ -29,7 +29,8 @@ struct BoxSource {
   const Eigen::Affine3d* frame_from_body;              ///< null: identity
 };
 
-/// All functions that return bool tell whether a box, a stamp or an incomplete name changed.
+/// All functions that return bool tell whether a box, what is in it, a stamp or an incomplete name
+/// changed.
 struct Scene {
   explicit Scene(TransformBuffer& tf) : frames(tf), links(frames), objects(frames) {}
 

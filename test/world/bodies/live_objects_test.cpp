@@ -222,6 +222,36 @@ TEST_F(LiveObjectsTest, AMeshIsWaitedForAndKeepsTheBoxOfBefore) {
   EXPECT_LT(state().box->sizes().maxCoeff(), 1.1);
 }
 
+TEST_F(LiveObjectsTest, AnotherBodyInTheSameBoxIsNews) {
+  ObjectContent content = boxIn("map");
+  put(content);
+  content.bounded.shapes.front().solid = Solid::kEllipsoid;
+  EXPECT_TRUE(put(content));
+  EXPECT_FALSE(put(content));
+  expectBox(0);
+}
+
+TEST_F(LiveObjectsTest, AnotherMeshOfTheSameExtentsIsNews) {
+  const auto mesh = [](float x) {
+    const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {1, 0, 0}, {x, 1, 1}};
+    return LoadedMesh{std::make_shared<const PointSet>(points), ""};
+  };
+  put(meshOf("package://a/b.stl"));
+  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", mesh(0), now_));
+  const Aabb before = *state().box;
+  EXPECT_TRUE(objects_.fillMesh("package://a/b.stl", mesh(1), now_));
+  EXPECT_TRUE(isSame(*state().box, before));
+}
+
+TEST_F(LiveObjectsTest, ANewStampOfANeighbourInAnOldPoseIsNoNews) {
+  hear("map", "tray", 90, 0);
+  ObjectContent content = boxIn("tray", 99);
+  content.is_neighbour = true;
+  put(content);
+  content.stamp += 1;
+  EXPECT_FALSE(put(content));
+}
+
 TEST_F(LiveObjectsTest, AMeshThatCannotBeUsedTakesTheBoxAway) {
   put(boxIn("map"));
   put(meshOf("package://a/b.stl"));
