@@ -37,6 +37,9 @@ struct PastBody {
   std::shared_ptr<const ObjectContent> object;  ///< null for links
   /// Of the excerpt; with which it moves. Nothing: there is no box at any time.
   std::optional<TransformBuffer::Frame> frame;
+  /// Header frame of an incomplete object that follows it: what carries the object is above it.
+  /// Only where BoxRequest::has_robot_frames is set.
+  std::optional<TransformBuffer::Frame> header;
   /// Where an object was placed once in that frame; else it is the frame.
   std::optional<Eigen::Affine3d> frame_from_body;
   /// Of an object that was placed once and is attached to a link, if tf knows the link at that

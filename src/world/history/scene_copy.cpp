@@ -63,6 +63,7 @@ void SceneCopy::findNames() {
 bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseconds budget) {
   const Clock::time_point end = Clock::now() + budget;
   if (!past_) begin(scene, now);
+  observeEpoch(scene.frames.tf(), now);
   if (past_->unknown_frame) return true;
   while (copyNext(scene)) {
     if (Clock::now() >= end) return false;
@@ -70,10 +71,19 @@ bool SceneCopy::proceed(const Scene& scene, ros::Time now, std::chrono::nanoseco
   return past_->excerpt.copy(scene.frames.tf(), end - Clock::now());
 }
 
+/// After a jump of the clock the excerpt begins again, and its time is another one.
+void SceneCopy::observeEpoch(const TransformBuffer& tf, ros::Time now) {
+  if (epoch_ == tf.epoch()) return;
+  epoch_ = tf.epoch();
+  past_->now = now;
+  past_->excerpt.setStaleBefore(staleBefore(model_->parameters.timeout, now));
+}
+
 void SceneCopy::begin(const Scene& scene, ros::Time now) {
   past_ = std::make_unique<PastScene>(request_, staleBefore(model_->parameters.timeout, now));
   past_->model = model_;
   past_->now = now;
+  epoch_ = scene.frames.tf().epoch();
   past_->unknown_names = std::move(unknown_names_);
   const std::size_t objects = scene.objects.objects().size();
   const std::size_t bodies =
@@ -154,35 +164,43 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   const TransformBuffer& tf = scene.frames.tf();
   PastBody body;
   body.object = object.content;
-  if (object.content->follows() && object.content->stamp == 0 &&
-      object.content->bounded.isWhole() && !object.content->isLoading()) {
+  const bool follows = object.content->follows() && object.content->stamp == 0;
+  if (follows && object.content->refused_name.empty() && object.content->bounded.isWhole() &&
+      !object.content->isLoading()) {
     body.frame = past_->excerpt.add(tf, object.frame);
   } else {
     body.incomplete = object.state.incomplete;
     body.reason = scene.objects.reason(object);
+    if (follows && request_.has_robot_frames) body.header = past_->excerpt.add(tf, object.frame);
     if (object.state.box) {
       body.object = object.boxed.content;
       body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
       body.frame_from_body = object.boxed.fixed_from_header;
       body.stamp = object.state.stamp;
-      body.held = heldPlace(tf, body);
+      if (isHeldSince(scene, object)) body.held = heldPlace(scene, body);
     }
   }
   body.bounded = &body.object->bounded;
   past_->bodies.push_back(std::move(body));
 }
 
-std::optional<HeldPlace> SceneCopy::heldPlace(const TransformBuffer& tf,
-                                              const PastBody& body) const {
-  if (holders_.empty()) return std::nullopt;
+/// Whether tf tells where a link was when the object was placed. After a jump of the clock its time
+/// is another one, and in another fixed frame its place is that of a later time.
+bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
+  return !holders_.empty() && object.state.stamp != 0 &&
+         object.state.stamp == object.boxed.content->stamp && object.placement &&
+         object.placement->fixed_frame == scene.frames.fixedFrame();
+}
+
+std::optional<HeldPlace> SceneCopy::heldPlace(const Scene& scene, const PastBody& body) const {
+  const TransformBuffer& tf = scene.frames.tf();
   const auto attached = bodyOf(*model_, {&body.object->bounded.name, std::nullopt});
   const auto holder =
       attached ? std::find(holders_.begin(), holders_.end(), *attached) : holders_.end();
   if (holder == holders_.end()) return std::nullopt;
   const auto link = static_cast<std::size_t>(holder - holders_.begin());
   const auto frame = tf.find(tfName(model_->parameters.tf_prefix, model_->robot->links[link].name));
-  const auto fixed = tf.find(model_->fixed_frame);
-  const auto pose = frame && fixed ? tf.pose(*frame, *fixed, body.stamp) : std::nullopt;
+  const auto pose = frame ? tf.pose(*frame, *scene.frames.fixedFrame(), body.stamp) : std::nullopt;
   if (!pose) return std::nullopt;
   return HeldPlace{link, MatrixPose(*pose).affine * *body.frame_from_body};
 }

@@ -29,12 +29,14 @@ class SceneCopy {
  private:
   void findNames();
   void begin(const Scene& scene, ros::Time now);
+  void observeEpoch(const TransformBuffer& tf, ros::Time now);
   bool copyNext(const Scene& scene);
   bool copyNextBody(const Scene& scene);
   void copyFrame(const Scene& scene, const Link& link);
   void copyLink(const Scene& scene, std::size_t link);
   void copyObject(const Scene& scene, const LiveObject& object);
-  std::optional<HeldPlace> heldPlace(const TransformBuffer& tf, const PastBody& body) const;
+  bool isHeldSince(const Scene& scene, const LiveObject& object) const;
+  std::optional<HeldPlace> heldPlace(const Scene& scene, const PastBody& body) const;
 
   BoxRequest request_;
   std::shared_ptr<const Model> model_;
@@ -43,6 +45,7 @@ class SceneCopy {
   std::vector<std::string> unknown_names_;
   std::vector<std::size_t> holders_;  ///< rigid body of each link; empty if nothing is attached
   std::unique_ptr<PastScene> past_;
+  std::uint64_t epoch_ = 0;               ///< of tf, to which PastScene::now belongs
   std::size_t next_link_ = 0;             ///< in links_
   std::size_t next_key_ = 0;              ///< in keys_
   std::optional<ObjectKey> last_object_;  ///< if all are asked for

@@ -83,13 +83,14 @@ class SceneMaker {
     return describe(tracker_.keep(frame).problem, tf_.name(frame), tf_.name(scene_.target));
   }
 
-  /// The pose of the joint's child in that of its parent, as tf has it now; else the reason.
+  /// The pose of the joint's child in that of its parent, as tf has it now; else the reason. A
+  /// fixed joint has one pose, whether tf connects it with the fixed frame or not.
   std::string findPose(const Joint& joint, Eigen::Isometry3d& parent_from_child) {
     const auto& parent = scene_.robot_frames[joint.parent];
     const auto& child = scene_.robot_frames[joint.child];
     const std::string link = "link \"" + original_.links[joint.child].name + "\"";
     if (!parent || !child) return "tf has no frame of " + link;
-    const std::string problem = problemOf(*child);
+    const std::string problem = joint.motion == Motion::kNone ? "" : problemOf(*child);
     if (!problem.empty()) return problem;
     const std::optional<Tf2Pose> pose = tf_.pose(*parent, *child, 0);
     if (pose && toIsometry(*pose, parent_from_child)) return "";
@@ -129,13 +130,15 @@ class SceneMaker {
            {&name, body.link}, problem);
       return;
     }
-    PathBody placed{original_.root, {}, false};
+    const Carrier carrier = carrierOf(body);
+    PathBody placed{carrier.link, {}, false};
     if (body.frame) {
-      placed = placedObject(body, problem);
+      placed = placedObject(body, carrier, problem);
       placed.is_whole = problem.empty();
     } else if (problem.empty()) {
       problem = "it has no place";
     }
+    if (!carrier.is_known) strays_.push_back(result_.bodies.size());
     push(std::move(placed), {&name, std::nullopt}, problem);
   }
 
@@ -146,9 +149,14 @@ class SceneMaker {
     problems_.push_back(problem);
   }
 
+  struct Carrier {
+    std::size_t link;
+    bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
+    bool is_known = true;       ///< false: it may be any link
+  };
+
   /// On the link that carries it. Fills `problem` if its place is not known.
-  PathBody placedObject(const PastBody& body, std::string& problem) {
-    const Carrier carrier = carrierOf(body);
+  PathBody placedObject(const PastBody& body, const Carrier& carrier, std::string& problem) {
     const std::size_t link = carrier.link;
     PathBody result{link, {}, false};
     const auto link_frame = scene_.robot_frames[link];
@@ -158,11 +166,14 @@ class SceneMaker {
     }
     if (place_problem.empty() && carrier.is_elsewhere)
       place_problem = whyNotHeld(body, *link_frame);
+    if (place_problem.empty())
+      place_problem = describe(poseOn(*link_frame, *body.frame).problem, tf_.name(*body.frame),
+                               tf_.name(*link_frame));
     if (!place_problem.empty()) {
       problem = place_problem;
       return result;
     }
-    Eigen::Affine3d link_from_object = placeOf(*link_frame, *body.frame);
+    Eigen::Affine3d link_from_object = poseOn(*link_frame, *body.frame).fixed_from_frame.affine;
     if (body.frame_from_body) link_from_object = link_from_object * *body.frame_from_body;
     if (body.held) link_from_object = body.held->link_from_body;
     if (!link_from_object.matrix().allFinite()) {
@@ -176,29 +187,39 @@ class SceneMaker {
     return result;
   }
 
-  /// Each at its latest time, as in ~boxes. Both have poses.
-  Eigen::Affine3d placeOf(Frame link, Frame frame) {
-    if (link == frame) return Eigen::Affine3d::Identity();
-    const auto pose = [this](Frame of) { return tracker_.keep(of).fixed_from_frame.affine; };
-    return pose(link).inverse() * pose(frame);
+  /// A frame as seen from a link, at the latest common time of the way between the two.
+  const FramePose& poseOn(Frame link, Frame frame) {
+    const auto [tracker, is_new] = trackers_of_links_.try_emplace(link, tf_);
+    if (is_new) tracker->second.setTarget(link, 0, scene_.now);
+    return tracker->second.keep(frame);
   }
 
-  struct Carrier {
-    std::size_t link;
-    bool is_elsewhere = false;  ///< the object's frame is not below this link's rigid body
-  };
+  /// The link below whose frame the object's own one is, if there is one.
+  std::optional<std::size_t> linkAbove(const PastBody& body) const {
+    const auto frame = body.header ? body.header : body.frame;
+    if (!frame) return std::nullopt;
+    const auto is_link = [&](Frame at) { return links_.count(at) > 0; };
+    const auto found = links_.find(climb(tf_, *frame, is_link));
+    return found != links_.end() ? std::make_optional(found->second) : std::nullopt;
+  }
+
+  /// Whether tf, or the object itself, tells that it rests in the fixed frame, if no link is above
+  /// it. A refused marker has no frame.
+  bool isKnownToRest(const PastBody& body) {
+    const auto frame = body.header ? body.header : body.frame;
+    if (!frame) return !body.object->frame.empty();
+    return tracker_.keep(*frame).problem != TransformProblem::kNoTransform;
+  }
 
   /// The link of the robot to which the object is attached, or below whose frame its own one is. An
   /// object that was placed once rests in the fixed frame.
-  Carrier carrierOf(const PastBody& body) const {
-    const auto is_link = [&](Frame frame) { return links_.count(frame) > 0; };
-    const auto found = links_.find(climb(tf_, *body.frame, is_link));
-    const bool has_link = found != links_.end();
-    const Carrier own{has_link ? found->second : original_.root};
+  Carrier carrierOf(const PastBody& body) {
+    const std::optional<std::size_t> above = linkAbove(body);
+    const Carrier own{above.value_or(original_.root), false, above || isKnownToRest(body)};
     if (body.held) return {body.held->link};
     const auto attached = bodyOf(model_, {&body.bounded->name, std::nullopt});
     const auto& of_links = rigid_in_urdf_.of_links;
-    if (!attached || (has_link && of_links[own.link] == *attached)) return own;
+    if (!attached || (above && of_links[*above] == *attached)) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;
     return {static_cast<std::size_t>(link - of_links.begin()), true};
@@ -222,25 +243,47 @@ class SceneMaker {
   /// Two bodies that both rest are no pair, so there are few of many objects.
   void addPairs(const PathLimits& limits) {
     const std::size_t count = result_.bodies.size();
-    std::vector<bool> is_incomplete(count, false);
+    is_incomplete_.assign(count, false);
     for (std::size_t mover = 0; mover < count; ++mover) {
       if (!moves(mover)) continue;
-      if (limits.is_over()) throw std::runtime_error("there was no time to compare all bodies");
+      checkTime(limits);
       for (std::size_t other = 0; other < count; ++other) {
         const bool was_seen = other < mover && moves(other);
-        if (was_seen || !isMovingPair(mover, other)) continue;
-        result_.pairs.emplace_back(std::minmax(mover, other));
-        for (const std::size_t body : {mover, other})
-          is_incomplete[body] = is_incomplete[body] || !result_.bodies[body].is_whole;
-        if (result_.pairs.size() > limits.max_pairs)
-          throw std::runtime_error("the trajectory moves more than " +
-                                   std::to_string(limits.max_pairs) +
-                                   " pairs of bodies; leave some out with ~ignore_pairs");
+        if (!was_seen && isMovingPair(mover, other)) addPair(mover, other, limits);
       }
     }
+    for (const std::size_t stray : strays_)
+      addStray(stray, limits);
     std::sort(result_.pairs.begin(), result_.pairs.end());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!is_incomplete[i]) continue;
+    nameIncomplete();
+  }
+
+  static void checkTime(const PathLimits& limits) {
+    if (limits.is_over()) throw std::runtime_error("there was no time to compare all bodies");
+  }
+
+  void addPair(std::size_t first, std::size_t second, const PathLimits& limits) {
+    result_.pairs.emplace_back(std::minmax(first, second));
+    for (const std::size_t body : {first, second})
+      is_incomplete_[body] = is_incomplete_[body] || !result_.bodies[body].is_whole;
+    if (result_.pairs.size() > limits.max_pairs)
+      throw std::runtime_error("the trajectory moves more than " +
+                               std::to_string(limits.max_pairs) +
+                               " pairs of bodies; leave some out with ~ignore_pairs");
+  }
+
+  /// It may move with any link. A single pair tells that nothing is proven.
+  void addStray(std::size_t stray, const PathLimits& limits) {
+    checkTime(limits);
+    for (std::size_t other = 0; other < members_.size() && !is_incomplete_[stray]; ++other) {
+      if (other != stray && isPair(model_, members_[stray], members_[other]))
+        addPair(stray, other, limits);
+    }
+  }
+
+  void nameIncomplete() {
+    for (std::size_t i = 0; i < result_.bodies.size(); ++i) {
+      if (!is_incomplete_[i]) continue;
       if (result_.incomplete.empty()) result_.problem = result_.names[i] + ": " + problems_[i];
       result_.incomplete.push_back(result_.names[i]);
     }
@@ -257,12 +300,15 @@ class SceneMaker {
   const Robot& original_;
   TransformBuffer& tf_;
   FrameTracker tracker_;
+  std::map<Frame, FrameTracker> trackers_of_links_;  ///< which carry objects
   const PathTrees& trees_;
   std::map<Frame, std::size_t> links_;  ///< of the robot
   const RigidBodies rigid_in_urdf_;
   RigidBodies rigid_;                  ///< of the robot whose other joints are fixed
   std::vector<PairMember> members_;    ///< of the bodies
   std::vector<std::string> problems_;  ///< of the bodies
+  std::vector<std::size_t> strays_;    ///< bodies whose carrier is not known
+  std::vector<bool> is_incomplete_;    ///< of the bodies: whether a pair tells so
   PathScene result_;
 };
 

@@ -34,6 +34,9 @@ class TfExcerpt {
   TfExcerpt(std::int64_t stamp, std::int64_t span, std::int64_t stale_before)
       : stamp_(stamp), span_(span), stale_before_(stale_before) {}
 
+  /// To be called after clear(), before the next copy().
+  void setStaleBefore(std::int64_t stale_before) { stale_before_ = stale_before; }
+
   /// Makes room for so many frames.
   void reserve(std::size_t frames);
 

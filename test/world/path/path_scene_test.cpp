@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which link carries a body, where on that link it is, and what is not known of it.
+#include "world/path/path_scene.h"
+
+#include "testing/live_objects_testing.h"
+#include "testing/moving_robot.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kStamp = MovingRobot::kStamp;
+
+/// An arm turns on a base; a frame without geometry is fixed to the arm.
+constexpr char kRobot[] = R"(<robot name="arm">
+  <link name="base"><visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link>
+  <link name="arm"><visual><geometry><box size="0.7 0.1 0.1"/></geometry></visual></link>
+  <link name="tool"/>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="arm"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <joint name="flange" type="fixed"><parent link="arm"/><child link="tool"/>
+    <origin xyz="1 0 0"/></joint>
+</robot>)";
+
+using Names = std::vector<std::string>;
+
+Eigen::Isometry3d at(double x, double angle = 0) {
+  return Eigen::Translation3d(x, 0, 0) * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
+}
+
+Parameters inFrame(const std::string& fixed_frame) {
+  Parameters parameters;
+  parameters.fixed_frame = fixed_frame;
+  return parameters;
+}
+
+/// The arm may touch what it holds.
+Parameters ignoring() {
+  Parameters parameters = inFrame("map");
+  parameters.ignore_pairs = {"arm held/*"};
+  return parameters;
+}
+
+Parameters attaching() {
+  Parameters parameters = inFrame("map");
+  parameters.attached = {{"arm", {"held/*"}}};
+  return parameters;
+}
+
+/// Nothing is in tf.
+struct QuietArm : MovingRobot {
+  explicit QuietArm(const Parameters& parameters) : MovingRobot(kRobot, parameters) {
+    put("post", boxIn("map"));
+  }
+
+  void put(const std::string& ns, ObjectContent content) {
+    content.bounded.name = ns + "/1";
+    scene().objects.put({ns, 1}, std::move(content), ros::Time(kStamp));
+  }
+
+  PathScene path(double now = kStamp) { return path(now, model()); }
+
+  PathScene path(double now, const std::shared_ptr<const Model>& of_request) {
+    SceneCopy copy(pathRequest(), of_request);
+    while (!copy.proceed(scene(), ros::Time(now), std::chrono::seconds(1))) {
+    }
+    const auto past = copy.take();
+    const auto goes_on = [] { return false; };
+    PathTrees trees([](const auto&, const auto&) { return std::vector<LoadedTree>(); });
+    trees.prepare(*past, goes_on);
+    return pathScene(*past, {"turn"}, trees, {1000, goes_on});
+  }
+};
+
+struct Arm : QuietArm {
+  explicit Arm(const Parameters& parameters) : QuietArm(parameters) { send(kStamp, {0, 0}); }
+};
+
+/// Where a body of one shape is on its link.
+Eigen::Vector3d placeOf(const PathScene& path, const std::string& name) {
+  const auto found = std::find(path.names.begin(), path.names.end(), name);
+  const Body& body = path.bodies.at(static_cast<std::size_t>(found - path.names.begin())).body;
+  return body.shapes.at(0).shape.link_from_shape.translation();
+}
+
+ObjectContent brokenIn(const std::string& frame) {
+  ObjectContent content = boxIn(frame);
+  content.bounded.missing = "broken";
+  return content;
+}
+
+TEST(PathScene, ABodyThatIsAttachedIsIncompleteWithoutItsGeometry) {
+  Arm arm(attaching());
+  for (const char* frame : {"map", "arm", "nowhere", ""}) {
+    arm.put("held", brokenIn(frame));
+    EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << frame;
+  }
+}
+
+TEST(PathScene, ABodyBelowAMovingLinkIsIncompleteWithoutItsGeometry) {
+  Arm arm(ignoring());
+  EXPECT_EQ(arm.path().incomplete, Names{});
+  arm.put("held", brokenIn("arm"));
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"});
+  arm.put("held", brokenIn("base"));
+  EXPECT_EQ(arm.path().incomplete, Names{}) << "it rests, and the arm may touch it";
+}
+
+TEST(PathScene, ABodyWhoseMeshLoadsMovesWithItsLink) {
+  Arm arm(ignoring());
+  arm.put("held", boxIn("arm"));
+  EXPECT_EQ(arm.path().incomplete, Names{});
+  ObjectContent mesh = meshOf("package://a/b.stl");
+  mesh.frame = "arm";
+  arm.put("held", mesh);
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << "the box of before is there";
+}
+
+TEST(PathScene, ABodyMayMoveIfItsLinkIsNotKnown) {
+  Arm arm(ignoring());
+  for (const ObjectContent& content : {brokenIn(""), brokenIn("nowhere"), boxIn("nowhere")}) {
+    arm.put("held", content);
+    EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << content.frame;
+  }
+}
+
+// A camera of few frames per second, which does not move as seen from the arm or from its wrist.
+TEST(PathScene, WhatFollowsASlowFrameIsOnItsLinkAtOneTime) {
+  for (const char* parent : {"arm", "wrist"}) {
+    Arm arm(ignoring());
+    arm.add(parent, "camera", kStamp, at(0));
+    ObjectContent held = boxIn("camera");
+    held.bounded.shapes.front().link_from_shape.translation().x() = 2;
+    arm.put("held", held);
+    for (int i = 0; i <= 50; ++i) {
+      arm.add("arm", "wrist", kStamp + 0.01 * i, at(0, 0.02 * i));
+      arm.send(kStamp + 0.01 * i, {0.01 * i, 0});
+    }
+    const PathScene path = arm.path(kStamp + 0.5);
+    EXPECT_EQ(path.incomplete, Names{}) << parent;
+    EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(2, 0, 0)).norm(), kTolerance) << parent;
+  }
+}
+
+TEST(PathScene, AHeldBodyIsWhereItWasOnItsLink) {
+  Arm arm(attaching());
+  ObjectContent held = boxIn("map", kStamp);
+  held.bounded.shapes.front().link_from_shape.translation().x() = 2;
+  arm.put("held", held);
+  arm.send(kStamp + 1, {1, 0});
+  const PathScene path = arm.path(kStamp + 1);
+  EXPECT_EQ(path.incomplete, Names{});
+  EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(2, 0, 0)).norm(), kTolerance);
+}
+
+TEST(PathScene, AfterAJumpBackTheStampOfAHeldBodyIsOfNoUse) {
+  for (const double jump : {kStamp / 2, 0.0}) {
+    Arm arm(attaching());
+    arm.put("held", boxIn("map", kStamp));
+    arm.tf().clear();
+    arm.scene().restart(ros::Time(jump));
+    arm.send(kStamp / 2, {1, 0});
+    EXPECT_EQ(arm.path(kStamp / 2).incomplete, Names{"held/1"}) << jump;
+  }
+}
+
+// The base drives on. The object is carried over by where the base is now, but was placed before.
+TEST(PathScene, InAnotherFixedFrameTheStampOfAHeldBodyIsOfNoUse) {
+  Parameters parameters = attaching();
+  parameters.fixed_frame = "base";
+  Arm arm(parameters);
+  arm.put("held", boxIn("base", kStamp));
+  arm.send(kStamp + 1, {0, 0}, at(5));
+  Arm other(attaching());
+  arm.scene().adopt(other.model(), ros::Time(kStamp + 1));
+  EXPECT_EQ(arm.path(kStamp + 1, other.model()).incomplete, Names{"held/1"});
+}
+
+double flangeOf(const PathScene& path) {
+  const auto& joints = path.robot.joints;
+  const auto found = std::find_if(joints.begin(), joints.end(),
+                                  [](const Joint& joint) { return joint.name == "flange"; });
+  return found->parent_from_joint.translation().x();
+}
+
+TEST(PathScene, AFixedJointIsWhereTfHasItWhateverIsAboveIt) {
+  QuietArm arm(ignoring());
+  EXPECT_EQ(flangeOf(arm.path()), 1) << "as the URDF has it";
+  const auto moved = edge("arm", "tool", kStamp, Eigen::Quaterniond::Identity(), {2, 0, 0});
+  arm.tf().add({moved}, true, ros::Time(kStamp));
+  EXPECT_EQ(flangeOf(arm.path()), 2) << "tf does not know where the arm is";
+  arm.add("map", "base", kStamp, at(0));
+  arm.add("base", "arm", kStamp, at(0));
+  EXPECT_EQ(flangeOf(arm.path(kStamp + 100)), 2) << "the arm is stale";
+}
+
+}  // namespace
+}  // namespace link_bounds
