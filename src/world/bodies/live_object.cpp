@@ -24,8 +24,9 @@ bool isSameBody(const ObjectContent& a, const ObjectContent& b) {
 
 bool isSame(const ObjectContent& a, const ObjectContent& b) {
   return a.frame == b.frame && a.stamp == b.stamp && a.mesh_uri == b.mesh_uri &&
-         a.is_neighbour == b.is_neighbour && a.bounded.missing == b.bounded.missing &&
-         a.refused_name == b.refused_name && isSameBody(a, b);
+         a.is_neighbour == b.is_neighbour && a.is_static == b.is_static &&
+         a.bounded.missing == b.bounded.missing && a.refused_name == b.refused_name &&
+         isSameBody(a, b);
 }
 
 std::string whyNameRefused(const LiveObject& other) {

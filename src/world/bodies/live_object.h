@@ -32,6 +32,7 @@ struct ObjectContent {
   /// A box of another node. It follows its frame, and no box of it is newer than `stamp`; 0:
   /// static.
   bool is_neighbour = false;
+  bool is_static = false;  ///< a neighbour's that never falls silent
   /// Why it has no box, because another object has its name; "" if none has. A marker gets its box
   /// when the name is free; of a neighbour no shapes are kept.
   std::string refused_name;

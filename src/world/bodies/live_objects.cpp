@@ -178,8 +178,7 @@ bool LiveObjects::expire(ros::Time now) {
 /// As with links: a static box never becomes stale.
 bool LiveObjects::isSilent(const LiveObject& object, std::int64_t now, double timeouts) const {
   const ObjectContent& content = *object.content;
-  const bool is_static = content.stamp == 0 && !content.bounded.shapes.empty();
-  return content.is_neighbour && !is_static && frames_.timeout() > 0 &&
+  return content.is_neighbour && !content.is_static && frames_.timeout() > 0 &&
          static_cast<double>(now - object.received) > timeouts * frames_.timeout() * 1e9;
 }
 

@@ -42,6 +42,8 @@ class Collector {
   void add(const AxisAlignedBox& box) {
     if (isNeighbourName(box.name)) return;
     ObjectContent& content = contentOf(box.name);
+    has_boxes_ = true;
+    are_static_ = are_static_ && box.stamp.isZero();
     const std::string reason = whyRefused(box, result_.frame);
     if (reason.empty()) {
       cover(box, content);
@@ -56,7 +58,13 @@ class Collector {
     if (missing.empty()) missing = "it is incomplete at " + sender_;
   }
 
-  NeighbourBoxes take() { return std::move(result_); }
+  /// A name without a box is as static as the boxes beside it.
+  NeighbourBoxes take() {
+    for (auto& [name, content] : result_.contents)
+      content.is_static =
+          content.bounded.shapes.empty() ? has_boxes_ && are_static_ : content.stamp == 0;
+    return std::move(result_);
+  }
 
  private:
   struct Corners {
@@ -85,6 +93,8 @@ class Collector {
 
   const std::string& sender_;
   NeighbourBoxes result_;
+  bool has_boxes_ = false;  ///< also those that are refused
+  bool are_static_ = true;
   std::map<const ObjectContent*, Corners> corners_;  ///< around all boxes of a name
 };
 

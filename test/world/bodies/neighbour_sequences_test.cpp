@@ -22,6 +22,7 @@ struct Thing {
   bool is_incomplete = false;
   bool is_static = false;
   bool is_refused_name = false;
+  bool stays = false;  ///< it is static; without a box, as all boxes beside it
 };
 
 struct ModelSet {
@@ -107,6 +108,7 @@ class NeighbourSequencesTest : public NeighboursTest {
     AxisAlignedBoxArray array = arrayOf(frame, {boxAround("/other/node/arm", {0, 0, 0}, 1)});
     std::map<std::string, Thing> things;
     std::set<std::string> links;
+    std::vector<bool> are_static;  // of the boxes
     for (const std::string& box : kRobots[static_cast<std::size_t>(pick(3))]) {
       if (chance(40)) continue;
       Thing& thing = things[box];
@@ -118,9 +120,14 @@ class NeighbourSequencesTest : public NeighboursTest {
         thing.x = is_bad ? std::nullopt : std::optional<int>(pick(3));
         const double x = is_bad ? kNan : *thing.x;
         array.boxes.push_back(boxAround(box, {x, 0, 0}, thing.is_static ? 0 : now_.toSec() - 0.01));
+        are_static.push_back(thing.is_static);
       }
       if (!parseObjectName(box)) links.insert(box);
     }
+    const bool is_still =
+        !are_static.empty() && std::count(are_static.begin(), are_static.end(), false) == 0;
+    for (auto& [box, thing] : things)
+      thing.stays = thing.x ? thing.is_static : is_still;
     if (ModelSet* const set = setOf(sender, frame, links, things.empty())) fill(*set, things);
     std::shuffle(array.boxes.begin(), array.boxes.end(), random_);
     connections_.try_emplace(sender, boost::make_shared<int>());
@@ -150,15 +157,13 @@ class NeighbourSequencesTest : public NeighboursTest {
     }
   }
 
-  static bool stays(const Thing& thing) { return thing.is_static && thing.x; }
-
   /// Silent boxes whose time has come.
   void forget(double seconds) {
     for (auto set = sets_.begin(); set != sets_.end();) {
       const bool is_over = set->silent_since && now_ - *set->silent_since > ros::Duration(seconds);
       std::vector<Thing> rest;
       for (const Thing& thing : set->things)
-        if (!is_over || stays(thing)) rest.push_back(thing);
+        if (!is_over || thing.stays) rest.push_back(thing);
       set->things = rest;
       set = rest.empty() ? sets_.erase(set) : std::next(set);
     }

@@ -271,6 +271,24 @@ TEST_F(NeighbourSetsTest, ASilentSenderIsForgottenAfterTenTimesTheTimeout) {
   EXPECT_TRUE(pass(2));
 }
 
+// It sends once, because nothing of it changes.
+TEST_F(NeighbourSetsTest, ANameWithoutABoxIsAsStaticAsTheBoxesBesideIt) {
+  AxisAlignedBox bad = boxAround("bad", {0, 0, 0}, 0);
+  bad.max.x = kNan;
+  for (const char* ns : {"/right/bounds/cup", "/right/bounds/map/cup"})
+    takeMarker(visualization_msgs::Marker::ADD, {ns, 7});
+  take(arrayOf("map", {boxAround("base", {0, 0, 0}, 0), boxAround("cup/7", {0, 0, 0}, 0), bad},
+               {"hand"}));
+  const Names all = incomplete();
+  EXPECT_EQ(all.size(), 3u);
+  EXPECT_FALSE(pass(1000));
+  EXPECT_EQ(incomplete(), all);
+  take(arrayOf("map", {}, {"hand"}));
+  pass(1000);
+  pass(1000);
+  EXPECT_EQ(incomplete(), Names{}) << "nothing tells that it is static";
+}
+
 /// Loops of a bag that are shorter than the time to wait.
 class LoopTest : public NeighbourSetsTest {
  protected:
