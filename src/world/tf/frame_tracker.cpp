@@ -97,7 +97,9 @@ void FrameTracker::watch(Frame frame) {
   watched_.push_back(frame);
 }
 
+/// As in update(), frames that nobody follows any more leave, for there may be no news of tf.
 void FrameTracker::expire(ros::Time now) {
+  if (unused_ > nodes_.size() / 2) return updateAll(now);
   for (const Frame frame : watched_)
     tf_.watch(frame);
   stale_before_ = staleBefore(timeout_, now);

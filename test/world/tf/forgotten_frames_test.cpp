@@ -49,6 +49,15 @@ class Kept {
     tf.forgetQuiet(ros::SteadyTime(seconds_), kept_);
   }
 
+  /// The same without any news of tf.
+  void rest(double seconds) {
+    for (double end = seconds_ + seconds; seconds_ < end;) {
+      seconds_ += 1;
+      tracker_.expire(time());
+      tf.forgetQuiet(ros::SteadyTime(seconds_), kept_);
+    }
+  }
+
   FrameTracker& tracker() { return tracker_; }
   ros::Time time() const { return ros::Time(seconds_); }
 
@@ -83,6 +92,19 @@ TEST(ForgottenFrames, MemoryDoesNotGrowWithTheNamesOfStrangers) {
     const Eigen::Vector3d expected =
         Eigen::Vector3d(1, 0, 0) + kTurn * Eigen::Vector3d(round + 1, 0, 0);
     EXPECT_TRUE(camera.pose().fixed_from_frame.affine.translation().isApprox(expected));
+  }
+}
+
+TEST(ForgottenFrames, FramesThatNobodyFollowsAnyMoreNeedNoNewsToBeForgotten) {
+  Kept kept(10);
+  const FrameTracker::Handle camera = kept.tracker().follow("camera");
+  for (int round = 0; round < 4; ++round) {
+    for (int i = 0; i < 500; ++i) {
+      const TransformBuffer::Hold hold(kept.tf, name("stranger", 500 * round + i));
+      kept.tracker().follow(hold.frame());
+    }
+    kept.rest(200);
+    EXPECT_LE(kept.tf.inUse(), 20u) << "round " << round;
   }
 }
 

@@ -237,6 +237,14 @@ TEST_F(ArmsTest, TheOldestEdgeDecidesWhatIsStale) {
   EXPECT_EQ(right_.pose().problem, TransformProblem::kNone);
 }
 
+TEST_F(ArmsTest, WhatIsStaleIsNewsAlsoWhenManyFramesLeave) {
+  for (int i = 0; i < 100; ++i)
+    poses_.follow("frame_" + std::to_string(i));
+  poses_.expire(ros::Time(11.5));
+  EXPECT_EQ(left_.pose().problem, TransformProblem::kStale);
+  EXPECT_TRUE(left_.pose().is_changed);
+}
+
 TEST_F(ArmsTest, AFrameIsFollowedAsLongAsOneOfItsHandlesLives) {
   FrameTracker::Handle second = poses_.follow("left");
   left_ = FrameTracker::Handle();
