@@ -18,13 +18,14 @@ JointStateReceiver::JointStateReceiver() {
   node_.setCallbackQueue(&queue_);
 }
 
-const JointStates& JointStateReceiver::read() {
+const JointStates& JointStateReceiver::read(std::uint64_t epoch) {
   if (!subscriber_) {
     subscriber_ = node_.subscribe<Received<sensor_msgs::JointState>, const Event&>(
         kJointStatesTopic.name, kJointQueue, [this](const Event& event) { take(event); }, {},
         ros::TransportHints().tcpNoDelay());
   }
   queue_.callAvailable();
+  states_.observeEpoch(epoch);
   return states_;
 }
 

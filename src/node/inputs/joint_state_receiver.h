@@ -19,8 +19,9 @@ class JointStateReceiver {
   JointStateReceiver(const JointStateReceiver&) = delete;
   JointStateReceiver& operator=(const JointStateReceiver&) = delete;
 
-  /// All that has come since the topic is subscribed to, which the first call does.
-  const JointStates& read();
+  /// All that has come since the topic is subscribed to, which the first call does, or since the
+  /// clock jumped back: `epoch` is that of tf.
+  const JointStates& read(std::uint64_t epoch);
 
   /// Forgets all, until the next read().
   void rest();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/tf/edge_history.h"
 
@@ -24,6 +25,10 @@ void JointStates::add(const std::string& joint, const JointReport& report) {
 void JointStates::clear() {
   joints_.clear();
   newest_ = std::numeric_limits<std::int64_t>::min();
+}
+
+void JointStates::observeEpoch(std::uint64_t epoch) {
+  if (std::exchange(epoch_, epoch) != epoch) clear();
 }
 
 std::optional<std::vector<JointReport>> JointStates::reports(const std::string& joint,

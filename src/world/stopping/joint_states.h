@@ -29,6 +29,10 @@ class JointStates {
 
   void clear();
 
+  /// Forgets all if the clock has jumped back since the last call: then the epoch of tf is another
+  /// one.
+  void observeEpoch(std::uint64_t epoch);
+
   /// The reports of a joint that tell how it moves at `stamp`: those of `window` before it [ns],
   /// and the next one after it, in order. Nothing for a joint that was never reported.
   std::optional<std::vector<JointReport>> reports(const std::string& joint, std::int64_t stamp,
@@ -39,6 +43,7 @@ class JointStates {
 
  private:
   std::map<std::string, std::map<std::int64_t, JointReport>> joints_;  ///< by name and stamp
+  std::uint64_t epoch_ = 0;
   std::int64_t newest_ = std::numeric_limits<std::int64_t>::min();
 };
 

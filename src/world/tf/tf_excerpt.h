@@ -34,6 +34,9 @@ class TfExcerpt {
   TfExcerpt(std::int64_t stamp, std::int64_t span, std::int64_t stale_before)
       : stamp_(stamp), span_(span), stale_before_(stale_before) {}
 
+  /// That of `tf` when what was copied last began. A frame must have been added.
+  std::uint64_t epoch() const { return *epoch_; }
+
   /// To be called after clear(), before the next copy().
   void setStaleBefore(std::int64_t stale_before) { stale_before_ = stale_before; }
 

@@ -193,6 +193,16 @@ TEST(JointStates, KeepsHistoryInAnyOrderUntilTimeJumpsBack) {
   EXPECT_FALSE(states.reports("a", 3 * kSecond, kWindow)->front().velocity);
 }
 
+TEST(JointStates, OfBeforeAJumpOfTheClockAreForgottenHoweverShortItIs) {
+  JointStates states;
+  states.observeEpoch(1);
+  states.add("a", {kEnd, 1, {}});
+  states.observeEpoch(1);
+  EXPECT_TRUE(states.reports("a", kEnd, kWindow));
+  states.observeEpoch(2);
+  EXPECT_FALSE(states.reports("a", kEnd, kWindow));
+}
+
 /// A gripper whose right finger goes the other way, twice as far.
 constexpr char kGripper[] = R"(<robot name="gripper">
   <link name="palm"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>

@@ -22,7 +22,7 @@ std::optional<WayScenes::Copy> WayScenes::copy(Worker& worker) {
   }
   const JointStates* states = nullptr;
   if (model_->parameters.joint_states)
-    states = &joint_states_.read();
+    states = &joint_states_.read(scene->excerpt.epoch());
   else
     joint_states_.rest();
   return Copy{std::move(scene), &*rules_, states};
