@@ -219,27 +219,67 @@ class PostTest(BagBoundsTest):
         """Beyond what fits into nanoseconds."""
         self.zone(swing(5), '--timeout', '1e10', code=ENTERED)
 
-    def test_a_way_before_the_stamp_of_a_slower_body_counts(self):
-        """One plate passes through the other between the messages of that one, and may go on with
-        the second of these."""
+    def plates(self, *names):
+        """Two plates that move along x."""
         plate = '<geometry><box size="0.01 1 1"/></geometry>'
         text = ('<link name="{0}"><visual>%s</visual></link>'
                 '<joint name="j_{0}" type="prismatic"><parent link="base"/><child link="{0}"/>'
                 '<axis xyz="1 0 0"/><limit lower="-9" upper="9" effort="1" velocity="9"/></joint>'
                 % plate)
+        self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
+                               ''.join(text.format(name) for name in names))
+
+    def check_plates(self, *steps, arguments=(), code=UNDERCUT, err=''):
+        """With their stamps, and where which plate is then."""
+        messages = []
+        for stamp, places in steps:
+            stamp = time_of(BEGIN + stamp)
+            edges = [transform('base', child, stamp, (x, 0, 0)) for child, x in places.items()]
+            messages.append(('/tf', TFMessage(edges), stamp))
+        pairs = self.report(self.bag(messages), '--distances', '0.01', *arguments,
+                            code=code, err=err)['distances']
+        found = [(pair['distance'], pair['clearance']) for pair in pairs]
+        self.assertEqual(found, [(0, 0)] if code == UNDERCUT else [])
+        return pairs
+
+    def test_a_way_before_the_stamp_of_a_slower_body_counts(self):
+        """One plate passes through the other between the messages of that one, and may go on with
+        the second of these."""
         for names in ('slow', 'fast'), ('fast', 'slow'):
-            self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
-                                   ''.join(text.format(name) for name in names))
+            self.plates(*names)
             for last in {'slow': 0}, {'slow': 0, 'fast': 1.5}:
-                messages = []
-                for stamp, places in ((0, {'slow': 0, 'fast': -1}), (.5, {'fast': 1}), (1, last)):
-                    stamp = time_of(BEGIN + stamp)
-                    messages.append(('/tf', TFMessage([transform('base', child, stamp, (x, 0, 0))
-                                                       for child, x in places.items()]), stamp))
                 with self.subTest(names=names, last=last):
-                    pair, = self.report(self.bag(messages), '--distances', '0.01',
-                                        code=UNDERCUT)['distances']
-                    self.assertEqual((pair['distance'], pair['clearance']), (0, 0))
+                    self.check_plates((0, {'slow': 0, 'fast': -1}), (.5, {'fast': 1}), (1, last))
+
+    def test_a_way_beside_a_body_that_has_no_later_transform(self):
+        """One plate passes through the place in which the other one was left."""
+        begin = [(0, {'slow': 0, 'fast': -1}), (.1, {'fast': -1}), (.3, {'fast': 1})]
+        later = [(i / 2, {'fast': 1}) for i in range(1, 12)]
+        back = [(6, {'slow': 0, 'fast': 1}), (6.5, {'slow': 0, 'fast': 1})]
+        for names in ('slow', 'fast'), ('fast', 'slow'):
+            self.plates(*names)
+            for name, steps, arguments in (
+                    ('end', begin, ()),
+                    ('--end', begin + [(1, {'slow': 0})], ('--end', '0.5')),
+                    ('comes late', begin + later + back, ('--min-coverage', '0')),
+                    ('never stale', begin + later, ('--timeout', '0')),
+                    ('clock', begin + [(-9, {'slow': 0, 'fast': 1})], ())):
+                with self.subTest(names=names, name=name):
+                    pair, = self.check_plates(*steps, arguments=arguments,
+                                              err='jumped back' if name == 'clock' else '')
+                    self.assertAlmostEqual(pair['time'], .2, delta=.02)
+
+    def test_a_plate_that_moves_away_in_time(self):
+        """In the place in which it was left, the other one would meet it."""
+        self.plates('slow', 'fast')
+        self.check_plates((0, {'slow': 0, 'fast': -1}), (.2, {'fast': -1}), (.4, {'fast': 1}),
+                          (1, {'slow': 5, 'fast': 1}), code=0)
+
+    def test_a_motion_before_the_other_body_is_known(self):
+        """It is none beside it. So one that is known again has no way before."""
+        self.plates('slow', 'fast')
+        self.check_plates((0, {'fast': -1}), (.05, {'slow': 0}), (.1, {'fast': -1}),
+                          (.2, {'slow': 0, 'fast': -1}), code=0)
 
     def test_a_parent_that_changes_is_undecided(self):
         """tf knows no way between two parents."""

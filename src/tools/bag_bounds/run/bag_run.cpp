@@ -127,6 +127,7 @@ void BagRun::read() {
   begin();
   readMessages();
   on_progress_(1);
+  if (pairs_ && !was_interrupted_) pairs_->endMotions(scene_.tf());
   coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
   zones_.finish(last_);
@@ -179,6 +180,7 @@ void BagRun::readMessages() {
       was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
+    if (pairs_ && message.time < scene_.now()) pairs_->endMotions(scene_.tf());
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
     if (scene_.take(message)) ++messages_;

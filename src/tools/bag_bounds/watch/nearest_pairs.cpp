@@ -54,11 +54,20 @@ TreeRequests NearestPairs::requests() {
 
 void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
   latest_.clear();
-  const auto computed = compute(momentOf(scene));
+  const MomentPtr moment = momentOf(scene);
+  const PairMotions::Handlers handlers = motionHandlers();
+  motions_.begin(moment, {moment_pairs_, distances_.bodies(), tf, handlers});
+  now_ = now;
+  const auto computed = compute(moment);
   if (computed) {
     addNow(*computed, scene.model()->parameters.distance_limit, now);
-    lookBetween(computed->moment, tf, now);
+    motions_.look({moment_pairs_, distances_.bodies(), tf, handlers});
   }
+  was_interrupted_ = isInterrupted();
+}
+
+void NearestPairs::endMotions(const TransformBuffer& tf) {
+  motions_.finish({moment_pairs_, distances_.bodies(), tf, motionHandlers()});
   was_interrupted_ = isInterrupted();
 }
 
@@ -74,30 +83,31 @@ void NearestPairs::addNow(const ComputedDistances& computed, double limit, std::
   }
 }
 
-void NearestPairs::lookBetween(const MomentPtr& moment, const TransformBuffer& tf,
-                               std::int64_t now) {
-  const double limit = moment->model->parameters.distance_limit;
+PairMotions::Handlers NearestPairs::motionHandlers() {
   PairMotions::Handlers handlers;
-  handlers.wanted = [&](std::size_t first, std::size_t second) -> std::optional<double> {
-    const auto found =
-        pairs_.find({moment->name(moment->bodies[first]), moment->name(moment->bodies[second])});
+  handlers.wanted = [this](const Moment& moment, const BoxPair& pair) -> std::optional<double> {
+    const double limit = moment.model->parameters.distance_limit;
+    const auto found = pairs_.find(
+        {moment.name(moment.bodies[pair.first]), moment.name(moment.bodies[pair.second])});
     if (found == pairs_.end()) return limit;
     if (found->second.clearance <= 0) return std::nullopt;
     const double nearest = found->second.distance.distance;
     return nearest < limit ? std::max(nearest - kPairAccuracy, 0.0) : limit;
   };
-  handlers.on_motion = [&](const PairMotion& motion) { take(*moment, motion, now); };
+  handlers.on_motion = [this](const Moment& moment, const PairMotion& motion) {
+    take(moment, motion);
+  };
   handlers.gives_up = isInterrupted;
-  motions_.look(moment, moment_pairs_, distances_.bodies(), tf, handlers);
+  return handlers;
 }
 
-void NearestPairs::take(const Moment& moment, const PairMotion& motion, std::int64_t now) {
+void NearestPairs::take(const Moment& moment, const PairMotion& motion) {
   const double limit = moment.model->parameters.distance_limit;
   if (motion.nearest && motion.nearest->lower <= limit) {
     Distance distance = toMessage(moment, FoundPair{motion.first, motion.second, *motion.nearest});
     distance.stamp.fromNSec(static_cast<std::uint64_t>(motion.stamp));
     was_undercut_ |= isFinding(distance, limit);
-    keep(distance, {now - motion.duration, motion.stamp});
+    keep(distance, {now_ - motion.duration, motion.stamp});
   }
   const auto& first = moment.name(moment.bodies[motion.first]);
   const auto& second = moment.name(moment.bodies[motion.second]);

@@ -42,6 +42,9 @@ class NearestPairs {
   /// nothing, if it is interrupted.
   void add(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
 
+  /// To be called at the end of the report, and before tf forgets: the bodies stay where they are.
+  void endMotions(const TransformBuffer& tf);
+
   /// Of the last add().
   const std::vector<Distance>& latest() const { return latest_; }
 
@@ -74,8 +77,8 @@ class NearestPairs {
   TreeRequests requests();
   std::optional<ComputedDistances> compute(const MomentPtr& moment);
   void addNow(const ComputedDistances& computed, double limit, std::int64_t now);
-  void lookBetween(const MomentPtr& moment, const TransformBuffer& tf, std::int64_t now);
-  void take(const Moment& moment, const PairMotion& motion, std::int64_t now);
+  PairMotions::Handlers motionHandlers();
+  void take(const Moment& moment, const PairMotion& motion);
   void keep(const Distance& distance, const RecordTime& when);
 
   LoadTree load_tree_;
@@ -84,6 +87,7 @@ class NearestPairs {
   PairMotions motions_;
   std::map<std::pair<std::string, std::string>, NearestPair> pairs_;
   std::vector<Distance> latest_;
+  std::int64_t now_ = 0;  ///< of the last add()
   std::set<std::string> problems_;
   std::set<std::string> incomplete_;
   std::uint64_t undecided_ = 0;

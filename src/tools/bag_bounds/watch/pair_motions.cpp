@@ -24,6 +24,12 @@ Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset)
   return offset ? pose * *offset : pose;
 }
 
+void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d& pose) {
+  body.frame = frame;
+  body.offset = &pose;
+  body.radius = pose.translation().norm() + pose.linear().norm() * body.radius;
+}
+
 std::optional<BodyDistance> measure(const MovedBody& first, const Eigen::Affine3d& first_pose,
                                     const MovedBody& second, const Eigen::Affine3d& second_pose,
                                     double limit) {
@@ -98,65 +104,81 @@ class PairMotionSearch {
 
 }  // namespace
 
-void PairMotions::look(const MomentPtr& moment, MomentPairs& pairs, const LiveBodies& bodies,
-                       const TransformBuffer& tf, const Handlers& handlers) {
-  begin(moment, tf);
+void PairMotions::begin(const MomentPtr& moment, const Means& means) {
+  ++pass_;
+  last_ = std::exchange(moment_, moment);
+  std::vector<MovedBody> before = std::exchange(movers_, {});
+  for (const Moment::Body& body : moment->bodies) {
+    MovedBody mover = moverOf(body, means.tf);
+    mover.end = !body.object || body.object->follows() ? body.stamp : 0;
+    mover.since = mover.end;
+    movers_.push_back(mover);
+  }
+  findBegins(*moment, before);
+  forgetObjects();
+  if (!edges_) edges_.emplace(means.tf);
+  const auto fixed = means.tf.find(moment->model->fixed_frame);
+  if (fixed) findWays(ways_.try_emplace(*fixed, *edges_, *fixed).first->second);
+  if (last_) lookAtRests(before, means);
+}
+
+void PairMotions::look(const Means& means) {
   double way = 0;
   for (const MovedBody& mover : movers_)
     way = std::max(way, mover.way);
   if (way > 0) {
-    const double margin = moment->model->parameters.distance_limit + 2 * way;
-    std::vector<BoxPair> near;
-    pairs.read(
-        moment, std::isfinite(margin) ? margin : 1e30,
-        [&near](const NearPairs& found) { near = found.compared; }, handlers.gives_up);
-    for (const BoxPair& pair : near) {
-      if (handlers.gives_up()) break;
-      lookAt(pair, bodies, tf, handlers);
+    for (const BoxPair& pair : near(moment_, 2 * way, means)) {
+      if (means.handlers.gives_up()) break;
+      lookAt(pair, means);
     }
   }
   for (auto lease = leases_.begin(); lease != leases_.end();)
     lease = lease->second.first == pass_ ? std::next(lease) : leases_.erase(lease);
 }
 
-void PairMotions::begin(const MomentPtr& moment, const TransformBuffer& tf) {
-  ++pass_;
-  moment_ = moment;
-  movers_.clear();
-  for (const Moment::Body& body : moment->bodies) {
-    MovedBody mover = moverOf(body, tf);
-    mover.end = !body.object || body.object->follows() ? body.stamp : 0;
-    movers_.push_back(mover);
-  }
-  findBegins(*moment);
-  forgetObjects();
-  if (!edges_) edges_.emplace(tf);
-  const auto fixed = tf.find(moment->model->fixed_frame);
-  if (fixed) findWays(ways_.try_emplace(*fixed, *edges_, *fixed).first->second);
+void PairMotions::finish(const Means& means) {
+  last_ = moment_;
+  if (last_) lookAtRests(std::exchange(movers_, {}), means);
+  moment_.reset();
+  known_.clear();
 }
 
-/// Remembers the stamps of this moment for the next ones.
-void PairMotions::findBegins(const Moment& moment) {
+/// Pairs that were within the limit before they moved that far, in all.
+std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, const Means& means) {
+  std::vector<BoxPair> near;
+  const double margin = moment->model->parameters.distance_limit + way;
+  means.pairs.read(
+      moment, std::isfinite(margin) ? margin : 1e30,
+      [&near](const NearPairs& found) { near = found.compared; }, means.handlers.gives_up);
+  return near;
+}
+
+/// Remembers the stamps of this moment for the next ones. Says of the movers of the last moment
+/// which of them go on.
+void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_movers) {
   const double timeout = moment.model->parameters.timeout;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
     const BodyKey key{body.link ? *body.link + 1 : 0, body.object};
-    const auto [last, is_new] = stamps_.try_emplace(key, 0);
-    const std::int64_t before = std::exchange(last->second, body.stamp);
+    const auto [known, is_new] = known_.try_emplace(key);
+    const Known before = std::exchange(known->second, {body.stamp, mover.since, pass_, i});
     if (is_new) continue;
-    mover.begin = mover.end == 0 ? 0 : before;
+    mover.begin = mover.end == 0 ? 0 : before.stamp;
     const std::int64_t passed = mover.end - mover.begin;
     mover.was_there =
         passed == 0 || (mover.begin != 0 && passed > 0 &&
                         (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
+    if (!mover.was_there) continue;
+    mover.since = known->second.since = before.since;
+    if (before.pass + 1 == pass_) last_movers[before.place].goes_on = true;
   }
 }
 
 void PairMotions::forgetObjects() {
-  for (auto last = stamps_.begin(); last != stamps_.end();) {
+  for (auto last = known_.begin(); last != known_.end();) {
     const auto& [link, object] = last->first;
-    last = link == 0 && object.expired() ? stamps_.erase(last) : std::next(last);
+    last = link == 0 && object.expired() ? known_.erase(last) : std::next(last);
   }
 }
 
@@ -187,62 +209,104 @@ MovedBody PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& 
     mover.frame = tf.find(body.object->frame).value_or(0);
     return mover;
   }
-  mover.frame = tf.find(model.fixed_frame).value_or(0);
-  mover.offset = &body.frame_from_body;
-  mover.radius = mover.offset->translation().norm() + mover.offset->linear().norm() * mover.radius;
+  stand(mover, tf.find(model.fixed_frame).value_or(0), body.frame_from_body);
   return mover;
 }
 
-void PairMotions::lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
-                         const Handlers& handlers) {
+/// A motion before one of both was known was that of others.
+void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   MovedBody& first = movers_[pair.first];
   MovedBody& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
-  const MotionSpan span{olderStamp(first.begin, second.begin), olderStamp(first.end, second.end)};
+  const MotionSpan span{
+      std::max({olderStamp(first.begin, second.begin), first.since, second.since}),
+      olderStamp(first.end, second.end)};
   if (span.begin == 0 || span.begin >= span.end) return;
-  const std::optional<double> wanted = handlers.wanted(pair.first, pair.second);
+  const std::optional<double> wanted = means.handlers.wanted(*moment_, pair);
   if (!wanted) return;
   auto& [pass, lease] = leases_[{moment_->name(moment_->bodies[pair.first]),
                                  moment_->name(moment_->bodies[pair.second])}];
-  const bool is_known = pass + 1 == pass_ && lease.stamp == span.begin;
-  const double before = is_known ? lease.distance : -kInfinite;
+  if (pass + 1 != pass_ || lease.stamp != span.begin) lease = {};
   pass = pass_;
+  lookDuring(span, *moment_, pair, first, second, *wanted, lease, means);
+}
+
+/// The movers are those of the last moment.
+void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means& means) {
+  bool is_any_over = false;
+  std::int64_t begin = 0;  // the oldest stamp
+  for (const MovedBody& mover : movers) {
+    begin = olderStamp(begin, mover.end);
+    is_any_over |= mover.end != 0 && !mover.goes_on;
+  }
+  if (!is_any_over) return;
+  const Frame fixed = *means.tf.find(last_->model->fixed_frame);
+  WayBound& ways = ways_.try_emplace(fixed, *edges_, fixed).first->second;
+  double way = 0;
+  for (const MovedBody& mover : movers) {
+    if (mover.end > begin)
+      way = std::max(way, ways.of(mover.frame, mover.radius, {begin, mover.end}));
+  }
+  if (way == 0) return;
+  for (const BoxPair& pair : near(last_, way, means)) {
+    if (means.handlers.gives_up()) break;
+    lookAtRest(pair, movers[pair.first], movers[pair.second], means);
+  }
+}
+
+/// Of a pair of the last moment: how the body of the newer stamp moved beside the other one.
+void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second,
+                             const Means& means) {
+  if ((first.goes_on && second.goes_on) || first.end == 0 || second.end == 0) return;
+  const MotionSpan span{std::max({std::min(first.end, second.end), first.since, second.since}),
+                        std::max(first.end, second.end)};
+  if (span.begin >= span.end) return;
+  const std::optional<double> wanted = means.handlers.wanted(*last_, pair);
+  if (!wanted) return;
+  const bool is_first_older = first.end < second.end;
+  stand(is_first_older ? first : second, *means.tf.find(last_->model->fixed_frame),
+        last_->bodies[is_first_older ? pair.first : pair.second].frame_from_body);
+  Lease lease;
+  lookDuring(span, *last_, pair, first, second, *wanted, lease, means);
+}
+
+/// Renews the lease, which ends where the span begins.
+void PairMotions::lookDuring(MotionSpan span, const Moment& moment, const BoxPair& pair,
+                             MovedBody& first, MovedBody& second, double wanted, Lease& lease,
+                             const Means& means) {
   WayBound& ways = ways_.try_emplace(first.frame, *edges_, first.frame).first->second;
   const double way = ways.of(second.frame, second.radius, span);
+  const double before = lease.distance;
   PairMotion motion{pair.first, pair.second, before - way, {}, 0, 0, ""};
-  if (motion.clearance > *wanted) {
+  if (motion.clearance > wanted) {
     lease = {span.end, motion.clearance};
-    handlers.on_motion(motion);
+    means.handlers.on_motion(moment, motion);
     return;
   }
-  first.body = &bodies.body(pair.first);
-  second.body = &bodies.body(pair.second);
-  const std::optional<Tf2Pose> pose = tf.pose(first.frame, second.frame, span.end);
+  first.body = &means.bodies.body(pair.first);
+  second.body = &means.bodies.body(pair.second);
+  const std::optional<Tf2Pose> pose = means.tf.pose(first.frame, second.frame, span.end);
   std::optional<BodyDistance> now;
   if (pose)
     now = measure(first, Eigen::Affine3d::Identity(), second, MatrixPose(*pose).affine,
-                  *wanted + std::max(10 * way, 0.1));
+                  wanted + std::max(10 * way, 0.1));
   lease = {span.end, now ? now->lower : -kInfinite};
   motion.clearance = std::max(lease.distance - way, (before + lease.distance - way) / 2);
-  if (motion.clearance > *wanted) {
-    handlers.on_motion(motion);
-    return;
-  }
-  walk(first, second, span, *wanted, tf, handlers, motion);
-  handlers.on_motion(motion);
+  if (motion.clearance <= wanted) walk(first, second, span, wanted, means, motion);
+  means.handlers.on_motion(moment, motion);
 }
 
 /// The points of the nearest pose are wanted in the fixed frame.
 void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSpan span,
-                       double wanted, const TransformBuffer& tf, const Handlers& handlers,
-                       PairMotion& motion) const {
+                       double wanted, const Means& means, PairMotion& motion) const {
+  const TransformBuffer& tf = means.tf;
   const Parameters& parameters = moment_->model->parameters;
   MotionPath path = pathBetween(tf, first.frame, second.frame, span, parameters.timeout);
   motion.clearance = 0;
   motion.undecided = path.problem;
   if (!path.problem.empty()) return;
   PairMotionSearch search(first, second, wanted, parameters.distance_limit);
-  MotionWalk<PairMotionSearch> walk(path, span, second.radius, search, handlers.gives_up);
+  MotionWalk<PairMotionSearch> walk(path, span, second.radius, search, means.handlers.gives_up);
   if (!walk.walk()) {
     motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";
     return;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,7 +44,9 @@ struct MovedBody {
   double radius = 0;                        ///< about the origin of the frame [m]
   std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
+  std::int64_t since = 0;  ///< its motion is known from this stamp on
   bool was_there = false;  ///< known before, not longer ago than `timeout`
+  bool goes_on = false;    ///< in the next moment, likewise
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
 };
 
@@ -54,24 +57,39 @@ class PairMotions {
  public:
   struct Handlers {
     /// Clearances above this need not be refined [m]; nothing if the pair is not of interest.
-    std::function<std::optional<double>(std::size_t first, std::size_t second)> wanted;
-    /// A motion of a pair, whose clearance may be below that.
-    std::function<void(const PairMotion&)> on_motion;
+    std::function<std::optional<double>(const Moment&, const BoxPair&)> wanted;
+    /// A motion of a pair of the moment, whose clearance may be below that.
+    std::function<void(const Moment&, const PairMotion&)> on_motion;
     std::function<bool()> gives_up;
   };
 
+  /// What a look needs. `tf` is the same one in all calls.
+  struct Means {
+    MomentPairs& pairs;
+    const LiveBodies& bodies;
+    const TransformBuffer& tf;
+    const Handlers& handlers;
+  };
+
+  /// To be called with each moment, while the bodies are those of the last one. Where one of these
+  /// is lost, or does not go on, others are looked at beside its last place, since its stamp.
+  void begin(const MomentPtr& moment, const Means& means);
+
   /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
   /// also of bodies that were not in the last one. They are over where an object was replaced, and
-  /// where stamps are farther apart than `timeout`. `tf` is the same one in all calls.
-  void look(const MomentPtr& moment, MomentPairs& pairs, const LiveBodies& bodies,
-            const TransformBuffer& tf, const Handlers& handlers);
+  /// where stamps are farther apart than `timeout`. To be called after begin(), when the bodies are
+  /// those of the moment.
+  void look(const Means& means);
+
+  /// All motions are over. The next moment is a first one.
+  void finish(const Means& means);
 
  private:
   using Frame = TransformBuffer::Frame;
 
   struct Lease {
     std::int64_t stamp = 0;
-    double distance = 0;  ///< proven then [m]
+    double distance = -std::numeric_limits<double>::infinity();  ///< proven then [m]
   };
 
   /// A link by its index + 1, an object by 0 and its content, which is another one when it comes
@@ -87,20 +105,31 @@ class PairMotions {
 
   using Names = std::pair<std::string, std::string>;
 
-  void begin(const MomentPtr& moment, const TransformBuffer& tf);
-  void findBegins(const Moment& moment);
+  struct Known {
+    std::int64_t stamp;  ///< the last one
+    std::int64_t since;
+    std::uint64_t pass;  ///< of that moment
+    std::size_t place;   ///< among its bodies
+  };
+
+  void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
   void findWays(WayBound& ways);
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
-  void lookAt(const BoxPair& pair, const LiveBodies& bodies, const TransformBuffer& tf,
-              const Handlers& handlers);
+  static std::vector<BoxPair> near(const MomentPtr& moment, double way, const Means& means);
+  void lookAt(const BoxPair& pair, const Means& means);
+  void lookAtRests(const std::vector<MovedBody>& movers, const Means& means);
+  void lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second, const Means& means);
+  void lookDuring(MotionSpan span, const Moment& moment, const BoxPair& pair, MovedBody& first,
+                  MovedBody& second, double wanted, Lease& lease, const Means& means);
 
   void walk(const MovedBody& first, const MovedBody& second, MotionSpan span, double wanted,
-            const TransformBuffer& tf, const Handlers& handlers, PairMotion& motion) const;
+            const Means& means, PairMotion& motion) const;
 
   MomentPtr moment_;
+  MomentPtr last_;
   std::vector<MovedBody> movers_;
-  std::map<BodyKey, std::int64_t, IsBefore> stamps_;  ///< the last ones, while the bodies exist
+  std::map<BodyKey, Known, IsBefore> known_;                 ///< while the bodies exist
   std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                           ///< by target
