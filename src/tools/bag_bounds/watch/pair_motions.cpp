@@ -160,8 +160,7 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
-    const BodyKey key{body.link ? *body.link + 1 : 0, body.object};
-    const auto [known, is_new] = known_.try_emplace(key);
+    const auto [known, is_new] = known_.try_emplace(BodyKey(body));
     const Known before = std::exchange(known->second, {body.stamp, mover.since, pass_, i});
     if (is_new) continue;
     mover.begin = mover.end == 0 ? 0 : before.stamp;
@@ -177,8 +176,8 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
 
 void PairMotions::forgetObjects() {
   for (auto last = known_.begin(); last != known_.end();) {
-    const auto& [link, object] = last->first;
-    last = link == 0 && object.expired() ? known_.erase(last) : std::next(last);
+    const BodyKey& key = last->first;
+    last = key.link == 0 && key.object.expired() ? known_.erase(last) : std::next(last);
   }
 }
 
@@ -224,8 +223,8 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   if (span.begin == 0 || span.begin >= span.end) return;
   const std::optional<double> wanted = means.handlers.wanted(*moment_, pair);
   if (!wanted) return;
-  auto& [pass, lease] = leases_[{moment_->name(moment_->bodies[pair.first]),
-                                 moment_->name(moment_->bodies[pair.second])}];
+  auto& [pass, lease] =
+      leases_[{BodyKey(moment_->bodies[pair.first]), BodyKey(moment_->bodies[pair.second])}];
   if (pass + 1 != pass_ || lease.stamp != span.begin) lease = {};
   pass = pass_;
   lookDuring(span, *moment_, pair, first, second, *wanted, lease, means);

@@ -93,17 +93,19 @@ class PairMotions {
   };
 
   /// A link by its index + 1, an object by 0 and its content, which is another one when it comes
-  /// again.
-  using BodyKey = std::pair<std::size_t, std::weak_ptr<const ObjectContent>>;
+  /// again. Names need not be unique.
+  struct BodyKey {
+    std::size_t link;
+    std::weak_ptr<const ObjectContent> object;
 
-  struct IsBefore {
-    bool operator()(const BodyKey& a, const BodyKey& b) const {
-      if (a.first != b.first) return a.first < b.first;
-      return a.second.owner_before(b.second);
+    explicit BodyKey(const Moment::Body& body)
+        : link(body.link ? *body.link + 1 : 0), object(body.object) {}
+    bool operator<(const BodyKey& other) const {
+      return link != other.link ? link < other.link : object.owner_before(other.object);
     }
   };
 
-  using Names = std::pair<std::string, std::string>;
+  using PairKey = std::pair<BodyKey, BodyKey>;
 
   struct Known {
     std::int64_t stamp;  ///< the last one
@@ -129,10 +131,10 @@ class PairMotions {
   MomentPtr moment_;
   MomentPtr last_;
   std::vector<MovedBody> movers_;
-  std::map<BodyKey, Known, IsBefore> known_;                 ///< while the bodies exist
-  std::map<Names, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
-  std::optional<EdgeWays> edges_;                            ///< of the tf of all calls
-  std::map<Frame, WayBound> ways_;                           ///< by target
+  std::map<BodyKey, Known> known_;                             ///< while the bodies exist
+  std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
+  std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
+  std::map<Frame, WayBound> ways_;                             ///< by target
   std::uint64_t pass_ = 0;
 };
 
