@@ -32,16 +32,16 @@ def message(stamp, degrees):
     return '/tf', TFMessage(transforms), time_of(BEGIN + stamp)
 
 
-def swing(hertz, speed=2.0, seconds=1.2, jump=None):
+def swing(hertz, speed=2.0, seconds=1.2, jump=None, begin=BEGIN):
     """Messages of a hand that turns with a constant speed [rad/s] around the base. After `jump`,
     their stamps are so much later."""
     messages = []
     for i in range(round(seconds * hertz) + 1):
         angle = speed * (i / hertz - 0.5)
-        stamp = time_of(BEGIN + i / hertz + (3 if jump is not None and i / hertz > jump else 0))
+        stamp = time_of(begin + i / hertz + (3 if jump is not None and i / hertz > jump else 0))
         pose = Pose((0, 0, 0), turn((0, 0, 1), math.degrees(angle)))
         edge = transform('base', 'hand', stamp, pose.xyz, pose.xyzw)
-        messages.append(('/tf', TFMessage([edge]), stamp))
+        messages.append(('/tf', TFMessage([edge]), stamp or time_of(1e-9)))
     return messages
 
 
@@ -229,13 +229,13 @@ class PostTest(BagBoundsTest):
         self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
                                ''.join(text.format(name) for name in names))
 
-    def check_plates(self, *steps, arguments=(), code=UNDERCUT, err=''):
-        """With their stamps, and where which plate is then."""
-        messages = []
+    def check_plates(self, *steps, others=(), arguments=(), code=UNDERCUT, err=''):
+        """With their stamps, and where which plate is then; after other messages."""
+        messages = list(others)
         for stamp, places in steps:
             stamp = time_of(BEGIN + stamp)
             edges = [transform('base', child, stamp, (x, 0, 0)) for child, x in places.items()]
-            messages.append(('/tf', TFMessage(edges), stamp))
+            messages.append(('/tf', TFMessage(edges), stamp or time_of(1e-9)))
         pairs = self.report(self.bag(messages), '--distances', '0.01', *arguments,
                             code=code, err=err)['distances']
         found = [(pair['distance'], pair['clearance']) for pair in pairs]
@@ -268,6 +268,22 @@ class PostTest(BagBoundsTest):
                     pair, = self.check_plates(*steps, arguments=arguments,
                                               err='jumped back' if name == 'clock' else '')
                     self.assertAlmostEqual(pair['time'], .2, delta=.02)
+
+    def test_an_object_with_the_name_of_a_link(self):
+        """It is beside the way that leads through the link."""
+        self.plates('fast', 'post/0')
+        steps = [(i / 10, {'fast': i / 2 - 2.75, 'post/0': 0}) for i in range(12)]
+        for others in [], [marker(-.25, 1.3, .02)]:
+            self.check_plates(*steps, others=others, arguments=('--objects', '/objects'),
+                              err='' if others else 'no message on /objects')
+
+    def test_a_clock_that_begins_at_zero(self):
+        """That of a simulation. A stamp of 0 is no static transform."""
+        self.plates('slow', 'fast')
+        self.check_plates(*[(i / 10 - BEGIN, {'slow': 0, 'fast': -1 if i == 0 else 1})
+                            for i in range(5)])
+        self.urdf = self.write('arm.urdf', HAND)
+        self.zone(swing(1, begin=0), code=ENTERED)
 
     def test_a_plate_that_moves_away_in_time(self):
         """In the place in which it was left, the other one would meet it."""

@@ -41,6 +41,12 @@ void deserialize(const BagMessage& message, Message& result) {
   if (!readComplete(message.data, message.size, result)) ros::serialization::throwStreamOverrun();
 }
 
+/// A simulation begins at the stamp 0, which stands for static transforms elsewhere.
+void moveFromZero(std::vector<TransformView>& transforms) {
+  for (TransformView& transform : transforms)
+    transform.stamp = std::max(transform.stamp, ros::Time(0, 1));
+}
+
 }  // namespace
 
 RecordedScene::RecordedScene(LoadMesh load_mesh, OnNews on_news, OnStep on_step,
@@ -143,6 +149,7 @@ void RecordedScene::takeJointState(const BagMessage& message) {
 void RecordedScene::takeTransforms(const BagMessage& message, bool is_static) {
   checkType(message, {"tf2_msgs/TFMessage", "tf/tfMessage", ""});
   tf_message_.read(message.data, message.size);
+  if (!is_static) moveFromZero(tf_message_.transforms);
   feed_.onTransforms(
       tf_message_.transforms, is_static, [&message] { return *message.publisher; }, toRosTime(now_),
       passed());
