@@ -324,6 +324,16 @@ class BagsTest(BagBoundsTest):
         self.assertEqual(found['messages'], 8)
         self.assertRegex(found['incomplete']['left'], 'had no box 2 times, 999999')
 
+    def test_a_bag_that_is_not_in_the_order_of_time(self):
+        """One topic was written after the other. A clock that goes back does so on each topic."""
+        messages = [moving_arms(i) for i in range(100)]
+        for late in [static_arms()], [static_arms(), static_arms(BEGIN + seconds(1))]:
+            found = self.report(self.bag(messages + late), code=PARTLY_READ, err='rosbag filter')
+            loss = found['losses'][0]
+            self.assertRegex(loss, 'record time goes back 1 time, to 0.000 s')
+        self.report(self.bag([static_arms()] + messages + [static_arms()] + messages),
+                    err='the clock jumped back')
+
     def test_a_clock_that_goes_back_beyond_the_report(self):
         """What it records then is not in the report, which says so."""
         back = arms(100) + [moving_arms(i) for i in range(40)]

@@ -180,6 +180,7 @@ void BagRun::readMessages() {
       was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
+    watchOrder(message);
     if (pairs_ && message.time < scene_.now()) pairs_->endMotions(scene_.tf());
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
@@ -199,6 +200,15 @@ bool BagRun::lookBefore(std::int64_t message) {
     onStep(time, false);
   }
   return true;
+}
+
+/// A clock that goes back does so on each topic. Where a topic goes on, the messages were not
+/// written in the order of their times.
+void BagRun::watchOrder(const BagMessage& message) {
+  std::int64_t& newest = newest_[*message.topic];
+  if (message.time < scene_.now() && newest < message.time && steps_back_++ == 0)
+    first_step_back_ = message.time;
+  newest = message.time;
 }
 
 /// Called by the reader now and then.
@@ -270,6 +280,13 @@ BagReport BagRun::report() const {
                             (scene_.unfit() == 1 ? " message" : " messages") +
                             " of joints left out, with other than one position for each name, "
                             "which robot_state_publisher ignores, too");
+  if (steps_back_ > 0)
+    report.losses.push_back(
+        "record time goes back " + std::to_string(steps_back_) +
+        (steps_back_ == 1 ? " time, to " : " times, first to ") +
+        shortSeconds(first_step_back_, begin_) +
+        " s: messages are not in the order of their times, as where one topic was written after "
+        "the other; sort them: rosbag filter OLD.bag NEW.bag True");
   if (back_before_start_ > 0)
     report.losses.push_back("after the clock went back, " + std::to_string(back_before_start_) +
                             " messages have a time before --start; leave out --start");

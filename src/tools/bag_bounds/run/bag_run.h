@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -49,6 +50,7 @@ class BagRun {
   void findOtherTopics();
   bool lacksLinkBox() const;
   void readMessages();
+  void watchOrder(const BagMessage& message);
   bool lookBefore(std::int64_t message);
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);
@@ -75,6 +77,9 @@ class BagRun {
   std::int64_t to_ = 0;
   std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
   std::int64_t last_ = 0;         ///< the newest that is reported, likewise
+  std::map<std::string, std::int64_t> newest_;  ///< of each topic, likewise
+  std::uint64_t steps_back_ = 0;                ///< of messages that are not in order
+  std::int64_t first_step_back_ = 0;            ///< to that time, likewise
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
