@@ -10,7 +10,6 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kMinJump = 0.1;       // s
 constexpr double kMinJumpAhead = 2.0;  // s
 constexpr double kJumpAhead = 0.5;     // s
 const ros::WallDuration kLateArrivals(0.5);

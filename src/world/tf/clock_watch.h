@@ -17,8 +17,10 @@ class ClockWatch {
   /// `steady_now` never goes back: wall time, or the recorded time of a bag that has passed.
   explicit ClockWatch(std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
 
-  /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump, nor are steps
-  /// ahead of up to 2 s.
+  static constexpr double kMinJump = 0.1;  ///< [s]
+
+  /// Compares `now` with earlier observations. Steps back of up to kMinJump are no jump, nor are
+  /// steps ahead of up to 2 s.
   Event observe(ros::Time now);
 
   /// True for stamps more than 0.5 s ahead of ROS time in a message that arrived less than half a

@@ -156,6 +156,17 @@ class CoverageTest(BagBoundsTest):
         self.report(bag, *arguments, '--min-coverage', '0.6')
         self.report(bag, *arguments, '--min-coverage', '0.7', code=INCOMPLETE, err='incomplete')
 
+    def test_a_static_transform_that_came_late(self):
+        """The mast was there before."""
+        messages = arms(COUNT)[1:]
+        messages.insert(100, static_arms(BEGIN + seconds(100)))
+        bag = self.bag(messages)
+        found = self.report(bag, code=INCOMPLETE, err='incomplete names')
+        self.assertAlmostEqual(self.coverage(found)['mast'], 1 / 3, delta=0.02)
+        self.assertIn('add --static-from ' + bag, found['incomplete']['mast'])
+        found = self.report(bag, '--static-from', bag)
+        self.assertEqual(self.coverage(found)['mast'], 1)
+
     def test_a_short_gap_is_covered_but_a_lost_link_is_not(self):
         """Two seconds until a box is stale, then one without, of a hundred."""
         gap = [moving_arms(i, links=('left', 'left_tip')) for i in range(5000) if not 100 < i < 225]

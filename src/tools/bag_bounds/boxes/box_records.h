@@ -38,7 +38,7 @@ struct BoxRecord {
   std::int64_t time = 0;           ///< of an object: how long it was there [ns]
   std::int64_t covered = 0;        ///< of that, with a box [ns]
   std::optional<double> coverage;  ///< of links, see Coverage; of objects, of `time`
-  std::string remedy;              ///< for a link without any box; "" if none is known
+  std::string remedy;              ///< for a link whose box came late or never; "" if none is known
   std::string partial;             ///< why the box does not cover everything; "" if it does
 };
 

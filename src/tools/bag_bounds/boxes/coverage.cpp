@@ -27,9 +27,10 @@ std::set<std::string> prefixesOf(const std::string& link, const TransformBuffer&
 
 void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
   const std::vector<BoxState>& states = scene.links.states();
-  const bool is_first = links_.empty();
+  const bool has_begun =
+      std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.has_begun; });
   links_.resize(states.size());
-  const std::int64_t passed = is_first ? 0 : std::max<std::int64_t>(now - last_, 0);
+  const std::int64_t passed = has_begun ? std::max<std::int64_t>(now - last_, 0) : 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     add(links_[i], scene.links.frame(i), tf, passed);
     links_[i].has_box = states[i].box.has_value();
@@ -40,8 +41,11 @@ void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_
 
 void Coverage::add(Link& link, TransformBuffer::Frame frame, const TransformBuffer& tf,
                    std::int64_t passed) const {
-  if (!std::exchange(link.has_begun, link.has_begun || tf.isMet(frame))) return;
+  const bool has_begun_now = !link.has_begun && tf.isMet(frame);
+  link.has_begun |= has_begun_now;
   link.open_time += passed;
+  if (has_begun_now && !tf.isStatic(frame)) link.open_time = 0;
+  if (has_begun_now || !link.has_begun) return;
   if (link.has_box) link.open_covered += passed;
   const bool lasts = !tf.hasParent(frame) || tf.isStatic(frame);
   if (!lasts && !tf.isNewerThan(version_, frame)) return;
@@ -58,6 +62,14 @@ std::vector<double> Coverage::shares() const {
                          : no_time);
   }
   return result;
+}
+
+std::string lateRemedy(std::size_t i, const std::string& bag, const Scene& scene,
+                       const TransformBuffer& tf) {
+  const std::vector<TransformBuffer::Frame> way = wayUp(tf, scene.links.frame(i));
+  const bool is_any_static =
+      std::any_of(way.begin(), way.end(), [&](auto frame) { return tf.isStatic(frame); });
+  return is_any_static ? "if a static transform was recorded late, add --static-from " + bag : "";
 }
 
 std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer& tf) {

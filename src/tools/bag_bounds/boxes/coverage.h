@@ -12,8 +12,9 @@
 namespace link_bounds {
 
 /// Of each link, the share of the time between its first and its last transform in which it had a
-/// box. Transforms of a link are those of its own frame. A static one is there from its first
-/// message to the end, and so is a frame at the top of the tree.
+/// box. Transforms of a link are those of its own frame. A static one is there from the first one
+/// of any link to the end, also where it was recorded late, a frame at the top of the tree from its
+/// own first one.
 class Coverage {
  public:
   /// To be called with each tick that is reported, when a box of a link comes or goes, and at the
@@ -43,5 +44,9 @@ class Coverage {
 
 /// Why tf may lack the frame of link `i`, which has no box, as an option to add; "" if unknown.
 std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer& tf);
+
+/// The same where its box came late, and the transforms are those of the bag.
+std::string lateRemedy(std::size_t i, const std::string& bag, const Scene& scene,
+                       const TransformBuffer& tf);
 
 }  // namespace link_bounds

@@ -215,7 +215,8 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
                                            " of its time, less than " +
                                            shortNumber(report.min_coverage) + " of --min-coverage"
                                      : "";
-  if (box.gaps == 0) return share.empty() || box.reason.empty() ? share : share + ": " + box.reason;
+  if (box.gaps == 0)
+    return share.empty() || box.reason.empty() ? share : share + ": " + withRemedy(box);
   return (share.empty() ? share : share + "; ") + "had no box " + std::to_string(box.gaps) +
          (box.gaps == 1 ? " time, " : " times, ") + shortSeconds(box.gaps_length, 0) +
          " s in all, first at " + shortSeconds(box.first_gap, report.begin) + " s: " + box.reason;

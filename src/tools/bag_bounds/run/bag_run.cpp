@@ -14,6 +14,7 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
+#include "world/tf/clock_watch.h"
 
 namespace link_bounds {
 namespace {
@@ -180,8 +181,8 @@ void BagRun::readMessages() {
       was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
+    if (goesBackTo(message.time) && pairs_) pairs_->endMotions(scene_.tf());
     watchOrder(message);
-    if (pairs_ && message.time < scene_.now()) pairs_->endMotions(scene_.tf());
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
     if (scene_.take(message)) ++messages_;
@@ -202,11 +203,16 @@ bool BagRun::lookBefore(std::int64_t message) {
   return true;
 }
 
+/// Whether the clock jumps back, and tf forgets.
+bool BagRun::goesBackTo(std::int64_t time) const {
+  return static_cast<double>(scene_.now() - time) > ClockWatch::kMinJump * 1e9;
+}
+
 /// A clock that goes back does so on each topic. Where a topic goes on, the messages were not
 /// written in the order of their times.
 void BagRun::watchOrder(const BagMessage& message) {
   std::int64_t& newest = newest_[*message.topic];
-  if (message.time < scene_.now() && newest < message.time && steps_back_++ == 0)
+  if (goesBackTo(message.time) && newest < message.time && steps_back_++ == 0)
     first_step_back_ = message.time;
   newest = message.time;
 }
@@ -304,10 +310,12 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
-    if (!boxes[i].has_box && joints_) {
+    if (boxes[i].has_box) {
+      boxes[i].remedy = lateRemedy(i, options_.bags.front(), scene_.scene(), scene_.tf());
+    } else if (joints_) {
       const std::string names = joined(joints_->missing(), ", ");
       if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;
-    } else if (!boxes[i].has_box) {
+    } else {
       boxes[i].remedy = other_topics_ + (other_topics_.empty() ? "" : "; ") +
                         frameRemedy(i, scene_.scene(), scene_.tf());
     }
