@@ -100,11 +100,14 @@ std::string shapeOf(const py::array& array) {
   return reprOf(array.attr("shape"));
 }
 
-/// The values below the mask are no values, also where a list has the array.
-bool isMasked(const py::handle& q) {
+/// The values below the mask are no values, also where a list has the array. `levels` of lists
+/// are looked into: no value is deeper, and a list may contain itself.
+bool isMasked(const py::handle& q, int levels = 2) {
   if (py::isinstance<py::float_>(q) || py::isinstance<py::int_>(q)) return false;  // most are
   if (py::isinstance<py::list>(q) || py::isinstance<py::tuple>(q))
-    return std::any_of(q.begin(), q.end(), isMasked);
+    return levels > 0 && std::any_of(q.begin(), q.end(), [levels](const py::handle& item) {
+             return isMasked(item, levels - 1);
+           });
   const auto module = py::getattr(py::type::handle_of(q), "__module__", py::str(""));
   return py::cast<std::string>(py::str(module)).rfind("numpy.ma", 0) == 0;
 }

@@ -58,6 +58,9 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.check('joint "turn" in q is inf', call, {'turn': float('inf')})
             self.check(r'joint "turn" in q\[2\] is nan', call, [[0, 0], [0, 0], [np.nan, 0]])
             self.check('masked array; fill it', call, [np.ma.array([0.0, 9.0], mask=[0, 1])])
+            endless = []
+            endless.append(endless)
+            self.check('q must be a dict', call, endless)
             self.check('"elbow" is no movable joint of the robot; .* turn push', call, {'elbow': 1})
             self.check('"bar" is no movable joint', call, [{}, {'bar': 1}])
             self.check('value of joint "turn" is \'a\'', call, {'turn': 'a'})

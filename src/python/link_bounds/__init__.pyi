@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Types for editors and mypy. What the functions do is said by help(link_bounds.Robot).
 import os
-from typing import Dict, List, Optional, Sequence, Tuple, Union
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-_Pose = Dict[str, float]
+_Pose = Mapping[str, float]
 _Poses = Union[_Pose, Sequence[_Pose], ArrayLike]
-_Ranges = Optional[Dict[str, Union[float, Tuple[float, float]]]]
+_Ranges = Optional[Mapping[str, Union[float, Tuple[float, float]]]]
 _Path = Union[str, bytes, os.PathLike[str]]
 
 BOX: int
@@ -62,7 +62,7 @@ class Segment:
 
 class Robot:
     def __init__(self, urdf: _Path, geometry: str = 'visual',
-                 packages: Optional[Dict[str, _Path]] = None,
+                 packages: Optional[Mapping[str, _Path]] = None,
                  allow_incomplete: bool = False) -> None: ...
     @property
     def links(self) -> List[str]: ...

@@ -207,6 +207,7 @@ void CloudFilterNode::observeClock() {
   for (const Waiting& waiting : waiting_)
     giveUp(waiting, "the clock jumped back", false);
   waiting_.clear();
+  waits_for_.clear();
 }
 
 template <class Message>
@@ -227,7 +228,7 @@ std::size_t CloudFilterNode::Waiting::bytes() const {
 
 std::string CloudFilterNode::Waiting::fault() const {
   if (header().stamp.isZero()) return kNoStamp;
-  return cloud ? layoutOf(*cloud).problem : LaserPoints(*scan).problem();
+  return cloud ? layoutOf(*cloud).problem : problemOf(*scan);
 }
 
 /// While the first one waits for tf, all do.
@@ -277,7 +278,7 @@ bool CloudFilterNode::filterFirst() {
 
 /// What cannot be read is never passed on, also where it is late because it was behind others.
 void CloudFilterNode::giveUp(const Waiting& waiting, const std::string& reason, bool is_late) {
-  const std::string fault = waiting.fault();
+  const std::string fault = is_late ? waiting.fault() : "";
   const bool is_passed = is_late && fault.empty() && robot_ && robot_->parameters.late == "pass";
   health_.addUnfiltered(waiting.topic(), fault.empty() ? reason : fault, is_passed);
   if (!is_passed) return;
@@ -301,9 +302,9 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting) {
     if (!layout.problem.empty()) return {false, false, layout.problem};
     return filter(waiting, layout.points);
   }
-  const LaserPoints laser(*waiting.scan);
-  if (!laser.problem().empty()) return {false, false, laser.problem()};
-  return filter(waiting, laser.points());
+  const std::string problem = problemOf(*waiting.scan);
+  if (!problem.empty()) return {false, false, problem};
+  return filter(waiting, LaserPoints(*waiting.scan).points());
 }
 
 CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPoints& points) {

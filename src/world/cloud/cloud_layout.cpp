@@ -218,18 +218,18 @@ std::optional<TimeSpan> timeSpan(const CloudPoints& points) {
   return points.is_double ? spanOf<double>(points) : spanOf<float>(points);
 }
 
+std::string problemOf(const sensor_msgs::LaserScan& scan) {
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) ||
+      !std::isfinite(scan.time_increment))
+    return "angle_min, angle_increment or time_increment is not finite; correct it";
+  if (!(scan.range_min <= scan.range_max) || !(scan.range_max > 0))
+    return "range_min or range_max is no number, or no range is between them; correct them";
+  return "";
+}
+
 LaserPoints::LaserPoints(const sensor_msgs::LaserScan& scan) {
   points_.height = 1;
   points_.stamp = static_cast<std::int64_t>(scan.header.stamp.toNSec());
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) ||
-      !std::isfinite(scan.time_increment)) {
-    problem_ = "angle_min, angle_increment or time_increment is not finite; correct it";
-    return;
-  }
-  if (!(scan.range_min <= scan.range_max) || !(scan.range_max > 0)) {
-    problem_ = "range_min or range_max is no number, or no range is between them; correct them";
-    return;
-  }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   memory_.reserve(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {

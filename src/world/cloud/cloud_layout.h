@@ -94,8 +94,11 @@ struct TimeSpan {
 };
 std::optional<TimeSpan> timeSpan(const CloudPoints& points);
 
-/// The points that a laser scan stands for. A point per range: where it was measured, and when.
-/// Ranges outside range_min to range_max give points that are not finite.
+/// Why the scan cannot be read, and the remedy; "" if it can.
+std::string problemOf(const sensor_msgs::LaserScan& scan);
+
+/// The points that a laser scan without a problem stands for. A point per range: where it was
+/// measured, and when. Ranges outside range_min to range_max give points that are not finite.
 class LaserPoints {
  public:
   explicit LaserPoints(const sensor_msgs::LaserScan& scan);
@@ -103,9 +106,6 @@ class LaserPoints {
   LaserPoints& operator=(const LaserPoints&) = delete;
 
   const CloudPoints& points() const { return points_; }
-
-  /// Why the scan cannot be read, and the remedy; "" if it can.
-  const std::string& problem() const { return problem_; }
 
  private:
   struct Point {
@@ -115,7 +115,6 @@ class LaserPoints {
 
   std::vector<Point> memory_;
   CloudPoints points_;
-  std::string problem_;
 };
 
 }  // namespace link_bounds

@@ -98,6 +98,15 @@ class JointStatesTest(BagBoundsTest):
                 self.assertEqual([round(box['max'][0] - .05, 9) for box in found['extremes']],
                                  list(places))
 
+    def test_a_message_without_positions_is_no_loss(self):
+        """A driver may send the speeds of wheels on the same topic."""
+        states = [self.state(i, self.leaders) for i in range(9)]
+        _, wheels, time = self.state(9, self.leaders)
+        wheels.position, wheels.velocity = [], [1.0] * len(wheels.name)
+        found = self.report(self.bag(states + [('/joint_states', wheels, time)]),
+                            '--joint-states', '/joint_states')
+        self.assertEqual(found['losses'], [])
+
     def test_a_message_with_other_than_one_position_per_name_is_lost(self):
         """robot_state_publisher takes nothing of it."""
         states = [self.state(i, self.leaders) for i in range(9)]

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "text/joined.h"
 #include "tools/bag_bounds/run/bag_report.h"
 #include "tools/bag_bounds/run/fingerprint.h"
 #include "tools/command_line/options.h"
@@ -41,15 +42,15 @@ BagLine lineWithout(const BagIdentity& bag, const std::string& question, const c
 constexpr char kStart[] = "{\"bag\": ";
 
 std::string reasonIn(const YAML::Node& line) {
-  if (line["reason"]) return line["reason"].as<std::string>();
-  std::string text;
-  for (const auto& [name, reason] : line["incomplete"].as<std::map<std::string, std::string>>())
-    text += (text.empty() ? "" : "; ") + name + " " + reason;
+  std::vector<std::string> texts;
+  if (line["reason"]) texts.push_back(line["reason"].as<std::string>());
+  for (const auto& entry : texts.empty() ? line["incomplete"] : YAML::Node())
+    texts.push_back(entry.first.as<std::string>() + " " + entry.second.as<std::string>());
   for (const YAML::Node& loss : line["losses"])
-    text += (text.empty() ? "" : "; ") + loss.as<std::string>();
-  for (const YAML::Node& open : text.empty() ? line["open"] : YAML::Node())
-    text += (text.empty() ? "" : "; ") + open.as<std::string>();
-  return text;
+    texts.push_back(loss.as<std::string>());
+  for (const YAML::Node& open : texts.empty() ? line["open"] : YAML::Node())
+    texts.push_back(open.as<std::string>());
+  return joined(texts, "; ");
 }
 
 /// Behind the string that begins with a quote there.

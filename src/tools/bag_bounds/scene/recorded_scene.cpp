@@ -130,12 +130,13 @@ void RecordedScene::takeJoints(const std::string& topic, JointTransforms& joints
       joints.fixed(), true, [] { return std::string(); }, toRosTime(now_), passed());
 }
 
-/// As robot_state_publisher, takes nothing of a message without one position for each name. Where a
-/// driver gives no stamp, that of the recording serves.
+/// As robot_state_publisher, takes nothing of a message with some positions but not one for each
+/// name. Where a driver gives no stamp, that of the recording serves.
 void RecordedScene::takeJointState(const BagMessage& message) {
   checkType(message, {"sensor_msgs/JointState", ""});
   sensor_msgs::JointState state;
   deserialize(message, state);
+  if (state.position.empty()) return;  // it has velocities or efforts only, which is usual
   if (state.name.size() != state.position.size()) {
     ++unfit_;
     return;
