@@ -229,13 +229,18 @@ class PostTest(BagBoundsTest):
         self.urdf = self.write('plates.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
                                ''.join(text.format(name) for name in names))
 
-    def check_plates(self, *steps, others=(), arguments=(), code=UNDERCUT, err=''):
-        """With their stamps, and where which plate is then; after other messages."""
-        messages = list(others)
+    @staticmethod
+    def plate_messages(*steps):
+        """Of stamps, and where which plate is then."""
+        messages = []
         for stamp, places in steps:
             stamp = time_of(BEGIN + stamp)
             edges = [transform('base', child, stamp, (x, 0, 0)) for child, x in places.items()]
             messages.append(('/tf', TFMessage(edges), stamp or time_of(1e-9)))
+        return messages
+
+    def check_plates(self, *steps, others=(), arguments=(), code=UNDERCUT, err=''):
+        messages = list(others) + self.plate_messages(*steps)
         pairs = self.report(self.bag(messages), '--distances', '0.01', *arguments,
                             code=code, err=err)['distances']
         found = [(pair['distance'], pair['clearance']) for pair in pairs]
@@ -268,6 +273,22 @@ class PostTest(BagBoundsTest):
                     pair, = self.check_plates(*steps, arguments=arguments,
                                               err='jumped back' if name == 'clock' else '')
                     self.assertAlmostEqual(pair['time'], .2, delta=.02)
+
+    def test_a_zone_in_a_frame_that_has_no_later_transform(self):
+        """The plate passes through its last place, or stops there."""
+        self.plates('slow', 'fast')
+        gate = zone_text('gate', [.2, -1, -1], [.4, 1, 1], 'slow')
+        for last, x in ((.3, 1), (.3, .3), (5.5, 1), (-9, 1)):
+            steps = [(0, {'slow': 0, 'fast': -1}), (.1, {'fast': -1}), (.3, {'fast': x})]
+            steps += [(i / 2, {'fast': x}) for i in range(1, 12) if i / 2 < last]
+            if last != .3:
+                steps += [(last + i, {'slow': 0, 'fast': 1}) for i in (0, .5)]
+            with self.subTest(last=last, x=x):
+                zone = self.zone(self.plate_messages(*steps), '--min-coverage', '0', text=gate,
+                                 code=ENTERED, err='jumped back' if last < 0 else '')
+                self.assertEqual((zone['entries'], zone['clearance']), (1, 0))
+                entered = BEGIN + .1 + .2 * 1.195 / (x + 1)
+                self.assertAlmostEqual(zone['stays'][0]['entered']['stamp'], entered, delta=2e-3)
 
     def test_an_object_with_the_name_of_a_link(self):
         """It is beside the way that leads through the link."""

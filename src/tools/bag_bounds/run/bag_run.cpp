@@ -128,7 +128,7 @@ void BagRun::read() {
   begin();
   readMessages();
   on_progress_(1);
-  if (pairs_ && !was_interrupted_) pairs_->endMotions(scene_.tf());
+  if (!was_interrupted_) endMotions();
   coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
   zones_.finish(last_);
@@ -181,7 +181,7 @@ void BagRun::readMessages() {
       was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
-    if (goesBackTo(message.time) && pairs_) pairs_->endMotions(scene_.tf());
+    if (goesBackTo(message.time)) endMotions();
     watchOrder(message);
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
@@ -201,6 +201,11 @@ bool BagRun::lookBefore(std::int64_t message) {
     onStep(time, false);
   }
   return true;
+}
+
+void BagRun::endMotions() {
+  zones_.endMotions();
+  if (pairs_) pairs_->endMotions(scene_.tf());
 }
 
 /// Whether the clock jumps back, and tf forgets.

@@ -50,6 +50,7 @@ class BagRun {
   void findOtherTopics();
   bool lacksLinkBox() const;
   void readMessages();
+  void endMotions();
   bool goesBackTo(std::int64_t time) const;
   void watchOrder(const BagMessage& message);
   bool lookBefore(std::int64_t message);

@@ -3,6 +3,7 @@
 #include "tools/bag_bounds/watch/body_motions.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "world/history/swept_box.h"
@@ -73,6 +74,7 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
     : scene_(scene),
       view_(view),
       ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
+      scene_ways_(edges, *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
       timeout_(scene.model()->parameters.timeout * 1e9),
       last_links_(scene.model()->links.size()),
@@ -97,13 +99,42 @@ BodyMotions::Last& BodyMotions::lastOf(const ObjectKey& key) {
   return entry->second;
 }
 
+/// From the last stamp to this one.
+bool BodyMotions::isMotion(const Last& last, std::int64_t stamp) const {
+  return timeout_ == 0 || static_cast<double>(stamp - last.stamp) <= timeout_;
+}
+
+bool BodyMotions::hasRest(const Last& last, const SceneBody& body) const {
+  if (last.stamp == 0 || last.ahead <= last.stamp) return false;
+  return (body.link || body.state.box) && scene_.boxSource(body).object == last.object;
+}
+
+/// In the scene's fixed frame, from where the view was last.
+const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
+  const BoxSource source = scene_.boxSource(body);
+  const MotionSpan span{last.stamp, std::exchange(last.ahead, 0)};
+  const TransformBuffer::Frame fixed = *scene_.frames.fixedFrame();
+  const auto pose = scene_.frames.tf().pose(target_, fixed, span.begin);
+  motion_ = {span,
+             last.box,
+             std::numeric_limits<double>::infinity(),
+             fixed,
+             source.frame,
+             &source.bounded,
+             source.frame_from_body};
+  if (!pose) return motion_;
+  motion_.view_from_target = MatrixPose(*pose).affine;
+  motion_.way = scene_ways_.of(source.frame, radiusOf(motion_), span);
+  return motion_;
+}
+
 const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                                     const FrameView::Placed& placed) {
   if (!placed.state.box) return nullptr;
   const BoxSource source = scene_.boxSource(body);
   const std::int64_t passed = placed.pose_stamp - last.stamp;
   const bool has_moved = last.object == source.object && last.stamp != 0 && passed > 0 &&
-                         (timeout_ == 0 || static_cast<double>(passed) <= timeout_);
+                         isMotion(last, placed.pose_stamp);
   if (has_moved) {
     motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
                source.frame_from_body};
@@ -111,6 +142,7 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
     motion_.way = ways_.of(source.frame, radius, motion_.span);
   }
   last.stamp = placed.pose_stamp;
+  last.ahead = view_ && !source.frame_from_body ? body.state.stamp : 0;
   last.box = *placed.state.box;
   last.object = source.object;
   return has_moved ? &motion_ : nullptr;

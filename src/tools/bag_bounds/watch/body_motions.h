@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,8 @@ struct BodyMotion {
   TransformBuffer::Frame target;
   TransformBuffer::Frame source;  ///< the frame of the body, or the one in which it was placed
   const BoundedLink* link;        ///< its shapes
-  const Eigen::Affine3d* source_from_link;  ///< null: as they are
+  const Eigen::Affine3d* source_from_link;            ///< null: as they are
+  std::optional<Eigen::Affine3d> view_from_target{};  ///< nothing: the box has the target's axes
 };
 
 /// Tells bodies apart faster than their names: a link has its index, an object its own number for
@@ -81,22 +83,35 @@ class BodyMotions {
   BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
-  /// since the last call.
-  template <class Visit>
-  void forEach(Visit&& visit) {
+  /// since the last call. Before it, calls visit_rest(number, name, motion) where the view was lost
+  /// before the body moved on: of that motion, beside the last place of the view.
+  template <class VisitRest, class Visit>
+  void forEach(VisitRest&& visit_rest, Visit&& visit) {
     ++pass_;
     scene_.forEach([&](const SceneBody& body) {
       const FrameView::Placed placed = view_ ? view_->placed(body) : placedInScene(body);
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      const bool goes_on = placed.state.box && isMotion(last, placed.pose_stamp);
+      if (!goes_on && hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
       const BodyMotion* motion = next(last, body, placed);
       visit(last.number, body.name, placed.state, motion);
     });
     forgetObjects();
   }
 
+  /// All motions are over: calls visit_rest as above. To be called before tf forgets.
+  template <class VisitRest>
+  void finish(VisitRest&& visit_rest) {
+    scene_.forEach([&](const SceneBody& body) {
+      Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      if (hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
+    });
+  }
+
  private:
   struct Last {
     std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
+    std::int64_t ahead = 0;  ///< that of the scene's box, as long as it is newer; else 0
     Aabb box;
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     BodyNumber number = 0;
@@ -105,12 +120,16 @@ class BodyMotions {
 
   FrameView::Placed placedInScene(const SceneBody& body) const;
   Last& lastOf(const ObjectKey& key);
+  bool isMotion(const Last& last, std::int64_t stamp) const;
+  bool hasRest(const Last& last, const SceneBody& body) const;
+  const BodyMotion& rest(Last& last, const SceneBody& body);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
   void forgetObjects();
 
   Scene& scene_;
   FrameView* view_;
   WayBound ways_;
+  WayBound scene_ways_;
   TransformBuffer::Frame target_;
   double timeout_;             ///< [ns]; 0: never
   std::vector<double> radii_;  ///< of the links

@@ -27,9 +27,10 @@ class StaySearch {
 
   std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& target_from_source) {
     ++poses_;
-    const std::optional<Aabb> box = linkBox(
-        *motion_.link, motion_.source_from_link ? target_from_source * *motion_.source_from_link
-                                                : target_from_source);
+    Eigen::Affine3d pose = target_from_source;
+    if (motion_.view_from_target) pose = *motion_.view_from_target * pose;
+    if (motion_.source_from_link) pose = pose * *motion_.source_from_link;
+    const std::optional<Aabb> box = linkBox(*motion_.link, pose);
     if (!box) return std::nullopt;
     const double distance = signedDistance(*box, zone_);
     if (distance < found_.nearest) {

@@ -7,6 +7,12 @@
 #include <utility>
 
 namespace link_bounds {
+namespace {
+
+/// The distance of two boxes changes by no more than this times what their points move.
+constexpr double kPerWay = 1.7321;  // sqrt(3), rounded up
+
+}  // namespace
 
 const char* toText(StayEnd end) {
   switch (end) {
@@ -39,7 +45,8 @@ void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
       view = &views_.try_emplace(frame, frame, scene, tf, now).first->second;
     auto group = groups_.find(frame);
     if (group == groups_.end())
-      group = groups_.emplace(frame, Group{view, BodyMotions(scene, *edges_, view), {}, {}}).first;
+      group =
+          groups_.emplace(frame, Group{view, BodyMotions(scene, *edges_, view), {}, {}, {}}).first;
     group->second.zones.push_back(&watched);
   }
 }
@@ -93,8 +100,12 @@ void ZoneWatch::sample(Group& group, std::int64_t now) const {
 
 void ZoneWatch::compare(Group& group, std::int64_t now) {
   ++comparisons_;
-  group.motions.forEach([&](BodyNumber number, const std::string& name, const BoxState& state,
-                            const BodyMotion* motion) {
+  const auto visit_rest = [&](BodyNumber number, const std::string& name,
+                              const BodyMotion& motion) {
+    lookAtRest(group, {number, name, {}, &motion});
+  };
+  group.motions.forEach(visit_rest, [&](BodyNumber number, const std::string& name,
+                                        const BoxState& state, const BodyMotion* motion) {
     if (!state.box) return;
     for (Watched* watched : group.zones)
       visit(*watched, {number, name, state, motion}, now);
@@ -108,6 +119,7 @@ void ZoneWatch::compare(Group& group, std::int64_t now) {
     }
   }
   sample(group, now);
+  group.compared = now;
 }
 
 void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
@@ -138,15 +150,38 @@ std::optional<std::int64_t> ZoneWatch::outsideAt(const Watched& watched, const S
   return was_outside ? std::optional(body.motion->span.begin) : std::nullopt;
 }
 
-/// Of a body that is outside now. The distance of two boxes changes by no more than sqrt(3) times
-/// what their points move, and a pose is half of the way from one of both ends, or nearer.
-void ZoneWatch::lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now) {
-  constexpr double kPerWay = 0.8661;  // sqrt(3) / 2, rounded up
+void ZoneWatch::lookAtRest(Group& group, const Seen& body) {
+  for (Watched* watched : group.zones)
+    lookAtRest(*watched, body, group.compared);
+}
+
+/// Of a body in the scene's fixed frame, after the last transform of the zone's frame.
+void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now) {
   ZoneRecord& record = watched.record;
   const double before = signedDistance(body.motion->before, record.zone.box);
   if (before <= 0) return;
   const double wanted = std::max(record.nearest->distance - kZoneAccuracy, 0.0);
-  const double clearance = (before + distance) / 2 - kPerWay * body.motion->way;
+  const double clearance = before - kPerWay * body.motion->way;
+  if (clearance > wanted) {
+    record.clearance = std::min(record.clearance, clearance);
+  } else if (body.motion->view_from_target) {
+    take(watched, body,
+         searchZone(*tf_, *body.motion, record.zone.box, wanted, timeout_, gives_up_), now);
+  } else {
+    ZoneSearch unknown;
+    unknown.clearance = 0;
+    unknown.undecided = "tf forgot where the frame of the zone was";
+    take(watched, body, unknown, now);
+  }
+}
+
+/// Of a body that is outside now. A pose is half of the way from one of both ends, or nearer.
+void ZoneWatch::lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now) {
+  ZoneRecord& record = watched.record;
+  const double before = signedDistance(body.motion->before, record.zone.box);
+  if (before <= 0) return;
+  const double wanted = std::max(record.nearest->distance - kZoneAccuracy, 0.0);
+  const double clearance = (before + distance - kPerWay * body.motion->way) / 2;
   if (clearance > wanted) {
     record.clearance = std::min(record.clearance, clearance);
   } else {
@@ -194,6 +229,16 @@ void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const Record
     stay.inside_at = body->second.stamp;
   }
   watched.inside.erase(body);
+}
+
+void ZoneWatch::endMotions() {
+  for (auto& item : groups_) {
+    Group& group = item.second;
+    if (!group.view) continue;
+    group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {
+      lookAtRest(group, {number, name, {}, &motion});
+    });
+  }
 }
 
 void ZoneWatch::finish(std::int64_t now) {

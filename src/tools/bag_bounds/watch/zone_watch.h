@@ -78,6 +78,9 @@ class ZoneWatch {
   /// To be called after each message or tick, after onNews().
   void onStep(std::int64_t now, bool is_tick, bool is_reported);
 
+  /// To be called before tf forgets: all motions are over.
+  void endMotions();
+
   /// Ends the stays of those that are in a zone.
   void finish(std::int64_t now);
 
@@ -109,6 +112,7 @@ class ZoneWatch {
     FrameView* view;  ///< null: that of the scene
     BodyMotions motions;
     std::vector<Watched*> zones;
+    std::int64_t compared = 0;            ///< the last time [ns]
     std::optional<std::int64_t> sampled;  ///< the last time at which the next two were looked up
     bool has_boxes = false;               ///< a link had a box
     bool is_whole = false;                ///< and so it had in the frame of the zones
@@ -131,6 +135,8 @@ class ZoneWatch {
   void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
+  void lookAtRest(Group& group, const Seen& body);
+  void lookAtRest(Watched& watched, const Seen& body, std::int64_t now);
   void lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now);
   void take(Watched& watched, const Seen& body, const ZoneSearch& found, std::int64_t now);
   InsideBody enter(Watched& watched, const Seen& body, const RecordTime& now,
