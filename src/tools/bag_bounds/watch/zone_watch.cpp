@@ -173,6 +173,9 @@ void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now)
     unknown.undecided = "tf forgot where the frame of the zone was";
     take(watched, body, unknown, now);
   }
+  const auto inside = watched.inside.find(body.number);
+  if (inside != watched.inside.end())
+    end(watched, inside, StayEnd::kLost, {now, inside->second.stamp});
 }
 
 /// Of a body that is outside now. A pose is half of the way from one of both ends, or nearer.
