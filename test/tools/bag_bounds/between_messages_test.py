@@ -274,6 +274,14 @@ class PostTest(BagBoundsTest):
                                               err='jumped back' if name == 'clock' else '')
                     self.assertAlmostEqual(pair['time'], .2, delta=.02)
 
+    def test_no_motion_goes_across_a_jump_of_the_clock(self):
+        """Although its stamps go on as before: tf has forgotten where it began."""
+        messages = [(topic, message, time_of(time.to_sec() - 0.5 * (time.to_sec() > BEGIN + 0.5)))
+                    for topic, message, time in swing(5)]
+        zone = self.zone(messages, text=zone_text('post', [1.0515, -0.03, -1], [1.2, 0.03, 1]),
+                         code=0, err='jumped back')
+        self.assertEqual((zone['entries'], zone['undecided']), (0, 0))
+
     def test_a_zone_in_a_frame_that_has_no_later_transform(self):
         """The plate passes through its last place, or stops there."""
         self.plates('slow', 'fast')

@@ -241,7 +241,7 @@ TEST(LaserPoints, LieWhereTheRangesWereMeasured) {
   scan.range_max = 10;
   scan.ranges = {1, 2, 0.25f, kNan, 20};
   const LaserPoints laser(scan);
-  ASSERT_EQ(laser.problem(), "");
+  ASSERT_EQ(problemOf(scan), "");
   const CloudPoints& points = laser.points();
   ASSERT_EQ(points.size(), 5u);
   EXPECT_LT((points.position(points.point(1)) - Eigen::Vector3d(0, 2, 0)).norm(), 1e-6);
@@ -252,7 +252,7 @@ TEST(LaserPoints, LieWhereTheRangesWereMeasured) {
   EXPECT_TRUE(std::isnan(scan.ranges[1]));
   EXPECT_EQ(scan.ranges[0], 1);
   scan.angle_increment = kNan;
-  EXPECT_NE(LaserPoints(scan).problem(), "");
+  EXPECT_NE(problemOf(scan), "");
 }
 
 }  // namespace

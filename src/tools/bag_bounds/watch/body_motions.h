@@ -106,6 +106,10 @@ class BodyMotions {
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
       if (hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
     });
+    for (Last& last : last_links_)
+      last.stamp = last.ahead = 0;
+    for (auto& [key, last] : last_objects_)
+      last.stamp = last.ahead = 0;
   }
 
  private:

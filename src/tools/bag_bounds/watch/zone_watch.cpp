@@ -237,7 +237,6 @@ void ZoneWatch::end(Watched& watched, InsideBody body, StayEnd how, const Record
 void ZoneWatch::endMotions() {
   for (auto& item : groups_) {
     Group& group = item.second;
-    if (!group.view) continue;
     group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {
       lookAtRest(group, {number, name, {}, &motion});
     });
