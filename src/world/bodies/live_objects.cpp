@@ -257,9 +257,11 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   state.incomplete = object.problem != TransformProblem::kNone || is_loading || !has_name ||
                      !object.content->bounded.isWhole();
   if (!state.box) object.boxed = BoxedObject();
-  const bool is_other = boxed && state.box && boxed != object.boxed.content &&
-                        !isSameBody(*boxed, *object.boxed.content);
-  const bool is_changed = is_other || before != object.problem || !isSame(state, object.state);
+  const auto is_other = [&] {  // compares all points of a list
+    return boxed && state.box && boxed != object.boxed.content &&
+           !isSameBody(*boxed, *object.boxed.content);
+  };
+  const bool is_changed = before != object.problem || !isSame(state, object.state) || is_other();
   object.state = state;
   return is_changed;
 }

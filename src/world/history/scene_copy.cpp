@@ -187,9 +187,11 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
 /// Whether tf tells where a link was when the object was placed. After a jump of the clock its time
 /// is another one, and in another fixed frame its place is that of a later time.
 bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
-  return !holders_.empty() && object.state.stamp != 0 &&
-         object.state.stamp == object.boxed.content->stamp && object.placement &&
-         object.placement->fixed_frame == scene.frames.fixedFrame();
+  if (holders_.empty() || object.state.stamp == 0) return false;
+  if (object.state.stamp != object.boxed.content->stamp) return false;
+  if (object.placement) return object.placement->fixed_frame == scene.frames.fixedFrame();
+  // A neighbour's box follows its frame, so only in a frame that stands it is of its stamp.
+  return object.content->is_neighbour && object.header.pose().stamp == 0;
 }
 
 std::optional<HeldPlace> SceneCopy::heldPlace(const Scene& scene, const PastBody& body) const {

@@ -206,6 +206,7 @@ class SceneMaker {
   /// Whether tf, or the object itself, tells that it rests in the fixed frame, if no link is above
   /// it. A refused marker has no frame.
   bool isKnownToRest(const PastBody& body) {
+    if (body.object->is_neighbour) return true;
     const auto frame = body.header ? body.header : body.frame;
     if (!frame) return !body.object->frame.empty();
     return tracker_.keep(*frame).problem != TransformProblem::kNoTransform;

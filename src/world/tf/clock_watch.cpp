@@ -10,6 +10,7 @@
 namespace link_bounds {
 namespace {
 
+constexpr double kMinJump = 0.1;       // s
 constexpr double kMinJumpAhead = 2.0;  // s
 constexpr double kJumpAhead = 0.5;     // s
 const ros::WallDuration kLateArrivals(0.5);
@@ -30,7 +31,7 @@ ClockWatch::ClockWatch(std::function<ros::SteadyTime()> steady_now)
 ClockWatch::Event ClockWatch::observe(ros::Time now) {
   const ros::Time last = last_;
   // `last_` keeps its value in a small step back, so that many such steps add up to a jump.
-  if (since(now, last) <= kMinJump) {
+  if (!isJumpBack(now)) {
     last_ = std::max(last, now);
     if (last.isZero()) return now.isZero() ? Event::kNone : Event::kStarted;
     return since(last, now) > kMinJumpAhead ? Event::kJumpedAhead : Event::kNone;
@@ -39,6 +40,10 @@ ClockWatch::Event ClockWatch::observe(ros::Time now) {
   jump_ = steady_now_();
   ++jumps_;
   return Event::kJumpedBack;
+}
+
+bool ClockWatch::isJumpBack(ros::Time now) const {
+  return since(now, last_) > kMinJump;
 }
 
 bool ClockWatch::isFromBeforeJump(ros::Time stamp, ros::Time now, ros::SteadyTime arrival) const {

@@ -17,16 +17,17 @@ class ClockWatch {
   /// `steady_now` never goes back: wall time, or the recorded time of a bag that has passed.
   explicit ClockWatch(std::function<ros::SteadyTime()> steady_now = ros::SteadyTime::now);
 
-  static constexpr double kMinJump = 0.1;  ///< [s]
-
-  /// Compares `now` with earlier observations. Steps back of up to kMinJump are no jump, nor are
-  /// steps ahead of up to 2 s.
+  /// Compares `now` with earlier observations. Steps back of up to 0.1 s are no jump, nor are steps
+  /// ahead of up to 2 s.
   Event observe(ros::Time now);
 
   /// True for stamps more than 0.5 s ahead of ROS time in a message that arrived less than half a
   /// second of steady time after a jump, however long it has waited since: such transforms were
   /// sent before the jump.
   bool isFromBeforeJump(ros::Time stamp, ros::Time now, ros::SteadyTime arrival) const;
+
+  /// Whether observe() would see a jump back.
+  bool isJumpBack(ros::Time now) const;
 
   /// Jumps back since construction.
   std::uint64_t jumps() const { return jumps_; }

@@ -333,6 +333,14 @@ class BagsTest(BagBoundsTest):
             self.assertRegex(loss, 'record time goes back 1 time, to 0.000 s')
         self.report(self.bag([static_arms()] + messages + [static_arms()] + messages),
                     err='the clock jumped back')
+        again = messages[50:]  # after the jump, a topic comes first that had no message before
+        new = [static_arms(BEGIN + seconds(50))]
+        found = self.report(self.bag(messages + new + again), err='the clock jumped back',
+                            code=INCOMPLETE)
+        self.assertEqual(found['losses'], [])
+        small = [moving_arms(99, BEGIN + seconds(99 - i)) for i in (3, 6)]  # they add up to a jump
+        found = self.report(self.bag([static_arms()] + messages + small), err='the clock jumped back')
+        self.assertEqual(found['losses'], [])
 
     def test_a_clock_that_goes_back_beyond_the_report(self):
         """What it records then is not in the report, which says so."""

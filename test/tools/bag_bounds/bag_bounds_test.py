@@ -167,6 +167,24 @@ class CoverageTest(BagBoundsTest):
         found = self.report(bag, '--static-from', bag)
         self.assertEqual(self.coverage(found)['mast'], 1)
 
+    def test_a_static_transform_on_a_frame_that_starts_later(self):
+        """Such as that of an arm that boots while its base drives."""
+        links = ''.join('<link name="%s"><visual><geometry><box size="1 1 1"/></geometry></visual></link>'
+                        % name for name in ('base', 'arm', 'tip'))
+        joints = ''.join('<joint name="j_%s" type="%s"><parent link="%s"/><child link="%s"/></joint>'
+                         % (child, kind, parent, child) for parent, child, kind in
+                         (('base', 'arm', 'continuous'), ('arm', 'tip', 'fixed')))
+        self.urdf = self.write('boot.urdf', '<robot name="r">%s%s</robot>' % (links, joints))
+
+        def message(topic, i, parent, child):
+            stamp = time_of(BEGIN + seconds(i))
+            return topic, TFMessage([transform(parent, child, stamp)]), stamp
+        messages = [message('/tf', i, 'map', 'base') for i in range(200)]
+        messages += [message('/tf_static', 100, 'arm', 'tip')]
+        messages += [message('/tf', i, 'base', 'arm') for i in range(100, 200)]
+        found = self.report(self.bag(sorted(messages, key=lambda one: one[2])))
+        self.assertEqual(self.coverage(found), {'base': 1, 'arm': 1, 'tip': 1})
+
     def test_a_short_gap_is_covered_but_a_lost_link_is_not(self):
         """Two seconds until a box is stale, then one without, of a hundred."""
         gap = [moving_arms(i, links=('left', 'left_tip')) for i in range(5000) if not 100 < i < 225]

@@ -274,6 +274,20 @@ class PostTest(BagBoundsTest):
                                               err='jumped back' if name == 'clock' else '')
                     self.assertAlmostEqual(pair['time'], .2, delta=.02)
 
+    def test_a_long_pause_beside_a_body_that_is_never_stale(self):
+        """tf forgets, so what moves beside it is looked at before."""
+        self.plates('slow', 'fast')
+        away = [(i / 2, {'fast': -1}) for i in range(1, 60)]
+        for arguments in ('--timeout', '0'), ('--timeout', '30', '--end', '15'):
+            for passes, code in (False, 0), (True, UNDERCUT):
+                steps = [(0, {'slow': 0, 'fast': -1})] + away + [(30, {'fast': 1})]
+                if passes:
+                    steps.insert(20, (9.7, {'fast': 1}))
+                if not passes:
+                    steps.pop()
+                with self.subTest(arguments=arguments, passes=passes):
+                    self.check_plates(*steps, arguments=arguments, code=code)
+
     def test_no_motion_goes_across_a_jump_of_the_clock(self):
         """Although its stamps go on as before: tf has forgotten where it began."""
         messages = [(topic, message, time_of(time.to_sec() - 0.5 * (time.to_sec() > BEGIN + 0.5)))

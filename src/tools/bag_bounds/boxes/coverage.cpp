@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/boxes/coverage.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -30,27 +31,43 @@ void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_
   const bool has_begun =
       std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.has_begun; });
   links_.resize(states.size());
-  const std::int64_t passed = has_begun ? std::max<std::int64_t>(now - last_, 0) : 0;
+  if (!has_begun) last_ = now;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    add(links_[i], scene.links.frame(i), tf, passed);
+    add(links_[i], scene.links.frame(i), scene, tf, now);
     links_[i].has_box = states[i].box.has_value();
   }
   last_ = now;
   version_ = tf.version();
 }
 
-void Coverage::add(Link& link, TransformBuffer::Frame frame, const TransformBuffer& tf,
-                   std::int64_t passed) const {
+void Coverage::add(Link& link, TransformBuffer::Frame frame, const Scene& scene,
+                   const TransformBuffer& tf, std::int64_t now) {
+  const std::int64_t passed = std::max<std::int64_t>(now - last_, 0);
   const bool has_begun_now = !link.has_begun && tf.isMet(frame);
   link.has_begun |= has_begun_now;
   link.open_time += passed;
-  if (has_begun_now && !tf.isStatic(frame)) link.open_time = 0;
+  if (has_begun_now) {
+    link.begin = now;
+    link.open_time = std::min(link.open_time, carrierTime(frame, scene, tf, now));
+  }
   if (has_begun_now || !link.has_begun) return;
   if (link.has_box) link.open_covered += passed;
   const bool lasts = !tf.hasParent(frame) || tf.isStatic(frame);
   if (!lasts && !tf.isNewerThan(version_, frame)) return;
   link.time += std::exchange(link.open_time, 0);
   link.covered += std::exchange(link.open_covered, 0);
+}
+
+/// How long ago the frame that moves a link began, its own one or the next one above static ones.
+std::int64_t Coverage::carrierTime(TransformBuffer::Frame frame, const Scene& scene,
+                                   const TransformBuffer& tf, std::int64_t now) const {
+  const auto carrier = climb(tf, frame, [&tf](auto at) { return !tf.isStatic(at); });
+  if (carrier == frame) return 0;
+  if (!tf.hasParent(carrier)) return std::numeric_limits<std::int64_t>::max();
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (scene.links.frame(i) == carrier && links_[i].has_begun) return now - links_[i].begin;
+  }
+  return 0;
 }
 
 std::vector<double> Coverage::shares() const {

@@ -14,7 +14,7 @@ namespace link_bounds {
 /// Of each link, the share of the time between its first and its last transform in which it had a
 /// box. Transforms of a link are those of its own frame. A static one is there from the first one
 /// of any link to the end, also where it was recorded late, a frame at the top of the tree from its
-/// own first one.
+/// own first one; on a frame that moves, it is there from the first transform of that frame.
 class Coverage {
  public:
   /// To be called with each tick that is reported, when a box of a link comes or goes, and at the
@@ -27,6 +27,7 @@ class Coverage {
  private:
   struct Link {
     bool has_begun = false;
+    std::int64_t begin = 0;         ///< time of that [ns]
     bool has_box = false;           ///< at the last sample
     std::int64_t time = 0;          ///< to the last transform [ns]
     std::int64_t covered = 0;       ///< of that [ns]
@@ -34,8 +35,10 @@ class Coverage {
     std::int64_t open_covered = 0;  ///< of that [ns]
   };
 
-  void add(Link& link, TransformBuffer::Frame frame, const TransformBuffer& tf,
-           std::int64_t passed) const;
+  void add(Link& link, TransformBuffer::Frame frame, const Scene& scene, const TransformBuffer& tf,
+           std::int64_t now);
+  std::int64_t carrierTime(TransformBuffer::Frame frame, const Scene& scene,
+                           const TransformBuffer& tf, std::int64_t now) const;
 
   std::vector<Link> links_;
   std::int64_t last_ = 0;      ///< time of the last sample [ns]

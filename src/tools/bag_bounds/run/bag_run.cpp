@@ -19,6 +19,8 @@
 namespace link_bounds {
 namespace {
 
+constexpr std::int64_t kMinStepBack =
+    100'000'000;                                // ns; smaller ones are those of several publishers
 constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
 
 constexpr char kStaticEnd[] = "_static";
@@ -181,7 +183,7 @@ void BagRun::readMessages() {
       was_interrupted_ |= reader_.wasInterrupted();
       return;
     }
-    if (goesBackTo(message.time)) endMotions();
+    if (scene_.goesBackTo(message.time)) endMotions();
     watchOrder(message);
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
@@ -208,18 +210,18 @@ void BagRun::endMotions() {
   if (pairs_) pairs_->endMotions(scene_.tf());
 }
 
-/// Whether the clock jumps back, and tf forgets.
-bool BagRun::goesBackTo(std::int64_t time) const {
-  return static_cast<double>(scene_.now() - time) > ClockWatch::kMinJump * 1e9;
-}
-
-/// A clock that goes back does so on each topic. Where a topic goes on, the messages were not
-/// written in the order of their times.
+/// A clock that goes back does so on each topic that comes again. Where none does, the messages
+/// were not written in the order of their times.
 void BagRun::watchOrder(const BagMessage& message) {
   std::int64_t& newest = newest_[*message.topic];
-  if (goesBackTo(message.time) && newest < message.time && steps_back_++ == 0)
-    first_step_back_ = message.time;
-  newest = message.time;
+  const bool goes_back = newest > message.time + kMinStepBack;
+  if (goes_back && may_be_jump_) steps_back_.pop_back();
+  may_be_jump_ = may_be_jump_ && !goes_back;
+  if (scene_.goesBackTo(message.time) && !goes_back) {
+    steps_back_.push_back(message.time);
+    may_be_jump_ = true;
+  }
+  newest = goes_back ? message.time : std::max(newest, message.time);
 }
 
 /// Called by the reader now and then.
@@ -291,11 +293,11 @@ BagReport BagRun::report() const {
                             (scene_.unfit() == 1 ? " message" : " messages") +
                             " of joints left out, with other than one position for each name, "
                             "which robot_state_publisher ignores, too");
-  if (steps_back_ > 0)
+  if (!steps_back_.empty())
     report.losses.push_back(
-        "record time goes back " + std::to_string(steps_back_) +
-        (steps_back_ == 1 ? " time, to " : " times, first to ") +
-        shortSeconds(first_step_back_, begin_) +
+        "record time goes back " + std::to_string(steps_back_.size()) +
+        (steps_back_.size() == 1 ? " time, to " : " times, first to ") +
+        shortSeconds(steps_back_.front(), begin_) +
         " s: messages are not in the order of their times, as where one topic was written after "
         "the other; sort them: rosbag filter OLD.bag NEW.bag True");
   if (back_before_start_ > 0)
@@ -316,7 +318,9 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
     if (boxes[i].has_box) {
-      boxes[i].remedy = lateRemedy(i, options_.bags.front(), scene_.scene(), scene_.tf());
+      const std::string bag = options_.bags.size() == 1 ? options_.bags.front() : "BAG";
+      if (!joints_ && options_.static_from.empty())
+        boxes[i].remedy = lateRemedy(i, bag, scene_.scene(), scene_.tf());
     } else if (joints_) {
       const std::string names = joined(joints_->missing(), ", ");
       if (!names.empty()) boxes[i].remedy = "no message has the position of " + names;

@@ -51,7 +51,6 @@ class BagRun {
   bool lacksLinkBox() const;
   void readMessages();
   void endMotions();
-  bool goesBackTo(std::int64_t time) const;
   void watchOrder(const BagMessage& message);
   bool lookBefore(std::int64_t message);
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
@@ -80,8 +79,8 @@ class BagRun {
   std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
   std::int64_t last_ = 0;         ///< the newest that is reported, likewise
   std::map<std::string, std::int64_t> newest_;  ///< of each topic, likewise
-  std::uint64_t steps_back_ = 0;                ///< of messages that are not in order
-  std::int64_t first_step_back_ = 0;            ///< to that time, likewise
+  std::vector<std::int64_t> steps_back_;        ///< to those times: messages are not in order
+  bool may_be_jump_ = false;                    ///< the last one, of the clock
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;

@@ -58,6 +58,9 @@ class RecordedScene {
   /// Messages that were taken.
   std::uint64_t transforms() const { return transforms_; }
 
+  /// Whether a message of that time makes the clock jump back, and tf forget.
+  bool goesBackTo(std::int64_t time) const { return feed_.clock().isJumpBack(toRosTime(time)); }
+
   /// Messages that could not be read.
   std::uint64_t damaged() const { return damaged_; }
 

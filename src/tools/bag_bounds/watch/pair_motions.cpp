@@ -102,6 +102,9 @@ class PairMotionSearch {
   bool is_undecided_ = false;
 };
 
+/// Then what moved beside a body at rest is looked at, before tf forgets it [ns].
+constexpr std::int64_t kLongestRest = EdgeHistory::kLength / 2;
+
 }  // namespace
 
 void PairMotions::begin(const MomentPtr& moment, const Means& means) {
@@ -157,6 +160,9 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
 /// which of them go on.
 void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_movers) {
   const double timeout = moment.model->parameters.timeout;
+  std::int64_t newest = 0;
+  for (const MovedBody& mover : last_movers)
+    newest = std::max(newest, mover.end);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
@@ -170,7 +176,11 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
                         (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
     if (!mover.was_there) continue;
     mover.since = known->second.since = before.since;
-    if (before.pass + 1 == pass_) last_movers[before.place].goes_on = true;
+    if (before.pass + 1 != pass_) continue;
+    MovedBody& last = last_movers[before.place];
+    last.goes_on = newest - std::max(last.end, last.since) < kLongestRest;
+    // Later motions beside its place are looked at from then on.
+    if (!last.goes_on) mover.since = known->second.since = newest;
   }
 }
 
@@ -232,19 +242,22 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
 
 /// The movers are those of the last moment.
 void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means& means) {
-  bool is_any_over = false;
-  std::int64_t begin = 0;  // the oldest stamp
+  std::int64_t oldest = 0;
+  for (const MovedBody& mover : movers)
+    oldest = olderStamp(oldest, mover.end);
+  std::int64_t begin = 0;  // no motion that is looked at begins earlier
   for (const MovedBody& mover : movers) {
-    begin = olderStamp(begin, mover.end);
-    is_any_over |= mover.end != 0 && !mover.goes_on;
+    if (mover.end != 0 && !mover.goes_on)
+      begin = olderStamp(begin, std::max(mover.since, oldest));
   }
-  if (!is_any_over) return;
+  if (begin == 0) return;
   const Frame fixed = *means.tf.find(last_->model->fixed_frame);
   WayBound& ways = ways_.try_emplace(fixed, *edges_, fixed).first->second;
   double way = 0;
   for (const MovedBody& mover : movers) {
-    if (mover.end > begin)
-      way = std::max(way, ways.of(mover.frame, mover.radius, {begin, mover.end}));
+    const std::int64_t from = std::max(begin, mover.since);
+    if (mover.end > from)
+      way = std::max(way, ways.of(mover.frame, mover.radius, {from, mover.end}));
   }
   if (way == 0) return;
   for (const BoxPair& pair : near(last_, way, means)) {
