@@ -153,6 +153,25 @@ TEST(PathScene, AHeldBodyIsWhereItWasOnItsLink) {
   EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(2, 0, 0)).norm(), kTolerance);
 }
 
+ObjectContent neighbourIn(const std::string& frame, std::int64_t stamp) {
+  ObjectContent content = frame.empty() ? brokenIn(frame) : boxIn(frame);
+  content.is_neighbour = true;
+  content.stamp = stamp;
+  return content;
+}
+
+TEST(PathScene, ANeighboursBoxIsHeldWhereItsStampHasIt) {
+  Arm arm(attaching());
+  arm.put("held", neighbourIn("map", static_cast<std::int64_t>(kStamp * 1e9)));
+  EXPECT_EQ(arm.path().incomplete, Names{});
+}
+
+TEST(PathScene, ANeighboursNameWithoutABoxRests) {
+  Arm arm(ignoring());
+  arm.put("held", neighbourIn("", 0));
+  EXPECT_EQ(arm.path().incomplete, Names{}) << "the arm may touch it";
+}
+
 TEST(PathScene, AfterAJumpBackTheStampOfAHeldBodyIsOfNoUse) {
   for (const double jump : {kStamp / 2, 0.0}) {
     Arm arm(attaching());
