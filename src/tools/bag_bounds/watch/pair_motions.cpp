@@ -247,8 +247,7 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
     oldest = olderStamp(oldest, mover.end);
   std::int64_t begin = 0;  // no motion that is looked at begins earlier
   for (const MovedBody& mover : movers) {
-    if (mover.end != 0 && !mover.goes_on)
-      begin = olderStamp(begin, std::max(mover.since, oldest));
+    if (mover.end != 0 && !mover.goes_on) begin = olderStamp(begin, std::max(mover.since, oldest));
   }
   if (begin == 0) return;
   const Frame fixed = *means.tf.find(last_->model->fixed_frame);
