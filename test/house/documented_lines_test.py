@@ -276,7 +276,7 @@ class Shell:
             for process in reversed(list(self.processes.values())):
                 if process.poll() is None:
                     os.killpg(process.pid, number)
-            end = time.monotonic() + 10
+            end = time.monotonic() + 40  # roslaunch waits for its nodes, and would leave them
             while time.monotonic() < end and any(
                     process.poll() is None for process in self.processes.values()):
                 time.sleep(0.05)

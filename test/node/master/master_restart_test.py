@@ -28,10 +28,10 @@ BACK = "knows this node again"
 def entries(node):
     """What the master knows of a node: topics and services, and their addresses."""
     master = rosgraph.Master("/asking")
-    types = dict(master.getTopicTypes())
     topics, subscriptions, services = (
         sorted(name for name, nodes in kind for n in nodes if n == node)
         for kind in master.getSystemState())
+    types = dict(master.getTopicTypes())  # after the state, to which a node may be adding topics
     return {"uri": master.lookupNode(node),
             "publications": [(name, types[name]) for name in topics],
             "subscriptions": subscriptions,
