@@ -44,8 +44,10 @@ refuse_other_ros() {
     ! grep -rqsE '^[^#]*(packages\.ros\.org|ros\.packages\.)' "$root"/etc/apt/sources.list{,.d} ||
       other=${other:-of another apt repository}
   fi
+  [ -z "${ROS_DISTRO:-}" ] || [ "$other" != "$ROS_DISTRO" ] ||
+    remedy+=", or start from a shell that has not sourced another ROS"
   [ -z "$other" ] || fail "ROS $other is set up here, but this script builds with the ROS packages" \
-    "of Debian or Ubuntu: $remedy, or start from a shell that has not sourced another ROS"
+    "of Debian or Ubuntu: $remedy"
   case $codename in
     '' | focal | jammy) ;;
     *) fail "Ubuntu's release $codename has no packages of ROS 1: install ROS One;" \

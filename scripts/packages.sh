@@ -84,6 +84,7 @@ install_named() {
       "doc/deployment.md says what to install by hand"
   say "Installing $* (takes a minute or two, the log is $log)"
   mkdir -p "$BUILD"
+  as_root true 2>/dev/null || { [ -t 0 ] && sudo -v; } || true  # the user at a terminal is asked
   as_root true || fail "installing needs root, and sudo asks for a password or is not there;" \
     "as root, please: apt-get update; apt-get install --no-install-recommends $*"
   { as_root apt-get update -q &&
@@ -100,7 +101,7 @@ install_what_exists() {
   local name
   for name in $(missing_packages "$1"); do
     if exists "$name"; then
-      install_named "$name"
+      (install_named "$name") || say "$name could not be installed; it is left out"
     else
       say "There is no package $name here; it is left out"
     fi
@@ -113,13 +114,13 @@ missing_packages() {
   local group name
   for group; do
     for name in $(packages_of "$group"); do
-      dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null | grep -qx installed ||
+      dpkg-query -W -f '${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
         echo "$name"
     done
   done | tr '\n' ' '
 }
 
-# Never asks the user: apt-get takes its defaults, and sudo fails where it would want a password.
+# Asks nothing: apt-get takes its defaults, and sudo fails where it would want a password.
 as_root() {
   local command=(env DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a "$@")
   [ "$(id -u)" = 0 ] || command=(sudo -n "${command[@]}")
