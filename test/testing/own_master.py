@@ -5,6 +5,7 @@ import os
 import signal
 import socket
 import subprocess
+import xmlrpc.client
 
 import rosgraph
 from bounds_testing import wait_for
@@ -32,3 +33,23 @@ class OwnMaster:
     def kill(self):
         self.signal(signal.SIGKILL)
         self._process.wait()
+
+
+def entries(node):
+    """What the master knows of a node: topics and services, and their addresses."""
+    master = rosgraph.Master("/asking")
+    topics, subscriptions, services = (
+        sorted(name for name, nodes in kind for n in nodes if n == node)
+        for kind in master.getSystemState())
+    types = dict(master.getTopicTypes())  # after the state, to which a node may be adding topics
+    return {"uri": master.lookupNode(node),
+            "publications": [(name, types[name]) for name in topics],
+            "subscriptions": subscriptions,
+            "services": [(name, master.lookupService(name)) for name in services]}
+
+
+def is_known(node):
+    try:
+        return rosgraph.Master("/asking").lookupNode(node)
+    except (rosgraph.MasterException, OSError, xmlrpc.client.Error):
+        return None

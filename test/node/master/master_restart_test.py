@@ -7,13 +7,11 @@ import subprocess
 import sys
 import time
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rospy
-from bounds_testing import DEADLINE, Recorder, executable, wait_for
+from bounds_testing import DEADLINE, Recorder, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
-from own_master import OwnMaster
+from own_master import OwnMaster, entries, is_known
 from patience import PATIENCE
 from std_srvs.srv import Trigger
 
@@ -23,26 +21,6 @@ PROMPT = 10.0 * PATIENCE  # wall seconds for the end of a node on a busy machine
 RATE = 100  # Hz
 LOST = "lost the ROS master"
 BACK = "knows this node again"
-
-
-def entries(node):
-    """What the master knows of a node: topics and services, and their addresses."""
-    master = rosgraph.Master("/asking")
-    topics, subscriptions, services = (
-        sorted(name for name, nodes in kind for n in nodes if n == node)
-        for kind in master.getSystemState())
-    types = dict(master.getTopicTypes())  # after the state, to which a node may be adding topics
-    return {"uri": master.lookupNode(node),
-            "publications": [(name, types[name]) for name in topics],
-            "subscriptions": subscriptions,
-            "services": [(name, master.lookupService(name)) for name in services]}
-
-
-def is_known(node):
-    try:
-        return rosgraph.Master("/asking").lookupNode(node)
-    except (rosgraph.MasterException, OSError, xmlrpc.client.Error):
-        return None
 
 
 def run(*command):
@@ -118,20 +96,6 @@ class MasterRestart(unittest.TestCase):
         self.assertEqual(entries(NODE), before)
         self.assertIn(NODE, run("rosnode", "list"))
         self.check_said_once()
-
-    def test_a_new_master_learns_of_the_cloud_filter(self):
-        cloud_filter = subprocess.Popen([executable("link_bounds", "cloud_filter")])
-        self.addCleanup(cloud_filter.wait)
-        self.addCleanup(cloud_filter.kill)
-        name = "/cloud_filter"
-
-        def is_complete():
-            return is_known(name) and name + "/reload" in dict(entries(name)["services"])
-        wait_for(is_complete, "the filter has registered")
-        before = entries(name)
-        self.restart_master()
-        wait_for(lambda: is_known(name) and entries(name) == before,
-                 "the new master knows the filter")
 
     def test_who_comes_after_the_restart_is_served(self):
         self.restart_master()

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The link_bounds authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""cloud_filter registers with a master that was restarted."""
+import subprocess
+import tempfile
+import unittest
+
+import rospy
+from bounds_testing import executable, wait_for
+from node_testing import ARMS
+from own_master import OwnMaster, entries, is_known
+
+FILTER = "/cloud_filter"
+
+
+def has_registered():
+    return is_known(FILTER) and FILTER + "/reload" in dict(entries(FILTER)["services"])
+
+
+class CloudMaster(unittest.TestCase):
+    def test_a_new_master_learns_everything(self):
+        master = OwnMaster()
+        self.addCleanup(master.kill)
+        rospy.init_node("cloud_master_test", disable_signals=True)
+        rospy.set_param("/robot_description", ARMS)
+        output = tempfile.NamedTemporaryFile("r")
+        self.addCleanup(output.close)
+        with open(output.name, "w", encoding="utf-8") as log:
+            cloud_filter = subprocess.Popen([executable("link_bounds", "cloud_filter")], stdout=log,
+                                            stderr=log)
+        self.addCleanup(cloud_filter.wait)
+        self.addCleanup(cloud_filter.kill)
+        wait_for(has_registered, "the filter has registered")
+        before = entries(FILTER)
+        master.kill()
+        wait_for(lambda: "lost the ROS master" in output.read(), "the filter misses its master")
+        master.start()
+        wait_for(lambda: has_registered() and entries(FILTER) == before,
+                 "the new master knows the filter")
+
+
+if __name__ == "__main__":
+    unittest.main()
