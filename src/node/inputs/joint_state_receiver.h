@@ -19,8 +19,8 @@ class JointStateReceiver {
   JointStateReceiver(const JointStateReceiver&) = delete;
   JointStateReceiver& operator=(const JointStateReceiver&) = delete;
 
-  /// All that has come since the topic is subscribed to, which the first call does, or since the
-  /// clock jumped back: `epoch` is that of tf.
+  /// All that has come since the topic is subscribed to, which the first call does. If `epoch`,
+  /// that of tf, has changed since the last call, the clock has jumped back, and all is forgotten.
   const JointStates& read(std::uint64_t epoch);
 
   /// Forgets all, until the next read().

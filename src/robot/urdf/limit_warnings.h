@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user is told of joint values and limits that may not be meant. Robots are those with
-// simple joints.
+// Warnings about joint values and limits that look like mistakes. Robots are those with simple
+// joints.
 #pragma once
 
 #include <string>

@@ -415,7 +415,7 @@ class MergeTest(EachBagTest):
         self.assertRegex(table, r'(?m)^front +1 +1$')
         self.report(bag, '--zones', self.zones, code=ENTERED,
                     err='warning: zone "lost" was never compared')
-        cut = dict(found, losses=['the file was cut'])  # is told beside the reason
+        cut = dict(found, losses=['the file was cut'])  # --merge shows both
         table, _ = self.merged(self.write('cut.jsonl', json.dumps(cut) + '\n'), code=ENTERED)
         self.assertRegex(table, '(?m)^FOUND: .*never compared.*; the file was cut')
 

@@ -113,7 +113,7 @@ TEST(PathScene, ABodyWhoseMeshLoadsMovesWithItsLink) {
   ObjectContent mesh = meshOf("package://a/b.stl");
   mesh.frame = "arm";
   arm.put("held", mesh);
-  EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << "the box of before is there";
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << "the box that it had before is there";
 }
 
 TEST(PathScene, ABodyMayMoveIfItsLinkIsNotKnown) {

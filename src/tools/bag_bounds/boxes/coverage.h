@@ -48,7 +48,8 @@ class Coverage {
 /// Why tf may lack the frame of link `i`, which has no box, as an option to add; "" if unknown.
 std::string frameRemedy(std::size_t i, const Scene& scene, const TransformBuffer& tf);
 
-/// The same where its box came late, and the transforms are those of the bag.
+/// An option to add where the first box of link `i` came late, of which `bag` has the transforms;
+/// "" if none helps.
 std::string lateRemedy(std::size_t i, const std::string& bag, const Scene& scene,
                        const TransformBuffer& tf);
 

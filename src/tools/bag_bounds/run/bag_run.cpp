@@ -19,8 +19,8 @@
 namespace link_bounds {
 namespace {
 
-constexpr std::int64_t kMinStepBack =
-    100'000'000;                                // ns; smaller ones are those of several publishers
+/// Messages of several publishers on one topic may be out of order by less [ns].
+constexpr std::int64_t kMinStepBack = 100'000'000;
 constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
 
 constexpr char kStaticEnd[] = "_static";
