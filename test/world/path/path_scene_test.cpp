@@ -168,8 +168,13 @@ TEST(PathScene, ANeighboursBoxIsHeldWhereItsStampHasIt) {
 
 TEST(PathScene, ANeighboursNameWithoutABoxRests) {
   Arm arm(ignoring());
-  arm.put("held", neighbourIn("", 0));
-  EXPECT_EQ(arm.path().incomplete, Names{}) << "the arm may touch it";
+  for (const char* const frame : {"", "nowhere"}) {
+    ObjectContent held = neighbourIn(frame, 0);
+    held.bounded.missing = "it is incomplete at its node";
+    held.bounded.shapes.clear();
+    arm.put("held", held);
+    EXPECT_EQ(arm.path().incomplete, Names{}) << frame << ": the arm may touch it";
+  }
 }
 
 TEST(PathScene, AfterAJumpBackTheStampOfAHeldBodyIsOfNoUse) {
