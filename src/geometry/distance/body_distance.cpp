@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "geometry/distance/capsules.h"
 #include "geometry/distance/gjk.h"
 #include "geometry/distance/placed_distance.h"
 #include "geometry/distance/triangle_tree.h"
@@ -24,15 +25,12 @@ constexpr double kFarthestMove = 4;
 /// Of the accuracy, the rest of which is left to the triangles.
 constexpr double kHullTolerance = 0.25;
 
-struct Candidate {
-  std::uint32_t first;
-  std::uint32_t second;
-  double lower;  ///< proven by the boxes
-};
+using Candidate = SearchRoom::ShapeIndices;
 
 /// A shape that is its own convex hull.
 bool isConvex(const BodyShape& shape) {
-  return !shape.triangles && (!shape.shape.points || shape.shape.points->size() == 1);
+  if (shape.triangles) return shape.triangles->triangles.size() == 1;
+  return !shape.shape.points || shape.shape.points->size() == 1;
 }
 
 /// Each of its points is known.
@@ -64,26 +62,35 @@ double roundedUp(double distance, double rounding) {
 class HullSearch {
  public:
   HullSearch(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
-             PairMemory& memory, const PairMotion& motion)
+             PairMemory& memory, SearchRoom& room, const PairMotion& motion)
       : first_(first),
         second_(second),
         goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
+        open_(room.open),
         motion_(motion),
         rounding_(pairRounding(first, second)),
         steps_left_(goal.max_steps) {}
 
+  /// The pair that was nearest before comes first, then those with the nearest boxes.
   BodyDistance run() {
-    PairMemory before = std::move(memory_);
-    memory_.is_known = false;
-    for (const Candidate& candidate : candidates(before)) {
-      if (candidate.lower >= farEnough()) {
-        if (candidate.lower < lower_)
-          decide(candidate.lower, DistanceLevel::kBox, boxNormalOf(candidate), candidate);
-      } else {
-        refine(candidate, before);
-      }
+    open_.clear();
+    for (std::uint32_t i = 0; i < first_.shapes.size(); ++i) {
+      for (std::uint32_t j = 0; j < second_.shapes.size(); ++j)
+        open_.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box, rounding_)});
     }
+    if (memory_.is_known) {
+      memory_.is_known = false;
+      look(takeOut(memory_.first_shape * second_.shapes.size() + memory_.second_shape), true);
+    }
+    while (!open_.empty()) {
+      const auto nearest = std::min_element(
+          open_.begin(), open_.end(),
+          [](const Candidate& a, const Candidate& b) { return a.lower < b.lower; });
+      if (nearest->lower >= std::max(lower_, farEnough())) break;
+      look(takeOut(static_cast<std::size_t>(nearest - open_.begin())), false);
+    }
+    if (!memory_.is_known) memory_.trees = TreeMemory();
     if (!hasWitness()) takeAnyPoints();
     return result();
   }
@@ -92,23 +99,19 @@ class HullSearch {
   double farEnough() const { return goal_.enough(witness_.distance); }
   bool hasWitness() const { return witness_.distance < std::numeric_limits<double>::infinity(); }
 
-  /// The pair that was nearest before comes first, then those with the nearest boxes.
-  std::vector<Candidate> candidates(const PairMemory& before) const {
-    std::vector<Candidate> result;
-    result.reserve(first_.shapes.size() * second_.shapes.size());
-    for (std::uint32_t i = 0; i < first_.shapes.size(); ++i) {
-      for (std::uint32_t j = 0; j < second_.shapes.size(); ++j) {
-        result.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box, rounding_)});
-      }
-    }
-    const auto isNearest = [&before](const Candidate& pair) {
-      return before.is_known && pair.first == before.first_shape &&
-             pair.second == before.second_shape;
-    };
-    std::sort(result.begin(), result.end(), [&](const Candidate& a, const Candidate& b) {
-      return std::make_pair(!isNearest(a), a.lower) < std::make_pair(!isNearest(b), b.lower);
-    });
+  Candidate takeOut(std::size_t index) {
+    std::swap(open_[index], open_.back());
+    const Candidate result = open_.back();
+    open_.pop_back();
     return result;
+  }
+
+  void look(const Candidate& candidate, bool is_remembered) {
+    if (candidate.lower >= farEnough()) {
+      decide(candidate.lower, DistanceLevel::kBox, boxNormalOf(candidate), candidate);
+    } else {
+      refine(candidate, is_remembered);
+    }
   }
 
   Eigen::Vector3d boxNormalOf(const Candidate& pair) const {
@@ -118,33 +121,32 @@ class HullSearch {
   ShapePair shapePair(const Candidate& pair) const {
     const PlacedShape& a = first_.shapes[pair.first];
     const PlacedShape& b = second_.shapes[pair.second];
-    ShapePair result{*a.shape,  *b.shape, a.from_body_origin, b.from_body_origin,
+    ShapePair result{*a.shape,  *b.shape, a.from_body_origin, b.from_body_origin, a.ball, b.ball,
                      rounding_, motion_,  first_.rigid,       second_.rigid};
     result.second_at.translation += second_.origin - first_.origin;
     return result;
   }
 
-  void refine(const Candidate& candidate, PairMemory& before) {
+  void refine(const Candidate& candidate, bool is_remembered) {
     const ShapePair pair = shapePair(candidate);
-    const bool is_nearest = before.is_known && before.first_shape == candidate.first &&
-                            before.second_shape == candidate.second;
-    Simplex simplex = is_nearest ? placed(before.simplex, pair) : Simplex();
+    const ShapeHull a{pair.first, hasCore(pair.first)}, b{pair.second, hasCore(pair.second)};
+    Simplex simplex = is_remembered ? placed(memory_.simplex, pair) : Simplex();
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
-    const GjkGoal gjk_goal{farEnough() + pair.rounding, 0, tolerance, kHullSteps};
-    const ShapeHull a{pair.first}, b{pair.second};
+    const GjkGoal gjk_goal{farEnough() + pair.pad(), 0, tolerance, kHullSteps};
     // What separates the nearest shapes so far often separates others, too.
     const Eigen::Vector3d start = normal_.squaredNorm() > 0 ? normal_ : startOf(candidate);
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
+    const double by_hulls = hulls.lower - pair.pad();
     // Where the bound suffices, nearer points are not needed.
-    if (!(hulls.lower - pair.rounding >= farEnough()) || !hasWitness()) offer(simplex, pair);
-    const bool do_boxes_decide = candidate.lower >= hulls.lower - pair.rounding;
-    double lower = do_boxes_decide ? candidate.lower : hulls.lower - pair.rounding;
+    if (!(by_hulls >= farEnough()) || !hasWitness()) offer(simplex, pair);
+    const bool do_boxes_decide = candidate.lower >= by_hulls;
+    double lower = do_boxes_decide ? candidate.lower : by_hulls;
     const Eigen::Vector3d normal = do_boxes_decide ? boxNormalOf(candidate) : hulls.normal;
     DistanceLevel level = do_boxes_decide ? DistanceLevel::kBox : DistanceLevel::kHull;
     // Where nothing separates the hulls, these decide that.
     if (!(lower > 0)) level = DistanceLevel::kHull;
-    TreeMemory trees = is_nearest ? std::move(before.trees) : TreeMemory();
+    TreeMemory trees = is_remembered ? std::move(memory_.trees) : TreeMemory();
     if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
         !(isConvex(pair.first) && isConvex(pair.second))) {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
@@ -187,7 +189,8 @@ class HullSearch {
   /// Of shapes that are their own hulls the nearest points, of others the vertices of the simplex.
   void offer(const Simplex& simplex, const ShapePair& pair) {
     if (simplex.size() > 0 && isConvex(pair.first) && isConvex(pair.second)) {
-      offer(pair.first_at.toSearch(simplex.first()), pair.second_at.toSearch(simplex.second()));
+      offer(pair.first_at.toSearch(simplex.first()), pair.second_at.toSearch(simplex.second()),
+            pair);
       return;
     }
     std::array<Eigen::Vector3d, 4> on_second;
@@ -197,13 +200,13 @@ class HullSearch {
       assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
       const Eigen::Vector3d on_first = pair.first_at.toSearch(simplex[i].first);
       for (std::size_t j = 0; j < simplex.size(); ++j)
-        offer(on_first, on_second[j]);
+        offer(on_first, on_second[j], pair);
     }
   }
 
-  void offer(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const double squared = (b - a).squaredNorm();
-    if (squared < witness_.distance * witness_.distance) witness_ = {a, b, std::sqrt(squared)};
+  void offer(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const ShapePair& pair) {
+    const Witness found = pair.witness(a, b);
+    if (found.distance < witness_.distance) witness_ = found;
   }
 
   void decide(double lower, DistanceLevel level, const Eigen::Vector3d& normal,
@@ -219,9 +222,11 @@ class HullSearch {
   void takeAnyPoints() {
     const ShapePair pair = shapePair(nearest_);
     const Eigen::Vector3d normal = startOf(nearest_);
-    const Eigen::Vector3d a = ShapeHull{pair.first}.farthest(pair.first_at.toShape(normal));
-    const Eigen::Vector3d b = ShapeHull{pair.second}.farthest(-pair.second_at.toShape(normal));
-    offer(pair.first_at.toSearch(a), pair.second_at.toSearch(b));
+    const Eigen::Vector3d a =
+        ShapeHull{pair.first, hasCore(pair.first)}.farthest(pair.first_at.toShape(normal));
+    const Eigen::Vector3d b =
+        ShapeHull{pair.second, hasCore(pair.second)}.farthest(-pair.second_at.toShape(normal));
+    offer(pair.first_at.toSearch(a), pair.second_at.toSearch(b), pair);
   }
 
   BodyDistance result() const {
@@ -242,6 +247,7 @@ class HullSearch {
   const PlacedBody& second_;
   DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
+  std::vector<Candidate>& open_;
   const PairMotion& motion_;
   double rounding_;
   std::size_t steps_left_;
@@ -299,11 +305,11 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 }
 
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
-                            const DistanceGoal& goal, PairMemory& memory,
+                            const DistanceGoal& goal, PairMemory& memory, SearchRoom& room,
                             const std::optional<RelativeMotion>& latest) {
   const PairMotion motion = aged(memory, latest);
   if (const auto far = distanceBeyond(goal.limit, first, second)) return *far;
-  return HullSearch(first, second, goal, memory, motion).run();
+  return HullSearch(first, second, goal, memory, room, motion).run();
 }
 
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
@@ -314,8 +320,9 @@ std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3
   const std::optional<PlacedBody> b = placedBody(second, world_from_second);
   if (!a || !b) return std::nullopt;
   PairMemory memory;
-  if (comesFirst(*b, *a)) return swapped(placedDistance(*b, *a, goal, memory));
-  return placedDistance(*a, *b, goal, memory);
+  SearchRoom room;
+  if (comesFirst(*b, *a)) return swapped(placedDistance(*b, *a, goal, memory, room));
+  return placedDistance(*a, *b, goal, memory, room);
 }
 
 }  // namespace link_bounds

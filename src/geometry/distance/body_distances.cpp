@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "geometry/distance/capsules.h"
 #include "geometry/distance/lease.h"
 #include "geometry/distance/placed_distance.h"
 #include "link_bounds/geometry/box/rounding.h"
@@ -23,8 +24,9 @@ class BodyDistances::Memories {
     Slot& slot = slots_[index];
     slot = Slot();
     slot.body = std::move(body);
+    slot.with_cores = withCores(slot.body);
     slot.version = ++last_version_;
-    if (slot.body) slot.ball = ballOf(*slot.body);
+    if (slot.body) slot.ball = ballOf(*slot.with_cores);
     if (!slot.body) forget(index);
   }
 
@@ -35,7 +37,10 @@ class BodyDistances::Memories {
     slot.pose = world_from_body;
     slot.pose_version = ++last_version_;
     slot.is_placed = false;
+    const bool was_rigid = slot.rigid.has_value();
     slot.rigid = slot.ball ? rigidBody(*slot.ball, world_from_body) : std::nullopt;
+    const bool is_other_form = slot.with_cores != slot.body && slot.rigid.has_value() != was_rigid;
+    if (is_other_form) slot.version = ++last_version_;
   }
 
   std::optional<BodyDistance> find(std::size_t first, std::size_t second) {
@@ -84,7 +89,7 @@ class BodyDistances::Memories {
     PairMemory memory;
     DistanceGoal goal_once = goal;
     goal_once.limit = limit;
-    return placedDistance(*a.placed(), *b.placed(), goal_once, memory);
+    return placedDistance(*a.placed(), *b.placed(), goal_once, memory, room_);
   }
 
   void forgetUnused() {
@@ -98,10 +103,11 @@ class BodyDistances::Memories {
  private:
   struct Slot {
     std::shared_ptr<const Body> body;
+    std::shared_ptr<const Body> with_cores;  ///< stands for it at rigid poses
     std::optional<Ball> ball;
     std::optional<Eigen::Affine3d> pose;
     std::optional<RigidBody> rigid;  ///< at this pose
-    std::uint64_t version = 0;       ///< of the body; no other body or pose ever has it
+    std::uint64_t version = 0;       ///< of the body in this form; nothing else ever has it
     std::uint64_t pose_version = 0;
     mutable std::optional<PlacedBody> its_placed;
     mutable bool is_placed = false;
@@ -109,7 +115,7 @@ class BodyDistances::Memories {
     /// Nothing without a usable pose.
     const std::optional<PlacedBody>& placed() const {
       if (pose && !is_placed) {
-        its_placed = placedBody(*body, *pose);
+        its_placed = placedBody(rigid ? *with_cores : *body, *pose);
         if (its_placed) its_placed->rigid = rigid;
       }
       is_placed = pose.has_value();
@@ -154,7 +160,8 @@ class BodyDistances::Memories {
       pair.round = round_;
     }
     pair.lease.reset();
-    const BodyDistance found = placedDistance(*a.placed(), *b.placed(), goal, pair.memory, motion);
+    const BodyDistance found =
+        placedDistance(*a.placed(), *b.placed(), goal, pair.memory, room_, motion);
     if (a.rigid && b.rigid) pair.lease.emplace(found, *a.rigid, *b.rigid);
     show(pair, found, a, b);
   }
@@ -187,6 +194,7 @@ class BodyDistances::Memories {
   std::unordered_map<std::uint64_t, Pair> pairs_;  ///< by both indices
   std::uint64_t last_version_ = 0;
   std::uint64_t round_ = 0;  ///< ends with forgetUnused()
+  mutable SearchRoom room_;
 };
 
 BodyDistances::BodyDistances(const DistanceGoal& goal)

@@ -37,11 +37,13 @@ Eigen::Vector3d farthestOf(Solid solid, const Eigen::Vector3d& size,
 /// The convex hull of a shape.
 struct ShapeHull {
   const BodyShape& body_shape;
+  bool is_core = false;  ///< of the points alone, which the solid sweeps
 
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
     const Shape& shape = body_shape.shape;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    if (shape.solid != Solid::kNone) point = farthestOf(shape.solid, shape.size, direction);
+    if (shape.solid != Solid::kNone && !is_core)
+      point = farthestOf(shape.solid, shape.size, direction);
     if (shape.points) point += shape.points->farthest(direction);
     const std::optional<Eigen::Vector3d>& tip = body_shape.tip;
     return tip && tip->dot(direction) > point.dot(direction) ? *tip : point;

@@ -20,13 +20,15 @@
 // since |n| <= 1 to within 4u. A direction table leaves out points that others beat to within
 // kTableTolerance A |m|_1 <= kTableTolerance rho, but for rounding while it was made; as much again
 // covers that. The origins of the bodies are subtracted once, with an error of u of the difference,
-// which then enters the last four steps. kRounding is 64u: the 28u beyond those above cover the
-// terms of second order and the sum of a solid and a point, which are left out there.
+// which then enters the last four steps. Where a capsule stands for three shapes, it may be wrong
+// by 40u (capsules.cpp). kRounding is 104u: the 28u beyond those above cover the terms of second
+// order and the sum of a solid and a point, which are left out there.
 #include "geometry/distance/placed_body.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/distance/capsules.h"
 #include "geometry/distance/triangle_tree.h"
 #include "geometry/support/table/direction_table.h"
 #include "link_bounds/geometry/box/length.h"
@@ -35,7 +37,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 64 * kUnitRoundoff;  // both are derived above
+constexpr double kRounding = 104 * kUnitRoundoff;  // both are derived above
 constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// What products and squares of tiny numbers may lose [m]. Much smaller lengths have no square.
@@ -74,6 +76,16 @@ std::optional<Aabb> boxOf(const BodyShape& shape, const Eigen::Affine3d& world_f
   return box->merged(*tip_box);
 }
 
+/// No vector grows or shrinks by more than |M'M - 1| of its length, M being the axes of the shape
+/// in the world. The rounding of M and of points is within 64u, too.
+PlacedBall placedBall(const BodyShape& shape, const Eigen::Matrix3d& axes) {
+  if (!hasCore(shape)) return {};
+  const double radius = shape.shape.size.x() / 2;
+  const double defect =
+      (axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() + 64 * kUnitRoundoff;
+  return {std::max(0.0, radius * (1 - defect)), radius * (1 + defect)};
+}
+
 }  // namespace
 
 std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& world_from_body) {
@@ -89,7 +101,7 @@ std::optional<PlacedBody> placedBody(const Body& body, const Eigen::Affine3d& wo
     const Eigen::Affine3d& link_from_shape = shape.shape.link_from_shape;
     const Placement placement{world_from_body.linear() * link_from_shape.linear(),
                               world_from_body.linear() * link_from_shape.translation()};
-    result.shapes.push_back({&shape, placement, *box});
+    result.shapes.push_back({&shape, placement, *box, placedBall(shape, placement.linear)});
     result.box.extend(*box);
   }
   const Placement& at = result.shapes[0].from_body_origin;

@@ -11,10 +11,18 @@
 
 namespace link_bounds {
 
+/// What is nearer to its centre than `inside` belongs to the ball, what is farther than `outside`
+/// does not [m].
+struct PlacedBall {
+  double inside = 0;
+  double outside = 0;
+};
+
 struct PlacedShape {
   const BodyShape* shape;
   Placement from_body_origin;  ///< in the axes of the world, from the origin of the body
   Aabb box;                    ///< in the world
+  PlacedBall ball;             ///< of a shape that hasCore()
 };
 
 struct PlacedBody {

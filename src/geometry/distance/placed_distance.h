@@ -3,6 +3,8 @@
 // The distance of two placed bodies, level by level, with what a search leaves for the next one.
 #pragma once
 
+#include <vector>
+
 #include "geometry/distance/simplex.h"
 #include "geometry/distance/tree_search.h"
 
@@ -15,9 +17,19 @@ struct PairMemory {
   bool is_known = false;
   std::uint32_t first_shape = 0;
   std::uint32_t second_shape = 0;
-  Simplex simplex;  ///< of the hulls of these shapes
+  Simplex simplex;  ///< of the hulls of these shapes, or of their cores
   TreeMemory trees;
   double moved = 0;  ///< how much nearer the bodies may have come since the memory began [m]
+};
+
+/// Room that searches use one after the other, so that none allocates.
+struct SearchRoom {
+  struct ShapeIndices {
+    std::uint32_t first;
+    std::uint32_t second;
+    double lower;  ///< proven by the boxes [m]
+  };
+  std::vector<ShapeIndices> open;
 };
 
 /// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most
@@ -29,7 +41,7 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 /// have moved since the last call with this memory, at rigid poses of both; without it no proven
 /// bound is taken from there.
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
-                            const DistanceGoal& goal, PairMemory& memory,
+                            const DistanceGoal& goal, PairMemory& memory, SearchRoom& room,
                             const std::optional<RelativeMotion>& latest = std::nullopt);
 
 /// The same distance from the second body to the first.

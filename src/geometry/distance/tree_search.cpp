@@ -169,7 +169,7 @@ class NodeSearch {
   /// How far the boxes of two nodes are proven to be apart along a unit direction.
   double lowerAlong(const NodePair& pair, const Eigen::Vector3d& normal) const {
     return -reach(pair_.first, pair_.first_at, pair.first, normal) -
-           reach(pair_.second, pair_.second_at, pair.second, -normal) - pair_.rounding;
+           reach(pair_.second, pair_.second_at, pair.second, -normal) - pair_.pad();
   }
 
   /// Of a node's convex set along a direction, from the origin of the search.
@@ -285,7 +285,7 @@ class NodeSearch {
   }
 
   void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) const {
-    separate(first, second, farEnough(), pair_.rounding, pair.separation);
+    separate(first, second, farEnough(), pair_.pad(), pair.separation);
     if (!(pair.separation.lower >= farEnough())) boundSmallNodes(pair);
   }
 
@@ -312,12 +312,12 @@ class NodeSearch {
   template <class First, class Second>
   void boundBy(const First& first, const Second& second, Separation& known) const {
     const double far_enough = farEnough();
-    const GjkGoal gjk_goal{far_enough + pair_.rounding, far_enough, 0, kNodeSteps};
+    const GjkGoal gjk_goal{far_enough + pair_.pad(), far_enough, 0, kNodeSteps};
     Simplex simplex;
     const GjkResult result =
         gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
     known.near = result.upper;
-    known.raise(result.lower - pair_.rounding, result.normal);
+    known.raise(result.lower - pair_.pad(), result.normal);
   }
 
   /// Triangles that no solid sweeps.
@@ -366,10 +366,10 @@ class NodeSearch {
                          const Second& second) {
     Simplex simplex;
     const double tolerance = kLeafTolerance * goal_.tolerance(hulls_.lower);
-    const GjkGoal gjk_goal{farEnough() + pair_.rounding, 0, tolerance, kLeafSteps};
+    const GjkGoal gjk_goal{farEnough() + pair_.pad(), 0, tolerance, kLeafSteps};
     const GjkResult result =
         gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
-    known.raise(result.lower - pair_.rounding, result.normal);
+    known.raise(result.lower - pair_.pad(), result.normal);
     if (simplex.size() > 0) {
       offer(sets, pair_.first_at.toSearch(simplex.first()),
             pair_.second_at.toSearch(simplex.second()));
@@ -392,14 +392,14 @@ class NodeSearch {
       second.project(-normal, 0, stale);
       stale = 0;
       const double row = std::max(pair.separation.lower,
-                                  -first.farthest[i] - second.farthestOfAll() - pair_.rounding);
+                                  -first.farthest[i] - second.farthestOfAll() - pair_.pad());
       if (row >= farEnough()) {
         all = std::min(all, row);
         continue;
       }
       for (std::uint32_t j = 0; j < second.count; ++j) {
         const double gap = -first.farthest[i] - second.farthest[j];
-        double lower = std::max(pair.separation.lower, gap - pair_.rounding);
+        double lower = std::max(pair.separation.lower, gap - pair_.pad());
         if (!(lower >= farEnough())) {
           is_along = false;
           if (!a) a.emplace(first.placed(i));
@@ -431,25 +431,25 @@ class NodeSearch {
     for (const PlacedTriangle* triangle : {&first, &second}) {
       const double side = triangle->normal.dot(second.corners[0] - first.corners[0]);
       const Eigen::Vector3d across = std::copysign(1.0, side) * triangle->normal;
-      const double lower = gapAlong(across, first.corners, second.corners) - pair_.rounding;
+      const double lower = gapAlong(across, first.corners, second.corners) - pair_.pad();
       if (!(lower >= farEnough())) continue;
       normal = across;
       return lower;
     }
     const PointPair nearest =
-        nearestPoints(first.corners, second.corners, farEnough() + pair_.rounding);
+        nearestPoints(first.corners, second.corners, farEnough() + pair_.pad());
     offer(triangles, nearest.on_first, nearest.on_second);
     const Eigen::Vector3d between = nearest.on_second - nearest.on_first;
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
     normal = between / length;
-    return gapAlong(normal, first.corners, second.corners) - pair_.rounding;
+    return gapAlong(normal, first.corners, second.corners) - pair_.pad();
   }
 
   void offer(const TrianglePair& triangles, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const double distance = (b - a).norm();
-    if (!(distance < witness_.distance)) return;
-    witness_ = {a, b, distance};
+    const Witness found = pair_.witness(a, b);
+    if (!(found.distance < witness_.distance)) return;
+    witness_ = found;
     nearest_ = triangles;
   }
 

@@ -37,18 +37,37 @@ struct PairMotion {
   const std::optional<RelativeMotion>& latest;  ///< since that call, if it is known
 };
 
-/// Two shapes whose distance is searched. A shape without triangles is a leaf by itself.
+/// Two shapes whose distance is searched. A shape without triangles is a leaf by itself. Of one
+/// that hasCore(), the core is searched: GJK takes few steps between points and edges, but many on
+/// round surfaces.
 struct ShapePair {
   const BodyShape& first;
   const BodyShape& second;
   Placement first_at;
   Placement second_at;
+  PlacedBall first_ball;
+  PlacedBall second_ball;
   double rounding;  ///< what a computed lower bound may be too large by
   const PairMotion& motion;
   const std::optional<RigidBody>& first_rigid;
   const std::optional<RigidBody>& second_rigid;
 
   bool isFollowed() const { return first_rigid && second_rigid; }
+
+  /// How much nearer the shapes may be than their cores are computed to be.
+  double pad() const { return rounding + first_ball.outside + second_ball.outside; }
+
+  /// The points of the two shapes between a point of each core.
+  Witness witness(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    const Eigen::Vector3d between = b - a;
+    const double apart = between.norm();
+    const double from_a = std::min(first_ball.inside, apart);
+    const double from_b = std::min(second_ball.inside, apart - from_a);
+    if (!(from_a + from_b > 0)) return {a, b, apart};
+    Witness result{a + from_a / apart * between, b - from_b / apart * between, 0};
+    result.distance = (result.on_second - result.on_first).norm();
+    return result;
+  }
 };
 
 /// Where the hulls of both shapes are nearest, as GJK found it.

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Balls and capsules. A URDF can only write a capsule as a cylinder and two balls.
+#pragma once
+
+#include <memory>
+
+#include "link_bounds/geometry/distance/body.h"
+
+namespace link_bounds {
+
+/// The same body for searches at rigid poses. One shape, a segment that a ball sweeps, stands for
+/// each cylinder and two balls that are a capsule together. Each ball and each capsule has as its
+/// triangles the centre or the segment alone: its tree has no solid. The bodies may differ by 40u
+/// of the largest coordinate of the shapes, where u = 2^-53. The body itself if it has no ball.
+std::shared_ptr<const Body> withCores(std::shared_ptr<const Body> body);
+
+/// Made by withCores().
+bool hasCore(const BodyShape& shape);
+
+}  // namespace link_bounds
