@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "geometry/distance/capsules.h"
 #include "geometry/distance/gjk.h"
 #include "geometry/distance/placed_distance.h"
 #include "geometry/distance/triangle_tree.h"
@@ -55,6 +54,11 @@ double boxLower(const Aabb& a, const Aabb& b, double rounding) {
   return std::max(0.0, signedDistance(a, b) * (1 - 8 * kUnitRoundoff) - rounding);
 }
 
+/// A little more than a limit.
+double above(double limit) {
+  return limit * (1 + 4 * kUnitRoundoff) + std::numeric_limits<double>::min();
+}
+
 double roundedUp(double distance, double rounding) {
   return (distance + rounding) * (1 + 8 * kUnitRoundoff);
 }
@@ -65,7 +69,7 @@ class HullSearch {
              PairMemory& memory, SearchRoom& room, const PairMotion& motion)
       : first_(first),
         second_(second),
-        goal_{goal.accuracy, nextUp(goal.limit), goal.max_steps, goal.relative_accuracy},
+        goal_{goal.accuracy, above(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
         open_(room.open),
         motion_(motion),
@@ -129,17 +133,14 @@ class HullSearch {
 
   void refine(const Candidate& candidate, bool is_remembered) {
     const ShapePair pair = shapePair(candidate);
-    const ShapeHull a{pair.first, hasCore(pair.first)}, b{pair.second, hasCore(pair.second)};
+    const ShapeHull a = pair.firstHull(), b = pair.secondHull();
     Simplex simplex = is_remembered ? placed(memory_.simplex, pair) : Simplex();
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
     const GjkGoal gjk_goal{farEnough() + pair.pad(), 0, tolerance, kHullSteps};
-    // What separates the nearest shapes so far often separates others, too.
-    const Eigen::Vector3d start = normal_.squaredNorm() > 0 ? normal_ : startOf(candidate);
+    const Eigen::Vector3d start = simplex.size() > 0 ? normal_ : startOf(candidate);
     const GjkResult hulls = gjk(a, pair.first_at, b, pair.second_at, start, gjk_goal, simplex);
     const double distance_before = witness_.distance;
     const double by_hulls = hulls.lower - pair.pad();
-    // Where the bound suffices, nearer points are not needed.
-    if (!(by_hulls >= farEnough()) || !hasWitness()) offer(simplex, pair);
     const bool do_boxes_decide = candidate.lower >= by_hulls;
     double lower = do_boxes_decide ? candidate.lower : by_hulls;
     const Eigen::Vector3d normal = do_boxes_decide ? boxNormalOf(candidate) : hulls.normal;
@@ -147,8 +148,13 @@ class HullSearch {
     // Where nothing separates the hulls, these decide that.
     if (!(lower > 0)) level = DistanceLevel::kHull;
     TreeMemory trees = is_remembered ? std::move(memory_.trees) : TreeMemory();
-    if (!(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) &&
-        !(isConvex(pair.first) && isConvex(pair.second))) {
+    const bool are_convex = isConvex(pair.first) && isConvex(pair.second);
+    const bool needs_trees =
+        !(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) && !are_convex;
+    // Where the bound suffices, nearer points are not needed. Trees have better ones from before.
+    const bool is_far = by_hulls >= farEnough() && hasWitness();
+    if (!is_far) offer(simplex, pair, are_convex);
+    if (needs_trees && !(lower >= farEnough())) {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
                                    pair.first_at.toSearch(simplex.first()),
                                    pair.second_at.toSearch(simplex.second())};
@@ -166,8 +172,13 @@ class HullSearch {
     }
   }
 
-  /// A direction to begin with.
+  /// A direction to begin with. What separates the nearest shapes so far often separates others,
+  /// too.
   Eigen::Vector3d startOf(const Candidate& pair) const {
+    return normal_.squaredNorm() > 0 ? normal_ : betweenBoxes(pair);
+  }
+
+  Eigen::Vector3d betweenBoxes(const Candidate& pair) const {
     const Aabb& a = first_.shapes[pair.first].box;
     const Aabb& b = second_.shapes[pair.second].box;
     const Eigen::Vector3d normal = boxNormal(a, b);
@@ -187,10 +198,10 @@ class HullSearch {
   }
 
   /// Of shapes that are their own hulls the nearest points, of others the vertices of the simplex.
-  void offer(const Simplex& simplex, const ShapePair& pair) {
-    if (simplex.size() > 0 && isConvex(pair.first) && isConvex(pair.second)) {
-      offer(pair.first_at.toSearch(simplex.first()), pair.second_at.toSearch(simplex.second()),
-            pair);
+  void offer(const Simplex& simplex, const ShapePair& pair, bool are_convex) {
+    if (are_convex && simplex.size() > 0) {
+      pair.improve(witness_, pair.first_at.toSearch(simplex.first()),
+                   pair.second_at.toSearch(simplex.second()));
       return;
     }
     std::array<Eigen::Vector3d, 4> on_second;
@@ -200,13 +211,8 @@ class HullSearch {
       assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
       const Eigen::Vector3d on_first = pair.first_at.toSearch(simplex[i].first);
       for (std::size_t j = 0; j < simplex.size(); ++j)
-        offer(on_first, on_second[j], pair);
+        pair.improve(witness_, on_first, on_second[j]);
     }
-  }
-
-  void offer(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const ShapePair& pair) {
-    const Witness found = pair.witness(a, b);
-    if (found.distance < witness_.distance) witness_ = found;
   }
 
   void decide(double lower, DistanceLevel level, const Eigen::Vector3d& normal,
@@ -222,11 +228,9 @@ class HullSearch {
   void takeAnyPoints() {
     const ShapePair pair = shapePair(nearest_);
     const Eigen::Vector3d normal = startOf(nearest_);
-    const Eigen::Vector3d a =
-        ShapeHull{pair.first, hasCore(pair.first)}.farthest(pair.first_at.toShape(normal));
-    const Eigen::Vector3d b =
-        ShapeHull{pair.second, hasCore(pair.second)}.farthest(-pair.second_at.toShape(normal));
-    offer(pair.first_at.toSearch(a), pair.second_at.toSearch(b), pair);
+    const Eigen::Vector3d a = pair.firstHull().farthest(pair.first_at.toShape(normal));
+    const Eigen::Vector3d b = pair.secondHull().farthest(-pair.second_at.toShape(normal));
+    pair.improve(witness_, pair.first_at.toSearch(a), pair.second_at.toSearch(b));
   }
 
   BodyDistance result() const {
@@ -262,7 +266,7 @@ class HullSearch {
 /// begins again at 0.
 PairMotion aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
   const double moved_then = memory.moved;
-  if (latest) memory.moved = nextUp(moved_then + latest->approach);
+  if (latest) memory.moved = (moved_then + latest->approach) * (1 + 4 * kUnitRoundoff);
   if (latest && memory.moved <= kFarthestMove) return {memory.moved, moved_then, latest};
   memory.trees.front = Front();
   memory.moved = 0;

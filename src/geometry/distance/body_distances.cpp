@@ -52,7 +52,10 @@ class BodyDistances::Memories {
     if (const auto far = distanceBeyond(goal.limit, *a.placed(), *b.placed())) return far;
     const auto entry = pairs_.try_emplace(keyOf(first, second)).first;
     Pair& pair = entry->second;
-    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) search(pair, a, b, motionOf(pair, a, b));
+    if (!isLastOf(pair, a, b) || !reachesGoal(pair.last)) {
+      const std::optional<PosePair> now = posesOf(a, b);
+      search(pair, a, b, now, motionOf(pair, a, b, now));
+    }
     pair.round = round_;
     const BodyDistance result = pair.last;
     if (!pair.memory.is_known) pairs_.erase(entry);
@@ -70,13 +73,14 @@ class BodyDistances::Memories {
     Pair& pair = known != pairs_.end() ? known->second : pairs_[keyOf(first, second)];
     pair.round = round_;
     if (isLastOf(pair, a, b) && reachesGoal(pair.last)) return pair.last;
-    const std::optional<RelativeMotion> motion = motionOf(pair, a, b);
+    const std::optional<PosePair> now = posesOf(a, b);
+    const std::optional<RelativeMotion> motion = motionOf(pair, a, b, now);
     if (motion) {
       show(pair, pair.lease->carried(*motion, *a.rigid, *b.rigid), a, b);
       if (reachesGoal(pair.last)) return pair.last;
     }
     if (!a.placed() || !b.placed()) return std::nullopt;
-    search(pair, a, b, motion);
+    search(pair, a, b, now, motion);
     return pair.last;
   }
 
@@ -143,15 +147,21 @@ class BodyDistances::Memories {
     return std::uint64_t{first} << 32 | std::uint64_t{second};
   }
 
+  static std::optional<PosePair> posesOf(const Slot& a, const Slot& b) {
+    if (!a.rigid || !b.rigid) return std::nullopt;
+    return PosePair(*a.rigid, *b.rigid);
+  }
+
   /// How the bodies have moved since the lease of the pair began, if it has one.
-  static std::optional<RelativeMotion> motionOf(const Pair& pair, const Slot& a, const Slot& b) {
-    if (!pair.isOf(a, b) || !pair.lease || !a.rigid || !b.rigid) return std::nullopt;
-    return pair.lease->motion(*a.rigid, *b.rigid);
+  static std::optional<RelativeMotion> motionOf(const Pair& pair, const Slot& a, const Slot& b,
+                                                const std::optional<PosePair>& now) {
+    if (!pair.isOf(a, b) || !pair.lease || !now) return std::nullopt;
+    return pair.lease->motion(*now, *a.rigid, *b.rigid);
   }
 
   /// Searches, and begins a lease on what is found if both poses are rigid. Ends what is known of
   /// bodies that were replaced. `motion` is motionOf() the same pair.
-  void search(Pair& pair, const Slot& a, const Slot& b,
+  void search(Pair& pair, const Slot& a, const Slot& b, const std::optional<PosePair>& now,
               const std::optional<RelativeMotion>& motion) const {
     if (!pair.isOf(a, b)) {
       pair = Pair();
@@ -162,7 +172,7 @@ class BodyDistances::Memories {
     pair.lease.reset();
     const BodyDistance found =
         placedDistance(*a.placed(), *b.placed(), goal, pair.memory, room_, motion);
-    if (a.rigid && b.rigid) pair.lease.emplace(found, *a.rigid, *b.rigid);
+    if (now) pair.lease.emplace(found, *now, *a.rigid, *b.rigid);
     show(pair, found, a, b);
   }
 

@@ -56,50 +56,36 @@ std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& worl
   const Eigen::Vector3d origin = world_from_body.translation();
   const Eigen::Matrix3d product = axes.transpose() * axes;
   const double defect = (product - Eigen::Matrix3d::Identity()).norm() + kLeastDefect;
-  const bool is_small = origin.norm() <= kFarthest && ball.reach <= kFarthest;
+  const double from_origin = origin.norm();
+  const bool is_small = from_origin <= kFarthest && ball.reach <= kFarthest;
   if (!(defect <= kLargestDefect) || !is_small || axes.determinant() < 0) return std::nullopt;
-  return RigidBody{ball, axes, origin, defect};
+  return RigidBody{ball, axes, origin, from_origin, defect};
 }
 
-const RigidBody& resting(const RigidBody& first, const RigidBody& second) {
-  return second.ball.radius <= first.ball.radius ? first : second;
+PosePair::PosePair(const RigidBody& first, const RigidBody& second) {
+  const RigidBody& rests = resting(first, second);
+  const RigidBody& mover = &rests == &first ? second : first;
+  axes.noalias() = rests.axes.transpose() * mover.axes;
+  const Eigen::Vector3d offset = mover.origin - rests.origin;
+  origin.noalias() = rests.axes.transpose() * offset;
+  defect = first.defect + second.defect;
+  size = first.ball.reach + second.ball.reach + offset.norm();
+  rounding = 8 * kUnitRoundoff * (first.from_origin + second.from_origin + size);
 }
 
-PosePair::Relative::Relative(const RigidBody& first, const RigidBody& second)
-    : mover(&resting(first, second) == &first ? second : first) {
-  const RigidBody& other = resting(first, second);
-  axes.noalias() = other.axes.transpose() * mover.axes;
-  origin.noalias() = other.axes.transpose() * (mover.origin - other.origin);
-}
-
-double PosePair::sizeOf(const RigidBody& first, const RigidBody& second) {
-  return first.ball.reach + second.ball.reach + (second.origin - first.origin).norm();
-}
-
-PosePair::PosePair(const RigidBody& first, const RigidBody& second)
-    : defect_(first.defect + second.defect),
-      size_(sizeOf(first, second)),
-      rounding_(8 * kUnitRoundoff * (first.origin.norm() + second.origin.norm() + size_)) {
-  const Relative then(first, second);
-  axes_ = then.axes;
-  origin_ = then.origin;
-}
-
-RelativeMotion PosePair::motion(const RigidBody& first, const RigidBody& second) const {
-  const Relative now(first, second);
+RelativeMotion motionBetween(const PosePair& then, const PosePair& now, const RigidBody& mover) {
   RelativeMotion result;
-  result.turned = now.axes - axes_;
-  result.shifted = now.origin - origin_;
-  const double defect = defect_ + first.defect + second.defect;
-  result.slack = kSlack * defect * (size_ + sizeOf(first, second)) + rounding_;
-  const Ball& ball = now.mover.ball;
-  result.approach = (result.turned * ball.center + result.shifted).norm() +
-                    result.turned.norm() * M_SQRT1_2 * ball.radius + result.slack;
+  result.turned = now.axes - then.axes;
+  result.shifted = now.origin - then.origin;
+  result.slack = kSlack * (then.defect + now.defect) * (then.size + now.size) + then.rounding;
+  result.approach = (result.turned * mover.ball.center + result.shifted).norm() +
+                    result.turned.norm() * M_SQRT1_2 * mover.ball.radius + result.slack;
   return result;
 }
 
-Lease::Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second)
-    : then_(first, second),
+Lease::Lease(const BodyDistance& found, const PosePair& now, const RigidBody& first,
+             const RigidBody& second)
+    : then_(now),
       lower_(found.lower),
       level_(found.level),
       on_first_(first.axes.transpose() * (found.on_first - first.origin)),

@@ -27,14 +27,17 @@ struct RigidBody {
   Ball ball;
   Eigen::Matrix3d axes;
   Eigen::Vector3d origin;
-  double defect;  ///< bounds |axes' axes - 1|, with the rounding of products
+  double from_origin;  ///< of the world [m]
+  double defect;       ///< bounds |axes' axes - 1|, with the rounding of products
 };
 
 /// Nothing if the pose scales or mirrors, or if lengths are beyond 1e9 m.
 std::optional<RigidBody> rigidBody(const Ball& ball, const Eigen::Affine3d& world_from_body);
 
 /// Of two bodies, the one with the larger ball rests: the other one moves as seen from it.
-const RigidBody& resting(const RigidBody& first, const RigidBody& second);
+inline const RigidBody& resting(const RigidBody& first, const RigidBody& second) {
+  return second.ball.radius <= first.ball.radius ? first : second;
+}
 
 /// How the points of the body that moves have moved, in the frame of the one that rests: a point q
 /// of its frame by turned q + shifted, but for `slack` [m].
@@ -46,38 +49,29 @@ struct RelativeMotion {
 };
 
 /// Two bodies at one time.
-class PosePair {
- public:
+struct PosePair {
   PosePair(const RigidBody& first, const RigidBody& second);
 
-  /// Since then, of the same two bodies.
-  RelativeMotion motion(const RigidBody& first, const RigidBody& second) const;
-
- private:
-  /// The mover in the frame of the other body.
-  struct Relative {
-    Relative(const RigidBody& first, const RigidBody& second);
-    const RigidBody& mover;
-    Eigen::Matrix3d axes;
-    Eigen::Vector3d origin;
-  };
-  static double sizeOf(const RigidBody& first, const RigidBody& second);
-
-  Eigen::Matrix3d axes_;  ///< of the relative pose
-  Eigen::Vector3d origin_;
-  double defect_;
-  double size_;
-  double rounding_;
+  Eigen::Matrix3d axes;  ///< of the body that moves, in the frame of the one that rests
+  Eigen::Vector3d origin;
+  double defect;
+  double size;
+  double rounding;
 };
+
+/// From one time to another, of the same two bodies. `mover` is the one that does not rest.
+RelativeMotion motionBetween(const PosePair& then, const PosePair& now, const RigidBody& mover);
 
 class Lease {
  public:
-  /// `found` at these poses.
-  Lease(const BodyDistance& found, const RigidBody& first, const RigidBody& second);
+  /// `found` at the poses of now.
+  Lease(const BodyDistance& found, const PosePair& now, const RigidBody& first,
+        const RigidBody& second);
 
   /// Of the same two bodies, since the poses of the lease.
-  RelativeMotion motion(const RigidBody& first, const RigidBody& second) const {
-    return then_.motion(first, second);
+  RelativeMotion motion(const PosePair& now, const RigidBody& first,
+                        const RigidBody& second) const {
+    return motionBetween(then_, now, &resting(first, second) == &first ? second : first);
   }
 
   /// After that motion: the bound less what the bodies have moved relative to each other, and the

@@ -447,10 +447,7 @@ class NodeSearch {
   }
 
   void offer(const TrianglePair& triangles, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const Witness found = pair_.witness(a, b);
-    if (!(found.distance < witness_.distance)) return;
-    witness_ = found;
-    nearest_ = triangles;
+    if (pair_.improve(witness_, a, b)) nearest_ = triangles;
   }
 
   const ShapePair& pair_;

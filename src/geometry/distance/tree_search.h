@@ -3,6 +3,7 @@
 // Branch and bound over the trees of two shapes.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "geometry/distance/placed_body.h"
@@ -54,19 +55,31 @@ struct ShapePair {
 
   bool isFollowed() const { return first_rigid && second_rigid; }
 
+  ShapeHull firstHull() const { return {first, first_ball.outside > 0}; }
+  ShapeHull secondHull() const { return {second, second_ball.outside > 0}; }
+
   /// How much nearer the shapes may be than their cores are computed to be.
   double pad() const { return rounding + first_ball.outside + second_ball.outside; }
 
-  /// The points of the two shapes between a point of each core.
-  Witness witness(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+  /// Takes the points of the two shapes between a point of each core where these are nearer. True
+  /// if they are.
+  bool improve(Witness& witness, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     const Eigen::Vector3d between = b - a;
-    const double apart = between.norm();
+    const double squared = between.squaredNorm();
+    const double inside = first_ball.inside + second_ball.inside;
+    const double enough = witness.distance + inside;
+    if (!(squared < enough * enough)) return false;
+    const double apart = std::sqrt(squared);
+    if (!(inside > 0) || !(apart > 0)) {
+      witness = {a, b, apart};
+      return true;
+    }
     const double from_a = std::min(first_ball.inside, apart);
     const double from_b = std::min(second_ball.inside, apart - from_a);
-    if (!(from_a + from_b > 0)) return {a, b, apart};
-    Witness result{a + from_a / apart * between, b - from_b / apart * between, 0};
-    result.distance = (result.on_second - result.on_first).norm();
-    return result;
+    witness.on_first = a + from_a / apart * between;
+    witness.on_second = b - from_b / apart * between;
+    witness.distance = (witness.on_second - witness.on_first).norm();
+    return true;
   }
 };
 
