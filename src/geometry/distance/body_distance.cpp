@@ -134,7 +134,8 @@ class HullSearch {
   void refine(const Candidate& candidate, bool is_remembered) {
     const ShapePair pair = shapePair(candidate);
     const ShapeHull a = pair.firstHull(), b = pair.secondHull();
-    Simplex simplex = is_remembered ? placed(memory_.simplex, pair) : Simplex();
+    Simplex simplex;
+    if (is_remembered) place(memory_.simplex, pair, simplex);
     const double tolerance = kHullTolerance * goal_.tolerance(candidate.lower);
     const GjkGoal gjk_goal{farEnough() + pair.pad(), 0, tolerance, kHullSteps};
     const Eigen::Vector3d start = simplex.size() > 0 ? normal_ : startOf(candidate);
@@ -187,14 +188,12 @@ class HullSearch {
     return between.squaredNorm() > 0 ? between : Eigen::Vector3d::UnitX();
   }
 
-  static Simplex placed(const Simplex& before, const ShapePair& pair) {
-    Simplex result;
+  static void place(const Simplex& before, const ShapePair& pair, Simplex& simplex) {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const Eigen::Vector3d& a = before[i].first;
       const Eigen::Vector3d& b = before[i].second;
-      result.add({pair.first_at.toSearch(a) - pair.second_at.toSearch(b), a, b});
+      simplex.add({pair.first_at.toSearch(a) - pair.second_at.toSearch(b), a, b});
     }
-    return result;
   }
 
   /// Of shapes that are their own hulls the nearest points, of others the vertices of the simplex.
