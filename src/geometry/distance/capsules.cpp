@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The end of the cylinder's axis is computed with an error of at most 8u of the largest coordinate,
-// and the centre of its ball may be as far from there. The axes of a shape are unit and orthogonal
-// but for 16u, which changes a length by no more than 24u. So no point of the three shapes is
-// farther than 40u from the segment of the two centres that a ball sweeps, and the other way round.
+// and the centre of its ball may be as far from there. Of the axes M of a shape, the entries of
+// M'M - 1 are at most 32u, so M changes a length by at most 48u of it. So no point of the three
+// shapes is farther than 64u from the segment of the two centres that a ball sweeps, and the other
+// way round.
 #include "geometry/distance/capsules.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace link_bounds {
 namespace {
 
 constexpr double kPlaceTolerance = 8 * kUnitRoundoff;
-constexpr double kRigidTolerance = 16 * kUnitRoundoff;
+constexpr double kRigidTolerance = 32 * kUnitRoundoff;
 
 /// Each cylinder of a body looks at all shapes.
 constexpr std::size_t kMostShapes = 64;

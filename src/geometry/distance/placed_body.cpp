@@ -21,7 +21,7 @@
 // kTableTolerance A |m|_1 <= kTableTolerance rho, but for rounding while it was made; as much again
 // covers that. The origins of the bodies are subtracted once, with an error of u of the difference,
 // which then enters the last four steps. Where a capsule stands for three shapes, it may be wrong
-// by 40u (capsules.cpp). kRounding is 104u: the 28u beyond those above cover the terms of second
+// by 64u (capsules.cpp). kRounding is 128u: the 28u beyond those above cover the terms of second
 // order and the sum of a solid and a point, which are left out there.
 #include "geometry/distance/placed_body.h"
 
@@ -37,7 +37,7 @@
 namespace link_bounds {
 namespace {
 
-constexpr double kRounding = 104 * kUnitRoundoff;  // both are derived above
+constexpr double kRounding = 128 * kUnitRoundoff;  // both are derived above
 constexpr double kPointTolerance = 2 * kTableTolerance;
 
 /// What products and squares of tiny numbers may lose [m]. Much smaller lengths have no square.
