@@ -375,9 +375,10 @@ TEST(Leases, boundEveryPairOfPoints) {
     const double then = (a0 * p - b0 * q).norm(), now = (a1 * p - b1 * q).norm();
     const BodyDistance found{
         then, then, a0 * p, b0 * q, (b0 * q - a0 * p) / then, DistanceLevel::kHull};
-    const Lease lease(found, placed(first, p, a0), placed(second, q, b0));
+    const RigidBody p0 = placed(first, p, a0), q0 = placed(second, q, b0);
+    const Lease lease(found, PosePair(p0, q0), p0, q0);
     const RigidBody p1 = placed(first, p, a1), q1 = placed(second, q, b1);
-    const BodyDistance carried = lease.carried(lease.motion(p1, q1), p1, q1);
+    const BodyDistance carried = lease.carried(lease.motion(PosePair(p1, q1), p1, q1), p1, q1);
     ASSERT_LE(carried.lower, now);
     ASSERT_GE(carried.upper, now);
   }
