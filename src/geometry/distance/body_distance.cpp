@@ -72,6 +72,7 @@ class HullSearch {
         goal_{goal.accuracy, above(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
         open_(room.open),
+        room_(room),
         motion_(motion),
         rounding_(pairRounding(first, second)),
         steps_left_(goal.max_steps) {}
@@ -159,7 +160,8 @@ class HullSearch {
       const NearestOfHulls nearest{lower, hulls.lower > 0 ? hulls.normal : startOf(candidate),
                                    pair.first_at.toSearch(simplex.first()),
                                    pair.second_at.toSearch(simplex.second())};
-      const double found = searchTrees(pair, nearest, trees, goal_, steps_left_, witness_);
+      const double found =
+          searchTrees(pair, nearest, trees, goal_, steps_left_, witness_, room_.trees);
       if (found > lower) level = DistanceLevel::kMesh;
       lower = found;
     }
@@ -251,6 +253,7 @@ class HullSearch {
   DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
   std::vector<Candidate>& open_;
+  SearchRoom& room_;
   const PairMotion& motion_;
   double rounding_;
   std::size_t steps_left_;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A leaf of a tree during a search.
+// How far the triangles of two leaves are apart along directions that a search tries. This is in
+// floats; the pairs that it leaves open are compared in doubles.
 #pragma once
-
-#include <algorithm>
 
 #include "geometry/distance/triangle_tree.h"
 
@@ -17,38 +16,93 @@ inline Triangle placed(const TriangleTree& tree, std::uint32_t triangle, const P
   return corners;
 }
 
-/// The triangles of a leaf, and how far they extend along a direction.
-class Leaf {
+/// A number for each triangle of a leaf. Where there are fewer, the last one is repeated.
+using Lanes = Eigen::Array<float, kTrianglesPerLeaf, 1>;
+
+/// A leaf in the axes of a search.
+struct PlacedLeaf {
+  /// A point or a vector for each triangle.
+  struct Vectors {
+    Lanes x, y, z;
+
+    Lanes dot(const Vectors& other) const { return x * other.x + y * other.y + z * other.z; }
+    Lanes dot(const Eigen::Vector3f& d) const { return x * d.x() + y * d.y() + z * d.z(); }
+    Eigen::Vector3f of(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+  };
+
+  void place(const TriangleTree& tree, std::uint32_t node, const Placement& at);
+
+  Lanes farthest(const Eigen::Vector3f& d) const {
+    return corners[0].dot(d).max(corners[1].dot(d)).max(corners[2].dot(d));
+  }
+  Lanes nearest(const Eigen::Vector3f& d) const {
+    return corners[0].dot(d).min(corners[1].dot(d)).min(corners[2].dot(d));
+  }
+
+  std::uint32_t first = 0;  ///< triangle
+  std::uint32_t count = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of the node's box
+  /// No coordinate of a corner, seen from the centre, is larger. Infinite where floats might
+  /// overflow: then what follows is not known.
+  double size = 0;
+  std::array<Vectors, 3> corners;  ///< from the centre
+  Vectors normals;                 ///< of the planes; unit, or zero
+  Lanes low, high;                 ///< of each triangle along its own normal, from the centre
+};
+
+/// The pairs of triangles of two leaves, which must live as long.
+class LeafGaps {
  public:
-  Leaf(const TriangleTree& tree, std::uint32_t node, const Placement& at)
-      : count(tree.nodes[node].count), first(tree.nodes[node].first), tree_(tree), at_(at) {}
+  /// Looks along a unit direction. `rounding` bounds the error of a distance in doubles.
+  LeafGaps(const PlacedLeaf& first, const PlacedLeaf& second, double rounding,
+           const Eigen::Vector3d& first_to_second);
 
-  /// Finds how far the triangles from `begin` to `end` extend along a direction. The others keep
-  /// what they have of another one.
-  void project(const Eigen::Vector3d& direction, std::uint32_t begin, std::uint32_t end) {
-    const Eigen::Vector3d d = at_.toShape(direction);
-    const double origin = at_.translation.dot(direction);
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const auto& [a, b, c] = tree_.triangles[first + i];
-      farthest[i] = origin + std::max({d.dot(tree_.vertices[a]), d.dot(tree_.vertices[b]),
-                                       d.dot(tree_.vertices[c])});
-    }
-  }
+  /// Looks at all pairs along a unit direction.
+  void raiseAlong(const Eigen::Vector3d& first_to_second);
+  /// Looks at triangle i of the first leaf and all of the second, across the plane of i.
+  void raiseAcrossFirst(std::uint32_t i);
+  /// Looks at triangle j of the second leaf and all of the first, across the plane of j.
+  void raiseAcrossSecond(std::uint32_t j);
 
-  /// All must be projected on the same direction.
-  double farthestOfAll() const {
-    return *std::max_element(farthest.begin(), farthest.begin() + count);
-  }
+  /// Such a pair is not open.
+  void setFarEnough(double far_enough);
+  bool isOpen(std::uint32_t i) const { return !(gaps_.col(i).minCoeff() >= enough_); }
+  bool isOpen(std::uint32_t i, std::uint32_t j) const { return !(gaps_(j, i) >= enough_); }
+  /// The caller knows this pair better.
+  void close(std::uint32_t i, std::uint32_t j);
 
-  Triangle placed(std::uint32_t i) const { return link_bounds::placed(tree_, first + i, at_); }
-
-  std::uint32_t count;
-  std::uint32_t first;                             ///< the index of the first one in the tree
-  std::array<double, kTrianglesPerLeaf> farthest;  ///< along its last direction, from the origin
+  /// How far all pairs are proven to be apart, but for those that are closed.
+  double lower() const;
 
  private:
-  const TriangleTree& tree_;
-  const Placement& at_;
+  const PlacedLeaf& first_;
+  const PlacedLeaf& second_;
+  Eigen::Vector3f between_;  ///< from centre to centre
+  double pad_;
+  bool is_small_;
+  float enough_ = 0;
+  Eigen::Array<float, kTrianglesPerLeaf, kTrianglesPerLeaf> gaps_;  ///< the largest so far, (j, i)
+};
+
+/// The leaves of a tree that a search has placed last.
+class PlacedLeaves {
+ public:
+  /// Before each search.
+  void clear() { nodes_.fill(kNone); }
+
+  const PlacedLeaf& at(const TriangleTree& tree, std::uint32_t node, const Placement& placement) {
+    const std::size_t slot = node % kSlots;
+    if (nodes_[slot] != node) leaves_[slot].place(tree, node, placement);
+    nodes_[slot] = node;
+    return leaves_[slot];
+  }
+
+ private:
+  static constexpr std::size_t kSlots = 16;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  std::array<std::uint32_t, kSlots> nodes_;
+  std::array<PlacedLeaf, kSlots> leaves_;
 };
 
 }  // namespace link_bounds

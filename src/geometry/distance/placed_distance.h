@@ -30,6 +30,7 @@ struct SearchRoom {
     double lower;  ///< proven by the boxes [m]
   };
   std::vector<ShapeIndices> open;
+  TreeScratch trees;
 };
 
 /// Nothing unless the boxes of the bodies prove that these are farther apart than `limit`. Most

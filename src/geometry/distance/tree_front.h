@@ -21,8 +21,9 @@ class CarriedBound {
  public:
   CarriedBound() = default;  ///< 0
   CarriedBound(double lower, double moved) {
-    const float sum = static_cast<float>(std::min(lower + moved, kLargest));
-    sum_ = std::nextafter(sum, -std::numeric_limits<float>::infinity());  // covers all rounding
+    const double sum = std::min(lower + moved, kLargest);
+    // Below the sum, whatever rounding does: half an ulp of a float is 2^-24 of it.
+    sum_ = static_cast<float>(sum - (kRoundedDown * std::abs(sum) + kUnderflow));
   }
 
   /// May be negative.
@@ -31,6 +32,8 @@ class CarriedBound {
  private:
   static constexpr double kLargest = 1e30;
   static constexpr double kRoundedUp = 1 + 4 * kUnitRoundoff;
+  static constexpr double kRoundedDown = 0x1p-23;
+  static constexpr double kUnderflow = 1e-40;
 
   float sum_ = 0;
 };
@@ -50,20 +53,22 @@ struct FrontPair {
 class Front {
  public:
   bool isEmpty() const { return pairs_.empty(); }
-  const std::vector<FrontPair>& pairs() const { return pairs_; }
 
-  /// `pairs` came of the whole trees.
-  void begin(std::vector<FrontPair> pairs) {
-    largest_ = std::min(kLargest, pairs.size() * 3 / 2);
+  /// A search renews them in place, which saves the time and the memory of a copy, and then calls
+  /// one of the following.
+  std::vector<FrontPair>& pairs() { return pairs_; }
+
+  /// They came of the whole trees.
+  void begin() {
+    largest_ = std::min(kLargest, pairs_.size() * 3 / 2);
     searches_ = 0;
-    keep(std::move(pairs));
+    keep();
   }
 
-  /// `pairs` came of this front. On the way pairs are divided but never joined, so a front that has
+  /// They came of this front. On the way pairs are divided but never joined, so a front that has
   /// grown or is old is forgotten, and the next search begins with the whole trees.
-  void keep(std::vector<FrontPair> pairs) {
-    pairs_ = std::move(pairs);
-    if (pairs_.size() > largest_ || ++searches_ > kSearches) pairs_ = {};
+  void keep() {
+    if (pairs_.size() > largest_ || ++searches_ > kSearches) pairs_.clear();
     if (pairs_.capacity() > kLargest) pairs_.shrink_to_fit();
   }
 

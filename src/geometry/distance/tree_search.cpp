@@ -26,13 +26,6 @@ constexpr std::size_t kSample = 24;
 /// Half of the accuracy is left to what follows.
 constexpr double kLeafTolerance = 0.25;
 
-struct NodePair {
-  std::uint32_t first;
-  std::uint32_t second;
-  Separation separation;
-  bool has_compared_hulls = false;
-};
-
 bool isLeaf(const BodyShape& shape, std::uint32_t node) {
   return !shape.triangles || shape.triangles->nodes[node].isLeaf();
 }
@@ -54,26 +47,31 @@ auto withNode(const BodyShape& shape, std::uint32_t node, const Use& use) {
 class NodeSearch {
  public:
   NodeSearch(const ShapePair& pair, const NearestOfHulls& hulls, const DistanceGoal& goal,
-             std::size_t& steps_left, Witness& witness)
-      : pair_(pair), hulls_(hulls), goal_(goal), steps_left_(steps_left), witness_(witness) {}
+             std::size_t& steps_left, Witness& witness, TreeMemory& memory, TreeScratch& scratch)
+      : pair_(pair),
+        hulls_(hulls),
+        goal_(goal),
+        steps_left_(steps_left),
+        witness_(witness),
+        memory_(memory),
+        front_(memory.front.pairs()),
+        scratch_(scratch) {
+    scratch_.clear();
+  }
 
-  double run(TreeMemory& memory) {
-    nearest_ = memory.nearest;
-    const bool is_first = !nearest_;
-    if (!is_first) guess(*nearest_);
+  double run() {
+    const bool is_first = !memory_.nearest;
+    if (!is_first) guess(*memory_.nearest);
     // The first search divides more than is needed when its witness is known.
     keeps_front_ = pair_.isFollowed() && !is_first;
-    open_.reserve(8);
-    front_.reserve(memory.front.pairs().size() + 8);
-    if (goOn(memory.front)) {
-      memory.front.keep(std::move(front_));
+    if (goOn()) {
+      memory_.front.keep();
     } else {
       if (hulls_.lower < farEnough()) guessByHulls();
-      open_.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
+      scratch_.open.push_back({0, 0, {hulls_.lower, 0, hulls_.normal}});
       empty();
-      if (keeps_front_) memory.front.begin(std::move(front_));
+      memory_.front.begin();
     }
-    memory.nearest = nearest_;
     return lower_;
   }
 
@@ -83,9 +81,9 @@ class NodeSearch {
 
   /// Compares what is open, until nothing is.
   void empty() {
-    while (!open_.empty()) {
-      const NodePair pair = open_.back();
-      open_.pop_back();
+    while (!scratch_.open.empty()) {
+      const NodePair pair = scratch_.open.back();
+      scratch_.open.pop_back();
       if (pair.separation.lower >= farEnough() || steps_left_ == 0) {
         drop(pair);
       } else if (isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second)) {
@@ -100,37 +98,38 @@ class NodeSearch {
   /// Most pairs of the last front are still proven to be far enough apart, by what was proven then
   /// or by the direction that did it then; the others are looked at. False, and nothing is done, if
   /// more than three quarters are not: then the front is of another time.
-  bool goOn(const Front& last) {
-    if (last.isEmpty()) return false;
+  bool goOn() {
+    if (front_.empty()) return false;
     const Eigen::Matrix3d& axes = resting(*pair_.first_rigid, *pair_.second_rigid).axes;
     std::optional<NodeMotion> motion;
-    std::vector<NodePair> near;
-    for (const FrontPair& known : last.pairs()) {
-      double carried = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
-      if (carried >= farEnough()) {
-        lower_ = std::min(lower_, carried);
-        front_.push_back(known);
-        continue;
+    std::vector<NodePair>& near = scratch_.near;
+    const double far_enough = farEnough();
+    auto held = front_.begin();
+    for (FrontPair& known : front_) {
+      double lower = std::max(hulls_.lower, known.bound.at(pair_.motion.moved));
+      if (!(lower >= far_enough)) {
+        if (!motion) motion.emplace(pair_);
+        lower = known.bound.at(pair_.motion.moved_then) - motion->approach(known);
+        if (lower >= far_enough) {
+          known.bound = {lower, pair_.motion.moved};
+        } else {
+          NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
+          pair.separation.normal = (axes * known.normal.cast<double>()).normalized();
+          pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
+          lower = pair.separation.lower;
+          if (!(lower >= far_enough)) {
+            near.push_back(pair);
+            if (near.size() >= kSample && isOfAnotherTime(held - front_.begin())) return giveUp();
+            continue;
+          }
+          known = dropped(pair);
+        }
       }
-      if (!motion) motion.emplace(pair_);
-      carried = known.bound.at(pair_.motion.moved_then) - motion->approach(known);
-      if (carried >= farEnough()) {
-        lower_ = std::min(lower_, carried);
-        front_.push_back(known);
-        front_.back().bound = {carried, pair_.motion.moved};
-        continue;
-      }
-      NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
-      pair.separation.normal = (axes * known.normal.cast<double>()).normalized();
-      pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
-      if (pair.separation.lower >= farEnough()) {
-        drop(pair);
-        continue;
-      }
-      near.push_back(pair);
-      if (near.size() >= kSample && isOfAnotherTime(near)) return giveUp();
+      lower_ = std::min(lower_, lower);
+      *held++ = known;
     }
-    if (isOfAnotherTime(near)) return giveUp();
+    if (isOfAnotherTime(held - front_.begin())) return giveUp();
+    front_.erase(held, front_.end());
     for (NodePair& pair : near) {
       if (steps_left_ > 0) {
         --steps_left_;
@@ -142,9 +141,9 @@ class NodeSearch {
     return true;
   }
 
-  /// `near` of the pairs of the last front that were looked at do not hold any more.
-  bool isOfAnotherTime(const std::vector<NodePair>& near) const {
-    return 4 * near.size() > 3 * (near.size() + front_.size());
+  /// Of those pairs of the last front that were looked at, so many still hold.
+  bool isOfAnotherTime(std::ptrdiff_t held) const {
+    return scratch_.near.size() > 3 * static_cast<std::size_t>(held);
   }
 
   bool giveUp() {
@@ -188,14 +187,17 @@ class NodeSearch {
   /// Of a pair that cannot change the result, or that no steps are left for.
   void drop(const NodePair& pair) {
     lower_ = std::min(lower_, pair.separation.lower);
-    if (!keeps_front_) return;
+    if (keeps_front_) front_.push_back(dropped(pair));
+  }
+
+  FrontPair dropped(const NodePair& pair) const {
     const RigidBody& rests = resting(*pair_.first_rigid, *pair_.second_rigid);
     const Eigen::Vector3d normal = rests.axes.transpose() * pair.separation.normal;
-    front_.push_back({pair.first,
-                      pair.second & FrontPair::kMaxNode,
-                      pair.separation.is_along,
-                      normal.cast<float>(),
-                      {pair.separation.lower, pair_.motion.moved}});
+    return {pair.first,
+            pair.second & FrontPair::kMaxNode,
+            pair.separation.is_along,
+            normal.cast<float>(),
+            {pair.separation.lower, pair_.motion.moved}};
   }
 
   void guess(const TrianglePair& triangles) {
@@ -280,7 +282,7 @@ class NodeSearch {
     if (pair.separation.lower >= farEnough()) {
       drop(pair);
     } else {
-      open_.push_back(pair);
+      scratch_.open.push_back(pair);
     }
   }
 
@@ -380,74 +382,57 @@ class NodeSearch {
   /// Most pairs of triangles are far enough apart along the direction that decided last, or across
   /// the plane of one of them.
   void compareTriangles(const NodePair& pair, bool counts) {
-    Leaf first(*pair_.first.triangles, pair.first, pair_.first_at);
-    Leaf second(*pair_.second.triangles, pair.second, pair_.second_at);
-    Eigen::Vector3d normal = pair.separation.normal;
-    double all = std::numeric_limits<double>::infinity();
-    bool is_along = pair.separation.is_along;
-    std::uint32_t stale = second.count;  // before it, triangles are not projected on `normal`
-    for (std::uint32_t i = 0; i < first.count; ++i) {
-      std::optional<PlacedTriangle> a;
-      first.project(normal, i, i + 1);
-      second.project(-normal, 0, stale);
-      stale = 0;
-      const double row = std::max(pair.separation.lower,
-                                  -first.farthest[i] - second.farthestOfAll() - pair_.pad());
-      if (row >= farEnough()) {
-        all = std::min(all, row);
-        continue;
-      }
-      for (std::uint32_t j = 0; j < second.count; ++j) {
-        const double gap = -first.farthest[i] - second.farthest[j];
-        double lower = std::max(pair.separation.lower, gap - pair_.pad());
-        if (!(lower >= farEnough())) {
-          is_along = false;
-          if (!a) a.emplace(first.placed(i));
-          lower = std::max(lower, compare({first.first + i, second.first + j}, *a,
-                                          PlacedTriangle(second.placed(j)), normal));
-          stale = j + 1;
-          first.project(normal, i, i + 1);
-          second.project(-normal, stale, second.count);
-        }
-        all = std::min(all, lower);
-      }
+    const PlacedLeaf& first =
+        scratch_.first_leaves.at(*pair_.first.triangles, pair.first, pair_.first_at);
+    const PlacedLeaf& second =
+        scratch_.second_leaves.at(*pair_.second.triangles, pair.second, pair_.second_at);
+    LeafGaps gaps(first, second, pair_.rounding, pair.separation.normal);
+    Separation all = pair.separation;
+    all.raise(gaps.lower() - pair_.balls(), all.normal);
+    if (!(all.lower >= farEnough())) {
+      const double lower = compareTriangles(first, second, gaps, all.normal);
+      all.lower = std::max(pair.separation.lower, lower);
+      all.is_along = false;
     }
-    if (counts) drop({pair.first, pair.second, {all, 0, normal, is_along}});
+    if (counts) drop({pair.first, pair.second, all});
   }
 
-  struct PlacedTriangle {
-    explicit PlacedTriangle(const Triangle& its_corners) : corners(its_corners) {
-      const Eigen::Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-      const double length = across.norm();
-      if (length > kShortest) normal = across / length;
+  /// Returns how far all pairs are proven to be apart. `normal` becomes the last direction.
+  double compareTriangles(const PlacedLeaf& first, const PlacedLeaf& second, LeafGaps& gaps,
+                          Eigen::Vector3d& normal) {
+    double lower = std::numeric_limits<double>::infinity();
+    gaps.setFarEnough(farEnough() + pair_.balls());
+    for (std::uint32_t i = 0; i < first.count; ++i) {
+      if (!gaps.isOpen(i)) continue;
+      gaps.raiseAcrossFirst(i);
+      for (std::uint32_t j = 0; j < second.count; ++j) {
+        if (!gaps.isOpen(i, j)) continue;
+        gaps.raiseAcrossSecond(j);
+        if (!gaps.isOpen(i, j)) continue;
+        lower = std::min(lower, compare({first.first + i, second.first + j}, normal));
+        gaps.close(i, j);
+        gaps.raiseAlong(normal);
+        gaps.setFarEnough(farEnough() + pair_.balls());
+      }
     }
-    Triangle corners;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, of its plane, if it has an area
-  };
+    return std::min(lower, gaps.lower() - pair_.balls());
+  }
 
   /// Returns how far the two triangles are proven to be apart, and the direction that proves it.
-  double compare(const TrianglePair& triangles, const PlacedTriangle& first,
-                 const PlacedTriangle& second, Eigen::Vector3d& normal) {
-    for (const PlacedTriangle* triangle : {&first, &second}) {
-      const double side = triangle->normal.dot(second.corners[0] - first.corners[0]);
-      const Eigen::Vector3d across = std::copysign(1.0, side) * triangle->normal;
-      const double lower = gapAlong(across, first.corners, second.corners) - pair_.pad();
-      if (!(lower >= farEnough())) continue;
-      normal = across;
-      return lower;
-    }
-    const PointPair nearest =
-        nearestPoints(first.corners, second.corners, farEnough() + pair_.pad());
+  double compare(const TrianglePair& triangles, Eigen::Vector3d& normal) {
+    const Triangle first = placed(*pair_.first.triangles, triangles.first, pair_.first_at);
+    const Triangle second = placed(*pair_.second.triangles, triangles.second, pair_.second_at);
+    const PointPair nearest = nearestPoints(first, second, farEnough() + pair_.pad());
     offer(triangles, nearest.on_first, nearest.on_second);
     const Eigen::Vector3d between = nearest.on_second - nearest.on_first;
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
     normal = between / length;
-    return gapAlong(normal, first.corners, second.corners) - pair_.pad();
+    return gapAlong(normal, first, second) - pair_.pad();
   }
 
   void offer(const TrianglePair& triangles, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    if (pair_.improve(witness_, a, b)) nearest_ = triangles;
+    if (pair_.improve(witness_, a, b)) memory_.nearest = triangles;
   }
 
   const ShapePair& pair_;
@@ -456,17 +441,18 @@ class NodeSearch {
   std::size_t& steps_left_;
   Witness& witness_;
   double lower_ = std::numeric_limits<double>::infinity();  ///< of all pairs that are dropped
-  std::optional<TrianglePair> nearest_;
-  std::vector<NodePair> open_;
   bool keeps_front_ = false;
-  std::vector<FrontPair> front_;  ///< all pairs that are dropped
+  TreeMemory& memory_;
+  std::vector<FrontPair>& front_;  ///< all pairs that are dropped
+  TreeScratch& scratch_;
 };
 
 }  // namespace
 
 double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
-                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness) {
-  return NodeSearch(pair, hulls, goal, steps_left, witness).run(memory);
+                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness,
+                   TreeScratch& scratch) {
+  return NodeSearch(pair, hulls, goal, steps_left, witness, memory, scratch).run();
 }
 
 }  // namespace link_bounds

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/distance/leaf.h"
 #include "geometry/distance/placed_body.h"
+#include "geometry/distance/placed_box.h"
 #include "geometry/distance/tree_front.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 
@@ -29,6 +31,30 @@ struct TrianglePair {
 struct TreeMemory {
   std::optional<TrianglePair> nearest;
   Front front;
+};
+
+/// Two nodes that a search has not decided yet.
+struct NodePair {
+  std::uint32_t first;
+  std::uint32_t second;
+  Separation separation;
+  bool has_compared_hulls = false;
+};
+
+/// What a search needs only until it ends. Searches one after the other allocate less with the
+/// same one.
+struct TreeScratch {
+  std::vector<NodePair> open;
+  std::vector<NodePair> near;  ///< those of the last front that do not hold any more
+  PlacedLeaves first_leaves;
+  PlacedLeaves second_leaves;
+
+  void clear() {
+    open.clear();
+    near.clear();
+    first_leaves.clear();
+    second_leaves.clear();
+  }
 };
 
 /// How much nearer two bodies may have come [m]
@@ -58,8 +84,11 @@ struct ShapePair {
   ShapeHull firstHull() const { return {first, first_ball.outside > 0}; }
   ShapeHull secondHull() const { return {second, second_ball.outside > 0}; }
 
-  /// How much nearer the shapes may be than their cores are computed to be.
-  double pad() const { return rounding + first_ball.outside + second_ball.outside; }
+  /// How much nearer the shapes are than their cores, at most.
+  double balls() const { return first_ball.outside + second_ball.outside; }
+
+  /// The same, with the error of a computed bound.
+  double pad() const { return rounding + balls(); }
 
   /// Takes the points of the two shapes between a point of each core where these are nearer. True
   /// if they are.
@@ -96,6 +125,7 @@ struct NearestOfHulls {
 /// witness.distance - accuracy. `memory` says where to look first. A bound in
 /// it still holds once reduced by what pair.motion.moved has grown by since.
 double searchTrees(const ShapePair& pair, const NearestOfHulls& hulls, TreeMemory& memory,
-                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness);
+                   const DistanceGoal& goal, std::size_t& steps_left, Witness& witness,
+                   TreeScratch& scratch);
 
 }  // namespace link_bounds
