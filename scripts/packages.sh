@@ -87,20 +87,23 @@ install_named() {
   as_root true 2>/dev/null || { [ -t 0 ] && sudo -v; } || true  # the user at a terminal is asked
   as_root true || fail "installing needs root, and sudo asks for a password or is not there;" \
     "as root, please: apt-get update; apt-get install --no-install-recommends $*"
-  { as_root apt-get update -q &&
+  # A repository that cannot be read may be one that is not needed.
+  { as_root apt-get update -q || true
     as_root apt-get install -y -q --no-install-recommends "$@"
   } >"$log" 2>&1 </dev/null || {
-    tail -n 20 "$log" >&2
+    { grep '^[EW]: ' "$log" || true
+      tail -n 20 "$log"
+    } | awk '!seen[$0]++' >&2
     fail "installing failed; the complete log is $log"
   }
 }
 
 # install_what_exists GROUP: as install_packages, but only names the packages that this system does
-# not have.
+# not have. Where apt has no lists yet, installing gets them.
 install_what_exists() {
   local name
   for name in $(missing_packages "$1"); do
-    if exists "$name"; then
+    if exists "$name" || ! has_lists; then
       (install_named "$name") || say "$name could not be installed; it is left out"
     else
       say "There is no package $name here; it is left out"
@@ -109,6 +112,9 @@ install_what_exists() {
 }
 
 exists() { apt-cache show "$1" >/dev/null 2>&1; }
+
+# The lists of a usable system have apt itself.
+has_lists() { [ -n "$(apt-cache madison apt 2>/dev/null)" ]; }
 
 missing_packages() {
   local group name
