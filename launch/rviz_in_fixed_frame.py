@@ -21,6 +21,11 @@ sys.path += [HERE, os.path.join(HERE, 'demo')]
 from demo_arguments import version  # noqa: E402
 
 
+def package_of_rviz():
+    distro = os.environ.get('ROS_DISTRO', 'Debian')
+    return 'rviz' if distro == 'Debian' else f'ros-{distro}-rviz'
+
+
 def main():
     if {'-h', '--help'} & set(sys.argv[1:]):
         print(__doc__.strip())
@@ -29,8 +34,8 @@ def main():
         print('rviz_in_fixed_frame.py', version())
         return
     if not shutil.which('rviz'):
-        sys.exit('rviz_in_fixed_frame: rviz is not installed; install its package: '
-                 'rviz on Debian, ros-noetic-rviz on Ubuntu')
+        sys.exit('rviz_in_fixed_frame: rviz is not installed; install its package '
+                 + package_of_rviz())
     rospy.init_node('rviz_in_fixed_frame', anonymous=True)
     try:
         boxes = rospy.wait_for_message('link_bounds_publisher/boxes', AxisAlignedBoxArray)

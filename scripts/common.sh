@@ -31,7 +31,8 @@ clean_environment() {
 }
 
 # refuse_other_ros [ROOT]: the packages of ROS from elsewhere and those of Debian exclude each other.
-# Ubuntu has Debian's in 20.04 and 22.04 only. ROOT is the folder in which the system lies.
+# Ubuntu has Debian's in 20.04 and 22.04 only; in 20.04, env and debhelper are too old for the scripts.
+# ROOT is the folder in which the system lies.
 refuse_other_ros() {
   local root=${1:-} remedy="doc/deployment.md, section Noetic or ROS One, says how to build there"
   local other=${ROS_DISTRO:-} codename setup
@@ -49,7 +50,9 @@ refuse_other_ros() {
   [ -z "$other" ] || fail "ROS $other is set up here, but this script builds with the ROS packages" \
     "of Debian or Ubuntu: $remedy"
   case $codename in
-    '' | focal | jammy) ;;
+    '' | jammy) ;;
+    focal) fail "Ubuntu's release focal is too old for this script: install ROS Noetic, and build with" \
+      "rosdep and catkin; doc/deployment.md, section Noetic, has the commands" ;;
     *) fail "Ubuntu's release $codename has no packages of ROS 1: install ROS One;" \
       "doc/deployment.md, section ROS One, has the commands" ;;
   esac

@@ -67,9 +67,9 @@ class CommandLinesTest(unittest.TestCase):
 
     def run_program(self, program, *arguments):
         """Exit code, standard output and standard error; fails if the program called the ROS
-        master, which here never answers."""
-        environment = dict(os.environ, PYTHONPATH=self.python_path, ROS_MASTER_URI=
-                           'http://localhost:%d' % self.master.getsockname()[1])
+        master, which here never answers. As beside another ROS, in which scripts do nothing else."""
+        environment = dict(os.environ, PYTHONPATH=self.python_path, ROS_DISTRO='noetic',
+                           ROS_MASTER_URI='http://localhost:%d' % self.master.getsockname()[1])
         done = subprocess.run([program, *arguments], env=environment, timeout=TIMEOUT, check=False,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, encoding='utf-8')
@@ -120,6 +120,12 @@ class CommandLinesTest(unittest.TestCase):
         page = (PACKAGE / 'doc/tools.md').read_text().split('| `scripts/bench` | measures: ')[1]
         self.assertEqual(re.findall('`(.*?)`', page.split(';')[0]),
                          re.findall('[a-z-]+', usage.split('[')[0]))
+
+    def test_the_synopsis_names_all_options_of_benchmarks(self):
+        usage = (PACKAGE / 'scripts/bench').read_text().split('usage: scripts/bench ')[1]
+        sources = [path.read_text() for path in (PACKAGE / 'test/bench').rglob('*.py')]
+        self.assertLessEqual(set(re.findall(r'add_argument\("(--[a-z-]+)"', ' '.join(sources))),
+                             set(re.findall('--[a-z-]+', usage.split('\n\n')[0])))
 
     def test_rosrun_finds_each_program_once(self):
         """It also looks in the checkout, for files that are executable."""

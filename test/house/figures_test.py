@@ -101,6 +101,12 @@ class FiguresTest(unittest.TestCase):
             self.assertEqual(len(wrong), 1)
             self.assertIn('core/welded_scan/ns / core/paper_loop/ns: ', wrong[0])
 
+    def test_a_part_beside_a_mode_that_takes_none(self):
+        for mode in ('--check', '--texts', '--write'):
+            code, text = self.run_script(mode, 'core')
+            self.assertEqual(code, 2, text)
+            self.assertIn('a PART is only measured', text)
+
     def test_missed_targets_are_explained(self):
         page = (PACKAGE / 'doc/measurements.md').read_text('utf-8')
         reasons = ' '.join(page[page.index('## Where it falls short'):].split())

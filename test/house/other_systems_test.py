@@ -17,6 +17,7 @@ import yaml
 PACKAGE = pathlib.Path()
 DEBIAN = 'ID=debian\nVERSION_CODENAME=bookworm\n'
 JAMMY = 'ID=ubuntu\nVERSION_CODENAME=jammy\nUBUNTU_CODENAME=jammy\n'
+FOCAL = 'ID=ubuntu\nVERSION_CODENAME=focal\nUBUNTU_CODENAME=focal\n'
 NOBLE = 'ID=ubuntu\nVERSION_CODENAME=noble\nUBUNTU_CODENAME=noble\n'
 MINT = 'ID=linuxmint\nID_LIKE="ubuntu debian"\nVERSION_CODENAME=wilma\nUBUNTU_CODENAME=noble\n'
 ROS_2 = {'etc/apt/sources.list.d/ros2.list': 'deb http://packages.ros.org/ros2/ubuntu jammy main\n'}
@@ -59,6 +60,10 @@ class OtherSystemsTest(unittest.TestCase):
         self.check_refused(self.answer(JAMMY, ROS_2), 'another apt repository', 'ROS One')
         commented = {name: '# ' + text for name, text in ROS_2.items()}
         self.assertEqual(self.answer(JAMMY, commented), '')
+
+    def test_ubuntu_20_04_is_too_old(self):
+        self.check_refused(self.answer(FOCAL), 'focal', 'rosdep and catkin', 'section Noetic')
+        self.check_refused(self.answer(FOCAL, {'opt/ros/noetic/setup.sh': ''}), 'ROS noetic')
 
     def test_ubuntu_24_04_has_no_ros(self):
         self.check_refused(self.answer(NOBLE), 'noble', 'ROS One')
