@@ -146,6 +146,15 @@ class GetRobotsTest(unittest.TestCase):
                 self.repository.joinpath('robots/arm/meshes/a.stl').unlink()
             self.check_missing('meshes/a.stl', self.commit())
 
+    def test_the_soak_names_the_script_that_gets_its_robot(self):
+        text = (PACKAGE / 'scripts/soak').read_text()
+        text = text.replace('$(dirname "${BASH_SOURCE[0]}")', str(PACKAGE / 'scripts'))
+        done = subprocess.run(['bash', '-c', text.replace('\nmain "$@"\n', '\nchoose_robot\n')],
+                              env=dict(os.environ, LINK_BOUNDS_DATA=str(self.root)), check=False,
+                              stderr=subprocess.PIPE, encoding='utf-8')
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('scripts/get_robots gets it', done.stderr)
+
     def test_the_page_has_the_list(self):
         """Of each package the file of the robot, where it is from, and what makes it."""
         rows = []
