@@ -16,6 +16,7 @@
 #include "robot/urdf/limit_warnings.h"
 #include "robot/urdf/simple_joints.h"
 #include "tools/command_line/interrupt.h"
+#include "tools/command_line/outcome.h"
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/path/path_limits.h"
 #include "tools/urdf_bounds/request/objects.h"
@@ -251,7 +252,7 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
   const BoundedRobot objects = objectsOf(shared, request.objects);
   const PathBodies bodies =
       pathBodies(shared.described(), shared.bounded(), objects, Exemptions(disabled));
-  if (bodies.pairs.empty()) warnInPython("no two bodies were compared");
+  if (bodies.pairs.empty()) warnInPython(kNothingCompared);
   const auto proofs = interruptible([&](const StopFlag& stop) {
     PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),
                         request.jobs == 0 ? coreCount() : request.jobs};

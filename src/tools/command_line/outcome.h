@@ -15,6 +15,9 @@ constexpr int kUnusable = 1;
 /// Something was not answered, see Outcome::open.
 constexpr int kOpen = 4;
 
+/// What is open where there was no pair.
+constexpr char kNothingCompared[] = "no two bodies were compared";
+
 struct Outcome {
   bool is_unusable = false;       ///< the input allows no answer
   bool has_finding = false;       ///< an entry, a distance undercut, an exemption that is wrong

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tools/bag_bounds/scene/record_time.h"
+#include "tools/command_line/outcome.h"
 #include "tools/formats/table_text.h"
 
 namespace link_bounds {
@@ -165,7 +166,7 @@ class Writer {
       if (report_.has_compared) {
         out_ << "(no pair was ever within " << shortNumber(report_.distance_limit) << " m)\n";
       } else {
-        out_ << "(no two bodies were compared)\n";
+        out_ << "(" << kNothingCompared << ")\n";
       }
       return;
     }

@@ -385,7 +385,7 @@ Outcome BagRun::outcome(const BagReport& report) const {
   if (!pairs_) return outcome;
   if (pairs_->wasInterrupted())
     outcome.open.emplace_back("distances of the last step, which was interrupted");
-  if (!pairs_->hasCompared()) outcome.open.emplace_back("no two bodies were compared");
+  if (!pairs_->hasCompared()) outcome.open.emplace_back(kNothingCompared);
   outcome.addOpen("names of which not all distances are known", pairs_->incomplete().size());
   if (pairs_->undecided() > 0)
     warn(std::to_string(pairs_->undecided()) +

@@ -261,7 +261,7 @@ Outcome writePath(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   Outcome outcome;
   outcome.has_finding = countOf(result, PathVerdict::kCollides) > 0;
   outcome.lost_geometry = !result.incomplete.empty();
-  if (bodies.pairs.empty()) outcome.open.emplace_back("no two bodies were compared");
+  if (bodies.pairs.empty()) outcome.open.emplace_back(kNothingCompared);
   outcome.addOpen("incomplete names", result.incomplete.size());
   outcome.addOpen("UNDECIDED segments", countOf(result, PathVerdict::kUndecided));
   outcome.addOpen("SAFE segments that are not in the certificate", uncertified);
