@@ -122,10 +122,9 @@ class Contacts {
 
 }  // namespace
 
-std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const StopRules& rules,
-                                                      const JointStates* states,
-                                                      TriangleTrees::Time now,
-                                                      const std::function<bool()>& is_cancelled) {
+std::optional<ComputedContacts> ContactTimes::compute(
+    PastScene& scene, const StopRules& rules, const JointStates* states, TriangleTrees::Time now,
+    const std::function<bool()>& is_cancelled) try {
   BodyWays ways(scene, rules, WayPurpose::kContact, states);
   const WayBoxes boxes = wayBoxes(scene, ways, [](const PastBody& body, const BodyWay& way) {
     return linkBox(*body.bounded, way.pose);
@@ -152,6 +151,9 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
   if (!boxes.have_poses) result.array.valid_until = ros::Time();
   result.problem = boxes.problem;
   return result;
+} catch (...) {  // what is remembered may be of half a scene
+  forget();
+  throw;
 }
 
 void ContactTimes::forget() {

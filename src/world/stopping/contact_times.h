@@ -25,7 +25,8 @@ class ContactTimes {
       : requests_(std::move(requests)), distances_(requests_) {}
 
   /// Of a copy that wayRequest() asked for. The rules are those of its model; `states` may be null.
-  /// Nothing if `is_cancelled`, which is asked now and then, said so.
+  /// Nothing if `is_cancelled`, which is asked now and then, said so. After an exception, such as
+  /// std::bad_alloc, all is forgotten.
   std::optional<ComputedContacts> compute(PastScene& scene, const StopRules& rules,
                                           const JointStates* states, TriangleTrees::Time now,
                                           const std::function<bool()>& is_cancelled);
