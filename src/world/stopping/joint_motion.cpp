@@ -75,6 +75,13 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
 
+/// Whether positions at these stamps tell speeds, as transforms would.
+bool tellSpeed(const std::vector<std::int64_t>& stamps, std::int64_t window) {
+  const auto is_gap = [window](std::int64_t a, std::int64_t b) { return b - a > window; };
+  return stamps.size() > 1 &&
+         std::adjacent_find(stamps.begin(), stamps.end(), is_gap) == stamps.end();
+}
+
 /// How far a joint can be from where a report has it.
 double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
   const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
@@ -138,7 +145,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
       nearest = &report;
   }
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
-      (!have_velocities && reports.size() < 2)) {
+      (!have_velocities && !tellSpeed(found.stamps, window))) {
     state.problem = "joint_states has joint \"" + joint.name +
                     "\" too rarely for ~velocity_window, or at other times than tf; raise "
                     "~velocity_window, or send it more often";

@@ -30,7 +30,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
 /// speeds are those that were reported and those of the positions; the latter alone where a report
-/// has none.
+/// has none, and then no two may be farther apart than the window.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window);

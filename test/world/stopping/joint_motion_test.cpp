@@ -164,6 +164,20 @@ TEST(JointState, OfOldReportsIsAProblem) {
   }
 }
 
+/// It may have moved there and back in between. Velocities tell.
+TEST(JointState, OfPositionsFartherApartThanTheWindowIsAProblem) {
+  Random random(7);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint;
+  const auto problem = [&](std::int64_t gap, std::optional<double> velocity) {
+    const Reports reports{{kEnd - kPeriod, 0, velocity}, {kEnd - kPeriod + gap, 0, velocity}};
+    return jointState(joint, pose, reports, kEnd, kWindow).problem;
+  };
+  EXPECT_EQ(problem(kWindow, std::nullopt), "");
+  EXPECT_EQ(problem(kWindow + 1, std::nullopt).find("joint_states has joint"), 0u);
+  EXPECT_EQ(problem(kWindow + 1, 0.5), "");
+}
+
 /// A publisher may invent names without end.
 TEST(JointStates, OfMoreJointsThanAnyRobotHasAreIgnored) {
   JointStates states;
