@@ -84,6 +84,7 @@ struct LiveObject {
   ros::Duration lifetime;     ///< that of the last receipt
   std::string sender;         ///< the publisher of the last receipt
   bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
+  bool is_outdated = false;   ///< it was placed before the clock jumped back
   std::int64_t waiting_since = 0;   ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again
   TransformProblem problem = TransformProblem::kNone;

@@ -58,13 +58,16 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.is_silent = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
-  if (!is_new && !was_given_up && isSame(*object.content, content)) return false;
+  const bool is_known =
+      !was_given_up && !(object.is_outdated && clock_.isSinceJump(content, object.received));
+  if (!is_new && is_known && isSame(*object.content, content)) return false;
   if (!is_new) release(object);
   object.content = std::make_shared<const ObjectContent>(std::move(content));
   object.boxes = LinkBoxes({object.content->bounded});
   object.problem = TransformProblem::kNone;
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
+  object.is_outdated = false;
   follow(object);
   return refresh(object, now) || is_new;
 }
@@ -154,6 +157,7 @@ bool LiveObjects::restart(ros::Time now) {
     object.stamp = std::min(object.stamp, start);
     is_changed |= object.state.stamp > start;
     object.state.stamp = std::min(object.state.stamp, start);
+    object.is_outdated = object.content->stamp != 0;
   }
   is_changed |= refreshAll(now);
   return is_changed;

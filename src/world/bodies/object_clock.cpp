@@ -34,12 +34,16 @@ std::int64_t ObjectClock::observe(ros::Time now) {
 
 std::int64_t ObjectClock::restart(ros::Time now) {
   newest_now_ = std::max(newest_now_, last_now_);
-  last_now_ = nanosecondsOf(now);
+  start_ = last_now_ = nanosecondsOf(now);
   return last_now_;
 }
 
 std::int64_t ObjectClock::receivedAfterJump(const LiveObject& object, ros::Time now) const {
   return nanosecondsOf(now) - elapsed(object, last_now_);
+}
+
+bool ObjectClock::isSinceJump(const ObjectContent& content, std::int64_t now) const {
+  return content.stamp >= start_ && content.stamp <= now + kFarAhead;
 }
 
 std::int64_t ObjectClock::stampOf(const ObjectContent& content, std::int64_t now) const {

@@ -24,11 +24,15 @@ class ObjectClock {
   /// Where the object's age began, as restart() shifts it. To be called before restart().
   std::int64_t receivedAfterJump(const LiveObject& object, ros::Time now) const;
 
+  /// Whether the content can have been stamped since the clock last jumped back.
+  bool isSinceJump(const ObjectContent& content, std::int64_t now) const;
+
   /// The stamp of a box of this content. What was sent before the clock jumped back may arrive
   /// after it; it is stamped `now`.
   std::int64_t stampOf(const ObjectContent& content, std::int64_t now) const;
 
  private:
+  std::int64_t start_ = 0;       ///< when the clock jumped back
   std::int64_t last_now_ = 0;    ///< the newest time since the clock jumped back
   std::int64_t newest_now_ = 0;  ///< the newest time before any jump back
 };

@@ -100,6 +100,27 @@ TEST_F(ObjectTimesTest, AfterAJumpBackNoStampIsAheadOfTheClock) {
   EXPECT_EQ(stamp(), 11);
 }
 
+/// Where tf of the new time has it. What the old time sent may still arrive: it stays.
+TEST_F(ObjectTimesTest, WhatIsSentAgainAfterAJumpBackIsPlacedAnew) {
+  hear("map", "camera", 99, 0, 1);
+  put(boxIn("camera", 99));
+  expectBox(0, 1);
+  jumpTo(10);
+  EXPECT_FALSE(put(boxIn("camera", 99))) << "the clock was not there again";
+  now_ = ros::Time(99);
+  EXPECT_TRUE(put(boxIn("camera", 99)));
+  EXPECT_TRUE(state().incomplete) << "it waits for tf";
+  hear("map", "camera", 99, 0, 3);
+  EXPECT_FALSE(state().incomplete);
+  expectBox(0, 3);
+  EXPECT_EQ(stamp(), 99);
+  EXPECT_FALSE(put(boxIn("camera", 99))) << "it is known now";
+  now_ = ros::Time(105);
+  jumpTo(100);
+  EXPECT_FALSE(put(boxIn("camera", 99))) << "tf will not know that time again";
+  expectBox(0, 3);
+}
+
 TEST_F(ObjectTimesTest, AJumpBackIsNewsWhereItChangesAStamp) {
   put(boxIn("map", 99));
   now_ = ros::Time(10);
