@@ -23,11 +23,13 @@ JointFit fitOf(const Joint& joint, const Eigen::Isometry3d& parent_from_child) {
   const Eigen::Quaterniond rotation(moved.linear());
   const bool has_axis = !joint.axis.isZero(0);
   JointFit fit;
-  if (has_axis && joint.motion == Motion::kRotation) {
+  const bool is_planar = joint.motion == Motion::kPlanar;
+  if (has_axis && (joint.motion == Motion::kRotation || is_planar)) {
     fit.value = withoutTurns(2 * std::atan2(rotation.vec().dot(joint.axis), rotation.w()));
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(fit.value, joint.axis));
     fit.angle_error = angleOf(turn.conjugate() * rotation);
-    fit.length_error = moved.translation().norm();
+    fit.length_error =
+        is_planar ? std::abs(moved.translation().dot(joint.axis)) : moved.translation().norm();
   } else if (has_axis && joint.motion == Motion::kTranslation) {
     fit.value = moved.translation().dot(joint.axis);
     fit.angle_error = angleOf(rotation);

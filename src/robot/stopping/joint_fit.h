@@ -11,12 +11,12 @@ namespace link_bounds {
 
 /// The joint value nearest to a pose, and how far the pose is from what the joint allows.
 struct JointFit {
-  double value = 0;         ///< [rad, from -pi to pi, or m]; 0 of a fixed joint
+  double value = 0;  ///< [rad, from -pi to pi, or m]; of a planar joint its turn, of a fixed one 0
   double length_error = 0;  ///< [m]
   double angle_error = 0;   ///< [rad]
 };
 
-/// Of a fixed, revolute, continuous or prismatic joint; one without an axis counts as fixed.
+/// Of any joint that is not floating; one without an axis counts as fixed.
 JointFit fitOf(const Joint& joint, const Eigen::Isometry3d& parent_from_child);
 
 /// The angle without full turns, from -pi to pi [rad].

@@ -101,7 +101,8 @@ class SceneMaker {
   /// it has the joint.
   void checkFit(const Joint& joint) {
     Eigen::Isometry3d parent_from_child;
-    if (!hasValue(joint.motion) || joint.axis.isZero(0)) return;
+    const bool has_axis = hasValue(joint.motion) || joint.motion == Motion::kPlanar;
+    if (!has_axis || joint.axis.isZero(0)) return;
     if (!findPose(joint, parent_from_child).empty()) return;
     const std::string misfit = whyMisfit(joint, fitOf(joint, parent_from_child));
     if (!misfit.empty()) throw std::runtime_error(misfit);

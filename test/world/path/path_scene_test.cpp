@@ -34,6 +34,13 @@ Parameters inFrame(const std::string& fixed_frame) {
   return parameters;
 }
 
+/// A cart on a floor that is tilted.
+constexpr char kCart[] = R"(<robot name="cart"><link name="floor"/>
+  <link name="cart"><visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link>
+  <joint name="drive" type="planar"><parent link="floor"/><child link="cart"/>
+    <origin xyz="1 0 0" rpy="0.3 0 0"/><axis xyz="0 0 1"/></joint>
+</robot>)";
+
 /// The arm may touch what it holds.
 Parameters ignoring() {
   Parameters parameters = inFrame("map");
@@ -45,6 +52,19 @@ Parameters attaching() {
   Parameters parameters = inFrame("map");
   parameters.attached = {{"arm", {"held/*"}}};
   return parameters;
+}
+
+/// The request that a trajectory of these joints makes.
+PathScene pathOf(const Scene& scene, const std::shared_ptr<const Model>& model, double now,
+                 const std::set<std::string>& joints) {
+  SceneCopy copy(pathRequest(), model);
+  while (!copy.proceed(scene, ros::Time(now), std::chrono::seconds(1))) {
+  }
+  const auto past = copy.take();
+  const auto goes_on = [] { return false; };
+  PathTrees trees([](const auto&, const auto&) { return std::vector<LoadedTree>(); });
+  trees.prepare(*past, goes_on);
+  return pathScene(*past, joints, trees, {1000, goes_on});
 }
 
 /// Nothing is in tf.
@@ -61,14 +81,7 @@ struct QuietArm : MovingRobot {
   PathScene path(double now = kStamp) { return path(now, model()); }
 
   PathScene path(double now, const std::shared_ptr<const Model>& of_request) {
-    SceneCopy copy(pathRequest(), of_request);
-    while (!copy.proceed(scene(), ros::Time(now), std::chrono::seconds(1))) {
-    }
-    const auto past = copy.take();
-    const auto goes_on = [] { return false; };
-    PathTrees trees([](const auto&, const auto&) { return std::vector<LoadedTree>(); });
-    trees.prepare(*past, goes_on);
-    return pathScene(*past, {"turn"}, trees, {1000, goes_on});
+    return pathOf(scene(), of_request, now, {"turn"});
   }
 };
 
@@ -188,6 +201,17 @@ TEST(PathScene, AfterAJumpBackTheStampOfAHeldBodyIsOfNoUse) {
   }
 }
 
+TEST(PathScene, AHeldBodyThatIsSentAgainAfterAJumpBackIsPlacedAnew) {
+  Arm arm(attaching());
+  arm.put("held", boxIn("map", kStamp));
+  arm.tf().clear();
+  arm.scene().restart(ros::Time(kStamp / 2));
+  arm.send(kStamp, {1, 0});
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"});
+  arm.put("held", boxIn("map", kStamp));
+  EXPECT_EQ(arm.path().incomplete, Names{});
+}
+
 // The base drives on. The object is carried over by where the base is now, but was placed before.
 TEST(PathScene, InAnotherFixedFrameTheStampOfAHeldBodyIsOfNoUse) {
   Parameters parameters = attaching();
@@ -198,6 +222,22 @@ TEST(PathScene, InAnotherFixedFrameTheStampOfAHeldBodyIsOfNoUse) {
   Arm other(attaching());
   arm.scene().adopt(other.model(), ros::Time(kStamp + 1));
   EXPECT_EQ(arm.path(kStamp + 1, other.model()).incomplete, Names{"held/1"});
+}
+
+TEST(PathScene, APlanarJointOfTheTrajectoryMustFitItsTransform) {
+  const auto check = [](const Eigen::Isometry3d& moved) {
+    MovingRobot cart(kCart, inFrame("floor"));
+    cart.add("floor", "cart", kStamp, cart.robot().joints.at(0).parent_from_joint * moved);
+    pathOf(cart.scene(), cart.model(), kStamp, {"drive.x", "drive.y", "drive.yaw"});
+  };
+  Eigen::Isometry3d moved = at(2, 3);
+  moved.translation().y() = -7;
+  EXPECT_NO_THROW(check(moved));
+  moved.translation().z() = 2e-3;
+  EXPECT_THROW(check(moved), std::runtime_error);
+  moved.translation().z() = 0;
+  EXPECT_THROW(check(moved * Eigen::AngleAxisd(2e-3, Eigen::Vector3d::UnitX())),
+               std::runtime_error);
 }
 
 double flangeOf(const PathScene& path) {
