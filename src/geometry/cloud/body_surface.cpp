@@ -28,11 +28,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A lower bound of the distance of the point from the box: how far the plane across the way to the
 /// nearest point of the box is from the box. It holds for edges that are not quite orthogonal, too.
 double distanceOf(const TreeNode& node, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d from = point - node.center.cast<double>();
+  const Eigen::Vector3d from = point - node.center().cast<double>();
   Eigen::Vector3d rest = from;
   std::array<Eigen::Vector3d, 3> edges;
   for (std::size_t k = 0; k < 3; ++k) {
-    edges[k] = node.edges[k].cast<double>();
+    edges[k] = node.edge(static_cast<int>(k)).cast<double>();
     const double squared = edges[k].squaredNorm();
     if (squared > 0) rest -= std::clamp(edges[k].dot(from) / squared, -1.0, 1.0) * edges[k];
   }

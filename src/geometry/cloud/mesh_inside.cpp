@@ -121,10 +121,10 @@ class Parts {
 /// True if the ray may hit the box of the node. The edges are orthogonal to 1e-7, and the box is
 /// larger than its triangles by more than that; see kEdgePad in tree_build.cpp.
 bool mayHit(const TreeNode& node, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
-  const Eigen::Vector3d origin = from - node.center.cast<double>();
+  const Eigen::Vector3d origin = from - node.center().cast<double>();
   double begin = 0, end = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3f& half_edge : node.edges) {
-    const Eigen::Vector3d edge = half_edge.cast<double>();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d edge = node.edge(k).cast<double>();
     const double place = edge.dot(origin), step = edge.dot(direction);
     const double half = edge.squaredNorm() * (1 + 1e-9);
     if (step == 0) {

@@ -84,25 +84,4 @@ class LeafGaps {
   Eigen::Array<float, kTrianglesPerLeaf, kTrianglesPerLeaf> gaps_;  ///< the largest so far, (j, i)
 };
 
-/// The leaves of a tree that a search has placed last.
-class PlacedLeaves {
- public:
-  /// Before each search.
-  void clear() { nodes_.fill(kNone); }
-
-  const PlacedLeaf& at(const TriangleTree& tree, std::uint32_t node, const Placement& placement) {
-    const std::size_t slot = node % kSlots;
-    if (nodes_[slot] != node) leaves_[slot].place(tree, node, placement);
-    nodes_[slot] = node;
-    return leaves_[slot];
-  }
-
- private:
-  static constexpr std::size_t kSlots = 16;
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-  std::array<std::uint32_t, kSlots> nodes_;
-  std::array<PlacedLeaf, kSlots> leaves_;
-};
-
 }  // namespace link_bounds

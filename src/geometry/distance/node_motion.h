@@ -30,26 +30,23 @@ class NodeMotion {
     const Eigen::Affine3d& from_shape = mover_.shape.link_from_shape;
     turned_ = motion.turned * from_shape.linear();
     shifted_ = motion.turned * from_shape.translation() + motion.shifted;
-    slack_ = motion.slack + pair.rounding + 0x1p-22 * (pair.motion.moved - pair.motion.moved_then);
+    slack_ =
+        motion.slack + pair.boxRounding() + 0x1p-22 * (pair.motion.moved - pair.motion.moved_then);
   }
 
   /// How much smaller the bound of two nodes is now [m]; negative: larger.
   double approach(const FrontPair& nodes) const {
     if (!mover_.triangles) return std::numeric_limits<double>::infinity();
     const TreeNode& node = mover_.triangles->nodes[is_second_ ? nodes.second : nodes.first];
-    const Eigen::Vector3d center = node.center.cast<double>();
     if (!nodes.is_along) {
-      double length = (turned_ * center + shifted_).norm();
-      for (const Eigen::Vector3f& edge : node.edges)
-        length += (turned_ * edge.cast<double>()).norm();
+      double length = (turned_ * node.center().cast<double>() + shifted_).norm();
+      for (int k = 0; k < 3; ++k)
+        length += (turned_ * node.edge(k).cast<double>()).norm();
       return length + slack_;
     }
     const Eigen::Vector3d nearer = (is_second_ ? -nodes.normal : nodes.normal).cast<double>();
     const Eigen::Vector3d in_shape = turned_.transpose() * nearer;
-    double along = nearer.dot(shifted_) + in_shape.dot(center);
-    for (const Eigen::Vector3f& edge : node.edges)
-      along += std::abs(in_shape.dot(edge.cast<double>()));
-    return along + slack_;
+    return nearer.dot(shifted_) + node.farthest(in_shape) + slack_;
   }
 
  private:

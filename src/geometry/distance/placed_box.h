@@ -6,44 +6,75 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/distance/convex_sets.h"
+#include "geometry/distance/triangle_tree.h"
 
 namespace link_bounds {
 
-/// A parallelepiped in the coordinates of a search.
-struct PlacedBox {
-  PlacedBox(const Parallelepiped& box, const Placement& at) : center(at.toSearch(box.center)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges[k] = at.linear * box.edges[k];
-      const double squared = edges[k].squaredNorm();
-      inverse[k] = std::isnormal(squared) ? 1 / squared : 0;  // a flat pose leaves edges no length
-    }
-  }
+/// Where the boxes of a tree are during a search.
+struct BoxPlacement {
+  explicit BoxPlacement(const Placement& its_at)
+      : at(its_at), linear(at.linear.cast<float>()), pad(0x1p-19f * linear.cwiseAbs().maxCoeff()) {}
 
-  /// A point of the box: the nearest one if the edges are orthogonal, as in a rigid pose.
+  const Placement& at;
+  Eigen::Matrix3f linear;
+  float pad;  ///< for each metre of all coordinates of a box's edges
+
+  /// Of the width of a node's box, as derived below [m].
+  double padOf(const TreeNode& node) const {
+    return pad * ((node.x.abs() + node.y.abs() + node.z.abs()) * TreeNode::edgesOnly()).sum();
+  }
+};
+
+/// The box of a node in the coordinates of a search. Its edges are floats there, so a width that is
+/// computed is padded. Let v = 2^-24, L the axes of the placement, l its largest |entry|, E the sum
+/// of all |coordinates| of the node's edges. A coordinate of L e is wrong by 4 v l |e|_1 for the
+/// rounding of L, a product and two sums; its product with a unit vector n by as much again, and
+/// the sums over the edges by 3 v: together 11 v l E |n|_1, which is less than 20 v l E. The pad is
+/// 32 v l E.
+class PlacedBox {
+ public:
+  PlacedBox(const TreeNode& node, const BoxPlacement& its)
+      : center(its.at.toSearch(node.center().cast<double>())),
+        x_(row(node, its.linear, 0)),
+        y_(row(node, its.linear, 1)),
+        z_(row(node, its.linear, 2)),
+        pad_(its.padOf(node)),
+        inverse_((x_ * x_ + y_ * y_ + z_ * z_).max(kShortestSquare).inverse()) {}
+
+  /// About the nearest point of the box if the edges are orthogonal, as in a rigid pose.
   Eigen::Vector3d near(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d from = point - center;
-    Eigen::Vector3d result = center;
-    for (std::size_t k = 0; k < 3; ++k)
-      result += std::min(std::max(edges[k].dot(from) * inverse[k], -1.0), 1.0) * edges[k];
-    return result;
+    const Eigen::Vector3f from = (point - center).cast<float>();
+    const Eigen::Array4f along = x_ * from.x() + y_ * from.y() + z_ * from.z();
+    const Eigen::Array4f parts = (along * inverse_).max(-1.0f).min(1.0f);
+    const Eigen::Vector3f offset((parts * x_).sum(), (parts * y_).sum(), (parts * z_).sum());
+    return center + offset.cast<double>();
   }
 
-  /// Half of the width along a unit direction.
+  /// Half of the width along a unit direction, or more.
   double extent(const Eigen::Vector3d& direction) const {
-    return std::abs(edges[0].dot(direction)) + std::abs(edges[1].dot(direction)) +
-           std::abs(edges[2].dot(direction));
+    const Eigen::Vector3f d = direction.cast<float>();
+    return (x_ * d.x() + y_ * d.y() + z_ * d.z()).abs().sum() + pad_;
   }
 
-  Eigen::Vector3d center;
-  std::array<Eigen::Vector3d, 3> edges;
-  std::array<double, 3> inverse;  ///< of the squared lengths of the edges
+  const Eigen::Vector3d center;
+
+ private:
+  static constexpr float kShortestSquare = 1e-30f;  ///< a flat pose leaves edges no length
+
+  static Eigen::Array4f row(const TreeNode& node, const Eigen::Matrix3f& linear, int i) {
+    return (node.x * linear(i, 0) + node.y * linear(i, 1) + node.z * linear(i, 2)) *
+           TreeNode::edgesOnly();
+  }
+
+  Eigen::Array4f x_, y_, z_;  ///< of the edges
+  double pad_;
+  Eigen::Array4f inverse_;  ///< of their squared lengths
 };
 
 /// What is known of the distance of two sets.
 struct Separation {
   double lower;            ///< proven [m]
-  double near;             ///< about the distance, and not below it unless it says infinity
+  double near;             ///< about the distance; says where to look first
   Eigen::Vector3d normal;  ///< unit; a direction in which the sets may be separate
   bool is_along = false;   ///< `lower` is proven along `normal`
 

@@ -19,7 +19,11 @@ constexpr double kLargestCoordinate = 1e30;
 /// are unit and orthogonal to 1e-14, because fit() takes no others, and rounding a half edge to
 /// float turns and shortens it by at most 6e-8 of its length. In the basis of the rounded edges, a
 /// coordinate of a point so differs from the one along the axes by at most 1.1e-7 of the point's
-/// distance from the centre.
+/// distance from the centre. TreeNode::extent() along d is then too small by at most 7.3e-7 |d| of
+/// that distance: with v = 2^-24, each product of an edge e and d loses 4 v |e| |d| to the rounding
+/// of d, of three products and two sums, the sum over the edges 3 v more, and the edges add up to
+/// at most sqrt(3) of the distance. The pad adds 1e-6 |d| or more, since the absolute values of the
+/// coordinates of d along the axes add up to |d| or more.
 constexpr double kEdgePad = 1e-6;
 
 /// Nodes of so few triangles try the axes of each.
@@ -132,8 +136,8 @@ class Builder {
 
   void store(const FittedBox& fitted, const Range& range) {
     TreeNode& node = tree_.nodes[range.node];
-    node.center = (fitted.axes * fitted.box.center()).cast<float>();
-    const Eigen::Vector3d center = fitted.axes.transpose() * node.center.cast<double>();
+    node.setCenter((fitted.axes * fitted.box.center()).cast<float>());
+    const Eigen::Vector3d center = fitted.axes.transpose() * node.center().cast<double>();
     Eigen::Vector3d half =
         (fitted.box.max() - center).cwiseMax(center - fitted.box.min()).cwiseMax(0.0);
     for (int k = 0; k < 3; ++k) {
@@ -144,11 +148,10 @@ class Builder {
     half.array() += kEdgePad * radius;
     double magnitude = 0;
     for (int k = 0; k < 3; ++k) {
-      Eigen::Vector3f& edge = node.edges[static_cast<std::size_t>(k)];
-      edge = (fitted.axes.col(k) * half[k]).cast<float>();
-      magnitude += edge.cast<double>().cwiseAbs().maxCoeff();
+      node.setEdge(k, (fitted.axes.col(k) * half[k]).cast<float>());
+      magnitude += node.edge(k).cast<double>().cwiseAbs().maxCoeff();
     }
-    magnitude += node.center.cast<double>().cwiseAbs().maxCoeff();
+    magnitude += node.center().cast<double>().cwiseAbs().maxCoeff();
     tree_.magnitude = std::max(tree_.magnitude, magnitude);
     node.first = range.begin;
     node.count = range.end - range.begin;

@@ -30,12 +30,8 @@ bool isLeaf(const BodyShape& shape, std::uint32_t node) {
   return !shape.triangles || shape.triangles->nodes[node].isLeaf();
 }
 
-/// Of the longest edge of a node's box.
-double squaredRadius(const BodyShape& shape, std::uint32_t node) {
-  double result = 0;
-  for (const Eigen::Vector3f& edge : shape.triangles->nodes[node].edges)
-    result = std::max(result, static_cast<double>(edge.squaredNorm()));
-  return result;
+float squaredRadius(const BodyShape& shape, std::uint32_t node) {
+  return shape.triangles->nodes[node].squaredRadius();
 }
 
 /// Calls `use` with the convex set that stands for a node.
@@ -55,7 +51,10 @@ class NodeSearch {
         witness_(witness),
         memory_(memory),
         front_(memory.front.pairs()),
-        scratch_(scratch) {
+        scratch_(scratch),
+        first_boxes_(pair.first_at),
+        second_boxes_(pair.second_at),
+        box_pad_(pair.boxRounding() + pair.balls()) {
     scratch_.clear();
   }
 
@@ -161,14 +160,14 @@ class NodeSearch {
     }
     boundSmallNodes(pair);
     if (pair.has_compared_hulls) return;
-    boundBoxes(pair, boxOf(pair_.first, pair_.first_at, pair.first),
-               boxOf(pair_.second, pair_.second_at, pair.second));
+    boundBoxes(pair, boxOf(pair_.first, first_boxes_, pair.first),
+               boxOf(pair_.second, second_boxes_, pair.second));
   }
 
   /// How far the boxes of two nodes are proven to be apart along a unit direction.
   double lowerAlong(const NodePair& pair, const Eigen::Vector3d& normal) const {
     return -reach(pair_.first, pair_.first_at, pair.first, normal) -
-           reach(pair_.second, pair_.second_at, pair.second, -normal) - pair_.pad();
+           reach(pair_.second, pair_.second_at, pair.second, -normal) - box_pad_;
   }
 
   /// Of a node's convex set along a direction, from the origin of the search.
@@ -177,11 +176,7 @@ class NodeSearch {
     const Eigen::Vector3d d = at.toShape(direction);
     const double origin = at.translation.dot(direction);
     if (!shape.triangles) return origin + ShapeHull{shape}.farthest(d).dot(d);
-    const TreeNode& box = shape.triangles->nodes[node];
-    double result = box.center.cast<double>().dot(d);
-    for (const Eigen::Vector3f& edge : box.edges)
-      result += std::abs(edge.cast<double>().dot(d));
-    return origin + result;
+    return origin + shape.triangles->nodes[node].farthest(d);
   }
 
   /// Of a pair that cannot change the result, or that no steps are left for.
@@ -216,17 +211,17 @@ class NodeSearch {
   }
 
   void guessByHulls() {
-    const std::uint32_t first = leafNear(pair_.first, pair_.first_at, hulls_.on_first);
-    const std::uint32_t second = leafNear(pair_.second, pair_.second_at, hulls_.on_second);
+    const std::uint32_t first = leafNear(pair_.first, first_boxes_, hulls_.on_first);
+    const std::uint32_t second = leafNear(pair_.second, second_boxes_, hulls_.on_second);
     compareLeaves({first, second, {hulls_.lower, 0, hulls_.normal}}, false);
   }
 
-  static PlacedBox boxOf(const BodyShape& shape, const Placement& at, std::uint32_t node) {
-    return PlacedBox(shape.triangles->nodes[node].box(), at);
+  static PlacedBox boxOf(const BodyShape& shape, const BoxPlacement& at, std::uint32_t node) {
+    return PlacedBox(shape.triangles->nodes[node], at);
   }
 
   /// Descends to the child that is nearer, without looking back.
-  static std::uint32_t leafNear(const BodyShape& shape, const Placement& at,
+  static std::uint32_t leafNear(const BodyShape& shape, const BoxPlacement& at,
                                 const Eigen::Vector3d& point) {
     std::uint32_t node = 0;
     while (!isLeaf(shape, node)) {
@@ -268,13 +263,13 @@ class NodeSearch {
 
   /// The children differ in one node and have the other one in common.
   void boundBoxes(std::array<NodePair, 2>& children, bool first_differs) {
-    const PlacedBox a = boxOf(pair_.first, pair_.first_at, children[0].first);
-    const PlacedBox b = boxOf(pair_.second, pair_.second_at, children[0].second);
+    const PlacedBox a = boxOf(pair_.first, first_boxes_, children[0].first);
+    const PlacedBox b = boxOf(pair_.second, second_boxes_, children[0].second);
     boundBoxes(children[0], a, b);
     if (first_differs) {
-      boundBoxes(children[1], boxOf(pair_.first, pair_.first_at, children[1].first), b);
+      boundBoxes(children[1], boxOf(pair_.first, first_boxes_, children[1].first), b);
     } else {
-      boundBoxes(children[1], a, boxOf(pair_.second, pair_.second_at, children[1].second));
+      boundBoxes(children[1], a, boxOf(pair_.second, second_boxes_, children[1].second));
     }
   }
 
@@ -287,7 +282,7 @@ class NodeSearch {
   }
 
   void boundBoxes(NodePair& pair, const PlacedBox& first, const PlacedBox& second) const {
-    separate(first, second, farEnough(), pair_.pad(), pair.separation);
+    separate(first, second, farEnough(), box_pad_, pair.separation);
     if (!(pair.separation.lower >= farEnough())) boundSmallNodes(pair);
   }
 
@@ -445,6 +440,9 @@ class NodeSearch {
   TreeMemory& memory_;
   std::vector<FrontPair>& front_;  ///< all pairs that are dropped
   TreeScratch& scratch_;
+  BoxPlacement first_boxes_;
+  BoxPlacement second_boxes_;
+  double box_pad_;
 };
 
 }  // namespace

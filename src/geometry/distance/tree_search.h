@@ -41,6 +41,27 @@ struct NodePair {
   bool has_compared_hulls = false;
 };
 
+/// The leaves of a tree that a search has placed last.
+class PlacedLeaves {
+ public:
+  /// Before each search.
+  void clear() { nodes_.fill(kNone); }
+
+  const PlacedLeaf& at(const TriangleTree& tree, std::uint32_t node, const Placement& placement) {
+    const std::size_t slot = node % kSlots;
+    if (nodes_[slot] != node) leaves_[slot].place(tree, node, placement);
+    nodes_[slot] = node;
+    return leaves_[slot];
+  }
+
+ private:
+  static constexpr std::size_t kSlots = 16;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  std::array<std::uint32_t, kSlots> nodes_;
+  std::array<PlacedLeaf, kSlots> leaves_;
+};
+
 /// What a search needs only until it ends. Searches one after the other allocate less with the
 /// same one.
 struct TreeScratch {
@@ -109,6 +130,16 @@ struct ShapePair {
     witness.on_second = b - from_b / apart * between;
     witness.distance = (witness.on_second - witness.on_first).norm();
     return true;
+  }
+
+  /// Beside `rounding`, the digits that the floats of TreeNode::extent() lose where they are tiny.
+  double boxRounding() const {
+    return rounding + 1e-43 * (1 + magnitudeOf(first) + magnitudeOf(second));
+  }
+
+ private:
+  static double magnitudeOf(const BodyShape& shape) {
+    return shape.triangles ? shape.triangles->magnitude : 0;
   }
 };
 

@@ -12,8 +12,12 @@ namespace link_bounds {
 
 /// The box holds all triangles of the node, each swept by the solid. Its edges are half edges.
 struct TreeNode {
-  Eigen::Vector3f center;
-  std::array<Eigen::Vector3f, 3> edges;
+  /// Not aligned, as the other members leave no room for that.
+  using Lanes = Eigen::Array<float, 4, 1, Eigen::DontAlign>;
+
+  /// Of the centre and the three edges. What is computed of all four at a time is dropped where it
+  /// has no meaning for the centre.
+  Lanes x, y, z;
   std::uint32_t first;  ///< triangle; those of a node follow each other
   std::uint32_t count;  ///< of triangles
   std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
@@ -24,9 +28,39 @@ struct TreeNode {
 
   bool isLeaf() const { return child == 0; }
 
+  Eigen::Vector3f center() const { return {x[0], y[0], z[0]}; }
+  Eigen::Vector3f edge(int k) const { return {x[k + 1], y[k + 1], z[k + 1]}; }
+
+  void setCenter(const Eigen::Vector3f& point) { set(0, point); }
+  void setEdge(int k, const Eigen::Vector3f& vector) { set(k + 1, vector); }
+
   Parallelepiped box() const {
-    return {center.cast<double>(),
-            {edges[0].cast<double>(), edges[1].cast<double>(), edges[2].cast<double>()}};
+    return {center().cast<double>(),
+            {edge(0).cast<double>(), edge(1).cast<double>(), edge(2).cast<double>()}};
+  }
+
+  /// How far the triangles extend from the centre along a direction: computed in floats, not less
+  /// than that, as kEdgePad says (tree_build.cpp).
+  double extent(const Eigen::Vector3d& direction) const {
+    const Eigen::Vector3f d = direction.cast<float>();
+    return ((x * d.x() + y * d.y() + z * d.z()).abs() * edgesOnly()).sum();
+  }
+
+  /// The same from the origin of the shape.
+  double farthest(const Eigen::Vector3d& direction) const {
+    return center().cast<double>().dot(direction) + extent(direction);
+  }
+
+  /// Of the longest edge.
+  float squaredRadius() const { return ((x * x + y * y + z * z) * edgesOnly()).maxCoeff(); }
+
+  static Eigen::Array4f edgesOnly() { return {0, 1, 1, 1}; }
+
+ private:
+  void set(int lane, const Eigen::Vector3f& v) {
+    x[lane] = v.x();
+    y[lane] = v.y();
+    z[lane] = v.z();
   }
 };
 

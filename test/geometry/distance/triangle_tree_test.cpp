@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "geometry/distance/placed_box.h"
 #include "testing/distance_bodies.h"
 #include "testing/numbers.h"
 #include "testing/part_meshes.h"
@@ -34,6 +35,25 @@ std::vector<std::uint32_t> trianglesBelow(const TriangleTree& tree, std::uint32_
   return result;
 }
 
+/// A box is no narrower where floats place it, also by axes that scale and shear.
+void expectContainedWhenPlaced(const TriangleTree& tree, std::uint32_t node, Random& random) {
+  const Placement at{random.affine(0).linear(), random.vector(1)};
+  const BoxPlacement boxes(at);
+  const PlacedBox placed(tree.nodes[node], boxes);
+  const Parallelepiped box = tree.nodes[node].box();
+  double size = 0;
+  for (const Eigen::Vector3d& edge : box.edges)
+    size += at.linear.norm() * edge.norm();
+  for (int i = 0; i < 20; ++i) {
+    const distance_oracle::Vector direction = random.vector(1).normalized().cast<Long>();
+    Long extent = 0;
+    for (const Eigen::Vector3d& edge : box.edges)
+      extent += std::abs(direction.dot(at.linear.cast<Long>() * edge.cast<Long>()));
+    ASSERT_LE(extent, placed.extent(direction.cast<double>()));
+    ASSERT_GE(extent, placed.extent(direction.cast<double>()) - 1e-5 * size);
+  }
+}
+
 /// Along many directions, no triangle extends farther than the box, in long double.
 void expectContained(const TriangleTree& tree, std::uint32_t node, Random& random) {
   const Parallelepiped box = tree.nodes[node].box();
@@ -51,9 +71,12 @@ void expectContained(const TriangleTree& tree, std::uint32_t node, Random& rando
     for (const Eigen::Vector3d& edge : box.edges)
       limit += std::abs(d.dot(edge.cast<Long>()));
     const Long solid = d.dot(farthestOf(tree.solid, tree.size, direction).cast<Long>());
+    const Long computed = tree.nodes[node].farthest(direction) + 1e-15 * tree.magnitude;
     for (const std::uint32_t triangle : triangles) {
-      for (const Eigen::Vector3d& corner : tree.corners(triangle))
+      for (const Eigen::Vector3d& corner : tree.corners(triangle)) {
         ASSERT_LE(d.dot(corner.cast<Long>()) + solid, limit);
+        ASSERT_LE(d.dot(corner.cast<Long>()) + solid, computed);
+      }
     }
   }
 }
@@ -65,6 +88,7 @@ void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random)
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     ASSERT_TRUE(!tree.nodes[i].isLeaf() || tree.nodes[i].count <= kTrianglesPerLeaf);
     expectContained(tree, i, random);
+    expectContainedWhenPlaced(tree, i, random);
   }
 }
 
