@@ -208,12 +208,20 @@ class HullSearch {
     std::array<Eigen::Vector3d, 4> on_second;
     for (std::size_t j = 0; j < simplex.size(); ++j)
       on_second[j] = pair.second_at.toSearch(simplex[j].second);
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = a;
     for (std::size_t i = 0; i < simplex.size(); ++i) {
       assert(isPoint(pair.first, simplex[i].first) && isPoint(pair.second, simplex[i].second));
       const Eigen::Vector3d on_first = pair.first_at.toSearch(simplex[i].first);
-      for (std::size_t j = 0; j < simplex.size(); ++j)
-        pair.improve(witness_, on_first, on_second[j]);
+      for (std::size_t j = 0; j < simplex.size(); ++j) {
+        const double squared = (on_second[j] - on_first).squaredNorm();
+        if (!(squared < least)) continue;
+        least = squared;
+        a = on_first;
+        b = on_second[j];
+      }
     }
+    if (least < std::numeric_limits<double>::infinity()) pair.improve(witness_, a, b);
   }
 
   void decide(double lower, DistanceLevel level, const Eigen::Vector3d& normal,

@@ -136,6 +136,7 @@ bool Simplex::contains(const Eigen::Vector3d& difference) const {
 }
 
 SimplexPoint Simplex::nearest(unsigned required) const {
+  if (size_ == 1) return {points_[0].difference, {1}};
   Vectors p;
   for (std::size_t i = 0; i < size_; ++i)
     p[i] = points_[i].difference;
