@@ -231,12 +231,13 @@ class PostTest(BagBoundsTest):
 
     @staticmethod
     def plate_messages(*steps):
-        """Of stamps, and where which plate is then."""
+        """Of stamps, and where which plate is then. A third number is a record time."""
         messages = []
-        for stamp, places in steps:
+        for stamp, places, *recorded in steps:
+            recorded = time_of(BEGIN + (recorded or [stamp])[0])
             stamp = time_of(BEGIN + stamp)
             edges = [transform('base', child, stamp, (x, 0, 0)) for child, x in places.items()]
-            messages.append(('/tf', TFMessage(edges), stamp or time_of(1e-9)))
+            messages.append(('/tf', TFMessage(edges), recorded or time_of(1e-9)))
         return messages
 
     def check_plates(self, *steps, others=(), arguments=(), code=UNDERCUT, err=''):
@@ -287,6 +288,25 @@ class PostTest(BagBoundsTest):
                     steps.pop()
                 with self.subTest(arguments=arguments, passes=passes):
                     self.check_plates(*steps, arguments=arguments, code=code)
+
+    def test_a_resting_body_beside_links_of_different_stamps(self):
+        """The slow one passes through it before the newest stamp of the fast one."""
+        self.plates('slow', 'fast')
+        post = marker(0, 0, .02)
+        for passes, code in (.3, UNDERCUT), (-.3, 0):
+            steps = [(.5, {'fast': 5}, 0), (0, {'slow': -.5}, .1), (.4, {'slow': passes}, .6)]
+            with self.subTest(passes=passes):
+                self.check_plates(*steps, others=[post], arguments=('--objects', '/objects'),
+                                  code=code)
+
+    def test_a_long_pause_beside_bodies_of_different_stamps(self):
+        """One of them passes through the one that pauses, before the newest stamp of the other."""
+        self.plates('pauses', 'behind', 'ahead')
+        steps = [(0, {'pauses': 0, 'behind': -1, 'ahead': 5})]
+        steps += [(i / 2, {'behind': -1, 'ahead': 5}) for i in range(1, 10)]
+        steps += [(5.1, {'ahead': 5}), (5.2, {'ahead': 5}), (5, {'behind': 1}, 5.3)]
+        steps += [(6, {'pauses': 0, 'behind': 1, 'ahead': 5})]
+        self.check_plates(*steps, arguments=('--timeout', '0'))
 
     def test_no_motion_goes_across_a_jump_of_the_clock(self):
         """Although its stamps go on as before: tf has forgotten where it began."""

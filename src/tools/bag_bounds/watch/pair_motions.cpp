@@ -105,6 +105,24 @@ class PairMotionSearch {
 /// Then what moved beside a body at rest is looked at, before tf forgets it [ns].
 constexpr std::int64_t kLongestRest = EdgeHistory::kLength / 2;
 
+/// Of the movers of a moment.
+struct RestTimes {
+  std::int64_t newest = 0;  ///< stamp of all
+  std::int64_t end = 0;     ///< up to this one, all that move were looked at beside those at rest
+
+  explicit RestTimes(const std::vector<MovedBody>& movers) {
+    for (const MovedBody& mover : movers)
+      newest = std::max(newest, mover.end);
+    for (const MovedBody& mover : movers) {
+      if (newest - mover.end < kLongestRest) end = olderStamp(end, mover.end);
+    }
+  }
+
+  bool isLong(const MovedBody& body) const {
+    return newest - std::max(body.end, body.since) >= kLongestRest;
+  }
+};
+
 }  // namespace
 
 void PairMotions::begin(const MomentPtr& moment, const Means& means) {
@@ -157,12 +175,10 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
 }
 
 /// Remembers the stamps of this moment for the next ones. Says of the movers of the last moment
-/// which of them go on.
+/// which of them go on. A body that does not move always does.
 void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_movers) {
   const double timeout = moment.model->parameters.timeout;
-  std::int64_t newest = 0;
-  for (const MovedBody& mover : last_movers)
-    newest = std::max(newest, mover.end);
+  const RestTimes rests(last_movers);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
@@ -178,9 +194,9 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     mover.since = known->second.since = before.since;
     if (before.pass + 1 != pass_) continue;
     MovedBody& last = last_movers[before.place];
-    last.goes_on = newest - std::max(last.end, last.since) < kLongestRest;
+    last.goes_on = last.end == 0 || !rests.isLong(last);
     // Later motions beside its place are looked at from then on.
-    if (!last.goes_on) mover.since = known->second.since = newest;
+    if (!last.goes_on) mover.since = known->second.since = rests.end;
   }
 }
 

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Random recordings: what comes near between two messages is seen. The truth are dense samples of
+// all that the histories of two bodies know.
+#include <gtest/gtest.h>
+#include <ros/serialization.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+#include <iostream>
+#include <tuple>
+
+#include "testing/body_history.h"
+#include "testing/random_carriers.h"
+#include "testing/sanitized.h"
+#include "tools/bag_bounds/scene/recorded_scene.h"
+#include "tools/bag_bounds/watch/pair_motions.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr double kPairLimit = 0.05;   // m
+constexpr double kPairTimeout = 0.5;  // s
+constexpr double kRounding = 1e-9;    // m
+constexpr int kMotionSamples = 16;
+const std::string kPairSender = "/sender";
+
+/// A ball beside the origin of its frame.
+BoundedLink ballLink(const std::string& name, const Eigen::Vector3d& centre, double diameter) {
+  Shape shape;
+  shape.points =
+      std::make_shared<const PointSet>(std::vector<Eigen::Vector3f>{centre.cast<float>()});
+  shape.solid = Solid::kEllipsoid;
+  shape.size = Eigen::Vector3d::Constant(diameter);
+  return {name, {shape}, 0, ""};
+}
+
+/// A scene, and what PairMotions says in its last step.
+class PairScene {
+ public:
+  struct Counts {
+    int steps = 0, pairs = 0, calls = 0, walks = 0, undecided = 0, dips = 0, rest_dips = 0;
+  };
+
+  PairScene(const std::string& fixed_frame, const std::vector<BoundedLink>& links) {
+    auto model = std::make_shared<Model>(*modelOf(fixed_frame, links));
+    model->parameters.timeout = kPairTimeout;
+    model->parameters.distance_limit = kPairLimit;
+    model->attached = {{"object/0", 0}};
+    scene_.adopt(model, 1'000'000'000);
+    handlers_.wanted = [](const Moment&, const BoxPair&) { return kPairLimit; };
+    handlers_.on_motion = [this](const Moment& moment, const PairMotion& motion) {
+      ++counts_.calls;
+      counts_.walks += motion.nearest.has_value();
+      counts_.undecided += !motion.undecided.empty();
+      calls_[{&moment, motion.first, motion.second}] = motion;
+    };
+    handlers_.gives_up = [] { return false; };
+  }
+  PairScene(const PairScene&) = delete;
+  PairScene& operator=(const PairScene&) = delete;
+  virtual ~PairScene() = default;
+
+  void take(const CarrierMessage& message) {
+    if (scene_.goesBackTo(message.time)) {
+      motions_.finish(means());
+      last_.reset();
+      onJump();
+    }
+    if (message.transforms.empty())
+      return take("/objects", "visualization_msgs/Marker", message.marker, message.time);
+    tf2_msgs::TFMessage transforms;
+    transforms.transforms = message.transforms;
+    take(message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms, message.time);
+  }
+
+  const Counts& counts() const { return counts_; }
+
+  /// The only motion of the last step.
+  const PairMotion& motion() const { return calls_.begin()->second; }
+
+ protected:
+  using Call = std::tuple<const Moment*, std::size_t, std::size_t>;
+
+  virtual void onJump() {}
+  virtual void onStep() {}
+
+  RecordedScene scene_{[](const std::string&) { return LoadedMesh(); },
+                       [this](std::int64_t) { onNews(); }, [](std::int64_t, bool) {}};
+  MomentPtr moment_;
+  MomentPtr last_;
+  std::map<Call, PairMotion> calls_;
+  Counts counts_;
+
+ private:
+  PairMotions::Means means() { return {pairs_, bodies_, scene_.tf(), handlers_}; }
+
+  template <class Message>
+  void take(const std::string& topic, const std::string& type, const Message& message,
+            std::int64_t time) {
+    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
+    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
+    scene_.take({&topic, &type, &kPairSender, time, bytes.message_start, size});
+  }
+
+  void onNews() {
+    ++counts_.steps;
+    calls_.clear();
+    moment_ = momentOf(scene_.scene());
+    motions_.begin(moment_, means());
+    bodies_.update(moment_, {});
+    motions_.look(means());
+    onStep();
+    last_ = moment_;
+  }
+
+  MomentPairs pairs_;
+  LiveBodies bodies_{{}};
+  PairMotions motions_;
+  PairMotions::Handlers handlers_;
+};
+
+class RandomPairs : public PairScene {
+ public:
+  explicit RandomPairs(std::uint64_t seed)
+      : PairScene(seed % 3 == 0 ? "base" : "world", randomLinks(seed)),
+        carriers_(seed, kPairTimeout, seed % 7 < 4 ? 0.6 : 2) {}
+
+  void receive() { take(carriers_.next()); }
+
+ private:
+  using Key = std::pair<std::size_t, std::weak_ptr<const ObjectContent>>;
+  struct KeyOrder {
+    bool operator()(const Key& a, const Key& b) const {
+      return a.first != b.first ? a.first < b.first : a.second.owner_before(b.second);
+    }
+  };
+
+  static std::vector<BoundedLink> randomLinks(std::uint64_t seed) {
+    brute_force::Random random(seed);
+    std::vector<BoundedLink> links;
+    for (int i = 0; i < RandomCarriers::kArms; ++i)
+      links.push_back(
+          ballLink(RandomCarriers::armName(i), random.vector(0.3), random.uniform(0.1, 0.25)));
+    return links;
+  }
+
+  void onJump() override { bodies_.clear(); }
+
+  void onStep() override {
+    for (const Moment::Body& body : moment_->bodies)
+      bodies_[keyOf(body)].add(*moment_, body, counts_.steps);
+    if (last_) compareRests();
+    compareMotions();
+    for (const auto& [call, motion] : calls_) {
+      if (std::get<0>(call) == moment_.get() && motion.nearest) compareNearest(motion);
+    }
+  }
+
+  static Key keyOf(const Moment::Body& body) {
+    return {body.link ? *body.link + 1 : 0, body.object};
+  }
+
+  const BodyHistory& historyOf(const Moment& moment, std::size_t i) const {
+    return bodies_.at(keyOf(moment.bodies[i]));
+  }
+
+  template <class Visit>
+  void forEachPair(const Moment& moment, Visit visit) {
+    for (std::size_t i = 0; i < moment.bodies.size(); ++i) {
+      for (std::size_t j = i + 1; j < moment.bodies.size(); ++j) {
+        if (isPair(*moment.model, moment.member(i), moment.member(j))) visit(i, j);
+      }
+    }
+  }
+
+  void compareMotions() {
+    forEachPair(*moment_, [this](std::size_t i, std::size_t j) {
+      ++counts_.pairs;
+      compareMotion(historyOf(*moment_, i), historyOf(*moment_, j), i, j);
+      compareMotion(historyOf(*moment_, j), historyOf(*moment_, i), i, j);
+    });
+  }
+
+  /// The motion of one body while the other one is known.
+  void compareMotion(const BodyHistory& body, const BodyHistory& other, std::size_t i,
+                     std::size_t j) {
+    const auto span = body.motionIn(counts_.steps);
+    if (!span) return;
+    forEachSample(*span, [&](std::int64_t stamp) {
+      if (!other.isKnownAt(stamp, counts_.steps)) return;
+      counts_.dips += isSeen(*moment_, i, j, distanceAt(*moment_, i, j, stamp, nullptr));
+    });
+  }
+
+  /// Where a body of the last moment does not go on, the older one of a pair stands until the stamp
+  /// of the newer one.
+  void compareRests() {
+    const int step = counts_.steps;
+    forEachPair(*last_, [this, step](std::size_t i, std::size_t j) {
+      const BodyHistory& a = historyOf(*last_, i);
+      const BodyHistory& b = historyOf(*last_, j);
+      if (a.goesOnIn(step) && b.goesOnIn(step)) return;
+      const std::size_t a_last = a.entryBefore(step), b_last = b.entryBefore(step);
+      const std::int64_t a_end = a.entries[a_last].stamp, b_end = b.entries[b_last].stamp;
+      if (a_end == 0 || b_end == 0) return;
+      const std::int64_t begin =
+          std::max({std::min(a_end, b_end), a.since(a_last), b.since(b_last)});
+      forEachSample({begin, std::max(a_end, b_end)}, [&](std::int64_t stamp) {
+        const auto found = distanceAt(*last_, i, j, stamp, a_end < b_end ? &a : &b);
+        counts_.rest_dips += isSeen(*last_, i, j, found);
+      });
+    });
+  }
+
+  /// Without the begin, at which a moment was looked at.
+  template <class Visit>
+  static void forEachSample(MotionSpan span, Visit visit) {
+    for (int k = 1; k <= kMotionSamples && span.begin < span.end; ++k)
+      visit(span.begin + (span.end - span.begin) * k / kMotionSamples);
+  }
+
+  /// Nothing is found where it is not.
+  void compareNearest(const PairMotion& motion) const {
+    const auto truth = distanceAt(*moment_, motion.first, motion.second, motion.stamp, nullptr);
+    const double found = motion.nearest->lower;
+    EXPECT_TRUE(truth ? std::abs(found - *truth) < kPairAccuracy / 4 : found > kPairLimit)
+        << found << " m, step " << counts_.steps;
+  }
+
+  /// As tf2 interpolates. `standing` stays where it is in the moment. Nothing if it is far above
+  /// the limit.
+  std::optional<double> distanceAt(const Moment& moment, std::size_t i, std::size_t j,
+                                   std::int64_t stamp, const BodyHistory* standing) const {
+    const BodyHistory& a = historyOf(moment, i);
+    const BodyHistory& b = historyOf(moment, j);
+    const auto pose = [&](std::size_t k, const BodyHistory& body) {
+      return &body == standing ? moment.bodies[k].frame_from_body
+                               : poseAt(moment.bodies[k], body, stamp);
+    };
+    const Eigen::Affine3d a_pose = pose(i, a), b_pose = pose(j, b);
+    const double apart = (a_pose.translation() - b_pose.translation()).norm();
+    if (apart > a.radius + b.radius + 2 * kPairLimit) return std::nullopt;
+    return bodyDistance(a.body, a_pose, b.body, b_pose, {1e-5})->upper;
+  }
+
+  Eigen::Affine3d poseAt(const Moment::Body& seen, const BodyHistory& body,
+                         std::int64_t stamp) const {
+    if (!body.frame || body.isStatic()) return seen.frame_from_body;
+    const TransformBuffer& tf = scene_.tf();
+    const auto fixed = tf.find(moment_->model->fixed_frame), frame = tf.find(*body.frame);
+    const auto pose = tf.pose(*fixed, *frame, stamp);
+    EXPECT_TRUE(pose) << "tf knew it before";
+    return pose ? MatrixPose(*pose).affine : seen.frame_from_body;
+  }
+
+  /// True if the distance is below the limit. Then there must have been a call.
+  bool isSeen(const Moment& moment, std::size_t i, std::size_t j,
+              const std::optional<double>& distance) const {
+    if (!distance) return false;
+    const auto call = calls_.find({&moment, i, j});
+    const bool is_seen = call == calls_.end() ? *distance >= kPairLimit
+                                              : call->second.clearance <= *distance + kRounding;
+    EXPECT_TRUE(is_seen) << moment.name(moment.bodies[i]) << " and "
+                         << moment.name(moment.bodies[j]) << " came within " << *distance
+                         << " m, step " << counts_.steps;
+    return *distance < kPairLimit;
+  }
+
+  RandomCarriers carriers_;
+  std::map<Key, BodyHistory, KeyOrder> bodies_;
+};
+
+TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
+  constexpr int kRecordings = repetitions(600);
+  PairScene::Counts sum;
+  for (std::uint64_t seed = 1; seed <= kRecordings && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPairs recording(seed);
+    for (int i = 0; i < 150; ++i)
+      recording.receive();
+    const PairScene::Counts& counts = recording.counts();
+    sum.pairs += counts.pairs;
+    sum.calls += counts.calls;
+    sum.walks += counts.walks;
+    sum.undecided += counts.undecided;
+    sum.dips += counts.dips;
+    sum.rest_dips += counts.rest_dips;
+  }
+  std::cout << sum.pairs << " pairs, " << sum.calls << " calls, " << sum.walks << " walks, "
+            << sum.undecided << " undecided, " << sum.dips << " and " << sum.rest_dips
+            << " samples below the limit\n";
+  EXPECT_GT(sum.dips, 100 * kRecordings);
+  EXPECT_GT(sum.rest_dips, 5 * kRecordings);
+  EXPECT_LT(sum.calls, sum.pairs / 2);
+  EXPECT_LT(sum.undecided, sum.calls / 20);
+}
+
+/// A ball stands, another one is at that place in the message of that number.
+class TwoBalls : public PairScene {
+ public:
+  TwoBalls() : PairScene("world", {ball("still"), ball("moving")}) {}
+
+  void send(int number, const Eigen::Vector3d& place) {
+    const double stamp = 1 + 0.01 * number;
+    const auto none = Eigen::Quaterniond::Identity();
+    CarrierMessage message;
+    message.time = std::llround(stamp * 1e9);
+    message.transforms = {edge("world", "still", stamp, none, Eigen::Vector3d::Zero()),
+                          edge("world", "moving", stamp, none, place)};
+    take(message);
+  }
+
+ private:
+  static BoundedLink ball(const std::string& name) {
+    return ballLink(name, Eigen::Vector3d::Zero(), 0.2);
+  }
+};
+
+/// Only their boxes are within the limit.
+TEST(PairSequences, ALeaseLastsUntilTheBodiesHaveMovedSoFar) {
+  constexpr int kMotions = 400;
+  TwoBalls scene;
+  double before = 0;
+  int renewals = 0;
+  for (int i = 0; i <= kMotions; ++i) {
+    scene.send(i, Eigen::Vector3d::Constant(i % 2 == 0 ? 0.225 : 0.2251));
+    ASSERT_EQ(scene.counts().calls, i);
+    if (i == 0) continue;
+    const double clearance = scene.motion().clearance;
+    EXPECT_GT(clearance, kPairLimit);
+    EXPECT_LT(clearance, std::sqrt(3) * 0.2251 - 0.2);
+    renewals += clearance >= before;
+    before = clearance;
+  }
+  std::cout << renewals << " new distances in " << kMotions << " motions\n";
+  EXPECT_EQ(scene.counts().walks, 0);
+  EXPECT_LT(renewals, kMotions / 20);
+}
+
+TEST(PairSequences, WhatIsFarAwayIsNotLookedAt) {
+  TwoBalls scene;
+  for (int i = 0; i < 100; ++i)
+    scene.send(i, {i % 2 == 0 ? 1 : 1.1, 0, 0});
+  EXPECT_EQ(scene.counts().steps, 100);
+  EXPECT_EQ(scene.counts().calls, 0);
+}
+
+}  // namespace
+}  // namespace link_bounds
