@@ -3,6 +3,7 @@
 // A body of a recording with all that was ever known of its motion.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct BodyHistory {
 
   Body body;
   std::optional<std::string> frame;  ///< that it follows
+  std::int64_t placed = 0;           ///< stamp; 0: it was not placed once
   double radius = 0;                 ///< about the origin of its pose [m]
   std::int64_t timeout = 0;          ///< between two stamps of a motion
   std::vector<Entry> entries;        ///< one for each step with a box
@@ -49,9 +51,16 @@ struct BodyHistory {
     return MotionSpan{from.stamp, to.stamp};
   }
 
+  /// The motions that end in the step and are not yet compared with `other`: all, where that one
+  /// was placed in the step.
+  std::optional<MotionSpan> motionBeside(const BodyHistory& other, int step) const {
+    if (other.placed == 0 || other.entries.front().step != step) return motionIn(step);
+    return MotionSpan{std::max(other.placed, since(entries.size() - 1)), entries.back().stamp};
+  }
+
   /// Whether a motion up to the step covers the stamp. Its begin is that of a moment.
   bool isKnownAt(std::int64_t stamp, int step) const {
-    if (isStatic()) return entries.front().step < step;
+    if (isStatic()) return entries.front().step < step || (placed != 0 && placed < stamp);
     for (std::size_t i = entries.size() - 1; i > 0 && entries[i].stamp >= stamp; --i) {
       if (!isMotion(entries[i - 1], entries[i])) return false;
       if (entries[i - 1].stamp < stamp) return true;
@@ -81,6 +90,7 @@ struct BodyHistory {
     const BoundedLink& bounded = seen.link ? model.links[*seen.link] : seen.object->bounded;
     for (const Shape& shape : bounded.shapes)
       body.shapes.push_back({shape});
+    if (!follows) placed = seen.stamp;
     if (follows) frame = seen.link ? model.frames[*seen.link] : seen.object->frame;
     radius = radiusOf(bounded);
     timeout = static_cast<std::int64_t>(model.parameters.timeout * 1e9);

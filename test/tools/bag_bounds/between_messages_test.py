@@ -45,10 +45,11 @@ def swing(hertz, speed=2.0, seconds=1.2, jump=None, begin=BEGIN):
     return messages
 
 
-def marker(x, y, size):
-    """A cube that stands in the base frame."""
+def marker(x, y, size, frame='base', stamp=None):
+    """A cube that stands. With a stamp, it waits for tf of that time."""
     cube = Marker(ns='post', type=Marker.CUBE)
-    cube.header.frame_id = 'base'
+    cube.header.frame_id = frame
+    cube.header.stamp = time_of(0 if stamp is None else BEGIN + stamp)
     cube.pose.position.x, cube.pose.position.y = x, y
     cube.pose.orientation.w = 1
     cube.scale.x = cube.scale.y = cube.scale.z = size
@@ -307,6 +308,22 @@ class PostTest(BagBoundsTest):
         steps += [(5.1, {'ahead': 5}), (5.2, {'ahead': 5}), (5, {'behind': 1}, 5.3)]
         steps += [(6, {'pauses': 0, 'behind': 1, 'ahead': 5})]
         self.check_plates(*steps, arguments=('--timeout', '0'))
+
+    def test_a_marker_that_waits_for_tf_is_there_since_its_stamp(self):
+        """The plate passes through its place before tf says where that is."""
+        self.plates('slow', 'fast')
+        steps = [(0, {'slow': 5, 'fast': -1}), (.1, {'slow': 5, 'fast': -1}), (.18, {'fast': -.2}),
+                 (.22, {'fast': .2}), (.3, {'slow': 5, 'fast': 1})]
+        steps += [(i, {'slow': 5, 'fast': 1}) for i in range(1, 60)]
+        gate = self.write('gate.yaml', zone_text('gate', [-.1, -1, -1], [.1, 1, 1], 'fast'))
+        for stamp, code in (.12, UNDERCUT), (.25, 0):
+            post = marker(-5, 0, .02, 'slow', stamp)
+            with self.subTest(stamp=stamp):
+                self.check_plates(*steps, others=[post], arguments=('--objects', '/objects'),
+                                  code=code)
+                zone = self.report(self.bag([post] + self.plate_messages(*steps)), '--zones', gate,
+                                   '--objects', '/objects', code=ENTERED)['zones'][0]
+                self.assertEqual('post/0' in {stay['name'] for stay in zone['stays']}, code != 0)
 
     def test_no_motion_goes_across_a_jump_of_the_clock(self):
         """Although its stamps go on as before: tf has forgotten where it began."""

@@ -185,7 +185,7 @@ class RandomPairs : public PairScene {
   /// The motion of one body while the other one is known.
   void compareMotion(const BodyHistory& body, const BodyHistory& other, std::size_t i,
                      std::size_t j) {
-    const auto span = body.motionIn(counts_.steps);
+    const auto span = body.motionBeside(other, counts_.steps);
     if (!span) return;
     forEachSample(*span, [&](std::int64_t stamp) {
       if (!other.isKnownAt(stamp, counts_.steps)) return;

@@ -63,6 +63,11 @@ FrameView::Placed FrameView::placed(const SceneBody& body) {
   return result;
 }
 
+std::int64_t FrameView::fixedStamp() {
+  const FramePose& pose = poseOf(scene_.model()->fixed_frame);
+  return pose.problem == TransformProblem::kNone ? pose.stamp : 0;
+}
+
 double radiusOf(const BodyMotion& motion) {
   const double radius = radiusOf(*motion.link);
   if (!motion.source_from_link) return radius;
@@ -104,6 +109,29 @@ bool BodyMotions::isMotion(const Last& last, std::int64_t stamp) const {
   return timeout_ == 0 || static_cast<double>(stamp - last.stamp) <= timeout_;
 }
 
+void BodyMotions::followView() {
+  const std::int64_t stamp = view_ ? view_->fixedStamp() : 0;
+  if (stamp == 0 || stamp == view_stamp_) return;
+  Last last;
+  last.stamp = std::exchange(view_stamp_, stamp);
+  if (last.stamp == 0 || stamp < last.stamp || !isMotion(last, stamp)) view_since_ = stamp;
+}
+
+/// In the view, as far as its motion is known.
+void BodyMotions::standSinceStamp(Last& last, const BoxSource& source) const {
+  last.stamp = 0;
+  if (view_stamp_ == 0 || !source.frame_from_body || source.object->follows()) return;
+  const std::int64_t since = std::max(source.object->stamp, view_since_);
+  const auto pose = scene_.frames.tf().pose(target_, source.frame, since);
+  const auto box = pose
+                       ? linkBox(source.bounded, MatrixPose(*pose).affine * *source.frame_from_body)
+                       : std::nullopt;
+  if (!box) return;
+  last.stamp = since;
+  last.box = *box;
+  last.object = source.object;
+}
+
 bool BodyMotions::hasRest(const Last& last, const SceneBody& body) const {
   if (last.stamp == 0 || last.ahead <= last.stamp) return false;
   return (body.link || body.state.box) && scene_.boxSource(body).object == last.object;
@@ -132,9 +160,11 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                                     const FrameView::Placed& placed) {
   if (!placed.state.box) return nullptr;
   const BoxSource source = scene_.boxSource(body);
+  const bool is_new = body.object && last.object != source.object;
+  if (is_new) standSinceStamp(last, source);
   const std::int64_t passed = placed.pose_stamp - last.stamp;
   const bool has_moved = last.object == source.object && last.stamp != 0 && passed > 0 &&
-                         isMotion(last, placed.pose_stamp);
+                         (is_new || isMotion(last, placed.pose_stamp));
   if (has_moved) {
     motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
                source.frame_from_body};

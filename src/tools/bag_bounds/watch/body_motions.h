@@ -40,6 +40,9 @@ class FrameView {
   /// A body of the scene.
   Placed placed(const SceneBody& body);
 
+  /// The stamp of the scene's fixed frame in the view; 0 if there is none, or if it stands.
+  std::int64_t fixedStamp();
+
  private:
   const FramePose& poseOf(const std::string& frame);
 
@@ -75,7 +78,7 @@ double radiusOf(const BodyMotion& motion);
 /// A body moves while the stamp of its box grows, from one transform to a later one, also where its
 /// box was lost meanwhile: transforms may have been recorded late. It does not move, but is another
 /// one, where a marker came again, where the clock jumped back, and where its stamps are farther
-/// apart than `timeout`.
+/// apart than `timeout`. An object that is placed once stands since its stamp.
 class BodyMotions {
  public:
   /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
@@ -88,6 +91,7 @@ class BodyMotions {
   template <class VisitRest, class Visit>
   void forEach(VisitRest&& visit_rest, Visit&& visit) {
     ++pass_;
+    followView();
     scene_.forEach([&](const SceneBody& body) {
       const FrameView::Placed placed = view_ ? view_->placed(body) : placedInScene(body);
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
@@ -106,6 +110,7 @@ class BodyMotions {
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
       if (hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
     });
+    view_stamp_ = 0;
     for (Last& last : last_links_)
       last.stamp = last.ahead = 0;
     for (auto& [key, last] : last_objects_)
@@ -125,6 +130,8 @@ class BodyMotions {
   FrameView::Placed placedInScene(const SceneBody& body) const;
   Last& lastOf(const ObjectKey& key);
   bool isMotion(const Last& last, std::int64_t stamp) const;
+  void followView();
+  void standSinceStamp(Last& last, const BoxSource& source) const;
   bool hasRest(const Last& last, const SceneBody& body) const;
   const BodyMotion& rest(Last& last, const SceneBody& body);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
@@ -135,8 +142,10 @@ class BodyMotions {
   WayBound ways_;
   WayBound scene_ways_;
   TransformBuffer::Frame target_;
-  double timeout_;             ///< [ns]; 0: never
-  std::vector<double> radii_;  ///< of the links
+  std::int64_t view_stamp_ = 0;  ///< of the scene's fixed frame in the view; 0: none, or it stands
+  std::int64_t view_since_ = 0;  ///< the motions that lead there begin
+  double timeout_;               ///< [ns]; 0: never
+  std::vector<double> radii_;    ///< of the links
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;
   std::uint64_t pass_ = 0;

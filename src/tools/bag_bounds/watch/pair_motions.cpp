@@ -184,6 +184,10 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     MovedBody& mover = movers_[i];
     const auto [known, is_new] = known_.try_emplace(BodyKey(body));
     const Known before = std::exchange(known->second, {body.stamp, mover.since, pass_, i});
+    if (is_new && body.object && !body.object->follows()) {
+      mover.was_there = mover.is_placed_now = true;
+      mover.since = body.stamp;  // not later: it may have been there before
+    }
     if (is_new) continue;
     mover.begin = mover.end == 0 ? 0 : before.stamp;
     const std::int64_t passed = mover.end - mover.begin;
@@ -209,13 +213,14 @@ void PairMotions::forgetObjects() {
 
 /// Of a pair, the motion is looked at that begins where the one of the older stamps was.
 void PairMotions::findWays(WayBound& ways) {
-  std::int64_t earliest = 0;  // begin of a motion of this step; 0: none
+  std::int64_t earliest = 0;  // begin of a motion that is looked at; 0: none
   for (const MovedBody& mover : movers_) {
+    if (mover.is_placed_now) earliest = olderStamp(earliest, mover.since);
     if (mover.was_there && mover.begin < mover.end && (earliest == 0 || mover.begin < earliest))
       earliest = mover.begin;
   }
   for (MovedBody& mover : movers_) {
-    const std::int64_t begin = std::min(earliest, mover.begin);
+    const std::int64_t begin = std::max(std::min(earliest, mover.begin), mover.since);
     if (mover.was_there && begin != 0 && begin < mover.end)
       mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
   }
@@ -243,9 +248,10 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   MovedBody& first = movers_[pair.first];
   MovedBody& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
-  const MotionSpan span{
-      std::max({olderStamp(first.begin, second.begin), first.since, second.since}),
-      olderStamp(first.end, second.end)};
+  const bool is_placed_now = first.is_placed_now || second.is_placed_now;
+  const std::int64_t begin = is_placed_now ? 0 : olderStamp(first.begin, second.begin);
+  const MotionSpan span{std::max({begin, first.since, second.since}),
+                        olderStamp(first.end, second.end)};
   if (span.begin == 0 || span.begin >= span.end) return;
   const std::optional<double> wanted = means.handlers.wanted(*moment_, pair);
   if (!wanted) return;

@@ -44,9 +44,10 @@ struct MovedBody {
   double radius = 0;                        ///< about the origin of the frame [m]
   std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
-  std::int64_t since = 0;  ///< its motion is known from this stamp on
-  bool was_there = false;  ///< known before, not longer ago than `timeout`
-  bool goes_on = false;    ///< in the next moment, likewise
+  std::int64_t since = 0;      ///< its motion is known from this stamp on
+  bool was_there = false;      ///< known before, not longer ago than `timeout`; or placed now
+  bool is_placed_now = false;  ///< in this step, where it stands since an earlier stamp
+  bool goes_on = false;        ///< in the next moment, likewise
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
 };
 
@@ -76,8 +77,9 @@ class PairMotions {
   void begin(const MomentPtr& moment, const Means& means);
 
   /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
-  /// also of bodies that were not in the last one. They are over where an object was replaced, and
-  /// where stamps are farther apart than `timeout`. To be called after begin(), when the bodies are
+  /// also of bodies that were not in the last one; and from the stamp of an object that was placed
+  /// once to now, when it is first there. They are over where an object was replaced, and where
+  /// stamps are farther apart than `timeout`. To be called after begin(), when the bodies are
   /// those of the moment.
   void look(const Means& means);
 
