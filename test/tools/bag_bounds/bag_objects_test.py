@@ -107,6 +107,25 @@ class ObjectsTest(BagBoundsTest):
         box = next(box for box in found['boxes'] if box['name'] == 'part/1')
         self.assertLess(difference(box['min'] + box['max'], pose.box_bounds((.1, .2, .3))), 1e-9)
 
+    def test_markers_that_tf_places_soon(self):
+        """Each in the message that moves their link. They were there since their stamps."""
+        def placed(index):
+            return recorded(index, marker('part/1', frame='left_tip', scale=(.1, .1, .1),
+                                          stamp=time_of(BEGIN + PERIOD * index)))
+        last = recorded(20.5, marker('part/1', frame='left_tip', scale=(.1, .1, .1),
+                                     stamp=time_of(BEGIN + 1)))
+        for markers in [placed(5.5)], [placed(i + .5) for i in range(5, 20, 3)]:
+            with self.subTest(markers=len(markers)):
+                found = self.objects(arms(40) + markers)
+                self.assertEqual((found['extremes'][-1]['coverage'], found['incomplete']), (1, {}))
+                found = self.objects(arms(40) + markers + [last], code=INCOMPLETE,
+                                     err='incomplete names: 1')
+                self.assertRegex(found['incomplete']['part/1'], 'is not there yet')
+        self.objects(arms(40) + [last], code=INCOMPLETE, err='incomplete names: 1')
+        gone = recorded(30, deletion('part/1'))
+        self.objects(arms(40) + [placed(5.5), last, gone], code=INCOMPLETE,
+                     err='incomplete names: 1')
+
     def test_an_object_that_waits_for_its_frame(self):
         """It is there from its marker on, and has a box from the first transform on."""
         link = [moving_arms(i, links=('right',)) for i in range(10, 20)]

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace link_bounds {
 namespace {
@@ -36,12 +37,20 @@ void endGap(BoxRecord& record, std::int64_t now) {
 
 /// Before its first box a name has no gap.
 template <class GetReason>
-void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout,
+void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout, bool waits,
          const GetReason& reason) {
   if (!state.box) record.last.reset();
+  record.waits = waits ? reason() : "";
+  record.is_waiting = waits && !state.box;
+  if (record.is_waiting) {
+    if (!record.has_box) record.reason = record.waits;
+    return;
+  }
+  const std::int64_t waited = std::exchange(record.waited, 0);
   if (state.box) {
     endGap(record, now);
-    if (state.incomplete && record.partial.empty()) record.partial = reason();
+    record.covered += waited;
+    if (!waits && state.incomplete && record.partial.empty()) record.partial = reason();
     extend(record, *state.box, {now, state.stamp});
     addSpeed(record, *state.box, {now, state.stamp}, timeout);
   } else if (!record.has_box) {
@@ -86,7 +95,8 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
     if (body.object) present_.push_back(record);
     const bool had_box = record->has_box && !record->gap;
     has_changed |= body.link && had_box != body.state.box.has_value();
-    link_bounds::add(*record, body.state, now, timeout, [&] { return scene.reason(body); });
+    const bool waits = body.object && body.object->problem == TransformProblem::kWaiting;
+    link_bounds::add(*record, body.state, now, timeout, waits, [&] { return scene.reason(body); });
   });
   return has_changed;
 }
@@ -110,7 +120,11 @@ void BoxRecords::passTo(std::int64_t now) {
   const std::int64_t passed = std::max<std::int64_t>(now - last_, 0);
   for (BoxRecord* object : present_) {
     object->time += passed;
-    if (object->has_box && !object->gap) object->covered += passed;
+    if (object->is_waiting) {
+      object->waited += passed;
+    } else if (object->has_box && !object->gap) {
+      object->covered += passed;
+    }
   }
   last_ = now;
 }
@@ -120,6 +134,7 @@ void BoxRecords::finish(std::int64_t now) {
   present_.clear();
   const auto finish = [now](BoxRecord& record) {
     record.is_lost = record.gap.has_value();
+    if (record.partial.empty()) record.partial = record.waits;
     endGap(record, now);
   };
   for (BoxRecord& link : links_)

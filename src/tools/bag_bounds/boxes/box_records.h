@@ -39,6 +39,9 @@ struct BoxRecord {
   std::int64_t covered = 0;        ///< of that, with a box [ns]
   std::optional<double> coverage;  ///< of links, see Coverage; of objects, of `time`
   std::string remedy;              ///< for a link whose box came late or never; "" if none is known
+  bool is_waiting = false;         ///< has no box until tf says where it was placed
+  std::int64_t waited = 0;         ///< so long [ns]; covered if it is placed, since its stamp
+  std::string waits;               ///< why it, or its new marker, waits; "" if nothing does
   std::string partial;             ///< why the box does not cover everything; "" if it does
 };
 
