@@ -97,6 +97,17 @@ class ObjectsTest(BagBoundsTest):
                 found = [box['min'][0] + .5 for box in boxes if box['name'] == 'part/1']
                 self.assertEqual([round(value, 6) for value in found], x)
 
+    def test_objects_are_those_after_all_messages_of_the_time_of_at(self):
+        near, far = (marker('part/1', pose=Pose((x, 0, 0))) for x in (10, 20))
+        for last, x in (recorded(20, far), [19.5]), (recorded(20, deletion('part/1')), []):
+            for end in 60, 21:
+                messages = [static_arms()] + [moving_arms(i) for i in range(0, end, 5)]
+                with self.subTest(x=x, end=end):
+                    boxes = self.objects(messages + [recorded(20, near), last],
+                                         '--at', '0.4')['boxes']
+                    found = [box['min'][0] for box in boxes if box['name'] == 'part/1']
+                    self.assertEqual([round(value, 6) for value in found], x)
+
     def test_the_box_of_an_earlier_marker_stands_while_the_new_one_waits(self):
         """For the transform of another frame, at a stamp that tf reaches later."""
         old = marker('part/1', frame='left_tip', scale=(.1, .2, .3))

@@ -9,6 +9,7 @@ import json
 import math
 import random
 
+import rosbag
 from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, UNDERCUT, BagBoundsTest, main, run,
                                 static_arms, time_of, zone_text)
 from bounds_testing import Pose, transform, turn
@@ -363,7 +364,11 @@ class PostTest(BagBoundsTest):
         self.check_plates(*[(i / 10 - BEGIN, {'slow': 0, 'fast': -1 if i == 0 else 1})
                             for i in range(5)])
         self.urdf = self.write('arm.urdf', HAND)
-        self.zone(swing(1, begin=0), code=ENTERED)
+        self.zone(swing(1, begin=0), '--out', self.path('boxes.bag'), code=ENTERED)
+        with rosbag.Bag(self.path('boxes.bag')) as bag:
+            stamps = [(message.header.stamp.to_sec(), message.boxes[0].stamp.to_sec())
+                      for _, message, _ in bag.read_messages() if message.boxes]
+        self.assertEqual(stamps, [(0, 0), (1, 1)])
 
     def test_a_plate_that_moves_away_in_time(self):
         """In the place in which it was left, the other one would meet it."""

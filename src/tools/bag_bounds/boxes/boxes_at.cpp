@@ -7,12 +7,8 @@
 namespace link_bounds {
 
 void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t now) {
-  if (now < stamp_) return;
-  const bool is_first = !has_begun_;
-  if (is_first) begin(scene);
-  // Later tf has forgotten it. Ticks may be so far apart that the first look is later: what is
-  // static is known then, too.
-  if (missing_ == 0 || (!is_first && now - stamp_ > EdgeHistory::kLength)) return;
+  // Later tf has forgotten it.
+  if (!has_begun_ || missing_ == 0 || now - stamp_ > EdgeHistory::kLength) return;
   const TransformBuffer::Frame fixed = *scene.frames.fixedFrame();
   for (Body& body : bodies_) {
     if (body.box) continue;
@@ -25,7 +21,7 @@ void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t n
   }
 }
 
-void BoxesAt::begin(const Scene& scene) {
+void BoxesAt::begin(const Scene& scene, const TransformBuffer& tf) {
   has_begun_ = true;
   scene.forEach([&](const SceneBody& body) {
     if (body.object && !body.state.box) return;
@@ -37,6 +33,7 @@ void BoxesAt::begin(const Scene& scene) {
          std::nullopt, 0});
   });
   missing_ = bodies_.size();
+  look(scene, tf, stamp_);
 }
 
 std::vector<BoxAt> BoxesAt::boxes(const Scene& scene) const {

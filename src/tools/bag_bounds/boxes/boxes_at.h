@@ -25,6 +25,11 @@ class BoxesAt {
  public:
   explicit BoxesAt(std::int64_t stamp) : stamp_(stamp) {}
 
+  /// To be called when record time is about to pass the stamp, after all messages of it, or the
+  /// bags end later.
+  void begin(const Scene& scene, const TransformBuffer& tf);
+  bool hasBegun() const { return has_begun_; }
+
   /// To be called after each message and tick, at the record time [ns].
   void look(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
 
@@ -43,8 +48,6 @@ class BoxesAt {
     std::optional<Aabb> box;
     std::int64_t stamp;
   };
-
-  void begin(const Scene& scene);
 
   std::int64_t stamp_;
   bool has_begun_ = false;

@@ -25,6 +25,11 @@ BagTopic boxesTopic() {
           true};
 }
 
+/// A recorded transform of stamp 0 got that of kStampOfZero, so that it is no static one.
+void restoreZero(ros::Time& stamp) {
+  if (stamp == kStampOfZero) stamp = ros::Time();
+}
+
 }  // namespace
 
 BoxesBag::BoxesBag(const std::string& file)
@@ -33,6 +38,9 @@ BoxesBag::BoxesBag(const std::string& file)
 /// rosbag play refuses messages of time 0.
 void BoxesBag::write(const Scene& scene, std::int64_t now) {
   fillBoxes(scene, message_);
+  restoreZero(message_.header.stamp);
+  for (AxisAlignedBox& box : message_.boxes)
+    restoreZero(box.stamp);
   bytes_.resize(ros::serialization::serializationLength(message_));
   const auto size = static_cast<std::uint32_t>(bytes_.size());
   ros::serialization::OStream stream(bytes_.data(), size);

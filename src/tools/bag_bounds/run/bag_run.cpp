@@ -130,6 +130,7 @@ void BagRun::read() {
   begin();
   readMessages();
   on_progress_(1);
+  beginBoxesAt(std::numeric_limits<std::int64_t>::max());
   if (!was_interrupted_) endMotions();
   coverage_.sample(scene_.scene(), scene_.tf(), last_);
   boxes_.finish(last_);
@@ -197,12 +198,26 @@ void BagRun::readMessages() {
 /// The begin of the report and --at may lie between two messages or ticks: what is there then
 /// counts, before a later message changes it. False if it was interrupted.
 bool BagRun::lookBefore(std::int64_t message) {
+  if (!lookBetween(message)) return false;
+  beginBoxesAt(message);
+  return true;
+}
+
+bool BagRun::lookBetween(std::int64_t message) {
   for (const std::int64_t time : looks_) {
     if (time <= scene_.now() || time >= message || time > to_) continue;
     if (!scene_.passTo(time)) return false;
     onStep(time, false);
   }
   return true;
+}
+
+/// After the last message of that time.
+void BagRun::beginBoxesAt(std::int64_t next) {
+  if (!boxes_at_ || boxes_at_->hasBegun()) return;
+  const std::int64_t stamp = boxes_at_->stamp();
+  if (stamp <= scene_.now() && stamp != next && stamp <= to_)
+    boxes_at_->begin(scene_.scene(), scene_.tf());
 }
 
 void BagRun::endMotions() {

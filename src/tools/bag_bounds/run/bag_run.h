@@ -53,6 +53,8 @@ class BagRun {
   void endMotions();
   void watchOrder(const BagMessage& message);
   bool lookBefore(std::int64_t message);
+  bool lookBetween(std::int64_t message);
+  void beginBoxesAt(std::int64_t next);
   bool isReported(std::int64_t now) const { return from_ <= now && now <= to_; }
   void onNews(std::int64_t now);
   void onStep(std::int64_t now, bool is_tick);

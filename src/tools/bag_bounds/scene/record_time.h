@@ -20,6 +20,9 @@ struct RecordTime {
 /// The largest time of ros::Time is 4.29e18 ns.
 constexpr std::int64_t kMaxTime = 4'200'000'000'000'000'000;
 
+/// A simulation begins at the stamp 0, which stands for static transforms elsewhere.
+const ros::Time kStampOfZero(0, 1);
+
 /// Times out of range become the nearest one that ros::Time can hold.
 inline ros::Time toRosTime(std::int64_t nanoseconds) {
   return ros::Time().fromNSec(

@@ -41,10 +41,9 @@ void deserialize(const BagMessage& message, Message& result) {
   if (!readComplete(message.data, message.size, result)) ros::serialization::throwStreamOverrun();
 }
 
-/// A simulation begins at the stamp 0, which stands for static transforms elsewhere.
 void moveFromZero(std::vector<TransformView>& transforms) {
   for (TransformView& transform : transforms)
-    transform.stamp = std::max(transform.stamp, ros::Time(0, 1));
+    transform.stamp = std::max(transform.stamp, kStampOfZero);
 }
 
 }  // namespace
