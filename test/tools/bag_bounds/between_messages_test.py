@@ -172,6 +172,21 @@ class PostTest(BagBoundsTest):
                             '--objects', '/objects', code=UNDERCUT)
         self.assertEqual(found['distances'][0]['clearance'], 0)
 
+    def test_a_report_that_starts_while_the_recorder_stalls(self):
+        """After `timeout`, when no link has a box. The motion becomes known in the report."""
+        self.plates('slow', 'fast')
+        steps = [(0, {'slow': 0, 'fast': -1}), (.1, {'slow': 0, 'fast': -1}),
+                 (.3, {'slow': 0, 'fast': 1}, 4), (.5, {'slow': 0, 'fast': 1}, 4.1)]
+        steps += [(4 + i / 2, {'slow': 0, 'fast': 1}) for i in range(1, 4)]
+        bag = self.bag(self.plate_messages(*steps))
+        for name, low, high in ('', -.3, -.2), ('slow', -.3, -.2), ('fast', .2, .3):
+            zones = self.write('zones.yaml', zone_text('gate', [low, -1, -1], [high, 1, 1], name))
+            for arguments in ('--zones', zones), ('--distances', '.01'):
+                for start, code in (1, ENTERED), (3.5, ENTERED), (4.05, 0):
+                    with self.subTest(arguments=arguments, start=start, frame=name):
+                        self.report(bag, *arguments, '--start', str(start), '--min-coverage', '0',
+                                    code=code)
+
     def test_who_is_inside_while_the_recorder_stalls(self):
         """Entered once more, but was not known outside before."""
         stall = time_of(BEGIN + 3)

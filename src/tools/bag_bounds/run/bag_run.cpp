@@ -247,7 +247,11 @@ bool BagRun::glance() {
 
 void BagRun::onNews(std::int64_t now) {
   zones_.onNews(now, isReported(now));
-  if (isReported(now)) record(now);
+  if (isReported(now)) {
+    record(now);
+  } else if (pairs_ && !has_recorded_) {
+    pairs_->remember(scene_.scene());
+  }
 }
 
 /// What is there when the report begins is recorded, too.

@@ -90,6 +90,16 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
   }
 }
 
+void BodyMotions::remember() {
+  scene_.forEach([this](const SceneBody& body) {
+    const FrameView::Placed placed =
+        body.link ? (view_ ? view_->placed(body) : placedInScene(body)) : FrameView::Placed();
+    if (!placed.state.box) return;
+    last_links_[*body.link].stamp = placed.pose_stamp;
+    last_links_[*body.link].box = *placed.state.box;
+  });
+}
+
 /// In the scene's own frame a body that does not follow another one stands.
 FrameView::Placed BodyMotions::placedInScene(const SceneBody& body) const {
   if (body.link) return {body.state, body.state.stamp};

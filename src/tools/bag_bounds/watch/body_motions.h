@@ -85,6 +85,10 @@ class BodyMotions {
   /// this.
   BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
+  /// To be called before the first forEach() when boxes change: their links move from there, also
+  /// those that are lost when it begins.
+  void remember();
+
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
   /// since the last call. Before it, calls visit_rest(number, name, motion) where the view was lost
   /// before the body moved on: of that motion, beside the last place of the view.

@@ -38,6 +38,9 @@ class NearestPairs {
   NearestPairs(const NearestPairs&) = delete;
   NearestPairs& operator=(const NearestPairs&) = delete;
 
+  /// See PairMotions.
+  void remember(const Scene& scene) { motions_.remember(scene); }
+
   /// The scene must have a model. Looks at the motions since the last call, too. Adds less, or
   /// nothing, if it is interrupted.
   void add(const Scene& scene, const TransformBuffer& tf, std::int64_t now);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kMaxPosesOfPair = 5'000;      // of one motion: some 100 ms
 constexpr std::size_t kMaxSteps = 100'000;  // as in scene_distances.cpp
+constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset) {
@@ -125,8 +126,25 @@ struct RestTimes {
 
 }  // namespace
 
+void PairMotions::remember(const Scene& scene) {
+  const std::vector<BoxState>& states = scene.links.states();
+  early_stamps_.resize(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].box) early_stamps_[i] = states[i].stamp;
+  }
+}
+
+void PairMotions::takeEarlyStamps() {
+  for (std::size_t i = 0; i < early_stamps_.size(); ++i) {
+    const std::int64_t stamp = early_stamps_[i];
+    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, stamp, kNoPass, 0});
+  }
+  early_stamps_.clear();
+}
+
 void PairMotions::begin(const MomentPtr& moment, const Means& means) {
   ++pass_;
+  takeEarlyStamps();
   last_ = std::exchange(moment_, moment);
   std::vector<MovedBody> before = std::exchange(movers_, {});
   for (const Moment::Body& body : moment->bodies) {
@@ -162,6 +180,7 @@ void PairMotions::finish(const Means& means) {
   if (last_) lookAtRests(std::exchange(movers_, {}), means);
   moment_.reset();
   known_.clear();
+  early_stamps_.clear();
 }
 
 /// Pairs that were within the limit before they moved that far, in all.

@@ -72,6 +72,10 @@ class PairMotions {
     const Handlers& handlers;
   };
 
+  /// To be called before the first moment when boxes change: their links move from there, also
+  /// those that are lost when it begins.
+  void remember(const Scene& scene);
+
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
   /// is lost, or does not go on, others are looked at beside its last place, since its stamp.
   void begin(const MomentPtr& moment, const Means& means);
@@ -102,6 +106,7 @@ class PairMotions {
 
     explicit BodyKey(const Moment::Body& body)
         : link(body.link ? *body.link + 1 : 0), object(body.object) {}
+    explicit BodyKey(std::size_t index_of_link) : link(index_of_link + 1) {}
     bool operator<(const BodyKey& other) const {
       return link != other.link ? link < other.link : object.owner_before(other.object);
     }
@@ -116,6 +121,7 @@ class PairMotions {
     std::size_t place;   ///< among its bodies
   };
 
+  void takeEarlyStamps();
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
   void findWays(WayBound& ways);
@@ -133,7 +139,8 @@ class PairMotions {
   MomentPtr moment_;
   MomentPtr last_;
   std::vector<MovedBody> movers_;
-  std::map<BodyKey, Known> known_;                             ///< while the bodies exist
+  std::vector<std::int64_t> early_stamps_;  ///< of links, before the first moment; 0: none
+  std::map<BodyKey, Known> known_;          ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                             ///< by target

@@ -61,9 +61,14 @@ void ZoneWatch::updateViews(ros::Time now) {
 
 void ZoneWatch::onNews(std::int64_t now, bool is_reported) {
   updateViews(toRosTime(now));
+  for (auto& [frame, group] : groups_) {
+    if (is_reported) {
+      compare(group, now);
+    } else {
+      group.motions.remember();
+    }
+  }
   if (!is_reported) return;
-  for (auto& [frame, group] : groups_)
-    compare(group, now);
   have_views_changed_ = false;
 }
 
