@@ -35,6 +35,11 @@ class LiveBodies {
   /// The shapes of a body, given by its index in the last moment.
   const Body& body(std::size_t index) const { return *slots_[slots_of_bodies_[index]].body; }
 
+  /// The same, which stays when the body is gone.
+  const std::shared_ptr<const Body>& sharedBody(std::size_t index) const {
+    return slots_[slots_of_bodies_[index]].body;
+  }
+
   /// As find(), with another limit [m], and remembers nothing of the pair.
   std::optional<BodyDistance> findOnce(std::size_t first, std::size_t second, double limit) const {
     return distances_.findOnce(slots_of_bodies_[first], slots_of_bodies_[second], limit);

@@ -341,6 +341,20 @@ class PostTest(BagBoundsTest):
                                    '--objects', '/objects', code=ENTERED)['zones'][0]
                 self.assertEqual('post/0' in {stay['name'] for stay in zone['stays']}, code != 0)
 
+    def test_an_object_is_there_until_it_is_deleted(self):
+        """Or replaced, while the plate passes through its place, and after that."""
+        self.plates('slow', 'fast')
+        steps = [(0, {'slow': 5, 'fast': -1}), (.1, {'slow': 5, 'fast': -1}),
+                 (.3, {'slow': 5, 'fast': 1}), (.5, {'slow': 5, 'fast': 1})]
+        gone = Marker(ns='post', action=Marker.DELETE)
+        for change in gone, marker(9, 0, .02)[1]:
+            for time, code in (.25, UNDERCUT), (.15, 0):
+                messages = self.plate_messages(*steps)
+                messages[2:2] = [('/objects', change, time_of(BEGIN + time))]
+                with self.subTest(time=time, action=change.action):
+                    self.report(self.bag([marker(0, 0, .02)] + messages), '--distances', '.01',
+                                '--objects', '/objects', code=code)
+
     def test_no_motion_goes_across_a_jump_of_the_clock(self):
         """Although its stamps go on as before: tf has forgotten where it began."""
         messages = [(topic, message, time_of(time.to_sec() - 0.5 * (time.to_sec() > BEGIN + 0.5)))

@@ -6,6 +6,7 @@
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <tuple>
@@ -39,7 +40,8 @@ BoundedLink ballLink(const std::string& name, const Eigen::Vector3d& centre, dou
 class PairScene {
  public:
   struct Counts {
-    int steps = 0, pairs = 0, calls = 0, walks = 0, undecided = 0, dips = 0, rest_dips = 0;
+    int steps = 0, pairs = 0, calls = 0, walks = 0, undecided = 0, dips = 0, rest_dips = 0,
+        gone_dips = 0;
   };
 
   PairScene(const std::string& fixed_frame, const std::vector<BoundedLink>& links) {
@@ -53,7 +55,8 @@ class PairScene {
       ++counts_.calls;
       counts_.walks += motion.nearest.has_value();
       counts_.undecided += !motion.undecided.empty();
-      calls_[{&moment, motion.first, motion.second}] = motion;
+      const BodyKey first(moment.bodies[motion.first]), second(moment.bodies[motion.second]);
+      calls_[{is_rest_, first, second}] = motion;
     };
     handlers_.gives_up = [] { return false; };
   }
@@ -80,7 +83,19 @@ class PairScene {
   const PairMotion& motion() const { return calls_.begin()->second; }
 
  protected:
-  using Call = std::tuple<const Moment*, std::size_t, std::size_t>;
+  /// A link, or an object's content, which may be gone.
+  struct BodyKey {
+    std::size_t link;
+    std::weak_ptr<const ObjectContent> object;
+
+    explicit BodyKey(const Moment::Body& body)
+        : link(body.link ? *body.link + 1 : 0), object(body.object) {}
+    bool operator<(const BodyKey& other) const {
+      return link != other.link ? link < other.link : object.owner_before(other.object);
+    }
+  };
+
+  using Call = std::tuple<bool, BodyKey, BodyKey>;  // whether one of both is at rest; the bodies
 
   virtual void onJump() {}
   virtual void onStep() {}
@@ -107,7 +122,9 @@ class PairScene {
     ++counts_.steps;
     calls_.clear();
     moment_ = momentOf(scene_.scene());
-    motions_.begin(moment_, means());
+    is_rest_ = true;
+    motions_.begin(moment_, scene_.now(), means());
+    is_rest_ = false;
     bodies_.update(moment_, {});
     motions_.look(means());
     onStep();
@@ -118,6 +135,7 @@ class PairScene {
   LiveBodies bodies_{{}};
   PairMotions motions_;
   PairMotions::Handlers handlers_;
+  bool is_rest_ = false;
 };
 
 class RandomPairs : public PairScene {
@@ -129,11 +147,12 @@ class RandomPairs : public PairScene {
   void receive() { take(carriers_.next()); }
 
  private:
-  using Key = std::pair<std::size_t, std::weak_ptr<const ObjectContent>>;
-  struct KeyOrder {
-    bool operator()(const Key& a, const Key& b) const {
-      return a.first != b.first ? a.first < b.first : a.second.owner_before(b.second);
-    }
+  /// At rest, until it was deleted or replaced.
+  struct GoneObject {
+    BodyKey key;
+    std::string name;
+    Eigen::Affine3d pose;
+    std::int64_t until;
   };
 
   static std::vector<BoundedLink> randomLinks(std::uint64_t seed) {
@@ -145,24 +164,29 @@ class RandomPairs : public PairScene {
     return links;
   }
 
-  void onJump() override { bodies_.clear(); }
+  void onJump() override {
+    bodies_.clear();
+    gone_.clear();
+  }
 
   void onStep() override {
     for (const Moment::Body& body : moment_->bodies)
-      bodies_[keyOf(body)].add(*moment_, body, counts_.steps);
-    if (last_) compareRests();
+      bodies_[BodyKey(body)].add(*moment_, body, counts_.steps);
+    if (last_) {
+      compareRests();
+      findGone();
+    }
     compareMotions();
+    for (const GoneObject& gone : gone_)
+      compareGone(gone);
     for (const auto& [call, motion] : calls_) {
-      if (std::get<0>(call) == moment_.get() && motion.nearest) compareNearest(motion);
+      const bool is_here = motion.second < moment_->bodies.size();
+      if (!std::get<0>(call) && is_here && motion.nearest) compareNearest(motion);
     }
   }
 
-  static Key keyOf(const Moment::Body& body) {
-    return {body.link ? *body.link + 1 : 0, body.object};
-  }
-
   const BodyHistory& historyOf(const Moment& moment, std::size_t i) const {
-    return bodies_.at(keyOf(moment.bodies[i]));
+    return bodies_.at(BodyKey(moment.bodies[i]));
   }
 
   template <class Visit>
@@ -213,6 +237,40 @@ class RandomPairs : public PairScene {
     });
   }
 
+  /// Before anything moves it does not matter.
+  void findGone() {
+    const bool has_motion = std::any_of(bodies_.begin(), bodies_.end(), [this](const auto& body) {
+      return !body.second.isStatic() && body.second.entries.front().step < counts_.steps;
+    });
+    if (!has_motion) return;
+    for (const Moment::Body& body : last_->bodies) {
+      const BodyHistory& history = bodies_.at(BodyKey(body));
+      if (body.object && history.isStatic() && history.entries.back().step != counts_.steps)
+        gone_.push_back({BodyKey(body), last_->name(body), body.frame_from_body, scene_.now()});
+    }
+  }
+
+  void compareGone(const GoneObject& gone) {
+    const BodyHistory& history = bodies_.at(gone.key);
+    for (std::size_t i = 0; i < moment_->bodies.size(); ++i) {
+      const Moment::Body& body = moment_->bodies[i];
+      const auto span = historyOf(*moment_, i).motionIn(counts_.steps);
+      const bool is_other = moment_->name(body) != gone.name;
+      const PairMember member{&gone.name, std::nullopt};
+      if (!span || !is_other || !isPair(*moment_->model, moment_->member(i), member)) continue;
+      forEachSample(*span, [&](std::int64_t stamp) {
+        if (stamp > gone.until) return;
+        const auto found =
+            distance(historyOf(*moment_, i), poseAt(body, historyOf(*moment_, i), stamp), history,
+                     gone.pose);
+        counts_.gone_dips += found && *found < kPairLimit;
+        EXPECT_TRUE(!found || isSeen({false, BodyKey(body), gone.key}, *found))
+            << moment_->name(body) << " came within " << *found << " m of " << gone.name
+            << ", which is gone, step " << counts_.steps;
+      });
+    }
+  }
+
   /// Without the begin, at which a moment was looked at.
   template <class Visit>
   static void forEachSample(MotionSpan span, Visit visit) {
@@ -239,6 +297,11 @@ class RandomPairs : public PairScene {
                                : poseAt(moment.bodies[k], body, stamp);
     };
     const Eigen::Affine3d a_pose = pose(i, a), b_pose = pose(j, b);
+    return distance(a, a_pose, b, b_pose);
+  }
+
+  static std::optional<double> distance(const BodyHistory& a, const Eigen::Affine3d& a_pose,
+                                        const BodyHistory& b, const Eigen::Affine3d& b_pose) {
     const double apart = (a_pose.translation() - b_pose.translation()).norm();
     if (apart > a.radius + b.radius + 2 * kPairLimit) return std::nullopt;
     return bodyDistance(a.body, a_pose, b.body, b_pose, {1e-5})->upper;
@@ -258,21 +321,28 @@ class RandomPairs : public PairScene {
   bool isSeen(const Moment& moment, std::size_t i, std::size_t j,
               const std::optional<double>& distance) const {
     if (!distance) return false;
-    const auto call = calls_.find({&moment, i, j});
-    const bool is_seen = call == calls_.end() ? *distance >= kPairLimit
-                                              : call->second.clearance <= *distance + kRounding;
-    EXPECT_TRUE(is_seen) << moment.name(moment.bodies[i]) << " and "
-                         << moment.name(moment.bodies[j]) << " came within " << *distance
-                         << " m, step " << counts_.steps;
+    const Moment::Body& first = moment.bodies[i];
+    const Moment::Body& second = moment.bodies[j];
+    const bool is_seen =
+        isSeen({&moment == last_.get(), BodyKey(first), BodyKey(second)}, *distance);
+    EXPECT_TRUE(is_seen) << moment.name(first) << " and " << moment.name(second) << " came within "
+                         << *distance << " m, step " << counts_.steps;
     return *distance < kPairLimit;
   }
 
+  bool isSeen(const Call& expected, double distance) const {
+    const auto call = calls_.find(expected);
+    return call == calls_.end() ? distance >= kPairLimit
+                                : call->second.clearance <= distance + kRounding;
+  }
+
   RandomCarriers carriers_;
-  std::map<Key, BodyHistory, KeyOrder> bodies_;
+  std::map<BodyKey, BodyHistory> bodies_;
+  std::vector<GoneObject> gone_;
 };
 
 TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
-  constexpr int kRecordings = repetitions(600);
+  constexpr int kRecordings = repetitions(400);
   PairScene::Counts sum;
   for (std::uint64_t seed = 1; seed <= kRecordings && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
@@ -286,12 +356,14 @@ TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
     sum.undecided += counts.undecided;
     sum.dips += counts.dips;
     sum.rest_dips += counts.rest_dips;
+    sum.gone_dips += counts.gone_dips;
   }
   std::cout << sum.pairs << " pairs, " << sum.calls << " calls, " << sum.walks << " walks, "
-            << sum.undecided << " undecided, " << sum.dips << " and " << sum.rest_dips
-            << " samples below the limit\n";
+            << sum.undecided << " undecided, " << sum.dips << ", " << sum.rest_dips << " and "
+            << sum.gone_dips << " samples below the limit\n";
   EXPECT_GT(sum.dips, 100 * kRecordings);
   EXPECT_GT(sum.rest_dips, 5 * kRecordings);
+  EXPECT_GT(sum.gone_dips, kRecordings);
   EXPECT_LT(sum.calls, sum.pairs / 2);
   EXPECT_LT(sum.undecided, sum.calls / 20);
 }

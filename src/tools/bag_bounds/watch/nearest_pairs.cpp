@@ -56,7 +56,7 @@ void NearestPairs::add(const Scene& scene, const TransformBuffer& tf, std::int64
   latest_.clear();
   const MomentPtr moment = momentOf(scene);
   const PairMotions::Handlers handlers = motionHandlers();
-  motions_.begin(moment, {moment_pairs_, distances_.bodies(), tf, handlers});
+  motions_.begin(moment, now, {moment_pairs_, distances_.bodies(), tf, handlers});
   now_ = now;
   const auto computed = compute(moment);
   if (computed) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "tools/bag_bounds/watch/zone_search.h"
@@ -137,14 +138,61 @@ void PairMotions::remember(const Scene& scene) {
 void PairMotions::takeEarlyStamps() {
   for (std::size_t i = 0; i < early_stamps_.size(); ++i) {
     const std::int64_t stamp = early_stamps_[i];
-    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, stamp, kNoPass, 0});
+    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, stamp, kNoPass, 0, true});
   }
   early_stamps_.clear();
 }
 
-void PairMotions::begin(const MomentPtr& moment, const Means& means) {
+/// Of the last moment. Those that were gone before stay while they are needed.
+void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
+  const std::size_t count = moment_ ? moment_->bodies.size() - gone_.size() : 0;
+  std::set<const ObjectContent*> present;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Moment::Body& body = moment_->bodies[i];
+    if (!body.object || movers_[i].end != 0) continue;
+    if (i < moment.bodies.size() && moment.bodies[i].object == body.object) continue;
+    if (present.empty()) {
+      for (const Moment::Body& other : moment.bodies)
+        present.insert(other.object.get());
+    }
+    if (present.count(body.object.get()) == 0)
+      gone_.push_back({body, means.bodies.sharedBody(i), now});
+  }
+  if (!gone_.empty()) forgetGone();
+}
+
+/// When no motion can begin before they were deleted. Where the clocks of stamps and of the
+/// recorder differ, a deletion may seem to be much later.
+void PairMotions::forgetGone() {
+  std::int64_t newest = 0;
+  for (const auto& [key, known] : known_) {
+    if (known.moves) newest = std::max(newest, known.stamp);
+  }
+  std::int64_t oldest = newest;
+  for (const auto& [key, known] : known_) {
+    if (known.moves && newest - known.stamp < kLongestRest) oldest = std::min(oldest, known.stamp);
+  }
+  for (Gone& gone : gone_)
+    gone.until = std::min(gone.until, newest + kLongestRest);
+  const auto is_over = [&](const Gone& gone) {
+    return newest == 0 || oldest >= gone.until || newest - gone.until > kLongestRest;
+  };
+  gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_over), gone_.end());
+}
+
+MomentPtr PairMotions::withGone(const MomentPtr& moment) const {
+  if (gone_.empty()) return moment;
+  auto all = std::make_shared<Moment>(*moment);
+  for (const Gone& gone : gone_)
+    all->bodies.push_back(gone.seen);
+  return all;
+}
+
+void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means& means) {
   ++pass_;
   takeEarlyStamps();
+  findGone(*present, now, means);
+  const MomentPtr moment = withGone(present);
   last_ = std::exchange(moment_, moment);
   std::vector<MovedBody> before = std::exchange(movers_, {});
   for (const Moment::Body& body : moment->bodies) {
@@ -152,6 +200,11 @@ void PairMotions::begin(const MomentPtr& moment, const Means& means) {
     mover.end = !body.object || body.object->follows() ? body.stamp : 0;
     mover.since = mover.end;
     movers_.push_back(mover);
+  }
+  for (std::size_t i = 0; i < gone_.size(); ++i) {
+    MovedBody& mover = movers_[present->bodies.size() + i];
+    mover.body = gone_[i].body.get();
+    mover.until = gone_[i].until;
   }
   findBegins(*moment, before);
   forgetObjects();
@@ -179,6 +232,7 @@ void PairMotions::finish(const Means& means) {
   last_ = moment_;
   if (last_) lookAtRests(std::exchange(movers_, {}), means);
   moment_.reset();
+  gone_.clear();
   known_.clear();
   early_stamps_.clear();
 }
@@ -202,7 +256,8 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
     const auto [known, is_new] = known_.try_emplace(BodyKey(body));
-    const Known before = std::exchange(known->second, {body.stamp, mover.since, pass_, i});
+    const Known before =
+        std::exchange(known->second, {body.stamp, mover.since, pass_, i, mover.end != 0});
     if (is_new && body.object && !body.object->follows()) {
       mover.was_there = mover.is_placed_now = true;
       mover.since = body.stamp;  // not later: it may have been there before
@@ -270,8 +325,11 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   const bool is_placed_now = first.is_placed_now || second.is_placed_now;
   const std::int64_t begin = is_placed_now ? 0 : olderStamp(first.begin, second.begin);
   const MotionSpan span{std::max({begin, first.since, second.since}),
-                        olderStamp(first.end, second.end)};
+                        std::min({olderStamp(first.end, second.end), first.until, second.until})};
   if (span.begin == 0 || span.begin >= span.end) return;
+  const bool is_same_name =
+      moment_->name(moment_->bodies[pair.first]) == moment_->name(moment_->bodies[pair.second]);
+  if (is_same_name && second.isGone()) return;
   const std::optional<double> wanted = means.handlers.wanted(*moment_, pair);
   if (!wanted) return;
   auto& [pass, lease] =
@@ -335,8 +393,8 @@ void PairMotions::lookDuring(MotionSpan span, const Moment& moment, const BoxPai
     means.handlers.on_motion(moment, motion);
     return;
   }
-  first.body = &means.bodies.body(pair.first);
-  second.body = &means.bodies.body(pair.second);
+  if (!first.isGone()) first.body = &means.bodies.body(pair.first);
+  if (!second.isGone()) second.body = &means.bodies.body(pair.second);
   const std::optional<Tf2Pose> pose = means.tf.pose(first.frame, second.frame, span.end);
   std::optional<BodyDistance> now;
   if (pose)

@@ -38,17 +38,22 @@ struct PairMotion {
 
 /// A body of a moment.
 struct MovedBody {
+  static constexpr std::int64_t kForEver = std::numeric_limits<std::int64_t>::max();
+
   const Body* body = nullptr;  ///< null until it is measured
   TransformBuffer::Frame frame = 0;
   const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
   double radius = 0;                        ///< about the origin of the frame [m]
   std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
-  std::int64_t since = 0;      ///< its motion is known from this stamp on
-  bool was_there = false;      ///< known before, not longer ago than `timeout`; or placed now
-  bool is_placed_now = false;  ///< in this step, where it stands since an earlier stamp
-  bool goes_on = false;        ///< in the next moment, likewise
+  std::int64_t since = 0;         ///< its motion is known from this stamp on
+  bool was_there = false;         ///< known before, not longer ago than `timeout`; or placed now
+  bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
+  bool goes_on = false;           ///< in the next moment, likewise
+  std::int64_t until = kForEver;  ///< when it was deleted
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
+
+  bool isGone() const { return until != kForEver; }
 };
 
 /// Remembers of each pair how far apart it was proven to be. It cannot come within a limit before
@@ -77,8 +82,10 @@ class PairMotions {
   void remember(const Scene& scene);
 
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
-  /// is lost, or does not go on, others are looked at beside its last place, since its stamp.
-  void begin(const MomentPtr& moment, const Means& means);
+  /// is lost, or does not go on, others are looked at beside its last place, since its stamp. An
+  /// object at rest that is not in the moment was deleted or replaced at `now`, the record time
+  /// [ns]: until then, others are looked at beside it.
+  void begin(const MomentPtr& moment, std::int64_t now, const Means& means);
 
   /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
   /// also of bodies that were not in the last one; and from the stamp of an object that was placed
@@ -119,8 +126,19 @@ class PairMotions {
     std::int64_t since;
     std::uint64_t pass;  ///< of that moment
     std::size_t place;   ///< among its bodies
+    bool moves;
   };
 
+  /// An object at rest that is gone, while stamps of others are older than that.
+  struct Gone {
+    Moment::Body seen;
+    std::shared_ptr<const Body> body;
+    std::int64_t until;
+  };
+
+  void findGone(const Moment& moment, std::int64_t now, const Means& means);
+  void forgetGone();
+  MomentPtr withGone(const MomentPtr& moment) const;
   void takeEarlyStamps();
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
@@ -138,7 +156,8 @@ class PairMotions {
 
   MomentPtr moment_;
   MomentPtr last_;
-  std::vector<MovedBody> movers_;
+  std::vector<Gone> gone_;                  ///< the last bodies of the moment
+  std::vector<MovedBody> movers_;           ///< of the bodies of the moment
   std::vector<std::int64_t> early_stamps_;  ///< of links, before the first moment; 0: none
   std::map<BodyKey, Known> known_;          ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
