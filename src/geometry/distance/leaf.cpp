@@ -83,20 +83,19 @@ void PlacedLeaf::place(const TriangleTree& tree, std::uint32_t node, const Place
     size = std::numeric_limits<double>::infinity();
     return;
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < kTrianglesPerLeaf; ++i) {
+    const auto& triangle = tree.triangles[first + std::min(i, count - 1)];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d& corner = tree.vertices[tree.triangles[first + i][k]];
+      const Eigen::Vector3d& corner = tree.vertices[triangle[k]];
       const Eigen::Vector3f from_center = (corner - box.center).cast<float>();
       corners[k].x[i] = from_center.x();
       corners[k].y[i] = from_center.y();
       corners[k].z[i] = from_center.z();
     }
   }
-  for (Vectors& corner : corners) {
-    for (Lanes* lanes : {&corner.x, &corner.y, &corner.z})
-      lanes->tail(kTrianglesPerLeaf - count).setConstant((*lanes)[count - 1]);
-    corner = turned(at.linear.cast<float>(), corner);
-  }
+  const Eigen::Matrix3f axes = at.linear.cast<float>();
+  for (Vectors& corner : corners)
+    corner = turned(axes, corner);
   normals = unitNormals(corners);
   const Lanes a = normals.dot(corners[0]), b = normals.dot(corners[1]), c = normals.dot(corners[2]);
   low = a.min(b).min(c);

@@ -44,7 +44,7 @@ class NodeMotion {
         length += (turned_ * node.edge(k).cast<double>()).norm();
       return length + slack_;
     }
-    const Eigen::Vector3d nearer = (is_second_ ? -nodes.normal : nodes.normal).cast<double>();
+    const Eigen::Vector3d nearer = is_second_ ? -nodes.direction() : nodes.direction();
     const Eigen::Vector3d in_shape = turned_.transpose() * nearer;
     return nearer.dot(shifted_) + node.farthest(in_shape) + slack_;
   }

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/distance/convex_sets.h"
@@ -45,9 +47,14 @@ struct FrontPair {
   std::uint32_t first;
   std::uint32_t second : 31;
   std::uint32_t is_along : 1;  ///< the bound is proven along the normal
-  Eigen::Vector3f normal;      ///< in the axes of the body that rests, so that it turns with it
+  /// In the axes of the body that rests, so that it turns with it. No vector of Eigen, so that a
+  /// pair is copied as plain bytes.
+  std::array<float, 3> normal;
   CarriedBound bound;
+
+  Eigen::Vector3d direction() const { return {normal[0], normal[1], normal[2]}; }
 };
+static_assert(std::is_trivially_copyable_v<FrontPair>);
 
 /// The pairs of nodes that a search dropped. Each pair of triangles is in exactly one of them.
 class Front {

@@ -23,6 +23,9 @@ constexpr int kLeafSteps = 100;  ///< of shapes that are curved
 /// with all poses new, 10 % less time for meshes, in coherent motion the same.
 constexpr std::size_t kSample = 24;
 
+/// Hulls that nothing separates are of surfaces that bend; parts of the nodes bend less.
+constexpr std::uint32_t kNextHulls = 4;
+
 /// Half of the accuracy is left to what follows.
 constexpr double kLeafTolerance = 0.25;
 
@@ -85,7 +88,7 @@ class NodeSearch {
       scratch_.open.pop_back();
       if (pair.separation.lower >= farEnough() || steps_left_ == 0) {
         drop(pair);
-      } else if (isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second)) {
+      } else if (areLeaves(pair)) {
         compareLeaves(pair, true);
       } else {
         --steps_left_;
@@ -113,8 +116,10 @@ class NodeSearch {
           known.bound = {lower, pair_.motion.moved};
         } else {
           NodePair pair{known.first, known.second, {hulls_.lower, 0, hulls_.normal}};
-          pair.separation.normal = (axes * known.normal.cast<double>()).normalized();
-          pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
+          pair.separation.normal = (axes * known.direction()).normalized();
+          if (!haveTriangles() || !areLeaves(pair)) {  // their triangles do that better
+            pair.separation.raise(lowerAlong(pair, pair.separation.normal), pair.separation.normal);
+          }
           lower = pair.separation.lower;
           if (!(lower >= far_enough)) {
             near.push_back(pair);
@@ -152,14 +157,13 @@ class NodeSearch {
   }
 
   void lookAgain(NodePair& pair) {
-    const bool are_leaves = isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second);
-    if (are_leaves || pair.separation.lower >= farEnough()) return;
+    if (areLeaves(pair) || pair.separation.lower >= farEnough()) return;
     if (!pair_.first.triangles || !pair_.second.triangles) {
       boundHull(pair);
       return;
     }
     boundSmallNodes(pair);
-    if (pair.has_compared_hulls) return;
+    if (pair.hull_count < kSmallNode) return;
     boundBoxes(pair, boxOf(pair_.first, first_boxes_, pair.first),
                boxOf(pair_.second, second_boxes_, pair.second));
   }
@@ -191,7 +195,8 @@ class NodeSearch {
     return {pair.first,
             pair.second & FrontPair::kMaxNode,
             pair.separation.is_along,
-            normal.cast<float>(),
+            {static_cast<float>(normal.x()), static_cast<float>(normal.y()),
+             static_cast<float>(normal.z())},
             {pair.separation.lower, pair_.motion.moved}};
   }
 
@@ -232,6 +237,10 @@ class NodeSearch {
       node = squaredDistance(left) <= squaredDistance(left + 1) ? left : left + 1;
     }
     return node;
+  }
+
+  bool areLeaves(const NodePair& pair) const {
+    return isLeaf(pair_.first, pair.first) && isLeaf(pair_.second, pair.second);
   }
 
   bool dividesFirst(const NodePair& pair) const {
@@ -286,14 +295,15 @@ class NodeSearch {
     if (!(pair.separation.lower >= farEnough())) boundSmallNodes(pair);
   }
 
-  /// The hulls of small nodes, once on the way down. Surfaces that face each other are nearly
-  /// convex there, where a box leaves more room than the accuracy.
+  /// The hulls of small nodes, and where these do not decide, of much smaller ones on the way down.
+  /// Surfaces that face each other are nearly convex there, where a box leaves more room than the
+  /// accuracy.
   void boundSmallNodes(NodePair& pair) const {
     const TreeNode& first = pair_.first.triangles->nodes[pair.first];
     const TreeNode& second = pair_.second.triangles->nodes[pair.second];
     const std::uint32_t count = std::max(first.count, second.count);
-    if (pair.has_compared_hulls || count > kSmallNode || count <= kTrianglesPerLeaf) return;
-    pair.has_compared_hulls = true;
+    if (count > pair.hull_count || count <= kTrianglesPerLeaf) return;
+    pair.hull_count = count / kNextHulls;
     boundBy(NodeHull{*pair_.first.triangles, first}, NodeHull{*pair_.second.triangles, second},
             pair.separation);
   }

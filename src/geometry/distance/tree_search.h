@@ -38,7 +38,7 @@ struct NodePair {
   std::uint32_t first;
   std::uint32_t second;
   Separation separation;
-  bool has_compared_hulls = false;
+  std::uint32_t hull_count = kSmallNode;  ///< nodes of more triangles are not compared by hulls
 };
 
 /// The leaves of a tree that a search has placed last.
@@ -55,7 +55,7 @@ class PlacedLeaves {
   }
 
  private:
-  static constexpr std::size_t kSlots = 16;
+  static constexpr std::size_t kSlots = 32;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
   std::array<std::uint32_t, kSlots> nodes_;

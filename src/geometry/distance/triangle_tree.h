@@ -67,8 +67,10 @@ struct TreeNode {
 /// A leaf has no more triangles.
 constexpr std::size_t kTrianglesPerLeaf = 8;
 
-/// A node with up to this many triangles is small: the search also compares the hulls of two.
-constexpr std::uint32_t kSmallNode = 64;
+/// A node with up to this many triangles is small: the search also compares the hulls of two. In
+/// coherent motion 64 take 20 % more time for visual meshes of the Panda, 8 % for those of the PR2,
+/// and from 2 % less to 20 % more for collision meshes.
+constexpr std::uint32_t kSmallNode = 192;
 
 class TriangleTree {
  public:
