@@ -88,13 +88,10 @@ class HullSearch {
       memory_.is_known = false;
       look(takeOut(memory_.first_shape * second_.shapes.size() + memory_.second_shape), true);
     }
-    while (!open_.empty()) {
-      const auto nearest = std::min_element(
-          open_.begin(), open_.end(),
-          [](const Candidate& a, const Candidate& b) { return a.lower < b.lower; });
-      if (nearest->lower >= std::max(lower_, farEnough())) break;
-      look(takeOut(static_cast<std::size_t>(nearest - open_.begin())), false);
-    }
+    std::sort(open_.begin(), open_.end(),
+              [](const Candidate& a, const Candidate& b) { return a.lower > b.lower; });
+    while (!open_.empty() && !(open_.back().lower >= std::max(lower_, farEnough())))
+      look(takeOut(open_.size() - 1), false);
     if (!memory_.is_known) memory_.trees = TreeMemory();
     if (!hasWitness()) takeAnyPoints();
     return result();

@@ -15,19 +15,25 @@
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
+namespace {
+
+constexpr double kLargestBallDefect = 3e-14;  // that of poses of tf is below 1e-14
+
+}  // namespace
+
 class BodyDistances::Memories {
  public:
   explicit Memories(const DistanceGoal& its_goal) : goal(its_goal) {}
 
   void set(std::size_t index, std::shared_ptr<const Body> body) {
-    if (index >= slots_.size()) slots_.resize(index + 1);
-    Slot& slot = slots_[index];
-    slot = Slot();
+    Slot slot;  // what throws does so before anything changes
     slot.body = std::move(body);
     slot.with_cores = withCores(slot.body);
-    slot.version = ++last_version_;
     if (slot.body) slot.ball = ballOf(*slot.with_cores);
-    if (!slot.body) forget(index);
+    if (index >= slots_.size()) slots_.resize(index + 1);
+    slot.version = ++last_version_;
+    slots_[index] = std::move(slot);
+    if (!slots_[index].body) forget(index);
   }
 
   void move(std::size_t index, const Eigen::Affine3d& world_from_body) {
@@ -37,9 +43,9 @@ class BodyDistances::Memories {
     slot.pose = world_from_body;
     slot.pose_version = ++last_version_;
     slot.is_placed = false;
-    const bool was_rigid = slot.rigid.has_value();
+    const bool had_cores = slot.usesCores();
     slot.rigid = slot.ball ? rigidBody(*slot.ball, world_from_body) : std::nullopt;
-    const bool is_other_form = slot.with_cores != slot.body && slot.rigid.has_value() != was_rigid;
+    const bool is_other_form = slot.with_cores != slot.body && slot.usesCores() != had_cores;
     if (is_other_form) slot.version = ++last_version_;
   }
 
@@ -107,7 +113,7 @@ class BodyDistances::Memories {
  private:
   struct Slot {
     std::shared_ptr<const Body> body;
-    std::shared_ptr<const Body> with_cores;  ///< stands for it at rigid poses
+    std::shared_ptr<const Body> with_cores;  ///< see usesCores()
     std::optional<Ball> ball;
     std::optional<Eigen::Affine3d> pose;
     std::optional<RigidBody> rigid;  ///< at this pose
@@ -116,10 +122,13 @@ class BodyDistances::Memories {
     mutable std::optional<PlacedBody> its_placed;
     mutable bool is_placed = false;
 
+    /// At other poses a ball is none, or not so exactly one that distances are as accurate.
+    bool usesCores() const { return rigid && rigid->defect <= kLargestBallDefect; }
+
     /// Nothing without a usable pose.
     const std::optional<PlacedBody>& placed() const {
       if (pose && !is_placed) {
-        its_placed = placedBody(rigid ? *with_cores : *body, *pose);
+        its_placed = placedBody(usesCores() ? *with_cores : *body, *pose);
         if (its_placed) its_placed->rigid = rigid;
       }
       is_placed = pose.has_value();

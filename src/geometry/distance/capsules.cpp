@@ -102,7 +102,8 @@ std::shared_ptr<const Body> withCores(std::shared_ptr<const Body> body) {
   for (std::size_t i = 0; i < shapes.size();)
     i = merge(shapes, i) ? 0 : i + 1;
   for (BodyShape& shape : shapes) {
-    if (isBall(shape)) shape.triangles = triangleTree({Eigen::Vector3d::Zero()}, {{0, 0, 0}});
+    if (isBall(shape) && isRigid(shape.shape.link_from_shape))
+      shape.triangles = triangleTree({Eigen::Vector3d::Zero()}, {{0, 0, 0}});
   }
   return std::make_shared<Body>(Body{std::move(shapes)});
 }

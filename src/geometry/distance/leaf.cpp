@@ -53,7 +53,9 @@ PlacedLeaf::Vectors unitNormals(const std::array<PlacedLeaf::Vectors, 3>& corner
   const PlacedLeaf::Vectors b = difference(corners[2], corners[0]);
   const PlacedLeaf::Vectors across{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
                                    a.x * b.y - a.y * b.x};
-  const Lanes length = across.dot(across).sqrt();
+  // Not Eigen's root, which is an estimate that depends on the processor.
+  const Lanes length =
+      across.dot(across).unaryExpr([](float squared) { return std::sqrt(squared); });
   const Lanes inverse = (length > kShortestNormal).select(1 / length, Lanes::Zero());
   return {across.x * inverse, across.y * inverse, across.z * inverse};
 }

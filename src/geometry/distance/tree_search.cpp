@@ -433,7 +433,18 @@ class NodeSearch {
     const double length = between.norm();
     if (!(length > kShortest)) return 0;
     normal = between / length;
-    return gapAlong(normal, first, second) - pair_.pad();
+    double gap = gapAlong(normal, first, second);
+    // The way between points that nearly touch has few digits; the planes have more.
+    if (!(gap - pair_.pad() >= farEnough()))
+      gap = std::max({gap, gapAcross(first, first, second), gapAcross(second, first, second)});
+    return gap - pair_.pad();
+  }
+
+  /// Across the plane of `triangle`, on either side.
+  static double gapAcross(const Triangle& triangle, const Triangle& first, const Triangle& second) {
+    const Eigen::Vector3d across =
+        (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
+    return std::max(gapAlong(across, first, second), gapAlong(-across, first, second));
   }
 
   void offer(const TrianglePair& triangles, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -31,8 +31,11 @@ std::vector<Eigen::Vector3d> cornersOf(Random& random, double size, std::size_t 
 struct LeafCase {
   LeafCase(Random& random, double size, const Eigen::Vector3d& in_search)
       : at{random.rotation(), Eigen::Vector3d::Zero()} {
+    const double scale = random.sign() > 0 ? 1 : random.magnitude(-3, 3);
+    at.linear *= scale;
+    size /= scale;
     const auto count = static_cast<std::uint32_t>(random.uniform(1, 8.99));
-    const Eigen::Vector3d in_shape = random.vector(random.sign() > 0 ? size : 1e4);
+    const Eigen::Vector3d in_shape = random.vector(random.sign() > 0 ? size : 1e4 / scale);
     std::vector<Eigen::Vector3d> corners = cornersOf(random, size, count);
     for (Eigen::Vector3d& corner : corners)
       corner += in_shape;
@@ -42,7 +45,7 @@ struct LeafCase {
       triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     tree = triangleTree(corners, triangles);
     leaf.place(*tree, 0, at);
-    rounding = 64 * kUnitRoundoff * 3 * (tree->magnitude + in_search.norm());
+    rounding = 64 * kUnitRoundoff * 3 * (scale * tree->magnitude + in_search.norm());
   }
 
   distance_oracle::Triangle triangle(std::uint32_t i) const {
