@@ -31,7 +31,7 @@ clean_environment() {
 }
 
 # refuse_other_ros [ROOT]: the packages of ROS from elsewhere and those of Debian exclude each other.
-# Ubuntu has Debian's in 20.04 and 22.04 only; in 20.04, env and debhelper are too old for the scripts.
+# Ubuntu has Debian's in 20.04 and 22.04 only; packages.sh has the names of 22.04.
 # ROOT is the folder in which the system lies.
 refuse_other_ros() {
   local root=${1:-} remedy="doc/deployment.md, section Noetic or ROS One, says how to build there"

@@ -84,7 +84,7 @@ install_named() {
       "doc/deployment.md says what to install by hand"
   say "Installing $* (takes a minute or two, the log is $log)"
   mkdir -p "$BUILD"
-  as_root true 2>/dev/null || { [ -t 0 ] && sudo -v; } || true  # the user at a terminal is asked
+  ask_for_root
   as_root true || fail "installing needs root, and sudo asks for a password or is not there;" \
     "as root, please: apt-get update; apt-get install --no-install-recommends $*"
   # A repository that cannot be read may be one that is not needed.
@@ -99,16 +99,25 @@ install_named() {
 }
 
 # install_what_exists GROUP: as install_packages, but only names the packages that this system does
-# not have. Where apt has no lists yet, installing gets them.
+# not have.
 install_what_exists() {
-  local name
-  for name in $(missing_packages "$1"); do
-    if exists "$name" || ! has_lists; then
+  local name missing
+  read -ra missing < <(missing_packages "$1") || true
+  [ ${#missing[@]} -eq 0 ] || has_lists || get_lists
+  for name in "${missing[@]}"; do
+    if exists "$name"; then
       (install_named "$name") || say "$name could not be installed; it is left out"
     else
       say "There is no package $name here; it is left out"
     fi
   done
+}
+
+get_lists() {
+  local log=$BUILD/lists.log
+  mkdir -p "$BUILD"
+  ask_for_root
+  as_root apt-get update -q >"$log" 2>&1 </dev/null || say "apt-get update failed; the log is $log"
 }
 
 exists() { apt-cache show "$1" >/dev/null 2>&1; }
@@ -125,6 +134,9 @@ missing_packages() {
     done
   done | tr '\n' ' '
 }
+
+# The user at a terminal is asked for the password of sudo.
+ask_for_root() { as_root true 2>/dev/null || { [ -t 0 ] && sudo -v; } || true; }
 
 # Asks nothing: apt-get takes its defaults, and sudo fails where it would want a password.
 as_root() {

@@ -21,6 +21,11 @@ from patience import PATIENCE
 PACKAGE = pathlib.Path()
 LIMIT = 20 * PATIENCE  # s
 ENDLESS = '#!/bin/sh\ntouch {started}\nsleep 1000\n'
+ENDS_WELL = '''#!/bin/sh
+trap 'exit 0' INT
+touch {started}
+while :; do sleep 0.1; done
+'''  # at Ctrl-C
 
 
 def members(session):
@@ -67,12 +72,14 @@ check_deb
             time.sleep(0.02)
         return condition()
 
-    def test_while_packages_are_built(self):
-        with subprocess.Popen([self.root / 'scripts/test'], start_new_session=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+    def expect_all_ends(self, *names):
+        """Ctrl-C after all of these have started. It may be ignored where this test was started."""
+        with subprocess.Popen(['env', '--default-signal=INT', self.root / 'scripts/test'],
+                              start_new_session=True, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL,
                               env=dict(os.environ, TMPDIR=str(self.root))) as script:
             try:
-                for name in ('deb', 'compiler'):
+                for name in names:
                     self.assertTrue(self.wait_for((self.root / f'{name}.started').exists), name)
                 os.killpg(script.pid, signal.SIGINT)  # as a terminal does
                 self.assertTrue(self.wait_for(lambda: not members(script.pid)),
@@ -81,6 +88,20 @@ check_deb
                 for process in members(script.pid):
                     os.kill(process, signal.SIGKILL)
         self.assertEqual(list(self.root.glob('tmp.*')), [])
+
+    def test_while_packages_are_built(self):
+        self.expect_all_ends('deb', 'compiler')
+
+    def test_while_a_program_runs_that_ends_well(self):
+        self.write('build/devel/env.sh', ENDS_WELL.format(started=self.root / 'env.started'))
+        self.expect_all_ends('deb', 'compiler', 'env')
+
+    def test_before_the_script_knows_what_it_has_started(self):
+        text = (self.root / 'scripts/test').read_text()
+        start = '  packager=$!\n'
+        self.assertEqual(text.count(start), 1)
+        self.write('scripts/test', text.replace(start, '  while :; do :; done\n'))
+        self.expect_all_ends('deb', 'compiler')
 
 
 if __name__ == '__main__':
