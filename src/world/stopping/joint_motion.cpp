@@ -70,9 +70,19 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   if (of_positions.piece == 0 || beyond <= 0) return;
   const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
   if (beyond > kMaxSpeedNoise * fastest && beyond * of_positions.piece > kPositionNoise)
-    state.piece = std::max(state.piece, of_positions.piece);
+    state.piece += of_positions.piece;
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
+}
+
+/// Without a last report of after the stamp, if a pause is before it: those before the pause tell.
+std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int64_t stamp,
+                                     std::int64_t window) {
+  const std::size_t count = reports.size();
+  const bool is_late = count > 1 && reports.back().stamp > stamp &&
+                       reports.back().stamp - reports[count - 2].stamp > window;
+  if (is_late) reports.pop_back();
+  return reports;
 }
 
 /// Whether positions at these stamps tell speeds, as transforms would.
@@ -128,19 +138,22 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
 }
 
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
-                      const std::vector<JointReport>& reports, std::int64_t stamp,
+                      const std::vector<JointReport>& all_reports, std::int64_t stamp,
                       std::int64_t window) {
   JointState state;
   const JointFit fit = fitOf(joint, pose);
   state.problem = whyMisfit(joint, fit);
   if (!state.problem.empty()) return state;
+  const bool have_velocities =
+      std::all_of(all_reports.begin(), all_reports.end(),
+                  [](const JointReport& report) { return report.velocity; });
+  const std::vector<JointReport> reports =
+      have_velocities ? all_reports : withoutLate(all_reports, stamp, window);
   TimedValues found;
-  bool have_velocities = true;
   const JointReport* nearest = nullptr;
   for (const JointReport& report : reports) {
     found.stamps.push_back(report.stamp);
     found.values.push_back(report.position);
-    have_velocities = have_velocities && report.velocity;
     if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
       nearest = &report;
   }
@@ -165,6 +178,9 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     addReportedSpeeds(reports, stamp, of_positions, state);
   } else {
     addSpeeds(found, window, state);
+    // Since the last report it may have become faster, as by twice the time in a piece.
+    const std::int64_t gap = std::max<std::int64_t>(stamp - found.stamps.back(), 0);
+    state.piece += 2 * static_cast<double>(gap) / kSecond;
   }
   double error = fit.value - nearest->position;
   if (joint.motion == Motion::kRotation) error = withoutTurns(error);

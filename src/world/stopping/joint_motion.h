@@ -18,8 +18,9 @@ struct JointState {
   double value = 0;              ///< [rad or m]
   bool are_turns_known = false;  ///< of a joint that turns: else the value is from -pi to pi
   SpeedRange speed;              ///< all mean speeds of pieces of a window, see piecesOf()
-  double piece = 0;              ///< the longest of these pieces [s]
-  std::string problem;           ///< why it is not known, with the remedy
+  /// The longest of these pieces, and twice the time from the last report to the stamp [s].
+  double piece = 0;
+  std::string problem;  ///< why it is not known, with the remedy
 };
 
 /// From transforms alone, and the pose at the stamp, of a joint that has a value and an axis. One
@@ -40,7 +41,7 @@ std::string whyMisfit(const Joint& joint, const JointFit& fit);
 
 /// With `acceleration`, the speeds at the end of any piece that a joint may have that speeds up no
 /// faster: of mean v over a time h, it ends with at most max(v + a h / 2, a h). A faster one would
-/// have moved all the time, and farther.
+/// have moved all the time, and farther. In a time g after it, it gains a g more.
 SpeedRange speedAtStamp(const JointState& state, std::optional<double> acceleration);
 
 /// The offsets that lead to no value beyond the joint's limits. Limits that the value does not

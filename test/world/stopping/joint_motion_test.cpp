@@ -178,6 +178,43 @@ TEST(JointState, OfPositionsFartherApartThanTheWindowIsAProblem) {
   EXPECT_EQ(problem(kWindow + 1, 0.5), "");
 }
 
+/// A joint that speeds up goes on to do so after the last report. Some velocities are always zero.
+TEST(JointState, TheSpeedAtTheStampCountsTheTimeSinceTheLastPosition) {
+  constexpr double kSpeed = 1;
+  constexpr double kAcceleration = 0.5;
+  Random random(7);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const auto value = [](std::int64_t stamp) {
+    const double time = -secondsUntilEnd(stamp);
+    return kSpeed * time + kAcceleration / 2 * time * time;
+  };
+  for (const std::optional<double> velocity : {std::optional<double>(), std::optional<double>(0)}) {
+    for (const std::int64_t age : {std::int64_t{0}, kWindow / 2, kWindow - kPeriod}) {
+      Reports reports;
+      for (const std::int64_t stamp : {kEnd - age - kPeriod, kEnd - age})
+        reports.push_back({stamp, value(stamp), velocity});
+      const JointState state = jointState(joint, joint.parent_from_joint, reports, kEnd, kWindow);
+      ASSERT_EQ(state.problem, "");
+      EXPECT_NEAR(speedAtStamp(state, kAcceleration).upper, kSpeed, 1e-4) << age;
+    }
+  }
+}
+
+/// One report after the stamp is among them.
+TEST(JointState, OfPositionsALateReportAfterAPauseDoesNotCount) {
+  Random random(7);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint;
+  const Reports reports{{kEnd - 2 * kPeriod, 0, {}}, {kEnd - kPeriod, 0, {}}};
+  Reports with_late = reports;
+  with_late.push_back({kEnd - kPeriod + kWindow + 1, 1, {}});
+  const JointState state = jointState(joint, pose, with_late, kEnd, kWindow);
+  EXPECT_EQ(state.problem, "");
+  const JointState expected = jointState(joint, pose, reports, kEnd, kWindow);
+  EXPECT_EQ(state.piece, expected.piece);
+  EXPECT_EQ(state.speed.upper, expected.speed.upper);
+}
+
 /// A publisher may invent names without end.
 TEST(JointStates, OfMoreJointsThanAnyRobotHasAreIgnored) {
   JointStates states;
