@@ -16,12 +16,13 @@ constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 inline std::atomic<std::size_t> limit{kNoLimit};  ///< bytes; a larger request throws std::bad_alloc
 inline std::atomic<long*> counter{nullptr};       ///< unless null, is increased by each request
 
-/// So many requests go well, then one throws std::bad_alloc; negative: all go well.
+/// So many requests go well, then all throw std::bad_alloc; negative: all go well.
 inline std::atomic<long> until_failure{-1};
 
 inline void* allocate(std::size_t size) {
   if (long* const count = counter) ++*count;
-  const bool fails = size > limit || (until_failure >= 0 && until_failure-- == 0);
+  const bool fails = size > limit || until_failure == 0;
+  if (until_failure > 0) --until_failure;
   void* const memory = fails ? nullptr : std::malloc(size);
   if (!memory) throw std::bad_alloc();
   return memory;

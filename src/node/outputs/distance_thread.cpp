@@ -60,16 +60,19 @@ std::vector<std::string> DistanceThread::errors() const {
   return errors_;
 }
 
-/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. True
-/// while there is a moment.
+/// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. To
+/// forget takes memory, too, so it is tried until it succeeds. True while there is a moment.
 bool DistanceThread::onTick() {
+  if (!is_whole_) distances_ = SceneDistances(requests_, true);
+  is_whole_ = true;
   try {
     if (std::exchange(has_news_, false) && current_) compute();
     distances_.trees().requestSettled(Clock::now());
     callbacks_.tick();
     forgetIfUnwanted();
   } catch (...) {
-    forget();
+    is_whole_ = false;
+    drop();
     throw;
   }
   return current_ != nullptr;
@@ -98,9 +101,13 @@ void DistanceThread::forgetIfUnwanted() {
   if (current_ && Clock::now() - last_wanted_ >= keep_) forget();
 }
 
-/// current_ does not wait any more, even if it was not published.
 void DistanceThread::forget() {
   distances_ = SceneDistances(requests_, true);
+  drop();
+}
+
+/// current_ does not wait any more, even if it was not published.
+void DistanceThread::drop() {
   current_ = nullptr;
   published_ = current_number_;
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -64,11 +64,13 @@ class DistanceThread {
   void compute();
   void forgetIfUnwanted();
   void forget();
+  void drop();
 
   MomentPairs& pairs_;
   Callbacks callbacks_;
   std::chrono::milliseconds keep_;
-  SceneDistances distances_;          ///< this and the next four: of the thread alone
+  SceneDistances distances_;          ///< this and the next five: of the thread alone
+  bool is_whole_ = true;              ///< else distances_ may be of half a moment
   MomentPtr current_;                 ///< the newest one
   std::uint64_t current_number_ = 0;  ///< among those that were given
   bool has_news_ = false;             ///< since the last computation

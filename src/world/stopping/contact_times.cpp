@@ -122,9 +122,12 @@ class Contacts {
 
 }  // namespace
 
-std::optional<ComputedContacts> ContactTimes::compute(
-    PastScene& scene, const StopRules& rules, const JointStates* states, TriangleTrees::Time now,
-    const std::function<bool()>& is_cancelled) try {
+std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const StopRules& rules,
+                                                      const JointStates* states,
+                                                      TriangleTrees::Time now,
+                                                      const std::function<bool()>& is_cancelled) {
+  if (!is_whole_) forget();
+  is_whole_ = false;
   BodyWays ways(scene, rules, WayPurpose::kContact, states);
   const WayBoxes boxes = wayBoxes(scene, ways, [](const PastBody& body, const BodyWay& way) {
     return linkBox(*body.bounded, way.pose);
@@ -150,10 +153,8 @@ std::optional<ComputedContacts> ContactTimes::compute(
   contacts.write(result.array);
   if (!boxes.have_poses) result.array.valid_until = ros::Time();
   result.problem = boxes.problem;
+  is_whole_ = true;
   return result;
-} catch (...) {  // what is remembered may be of half a scene
-  forget();
-  throw;
 }
 
 void ContactTimes::forget() {

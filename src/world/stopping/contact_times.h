@@ -25,8 +25,8 @@ class ContactTimes {
       : requests_(std::move(requests)), distances_(requests_) {}
 
   /// Of a copy that wayRequest() asked for. The rules are those of its model; `states` may be null.
-  /// Nothing if `is_cancelled`, which is asked now and then, said so. After an exception, such as
-  /// std::bad_alloc, all is forgotten.
+  /// Nothing if `is_cancelled`, which is asked now and then, said so. After that, or after an
+  /// exception, such as std::bad_alloc, the next call forgets all first.
   std::optional<ComputedContacts> compute(PastScene& scene, const StopRules& rules,
                                           const JointStates* states, TriangleTrees::Time now,
                                           const std::function<bool()>& is_cancelled);
@@ -40,6 +40,7 @@ class ContactTimes {
   TreeRequests requests_;
   SceneDistances distances_;
   MomentPairs pairs_;
+  bool is_whole_ = true;  ///< else what is remembered may be of half a scene
 };
 
 }  // namespace link_bounds

@@ -57,8 +57,17 @@ class DistanceThreadTest : public testing::Test {
     });
   }
 
+  /// Throws once when it is copied, as where memory is short.
+  struct Copied {
+    explicit Copied(std::atomic<bool>& fails) : fails_(fails) {}
+    Copied(const Copied& other) : fails_(other.fails_) {
+      if (fails_.exchange(false)) throw std::bad_alloc();
+    }
+    std::atomic<bool>& fails_;
+  };
+
   TreeRequests requests() {
-    return {[this](const std::string&, const auto& points) {
+    return {[this, copied = Copied(cannot_copy_)](const std::string&, const auto& points) {
               ++requested_;
               if (fails_.exchange(false)) throw std::bad_alloc();
               if (has_trees_) {
@@ -90,6 +99,7 @@ class DistanceThreadTest : public testing::Test {
   std::atomic<bool> is_wanted_{true};
   std::atomic<bool> fails_{false};
   std::atomic<bool> cannot_publish_{false};  ///< once
+  std::atomic<bool> cannot_copy_{false};     ///< once
   std::atomic<bool> has_trees_{true};
   std::atomic<int> requested_{0};
   std::unique_ptr<DistanceThread> thread_;  ///< last: it ends first
@@ -125,6 +135,17 @@ TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
   fails_ = true;
   thread_->give(moment);
   ASSERT_TRUE(becomesTrue([this] { return !fails_; }));
+  thread_->give(moment);
+  ASSERT_TRUE(waitForGap(0.5));
+  EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
+}
+
+TEST_F(DistanceThreadTest, AFailureLeavesNothingBehindWhereForgettingFailsToo) {
+  start(seconds(10));
+  const auto moment = madeMoment(0.5);
+  cannot_copy_ = fails_ = true;
+  thread_->give(moment);
+  ASSERT_TRUE(becomesTrue([this] { return !fails_ && !cannot_copy_; }));
   thread_->give(moment);
   ASSERT_TRUE(waitForGap(0.5));
   EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
