@@ -24,6 +24,9 @@ namespace {
 constexpr char kRobot[] = R"(<robot name="cube"><link name="cube"><visual><geometry>
   <box size="1 1 1"/></geometry></visual></link></robot>)";
 
+/// Of a status; that of one second later has it no more.
+constexpr char kReason[] = "not filtered: more clouds came than could be filtered";
+
 /// Who logs that a cloud was dropped waits here until this is open.
 class Gate : public ros::console::LogAppender {
  public:
@@ -70,6 +73,7 @@ class CloudBurst : public testing::Test {
         [this](const sensor_msgs::PointCloud2ConstPtr&) { ++heard_; });
     status_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+          if (values_.count(kReason) > 0) return;
           values_.clear();
           for (const diagnostic_msgs::KeyValue& value : array->status.front().values)
             values_[value.key] = value.value;
@@ -132,7 +136,6 @@ TEST_F(CloudBurst, WhatCannotWaitIsNotLateIfNothingWaitedBefore) {
     send();
   ASSERT_TRUE(isServed([this] { return heard_ == sent_; }));
   gate_.open();
-  const char kReason[] = "not filtered: more clouds came than could be filtered";
   ASSERT_TRUE(isServed([&] { return values_.count(kReason) > 0; }));
   EXPECT_EQ(values_[kReason], "1");
   EXPECT_EQ(values_["times that a queue of clouds was full"], "1");
