@@ -61,7 +61,7 @@ class HeldObjects {
   /// To be called now and then: ends lifetimes.
   void expire(ros::Time now);
 
-  /// After the clock jumped back.
+  /// After the clock jumped back or began to run.
   void restart(ros::Time now);
 
  private:

@@ -84,8 +84,11 @@ struct LiveObject {
   ros::Duration lifetime;     ///< that of the last receipt
   std::string sender;         ///< the publisher of the last receipt
   bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
-  bool is_outdated = false;   ///< it was placed before the clock jumped back
-  std::int64_t waiting_since = 0;   ///< for the transform at its stamp
+  /// It was last sent before the clock jumped back, or with a stamp that is ahead of its start. Its
+  /// stamp, or its place, is that of another time.
+  bool is_outdated = false;
+  bool is_sent_again = false;      ///< since then, unchanged: it is placed anew if tf has its stamp
+  std::int64_t waiting_since = 0;  ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again
   TransformProblem problem = TransformProblem::kNone;
   BoxState state;

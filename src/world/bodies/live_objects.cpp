@@ -58,18 +58,27 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.is_silent = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
-  const bool is_known =
-      !was_given_up && !(object.is_outdated && clock_.isSinceJump(content, object.received));
-  if (!is_new && is_known && isSame(*object.content, content)) return false;
+  if (!is_new && !was_given_up && isSame(*object.content, content)) return sendAgain(object, now);
   if (!is_new) release(object);
   object.content = std::make_shared<const ObjectContent>(std::move(content));
   object.boxes = LinkBoxes({object.content->bounded});
   object.problem = TransformProblem::kNone;
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
-  object.is_outdated = false;
+  object.is_outdated = object.is_sent_again = false;
   follow(object);
   return refresh(object, now) || is_new;
+}
+
+/// The same content. What was sent before the clock jumped back may also arrive after it.
+bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
+  if (!object.is_outdated || !clock_.isSinceJump(*object.content, object.received)) return false;
+  object.is_sent_again = object.placement.has_value();
+  if (!object.placement) {
+    object.is_outdated = false;
+    object.stamp = object.content->stamp;
+  }
+  return refresh(object, now);
 }
 
 bool LiveObjects::remove(const ObjectKey& key) {
@@ -148,16 +157,24 @@ bool LiveObjects::update(ros::Time now) {
 }
 
 bool LiveObjects::restart(ros::Time now) {
+  for (auto& [key, object] : objects_) {
+    object.is_outdated |= object.content->stamp != 0;
+    object.is_sent_again = false;
+  }
+  return startClock(now);
+}
+
+bool LiveObjects::startClock(ros::Time now) {
   bool is_changed = false;
   for (auto& [key, object] : objects_)
     object.received = clock_.receivedAfterJump(object, now);
   const std::int64_t start = clock_.restart(now);
   for (auto& [key, object] : objects_) {
     object.waiting_since = object.unplaced_since = start;
+    object.is_outdated |= object.stamp > start;
     object.stamp = std::min(object.stamp, start);
     is_changed |= object.state.stamp > start;
     object.state.stamp = std::min(object.state.stamp, start);
-    object.is_outdated = object.content->stamp != 0;
   }
   is_changed |= refreshAll(now);
   return is_changed;

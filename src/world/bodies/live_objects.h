@@ -58,8 +58,11 @@ class LiveObjects {
   /// To be called after each update of the poses, and before any other function reads them.
   bool update(ros::Time now);
 
-  /// After the clock jumped back or began to run. What is left of a lifetime stays as it was,
-  /// waiting begins again, and no stamp of a box is ahead of `now`.
+  /// After the clock began to run. What is left of a lifetime stays as it was, waiting begins
+  /// again, and no stamp of a box is ahead of `now`.
+  bool startClock(ros::Time now);
+
+  /// The same after the clock jumped back. What is there was placed at another time.
   bool restart(ros::Time now);
 
   /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
@@ -91,6 +94,7 @@ class LiveObjects {
   void leaveFixedFrame();
   void follow(LiveObject& object);
   void release(LiveObject& object);
+  bool sendAgain(LiveObject& object, ros::Time now);
   Objects::iterator erase(Objects::iterator object);
   bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
   bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;

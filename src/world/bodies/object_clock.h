@@ -18,7 +18,8 @@ class ObjectClock {
   /// The time, which is remembered.
   std::int64_t observe(ros::Time now);
 
-  /// The time after the clock jumped back. What is left of an object's lifetime stays as it was.
+  /// The time after the clock jumped back or began to run. What is left of an object's lifetime
+  /// stays as it was.
   std::int64_t restart(ros::Time now);
 
   /// Where the object's age began, as restart() shifts it. To be called before restart().
@@ -32,7 +33,7 @@ class ObjectClock {
   std::int64_t stampOf(const ObjectContent& content, std::int64_t now) const;
 
  private:
-  std::int64_t start_ = 0;       ///< when the clock jumped back
+  std::int64_t start_ = 0;       ///< when the clock jumped back or began to run
   std::int64_t last_now_ = 0;    ///< the newest time since the clock jumped back
   std::int64_t newest_now_ = 0;  ///< the newest time before any jump back
 };

@@ -16,18 +16,32 @@ ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
     const FramePose& header = object.header.pose();
     return {header.problem, header.fixed_from_frame.affine, olderStamp(header.stamp, object.stamp)};
   }
-  if (!object.placement) {
-    if (object.problem == TransformProblem::kGivenUp) return {TransformProblem::kGivenUp};
-    const auto pose = poseAt(object.content->stamp, object.frame);
-    if (!pose) {
-      return {hasWaitedLong(object.waiting_since, now) ? TransformProblem::kGivenUp
-                                                       : TransformProblem::kWaiting};
-    }
-    object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
+  if (!object.placement && object.problem == TransformProblem::kGivenUp)
+    return {TransformProblem::kGivenUp};
+  if (!object.placement || object.is_sent_again) {
+    if (!placeOnce(object, now)) return {TransformProblem::kWaiting};
+    if (!object.placement) return {TransformProblem::kGivenUp};
   }
   const std::optional<Eigen::Affine3d> pose = carried(*object.placement);
   if (!pose) return {TransformProblem::kNotCarried};
   return {TransformProblem::kNone, *pose, object.stamp};
+}
+
+/// False while it waits for the transform at its stamp. If that does not come, an earlier placement
+/// stays.
+bool ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
+  const std::int64_t stamp = object.content->stamp;
+  const auto pose = poseAt(stamp, object.frame);
+  if (pose) {
+    object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
+    if (object.is_sent_again) object.stamp = stamp;
+    if (object.is_sent_again) object.is_outdated = false;
+  } else if (!hasWaitedLong(object.waiting_since, now)) {
+    const bool may_come = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;
+    if (!object.placement || may_come) return false;
+  }
+  object.is_sent_again = false;
+  return true;
 }
 
 std::optional<Eigen::Affine3d> ObjectPlacer::poseAt(std::int64_t stamp, Frame frame) {

@@ -58,6 +58,7 @@ class ObjectPlacer {
     std::optional<Eigen::Affine3d> fixed_from_frame;
   };
 
+  bool placeOnce(LiveObject& object, ros::Time now);
   std::optional<Eigen::Affine3d> poseAt(std::int64_t stamp, Frame frame);
   std::optional<Eigen::Affine3d> carried(const ObjectPlacement& placement) const;
 

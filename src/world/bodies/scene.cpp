@@ -20,6 +20,12 @@ bool Scene::update(ros::Time now) {
   return objects.update(now) || links_changed;
 }
 
+bool Scene::startClock(ros::Time now) {
+  frames.updateAll(now);
+  const bool links_changed = links.update();
+  return objects.startClock(now) || links_changed;
+}
+
 bool Scene::restart(ros::Time now) {
   frames.updateAll(now);
   const bool links_changed = links.update();

@@ -40,7 +40,10 @@ struct Scene {
   /// To be called after each tf message.
   bool update(ros::Time now);
 
-  /// After the clock jumped back, when tf was cleared, or began to run.
+  /// After the clock began to run.
+  bool startClock(ros::Time now);
+
+  /// After the clock jumped back, when tf was cleared.
   bool restart(ros::Time now);
 
   /// To be called now and then: finds what has become too old.

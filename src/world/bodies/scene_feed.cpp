@@ -84,7 +84,7 @@ void SceneFeed::observeClock(ros::Time now) {
       return;
     case ClockWatch::Event::kStarted:
       tf_.startClock(now);
-      if (scene_.restart(now)) onNews();
+      if (scene_.startClock(now)) onNews();
       return;
     case ClockWatch::Event::kJumpedAhead:
       if (tf_.jumpAhead(now) && scene_.update(now)) onNews();

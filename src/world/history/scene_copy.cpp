@@ -187,7 +187,7 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
 /// Whether tf tells where a link was when the object was placed. After a jump of the clock its time
 /// is another one, and in another fixed frame its place is that of a later time.
 bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
-  if (holders_.empty() || object.state.stamp == 0) return false;
+  if (holders_.empty() || object.state.stamp == 0 || object.is_outdated) return false;
   if (object.state.stamp != object.boxed.content->stamp) return false;
   if (object.placement) return object.placement->fixed_frame == scene.frames.fixedFrame();
   // A neighbour's box follows its frame, so only in a frame that stands it is of its stamp.

@@ -121,6 +121,47 @@ TEST_F(ObjectTimesTest, WhatIsSentAgainAfterAJumpBackIsPlacedAnew) {
   expectBox(0, 3);
 }
 
+/// A sender repeats its marker with a fixed stamp every 20 s. What cannot be placed anew stays.
+TEST_F(ObjectTimesTest, WhatTfForgotOrNeverKnewStaysWhereItWas) {
+  for (const double repeated : {100, 130}) {
+    now_ = ros::Time(99);
+    hear("map", "camera", 99, 0, 1);
+    put(boxIn("camera", 99));
+    jumpTo(90);
+    now_ = ros::Time(repeated);
+    hear("map", "camera", repeated, 0, 3);
+    EXPECT_EQ(put(boxIn("camera", 99)), repeated == 100) << "tf may still get that time";
+    EXPECT_EQ(state().incomplete, repeated == 100);
+    pass(2.1);
+    EXPECT_FALSE(state().incomplete);
+    expectBox(0, 1);
+    EXPECT_TRUE(object().is_outdated);
+    objects_.removeAll();
+    tf_.clear();
+  }
+}
+
+TEST_F(ObjectTimesTest, WhatWaitsIsNoNewsWhenItIsSentAgainAfterAJump) {
+  put(boxIn("camera", 99));
+  jumpTo(98.9);
+  EXPECT_FALSE(put(boxIn("camera", 99)));
+  hear("map", "camera", 99, 0, 1);
+  EXPECT_EQ(stamp(), 99);
+  EXPECT_FALSE(object().is_outdated);
+}
+
+TEST_F(ObjectTimesTest, WhenTheClockStartsOnlyStampsAheadOfItAreOutdated) {
+  now_ = ros::Time();
+  put(boxIn("map", 99));
+  objects_.put({"scene", 2}, boxIn("map", 98), now_);
+  now_ = ros::Time(98.9);
+  EXPECT_TRUE(objects_.startClock(now_));
+  EXPECT_FALSE(objects_.put({"scene", 2}, boxIn("map", 98), now_));
+  EXPECT_EQ(stamp(), 98.9);
+  EXPECT_TRUE(put(boxIn("map", 99)));
+  EXPECT_EQ(stamp(), 99);
+}
+
 TEST_F(ObjectTimesTest, AJumpBackIsNewsWhereItChangesAStamp) {
   put(boxIn("map", 99));
   now_ = ros::Time(10);

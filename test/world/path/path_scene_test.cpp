@@ -212,6 +212,30 @@ TEST(PathScene, AHeldBodyThatIsSentAgainAfterAJumpBackIsPlacedAnew) {
   EXPECT_EQ(arm.path().incomplete, Names{});
 }
 
+// The node noticed the jump a little after the clock had made it. A late transform of the new time
+// has the stamp of the old one.
+TEST(PathScene, AfterAJumpBackAStampThatTheNewTimeHasTooIsOfNoUse) {
+  Arm arm(attaching());
+  const ObjectContent held = boxIn("map", kStamp);
+  arm.put("held", held);
+  EXPECT_EQ(arm.path().incomplete, Names{});
+  arm.scene().update(ros::Time(kStamp + 0.3));
+  arm.tf().clear();
+  arm.scene().restart(ros::Time(kStamp + 0.05));
+  arm.send(kStamp - 0.01, {1, 0});
+  arm.send(kStamp + 0.1, {1, 0});
+  EXPECT_EQ(arm.path(kStamp + 0.1).incomplete, Names{"held/1"});
+  arm.put("held", held);
+  EXPECT_EQ(arm.path(kStamp + 0.1).incomplete, Names{"held/1"}) << "it may be of the old time";
+}
+
+TEST(PathScene, AHeldBodyStaysOnItsLinkWhenTheClockStarts) {
+  Arm arm(attaching());
+  arm.put("held", boxIn("map", kStamp));
+  arm.scene().startClock(ros::Time(kStamp + 0.05));
+  EXPECT_EQ(arm.path().incomplete, Names{});
+}
+
 // The base drives on. The object is carried over by where the base is now, but was placed before.
 TEST(PathScene, InAnotherFixedFrameTheStampOfAHeldBodyIsOfNoUse) {
   Parameters parameters = attaching();
