@@ -58,14 +58,16 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.is_silent = false;
   if (object.problem != TransformProblem::kWaiting) object.unplaced_since = object.received;
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
-  if (!is_new && !was_given_up && isSame(*object.content, content)) return sendAgain(object, now);
+  const bool is_same = !is_new && isSame(*object.content, content);
+  if (is_same && !was_given_up) return sendAgain(object, now);
   if (!is_new) release(object);
   object.content = std::make_shared<const ObjectContent>(std::move(content));
   object.boxes = LinkBoxes({object.content->bounded});
   object.problem = TransformProblem::kNone;
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
-  object.is_outdated = object.is_sent_again = false;
+  object.is_outdated &= is_same && !clock_.isSinceJump(*object.content, object.received);
+  object.is_sent_again = false;
   follow(object);
   return refresh(object, now) || is_new;
 }

@@ -34,8 +34,10 @@ bool ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
   const auto pose = poseAt(stamp, object.frame);
   if (pose) {
     object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
-    if (object.is_sent_again) object.stamp = stamp;
-    if (object.is_sent_again) object.is_outdated = false;
+    if (object.is_sent_again) {
+      object.stamp = stamp;
+      object.is_outdated = false;
+    }
   } else if (!hasWaitedLong(object.waiting_since, now)) {
     const bool may_come = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;
     if (!object.placement || may_come) return false;

@@ -150,6 +150,20 @@ TEST_F(ObjectTimesTest, WhatWaitsIsNoNewsWhenItIsSentAgainAfterAJump) {
   EXPECT_FALSE(object().is_outdated);
 }
 
+TEST_F(ObjectTimesTest, WhatWasGivenUpIsOfTheOldTimeAlsoWhenItIsSentAgain) {
+  put(boxIn("camera", 99));
+  now_ = ros::Time(100.3);
+  jumpTo(99.05);
+  pass(2.1);
+  ASSERT_EQ(object().problem, TransformProblem::kGivenUp);
+  hear("map", "camera", 99, 0, 1);
+  EXPECT_TRUE(put(boxIn("camera", 99)));
+  EXPECT_FALSE(state().incomplete);
+  EXPECT_TRUE(object().is_outdated) << "as far as one can know";
+  EXPECT_TRUE(put(boxIn("camera", 99.06)));
+  EXPECT_FALSE(object().is_outdated);
+}
+
 TEST_F(ObjectTimesTest, WhenTheClockStartsOnlyStampsAheadOfItAreOutdated) {
   now_ = ros::Time();
   put(boxIn("map", 99));
