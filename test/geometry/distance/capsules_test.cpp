@@ -221,6 +221,29 @@ TEST(Capsules, AreNoneWhereAShapeDoesNotFit) {
   EXPECT_EQ(shapesLeft(many), 65u);
 }
 
+/// Neither is searched by its centre, which would leave the bounds far apart.
+TEST(Capsules, AreNoneInShapesAndPosesThatAreNotRigid) {
+  Random random(3);
+  for (int i = 0; i < repetitions(2000); ++i) {
+    Body ball{{ballAt(1, {0, 0, 0}, random.rigid(1).linear())}};
+    Eigen::Affine3d pose = random.rigid(0.5);
+    const double other_scale = 1 + random.sign() * random.magnitude(-15, -0.5);
+    (i % 2 ? pose : ball.shapes[0].shape.link_from_shape).linear() *= other_scale;
+    const Body other{{ballAt(1, {0, 0, 0}, random.rigid(1).linear())}};
+    const Eigen::Affine3d other_pose(Eigen::Translation3d(3 * random.vector(1)));
+    BodyDistances distances({1e-12});
+    distances.set(0, std::make_shared<Body>(ball));
+    distances.set(1, std::make_shared<Body>(other));
+    distances.move(0, pose);
+    distances.move(1, other_pose);
+    const BodyDistance found = *distances.find(0, 1);
+    const BodyDistance plain = *bodyDistance(ball, pose, other, other_pose, {1e-12});
+    ASSERT_LE(found.lower, plain.upper);
+    ASSERT_GE(found.upper, plain.lower);
+    ASSERT_LE(found.upper - found.lower, std::max(plain.upper - plain.lower, 2e-12)) << other_scale;
+  }
+}
+
 TEST(Capsules, OthersStayTheSameBody) {
   EXPECT_EQ(withCores(nullptr), nullptr);
   const auto box = std::make_shared<const Body>(Body{{solidAt(Solid::kBox, {1, 1, 1}, kIdentity)}});

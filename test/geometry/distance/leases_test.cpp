@@ -427,5 +427,48 @@ TEST(Leases, TheNormalProvesWhatIsCarried) {
   EXPECT_GT(carried, tried / 4);
 }
 
+/// A link of some balls in a row.
+std::shared_ptr<const Body> row(std::size_t balls, double radius) {
+  auto result = std::make_shared<Body>();
+  for (std::size_t i = 0; i < balls; ++i) {
+    BodyShape ball;
+    ball.shape.solid = Solid::kEllipsoid;
+    ball.shape.size.setConstant(2 * radius);
+    ball.shape.link_from_shape.translation().y() = static_cast<double>(i);
+    result->shapes.push_back(ball);
+  }
+  return result;
+}
+
+TEST(Leases, ASetThatThrowsChangesNothing) {
+  Random random(9);
+  BodyDistances distances({1e-6});
+  const Eigen::Affine3d at(Eigen::Translation3d(9, 0.3, 0));
+  const std::shared_ptr<const Body> still = row(1, 0.5);
+  distances.set(1, still);
+  distances.move(1, at);
+  std::shared_ptr<const Body> body;
+  int failures = 0;
+  for (int i = 0; i < repetitions(3000); ++i) {
+    const auto other = row(static_cast<std::size_t>(random.uniform(1, 9)), random.uniform(0.1, 4));
+    replaced_new::until_failure = static_cast<long>(random.uniform(0, 40));
+    try {
+      distances.set(0, other);
+      body = other;
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    replaced_new::until_failure = -1;
+    if (!body) continue;
+    distances.move(0, kIdentity);
+    const BodyDistance found = *distances.find(0, 1);
+    const BodyDistance plain = *bodyDistance(*body, kIdentity, *still, at, {1e-6});
+    ASSERT_LE(found.lower, plain.upper) << i;
+    ASSERT_GE(found.upper, plain.lower) << i;
+  }
+  EXPECT_GT(failures, repetitions(3000) / 4);
+  EXPECT_LT(failures, repetitions(3000) * 9 / 10);
+}
+
 }  // namespace
 }  // namespace link_bounds
