@@ -87,6 +87,9 @@ struct LiveObject {
   /// It was last sent before the clock jumped back, or with a stamp that is ahead of its start. Its
   /// stamp, or its place, is that of another time.
   bool is_outdated = false;
+  /// Since then it was only sent again unchanged, maybe by somebody who knows nothing of the jump.
+  /// It has a box, but where it is on a link is not known.
+  bool is_repeated = false;
   bool is_sent_again = false;      ///< since then, unchanged: it is placed anew if tf has its stamp
   std::int64_t waiting_since = 0;  ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again

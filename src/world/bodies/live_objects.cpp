@@ -66,7 +66,10 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.problem = TransformProblem::kNone;
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
-  object.is_outdated &= is_same && !clock_.isSinceJump(*object.content, object.received);
+  const bool is_old = !clock_.isSinceJump(*object.content, object.received);
+  object.is_repeated = is_same && (object.is_repeated || object.is_outdated);
+  object.is_outdated =
+      is_old && (has_jumped_back_ ? object.content->stamp != 0 : is_same && object.is_outdated);
   object.is_sent_again = false;
   follow(object);
   return refresh(object, now) || is_new;
@@ -78,6 +81,7 @@ bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   object.is_sent_again = object.placement.has_value();
   if (!object.placement) {
     object.is_outdated = false;
+    object.is_repeated = true;
     object.stamp = object.content->stamp;
   }
   return refresh(object, now);
@@ -159,6 +163,7 @@ bool LiveObjects::update(ros::Time now) {
 }
 
 bool LiveObjects::restart(ros::Time now) {
+  has_jumped_back_ = true;
   for (auto& [key, object] : objects_) {
     object.is_outdated |= object.content->stamp != 0;
     object.is_sent_again = false;

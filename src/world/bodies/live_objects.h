@@ -108,6 +108,7 @@ class LiveObjects {
   TransformProblem bound(LiveObject& object, ros::Time now, BoxState& state);
 
   FrameTracker& frames_;
+  bool has_jumped_back_ = false;  ///< the clock
   ObjectPlacer placer_;
   ObjectClock clock_;
   Objects objects_;

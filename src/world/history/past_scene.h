@@ -45,9 +45,10 @@ struct PastBody {
   /// Of an object that was placed once and is attached to a link, if tf knows the link at that
   /// time. Only where BoxRequest::has_robot_frames is set.
   std::optional<HeldPlace> held;
-  std::int64_t stamp = 0;   ///< of the transform that placed it [ns]
-  bool incomplete = false;  ///< whatever the time
-  std::string reason;       ///< why, in words
+  std::int64_t stamp = 0;    ///< of the transform that placed it [ns]
+  bool is_outdated = false;  ///< an object that may have been placed before the clock jumped back
+  bool incomplete = false;   ///< whatever the time
+  std::string reason;        ///< why, in words
 };
 
 /// Shares nothing that changes.

@@ -77,6 +77,10 @@ void SceneCopy::observeEpoch(const TransformBuffer& tf, ros::Time now) {
   epoch_ = tf.epoch();
   past_->now = now;
   past_->excerpt.setStaleBefore(staleBefore(model_->parameters.timeout, now));
+  for (PastBody& body : past_->bodies) {
+    body.held.reset();
+    body.is_outdated |= body.frame_from_body.has_value();
+  }
 }
 
 void SceneCopy::begin(const Scene& scene, ros::Time now) {
@@ -177,6 +181,7 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
       body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
       body.frame_from_body = object.boxed.fixed_from_header;
       body.stamp = object.state.stamp;
+      body.is_outdated = object.is_outdated || object.is_repeated;
       if (isHeldSince(scene, object)) body.held = heldPlace(scene, body);
     }
   }
@@ -187,7 +192,8 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
 /// Whether tf tells where a link was when the object was placed. After a jump of the clock its time
 /// is another one, and in another fixed frame its place is that of a later time.
 bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
-  if (holders_.empty() || object.state.stamp == 0 || object.is_outdated) return false;
+  if (holders_.empty() || object.state.stamp == 0) return false;
+  if (object.is_outdated || object.is_repeated) return false;
   if (object.state.stamp != object.boxed.content->stamp) return false;
   if (object.placement) return object.placement->fixed_frame == scene.frames.fixedFrame();
   // A neighbour's box follows its frame, so only in a frame that stands it is of its stamp.

@@ -235,7 +235,7 @@ class SceneMaker {
     };
     if (std::all_of(edges.begin(), edges.end(), is_static)) return "";
     return "where it is on the link to which it is attached is not known; let it follow a frame of "
-           "that link, with stamp 0, or send it anew";
+           "that link, with stamp 0, or send it anew with a new stamp";
   }
 
   bool moves(std::size_t body) const {

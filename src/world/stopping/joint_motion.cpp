@@ -75,7 +75,7 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
 
-/// Without a last report of after the stamp, if a pause is before it: those before the pause tell.
+/// Without the report after the stamp if it is more than `window` after the one before it.
 std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int64_t stamp,
                                      std::int64_t window) {
   const std::size_t count = reports.size();
@@ -181,6 +181,11 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     // Since the last report it may have become faster, as by twice the time in a piece.
     const std::int64_t gap = std::max<std::int64_t>(stamp - found.stamps.back(), 0);
     state.piece += 2 * static_cast<double>(gap) / kSecond;
+    if (reports.size() < all_reports.size()) {
+      const JointReport& late = all_reports.back();
+      const JointReport& last = reports.back();
+      widen(state.speed, false, late.position - last.position, late.stamp - last.stamp);
+    }
   }
   double error = fit.value - nearest->position;
   if (joint.motion == Motion::kRotation) error = withoutTurns(error);
