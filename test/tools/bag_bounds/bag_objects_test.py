@@ -137,6 +137,29 @@ class ObjectsTest(BagBoundsTest):
         self.objects(arms(40) + [placed(5.5), last, gone], code=INCOMPLETE,
                      err='incomplete names: 1')
 
+    def test_a_marker_that_is_never_placed_leaves_its_name_open(self):
+        """Also where another one of its name is placed before it or after it."""
+        waits = recorded(5.2, marker('part/1', frame='nowhere', stamp=time_of(BEGIN + .1)))
+        old, new = (recorded(index, marker('part/1', pose=Pose((9, 0, 0)), frame='base',
+                                           stamp=time_of(BEGIN + PERIOD * index)))
+                    for index in (4.5, 7.5))
+        follows = recorded(7.2, marker('part/1', pose=Pose((9, 0, 0))))
+        waits_too = recorded(6.5, marker('part/1', frame='left_tip', stamp=time_of(BEGIN + .14)))
+        gone = recorded(6.7, deletion('part/1'))
+        for case, others in enumerate(([new], [gone, new], [old, new], [follows, new], [waits_too],
+                                       [old, waits_too, gone], [old, gone], [gone])):
+            with self.subTest(case=case):
+                found = self.objects(arms(40) + [waits] + others, code=INCOMPLETE,
+                                     err='incomplete names: 1')
+                self.assertRegex(found['incomplete']['part/1'], 'nowhere')
+
+    def test_a_mesh_that_tf_places_soon(self):
+        mesh = marker('part/1', Marker.MESH_RESOURCE, frame='left_tip',
+                      stamp=time_of(BEGIN + PERIOD * 5.5),
+                      mesh_resource=(MESHES / 'wrist.stl').as_uri())
+        found = self.objects(arms(40) + [recorded(5.5, mesh)])
+        self.assertEqual((found['extremes'][-1]['coverage'], found['incomplete']), (1, {}))
+
     def test_an_object_that_waits_for_its_frame(self):
         """It is there from its marker on, and has a box from the first transform on."""
         link = [moving_arms(i, links=('right',)) for i in range(10, 20)]

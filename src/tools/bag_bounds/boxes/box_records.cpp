@@ -35,21 +35,44 @@ void endGap(BoxRecord& record, std::int64_t now) {
   record.gap.reset();
 }
 
+/// What was placed is covered since its stamp. What never was is not compared at all.
+void endWait(BoxRecord& record, bool was_placed) {
+  const std::int64_t waited = std::exchange(record.waited, 0);
+  if (was_placed) {
+    record.covered += waited;
+  } else if (record.partial.empty()) {
+    record.partial = record.waits;
+  }
+  record.waits.clear();
+  record.waiting.reset();
+}
+
+/// Another marker may come while one waits. That whose mesh was loaded is the same one. True if one
+/// waits now.
+template <class GetReason>
+bool takeWait(BoxRecord& record, const LiveObject& object, const GetReason& reason) {
+  const bool waits = object.problem == TransformProblem::kWaiting;
+  if (record.waiting && record.waiting->isLoading()) record.waiting = object.content;
+  if (record.waiting && (!waits || object.content != record.waiting))
+    endWait(record, object.boxed.content == record.waiting);
+  if (!waits) return false;
+  record.waiting = object.content;
+  record.waits = reason();
+  return true;
+}
+
 /// Before its first box a name has no gap.
 template <class GetReason>
 void add(BoxRecord& record, const BoxState& state, std::int64_t now, double timeout, bool waits,
          const GetReason& reason) {
   if (!state.box) record.last.reset();
-  record.waits = waits ? reason() : "";
   record.is_waiting = waits && !state.box;
   if (record.is_waiting) {
     if (!record.has_box) record.reason = record.waits;
     return;
   }
-  const std::int64_t waited = std::exchange(record.waited, 0);
   if (state.box) {
     endGap(record, now);
-    record.covered += waited;
     if (!waits && state.incomplete && record.partial.empty()) record.partial = reason();
     extend(record, *state.box, {now, state.stamp});
     addSpeed(record, *state.box, {now, state.stamp}, timeout);
@@ -86,18 +109,27 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
   const double timeout = scene.model()->parameters.timeout;
   bool has_changed = false;
   passTo(now);
-  present_.clear();
+  const std::vector<BoxRecord*> before = std::exchange(present_, {});
+  for (BoxRecord* object : before)
+    object->is_there = false;
   links_.resize(scene.model()->links.size());
   scene.forEach([&](const SceneBody& body) {
     BoxRecord* record = recordOf(body);
     if (!record) return;
     if (record->name.empty()) record->name = body.name;
-    if (body.object) present_.push_back(record);
+    if (body.object) {
+      present_.push_back(record);
+      record->is_there = true;
+    }
     const bool had_box = record->has_box && !record->gap;
     has_changed |= body.link && had_box != body.state.box.has_value();
-    const bool waits = body.object && body.object->problem == TransformProblem::kWaiting;
-    link_bounds::add(*record, body.state, now, timeout, waits, [&] { return scene.reason(body); });
+    const auto reason = [&] { return scene.reason(body); };
+    const bool waits = body.object && takeWait(*record, *body.object, reason);
+    link_bounds::add(*record, body.state, now, timeout, waits, reason);
   });
+  for (BoxRecord* object : before) {
+    if (!object->is_there && object->waiting) endWait(*object, false);
+  }
   return has_changed;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,9 @@ struct BoxRecord {
   bool is_waiting = false;         ///< has no box until tf says where it was placed
   std::int64_t waited = 0;         ///< so long [ns]; covered if it is placed, since its stamp
   std::string waits;               ///< why it, or its new marker, waits; "" if nothing does
-  std::string partial;             ///< why the box does not cover everything; "" if it does
+  std::shared_ptr<const ObjectContent> waiting;  ///< that marker
+  bool is_there = false;  ///< of an object: it was in the scene at the last add()
+  std::string partial;    ///< why the box does not cover everything; "" if it does
 };
 
 /// How fast the centre of a box moved from one stamp to the next [m/s]. Nothing between static
