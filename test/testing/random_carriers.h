@@ -138,7 +138,8 @@ class RandomCarriers {
   }
 
   void turn(Carrier& carrier, double max_angle) {
-    const Eigen::AngleAxisd turn(random_.uniform(0, max_angle), random_.vector(1).normalized());
+    const double angle = random_.uniform(0, max_angle);
+    const Eigen::AngleAxisd turn(angle, random_.vector(1).normalized());
     carrier.turn = (carrier.turn * turn).normalized();
   }
 

@@ -41,7 +41,7 @@ class PairScene {
  public:
   struct Counts {
     int steps = 0, pairs = 0, calls = 0, walks = 0, undecided = 0, dips = 0, rest_dips = 0,
-        gone_dips = 0;
+        gone_dips = 0, looks = 0;
   };
 
   PairScene(const std::string& fixed_frame, const std::vector<BoundedLink>& links) {
@@ -58,7 +58,10 @@ class PairScene {
       const BodyKey first(moment.bodies[motion.first]), second(moment.bodies[motion.second]);
       calls_[{is_rest_, first, second}] = motion;
     };
-    handlers_.gives_up = [] { return false; };
+    handlers_.gives_up = [this] {
+      ++counts_.looks;
+      return false;
+    };
   }
   PairScene(const PairScene&) = delete;
   PairScene& operator=(const PairScene&) = delete;
@@ -158,9 +161,10 @@ class RandomPairs : public PairScene {
   static std::vector<BoundedLink> randomLinks(std::uint64_t seed) {
     brute_force::Random random(seed);
     std::vector<BoundedLink> links;
-    for (int i = 0; i < RandomCarriers::kArms; ++i)
-      links.push_back(
-          ballLink(RandomCarriers::armName(i), random.vector(0.3), random.uniform(0.1, 0.25)));
+    for (int i = 0; i < RandomCarriers::kArms; ++i) {
+      const Eigen::Vector3d centre = random.vector(0.3);
+      links.push_back(ballLink(RandomCarriers::armName(i), centre, random.uniform(0.1, 0.25)));
+    }
     return links;
   }
 
@@ -383,6 +387,19 @@ class TwoBalls : public PairScene {
     take(message);
   }
 
+  /// A ball at rest, at that height, after the newest message.
+  void sendPost(double height) {
+    CarrierMessage message;
+    message.time = scene_.now() + 1;
+    message.marker.header.frame_id = "world";
+    message.marker.ns = "post";
+    message.marker.type = visualization_msgs::Marker::SPHERE;
+    message.marker.pose.position.z = height;
+    message.marker.pose.orientation.w = 1;
+    message.marker.scale.x = message.marker.scale.y = message.marker.scale.z = 0.1;
+    take(message);
+  }
+
  private:
   static BoundedLink ball(const std::string& name) {
     return ballLink(name, Eigen::Vector3d::Zero(), 0.2);
@@ -416,6 +433,18 @@ TEST(PairSequences, WhatIsFarAwayIsNotLookedAt) {
     scene.send(i, {i % 2 == 0 ? 1 : 1.1, 0, 0});
   EXPECT_EQ(scene.counts().steps, 100);
   EXPECT_EQ(scene.counts().calls, 0);
+}
+
+TEST(PairSequences, AStepWithoutAnyMotionLooksAtNoPair) {
+  TwoBalls scene;
+  for (int i = 0; i < 100; ++i)
+    scene.send(i, Eigen::Vector3d::Constant(i % 2 == 0 ? 0.225 : 0.2251));
+  scene.sendPost(5);
+  const int looks = scene.counts().looks;
+  for (int i = 0; i < 9; ++i)
+    scene.sendPost(6 + i);
+  EXPECT_EQ(scene.counts().steps, 110);
+  EXPECT_EQ(scene.counts().looks, looks);
 }
 
 }  // namespace

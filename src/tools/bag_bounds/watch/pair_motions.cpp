@@ -293,6 +293,7 @@ void PairMotions::findWays(WayBound& ways) {
     if (mover.was_there && mover.begin < mover.end && (earliest == 0 || mover.begin < earliest))
       earliest = mover.begin;
   }
+  if (earliest == 0) return;
   for (MovedBody& mover : movers_) {
     const std::int64_t begin = std::max(std::min(earliest, mover.begin), mover.since);
     if (mover.was_there && begin != 0 && begin < mover.end)
