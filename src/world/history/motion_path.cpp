@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "world/history/pose_gap.h"
+#include "world/tf/frame_paths.h"
 
 namespace link_bounds {
 namespace {
@@ -27,6 +28,11 @@ struct Climb {
   std::vector<EdgeMotion> edges;
   std::string problem;  ///< why it does not go on; "" where a tree of tf ends
 };
+
+std::int64_t oldestKept(const EdgeHistory& history) {
+  const SampleRing& samples = history.samples();
+  return samples[samples.countUntil(history.oldestKept() - 1)].stamp;
+}
 
 class Climber {
  public:
@@ -57,11 +63,11 @@ class Climber {
 
  private:
   std::string notCovered(Frame frame, const EdgeHistory& history) const {
-    const SampleRing& samples = history.samples();
-    const std::int64_t oldest = samples[samples.countUntil(history.oldestKept() - 1)].stamp;
+    const std::int64_t oldest = oldestKept(history);
     // An excerpt of tf may end soon after the span.
-    const std::string known = oldest > span_.begin ? "from " + seconds(oldest) + " on"
-                                                   : "up to " + seconds(samples.newest().stamp);
+    const std::string known = oldest > span_.begin
+                                  ? "from " + seconds(oldest) + " on"
+                                  : "up to " + seconds(history.samples().newest().stamp);
     return "tf knows frame " + quoted(tf_.name(frame)) + " only " + known +
            ", which does not cover the span from " + seconds(span_.begin) + " to " +
            seconds(span_.end);
@@ -153,6 +159,16 @@ MotionPath pathBetween(const TransformBuffer& tf, Frame target, Frame source, Mo
   }
   up.edges.erase(up.edges.begin() + (top - up.frames.begin()), up.edges.end());
   return {std::move(up.edges), std::move(down.edges), ""};
+}
+
+std::int64_t oldestKnown(const TransformBuffer& tf, Frame target, Frame source) {
+  std::int64_t oldest = 0;
+  for (const Frame frame : edgesBetween(tf, target, source)) {
+    const EdgeHistory* history = tf.history(frame);
+    if (history && !tf.isStatic(frame) && !history->samples().isEmpty())
+      oldest = std::max(oldest, oldestKept(*history));
+  }
+  return oldest;
 }
 
 }  // namespace link_bounds

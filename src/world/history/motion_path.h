@@ -69,4 +69,8 @@ void fillSteps(const std::vector<EdgeMotion>& edges, std::int64_t duration,
 MotionPath pathBetween(const TransformBuffer& tf, TransformBuffer::Frame target,
                        TransformBuffer::Frame source, MotionSpan span, double timeout);
 
+/// From this stamp on tf has not forgotten any edge between both, by their present parents.
+std::int64_t oldestKnown(const TransformBuffer& tf, TransformBuffer::Frame target,
+                         TransformBuffer::Frame source);
+
 }  // namespace link_bounds

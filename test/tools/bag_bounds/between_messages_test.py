@@ -341,6 +341,24 @@ class PostTest(BagBoundsTest):
                                    '--objects', '/objects', code=ENTERED)['zones'][0]
                 self.assertEqual('post/0' in {stay['name'] for stay in zone['stays']}, code != 0)
 
+    def test_a_marker_with_a_stamp_that_tf_has_forgotten(self):
+        """It is looked at for as long as tf remembers: up to 10 s."""
+        self.plates('fast')
+        gate = self.write('gate.yaml', zone_text('gate', [.9, -1, -1], [1.1, 1, 1], 'fast'))
+        objects = ('--objects', '/objects')
+        for place, code in (0, UNDERCUT), (-4, 0):
+            steps = [(i / 10, {'fast': -1 if i < 60 else 1 - 2 * (i % 2)}) for i in range(151)]
+            topic, post, _ = marker(place, 0, .02, 'base', -20)
+            messages = self.plate_messages(*steps) + [(topic, post, time_of(BEGIN + 15.05))]
+            messages += self.plate_messages((15.1, {'fast': 1}))
+            with self.subTest(place=place):
+                self.report(self.bag(messages), '--distances', '.01', *objects, code=code)
+        steps = [(i / 10, {'fast': -1 if 80 < i < 90 else 3}) for i in range(151)]
+        messages = self.plate_messages(*steps) + [(topic, post, time_of(BEGIN + 15.05))]
+        post.pose.position.x = 0
+        zone = self.report(self.bag(messages), '--zones', gate, *objects, code=ENTERED)['zones'][0]
+        self.assertIn('post/0', {stay['name'] for stay in zone['stays']})
+
     def test_an_object_is_there_until_it_is_deleted(self):
         """Or replaced, while the plate passes through its place, and after that."""
         self.plates('slow', 'fast')

@@ -131,7 +131,8 @@ void BodyMotions::followView() {
 void BodyMotions::standSinceStamp(Last& last, const BoxSource& source) const {
   last.stamp = 0;
   if (view_stamp_ == 0 || !source.frame_from_body || source.object->follows()) return;
-  const std::int64_t since = std::max(source.object->stamp, view_since_);
+  const std::int64_t since = std::max(
+      {source.object->stamp, view_since_, oldestKnown(scene_.frames.tf(), target_, source.frame)});
   const auto pose = scene_.frames.tf().pose(target_, source.frame, since);
   const auto box = pose
                        ? linkBox(source.bounded, MatrixPose(*pose).affine * *source.frame_from_body)

@@ -210,7 +210,7 @@ void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means&
   forgetObjects();
   if (!edges_) edges_.emplace(means.tf);
   const auto fixed = means.tf.find(moment->model->fixed_frame);
-  if (fixed) findWays(ways_.try_emplace(*fixed, *edges_, *fixed).first->second);
+  if (fixed) findWays(means.tf, *fixed);
   if (last_) lookAtRests(before, means);
 }
 
@@ -286,7 +286,8 @@ void PairMotions::forgetObjects() {
 }
 
 /// Of a pair, the motion is looked at that begins where the one of the older stamps was.
-void PairMotions::findWays(WayBound& ways) {
+void PairMotions::findWays(const TransformBuffer& tf, Frame fixed) {
+  WayBound& ways = ways_.try_emplace(fixed, *edges_, fixed).first->second;
   std::int64_t earliest = 0;  // begin of a motion that is looked at; 0: none
   for (const MovedBody& mover : movers_) {
     if (mover.is_placed_now) earliest = olderStamp(earliest, mover.since);
@@ -295,7 +296,9 @@ void PairMotions::findWays(WayBound& ways) {
   }
   if (earliest == 0) return;
   for (MovedBody& mover : movers_) {
-    const std::int64_t begin = std::max(std::min(earliest, mover.begin), mover.since);
+    std::int64_t begin = std::max(std::min(earliest, mover.begin), mover.since);
+    if (begin < mover.begin)
+      begin = std::min(mover.begin, std::max(begin, oldestKnown(tf, fixed, mover.frame)));
     if (mover.was_there && begin != 0 && begin < mover.end)
       mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
   }
@@ -318,13 +321,15 @@ MovedBody PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& 
   return mover;
 }
 
-/// A motion before one of both was known was that of others.
+/// A motion before one of both was known was that of others. An object may have been placed by an
+/// older stamp than tf still knows.
 void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   MovedBody& first = movers_[pair.first];
   MovedBody& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
   const bool is_placed_now = first.is_placed_now || second.is_placed_now;
-  const std::int64_t begin = is_placed_now ? 0 : olderStamp(first.begin, second.begin);
+  const std::int64_t begin = is_placed_now ? oldestKnown(means.tf, first.frame, second.frame)
+                                           : olderStamp(first.begin, second.begin);
   const MotionSpan span{std::max({begin, first.since, second.since}),
                         std::min({olderStamp(first.end, second.end), first.until, second.until})};
   if (span.begin == 0 || span.begin >= span.end) return;

@@ -142,7 +142,7 @@ class PairMotions {
   void takeEarlyStamps();
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
-  void findWays(WayBound& ways);
+  void findWays(const TransformBuffer& tf, Frame fixed);
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   static std::vector<BoxPair> near(const MomentPtr& moment, double way, const Means& means);
   void lookAt(const BoxPair& pair, const Means& means);
