@@ -359,6 +359,30 @@ class PostTest(BagBoundsTest):
         zone = self.report(self.bag(messages), '--zones', gate, *objects, code=ENTERED)['zones'][0]
         self.assertIn('post/0', {stay['name'] for stay in zone['stays']})
 
+    def test_a_marker_that_comes_again_stands_between_its_stamps(self):
+        """Each one waits for the transform that also moves the plate through its place."""
+        self.plates('slow', 'fast')
+        gate = self.write('gate.yaml', zone_text('gate', [-.1, -1, -1], [.1, 1, 1], 'fast'))
+        messages = self.plate_messages(*[(i / 10, {'slow': 5, 'fast': -1 if i < 10 else 1})
+                                         for i in range(20)])
+        for delay in .02, .05, .08:
+            for noise, place, count in (0, 0, 1), (1e-3, 0, 1), (0, 2, 0):
+                stamps = [i / 10 + delay for i in range(1, 18)]
+                posts = [marker(place - 5 + noise * (i % 3), 0, .02, 'slow', stamp)
+                         for i, stamp in enumerate(stamps)]
+                posts = [post[:2] + (time_of(BEGIN + stamp),) for post, stamp in zip(posts, stamps)]
+                bag = self.bag(sorted(messages + posts, key=lambda message: message[2]))
+                with self.subTest(delay=delay, noise=noise, place=place):
+                    self.report(bag, '--distances', '.01', '--objects', '/objects',
+                                code=UNDERCUT if count else 0)
+                    stays = self.report(bag, '--zones', gate, '--objects', '/objects',
+                                        code=ENTERED)['zones'][0]['stays']
+                    self.assertEqual([stay['how'] for stay in stays if stay['name'] == 'post/0'],
+                                     ['left'] * count)
+                    for stay in stays[1:]:
+                        self.assertAlmostEqual(stay['entered']['stamp'], BEGIN + .9445, delta=.002)
+                        self.assertAlmostEqual(stay['entered']['time'], .9445, delta=.002)
+
     def test_an_object_is_there_until_it_is_deleted(self):
         """Or replaced, while the plate passes through its place, and after that."""
         self.plates('slow', 'fast')

@@ -167,6 +167,28 @@ const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
   return motion_;
 }
 
+/// In the view. Null if there is no such motion.
+const BodyMotion* BodyMotions::untilReplaced(const Last& last, const SceneBody& body,
+                                             const FrameView::Placed& placed) {
+  if (!last.place || !placed.state.box || last.stamp == 0 || last.stamp < view_since_)
+    return nullptr;
+  const BoxSource source = scene_.boxSource(body);
+  if (source.object == last.object || source.object->follows()) return nullptr;
+  const MotionSpan span{last.stamp, std::min(source.object->stamp, view_stamp_)};
+  if (span.begin >= span.end) return nullptr;
+  motion_ = {span,
+             last.box,
+             0,
+             target_,
+             *scene_.frames.fixedFrame(),
+             &last.object->bounded,
+             &*last.place,
+             Eigen::Affine3d::Identity(),
+             view_stamp_ - span.end};
+  motion_.way = ways_.of(motion_.source, radiusOf(motion_), span);
+  return &motion_;
+}
+
 const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                                     const FrameView::Placed& placed) {
   if (!placed.state.box) return nullptr;
@@ -186,6 +208,7 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
   last.ahead = view_ && !source.frame_from_body ? body.state.stamp : 0;
   last.box = *placed.state.box;
   last.object = source.object;
+  last.place = source.frame_from_body ? std::optional(*source.frame_from_body) : std::nullopt;
   return has_moved ? &motion_ : nullptr;
 }
 

@@ -66,6 +66,8 @@ struct BodyMotion {
   const BoundedLink* link;        ///< its shapes
   const Eigen::Affine3d* source_from_link;            ///< null: as they are
   std::optional<Eigen::Affine3d> view_from_target{};  ///< nothing: the box has the target's axes
+  /// Of an object that was replaced at the end: so much older is that than the newest stamp [ns].
+  std::optional<std::int64_t> since_replaced{};
 };
 
 /// Tells bodies apart faster than their names: a link has its index, an object its own number for
@@ -91,7 +93,8 @@ class BodyMotions {
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
   /// since the last call. Before it, calls visit_rest(number, name, motion) where the view was lost
-  /// before the body moved on: of that motion, beside the last place of the view.
+  /// before the body moved on: of that motion, beside the last place of the view; and of an object
+  /// that was placed once, until the stamp of the one that replaced it.
   template <class VisitRest, class Visit>
   void forEach(VisitRest&& visit_rest, Visit&& visit) {
     ++pass_;
@@ -101,6 +104,8 @@ class BodyMotions {
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
       const bool goes_on = placed.state.box && isMotion(last, placed.pose_stamp);
       if (!goes_on && hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
+      if (const BodyMotion* former = untilReplaced(last, body, placed))
+        visit_rest(last.number, body.name, *former);
       const BodyMotion* motion = next(last, body, placed);
       visit(last.number, body.name, placed.state, motion);
     });
@@ -127,6 +132,7 @@ class BodyMotions {
     std::int64_t ahead = 0;  ///< that of the scene's box, as long as it is newer; else 0
     Aabb box;
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
+    std::optional<Eigen::Affine3d> place;  ///< in the scene's fixed frame, if it stands there
     BodyNumber number = 0;
     std::uint64_t seen = 0;  ///< pass
   };
@@ -138,6 +144,8 @@ class BodyMotions {
   void standSinceStamp(Last& last, const BoxSource& source) const;
   bool hasRest(const Last& last, const SceneBody& body) const;
   const BodyMotion& rest(Last& last, const SceneBody& body);
+  const BodyMotion* untilReplaced(const Last& last, const SceneBody& body,
+                                  const FrameView::Placed& placed);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
   void forgetObjects();
 

@@ -107,7 +107,7 @@ void ZoneWatch::compare(Group& group, std::int64_t now) {
   ++comparisons_;
   const auto visit_rest = [&](BodyNumber number, const std::string& name,
                               const BodyMotion& motion) {
-    lookAtRest(group, {number, name, {}, &motion});
+    lookAtRest(group, {number, name, {}, &motion}, now);
   };
   group.motions.forEach(visit_rest, [&](BodyNumber number, const std::string& name,
                                         const BoxState& state, const BodyMotion* motion) {
@@ -155,12 +155,14 @@ std::optional<std::int64_t> ZoneWatch::outsideAt(const Watched& watched, const S
   return was_outside ? std::optional(body.motion->span.begin) : std::nullopt;
 }
 
-void ZoneWatch::lookAtRest(Group& group, const Seen& body) {
+void ZoneWatch::lookAtRest(Group& group, const Seen& body, std::int64_t now) {
+  const auto& since_replaced = body.motion->since_replaced;
   for (Watched* watched : group.zones)
-    lookAtRest(*watched, body, group.compared);
+    lookAtRest(*watched, body, since_replaced ? now - *since_replaced : group.compared);
 }
 
-/// Of a body in the scene's fixed frame, after the last transform of the zone's frame.
+/// Of a body in the scene's fixed frame, after the last transform of the zone's frame; or until it
+/// was replaced, when the stay goes on.
 void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now) {
   ZoneRecord& record = watched.record;
   const double before = signedDistance(body.motion->before, record.zone.box);
@@ -178,6 +180,7 @@ void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now)
     unknown.undecided = "tf forgot where the frame of the zone was";
     take(watched, body, unknown, now);
   }
+  if (body.motion->since_replaced) return;
   const auto inside = watched.inside.find(body.number);
   if (inside != watched.inside.end())
     end(watched, inside, StayEnd::kLost, {now, inside->second.stamp});
@@ -243,7 +246,7 @@ void ZoneWatch::endMotions() {
   for (auto& item : groups_) {
     Group& group = item.second;
     group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {
-      lookAtRest(group, {number, name, {}, &motion});
+      lookAtRest(group, {number, name, {}, &motion}, group.compared);
     });
   }
 }

@@ -135,7 +135,7 @@ class ZoneWatch {
   void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
-  void lookAtRest(Group& group, const Seen& body);
+  void lookAtRest(Group& group, const Seen& body, std::int64_t now);
   void lookAtRest(Watched& watched, const Seen& body, std::int64_t now);
   void lookBetween(Watched& watched, const Seen& body, double distance, std::int64_t now);
   void take(Watched& watched, const Seen& body, const ZoneSearch& found, std::int64_t now);
