@@ -383,6 +383,17 @@ class PostTest(BagBoundsTest):
                         self.assertAlmostEqual(stay['entered']['stamp'], BEGIN + .9445, delta=.002)
                         self.assertAlmostEqual(stay['entered']['time'], .9445, delta=.002)
 
+    def test_a_marker_that_comes_again_where_stamps_are_ahead_of_the_recorder(self):
+        self.plates('slow', 'fast')
+        for ahead in 0, .5:
+            steps = [(i / 10, {'slow': 5, 'fast': -1 if i < 10 else 1}, i / 10 - ahead)
+                     for i in range(20)]
+            posts = [marker(-5, 0, .02, 'slow', i / 10 + .08)[:2] +
+                     (time_of(BEGIN + i / 10 + .08 - ahead),) for i in range(1, 18)]
+            bag = self.bag(sorted(self.plate_messages(*steps) + posts, key=lambda m: m[2]))
+            with self.subTest(ahead=ahead):
+                self.report(bag, '--distances', '.01', '--objects', '/objects', code=UNDERCUT)
+
     def test_an_object_is_there_until_it_is_deleted(self):
         """Or replaced, while the plate passes through its place, and after that."""
         self.plates('slow', 'fast')

@@ -143,20 +143,25 @@ void PairMotions::takeEarlyStamps() {
   early_stamps_.clear();
 }
 
-/// Of the last moment. Those that were gone before stay while they are needed.
+/// Of the last moment. Those that were gone before stay while they are needed. One that was
+/// replaced stands until the stamp of the new one, which may be ahead of the recorder.
 void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
   const std::size_t count = moment_ ? moment_->bodies.size() - gone_.size() : 0;
   std::set<const ObjectContent*> present;
+  std::map<std::string, std::int64_t> stamps;
   for (std::size_t i = 0; i < count; ++i) {
     const Moment::Body& body = moment_->bodies[i];
     if (!body.object || movers_[i].end != 0) continue;
     if (i < moment.bodies.size() && moment.bodies[i].object == body.object) continue;
     if (present.empty()) {
-      for (const Moment::Body& other : moment.bodies)
+      for (const Moment::Body& other : moment.bodies) {
         present.insert(other.object.get());
+        if (other.object && !other.object->follows()) stamps[moment.name(other)] = other.stamp;
+      }
     }
-    if (present.count(body.object.get()) == 0)
-      gone_.push_back({body, means.bodies.sharedBody(i), now});
+    if (present.count(body.object.get()) != 0) continue;
+    const std::int64_t until = std::max(now, stamps[moment_->name(body)]);
+    gone_.push_back({body, means.bodies.sharedBody(i), until});
   }
   if (!gone_.empty()) forgetGone();
 }
