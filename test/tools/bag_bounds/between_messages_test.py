@@ -383,6 +383,35 @@ class PostTest(BagBoundsTest):
                         self.assertAlmostEqual(stay['entered']['stamp'], BEGIN + .9445, delta=.002)
                         self.assertAlmostEqual(stay['entered']['time'], .9445, delta=.002)
 
+    def test_a_marker_that_was_in_a_zone_before_tf_placed_it(self):
+        """The zone moves away before."""
+        self.plates('slow', 'fast')
+        steps = [(0, {'slow': 5, 'fast': -1}), (.1, {'slow': 5, 'fast': -1}), (.2, {'fast': -1}),
+                 (.22, {'fast': 1}), (.3, {'slow': 5, 'fast': 1})]
+        gate = zone_text('gate', [.9, -1, -1], [1.1, 1, 1], 'fast')
+        messages = self.plate_messages(*steps)
+        for stamp, count in (.12, 1), (.25, 0):
+            messages[2:] = [marker(-5, 0, .02, 'slow', stamp)] + self.plate_messages(*steps[2:])
+            with self.subTest(stamp=stamp):
+                zone = self.zone(messages, '--objects', '/objects', text=gate,
+                                 code=ENTERED if count else 0)
+                self.assertEqual([(stay['name'], stay['how']) for stay in zone['stays']],
+                                 [('post/0', 'left')] * count)
+                self.assertEqual(zone['clearance'] == 0, count > 0)
+                if count:
+                    self.assertEqual(zone['stays'][0]['entered']['stamp'], BEGIN + stamp)
+
+    def test_a_link_that_leaves_a_zone_while_tf_stalls_at_the_start(self):
+        self.plates('fast')
+        steps = [(0, {'fast': 0}), (.1, {'fast': 0}), (.3, {'fast': 1}, 4)]
+        steps += [(4 + i / 2, {'fast': 1}) for i in range(1, 4)]
+        for start, code in ('0', ENTERED), ('2', ENTERED), ('4.2', 0):
+            with self.subTest(start=start):
+                zone = self.zone(self.plate_messages(*steps), '--start', start, '--timeout', '1',
+                                 '--min-coverage', '0', code=code,
+                                 text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1]))
+                self.assertEqual(zone['entries'], code == ENTERED)
+
     def test_a_marker_that_comes_again_where_stamps_are_ahead_of_the_recorder(self):
         self.plates('slow', 'fast')
         for ahead in 0, .5:

@@ -97,6 +97,7 @@ void BodyMotions::remember() {
     if (!placed.state.box) return;
     last_links_[*body.link].stamp = placed.pose_stamp;
     last_links_[*body.link].box = *placed.state.box;
+    last_links_[*body.link].is_new = true;
   });
 }
 
@@ -140,6 +141,7 @@ void BodyMotions::standSinceStamp(Last& last, const BoxSource& source) const {
   if (!box) return;
   last.stamp = since;
   last.box = *box;
+  last.is_new = true;
   last.object = source.object;
 }
 
@@ -203,10 +205,12 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                source.frame_from_body};
     const double radius = body.link ? radii_[*body.link] : radiusOf(motion_);
     motion_.way = ways_.of(source.frame, radius, motion_.span);
+    motion_.is_begin_new = last.is_new;
   }
   last.stamp = placed.pose_stamp;
   last.ahead = view_ && !source.frame_from_body ? body.state.stamp : 0;
   last.box = *placed.state.box;
+  last.is_new = false;
   last.object = source.object;
   last.place = source.frame_from_body ? std::optional(*source.frame_from_body) : std::nullopt;
   return has_moved ? &motion_ : nullptr;

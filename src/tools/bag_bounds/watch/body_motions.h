@@ -68,6 +68,7 @@ struct BodyMotion {
   std::optional<Eigen::Affine3d> view_from_target{};  ///< nothing: the box has the target's axes
   /// Of an object that was replaced at the end: so much older is that than the newest stamp [ns].
   std::optional<std::int64_t> since_replaced{};
+  bool is_begin_new = false;  ///< the box at its begin was not visited
 };
 
 /// Tells bodies apart faster than their names: a link has its index, an object its own number for
@@ -131,6 +132,7 @@ class BodyMotions {
     std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
     std::int64_t ahead = 0;  ///< that of the scene's box, as long as it is newer; else 0
     Aabb box;
+    bool is_new = false;                          ///< the box was not visited
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     std::optional<Eigen::Affine3d> place;  ///< in the scene's fixed frame, if it stands there
     BodyNumber number = 0;

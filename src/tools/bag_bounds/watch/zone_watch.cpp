@@ -135,6 +135,7 @@ void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
     record.nearest = {body.name, distance, moment};
   record.clearance = std::min(record.clearance, std::max(distance, 0.0));
   if (distance > 0) {
+    if (body.motion && body.motion->is_begin_new) visitBegin(watched, body, now);
     if (body.motion) lookBetween(watched, body, distance, now);
     if (watched.inside.empty()) return;
     const auto inside = watched.inside.find(body.number);
@@ -146,6 +147,19 @@ void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
     inside = enter(watched, body, moment, outsideAt(watched, body));
   inside->second.seen = comparisons_;
   inside->second.stamp = body.state.stamp;
+}
+
+/// It may have been inside there, where a marker had its place before tf said so, or where the
+/// report begins within the motion.
+void ZoneWatch::visitBegin(Watched& watched, const Seen& body, std::int64_t now) const {
+  const MotionSpan& span = body.motion->span;
+  const RecordTime begin{now - (span.end - span.begin), span.begin};
+  const double distance = signedDistance(body.motion->before, watched.record.zone.box);
+  if (distance > 0 || watched.inside.count(body.number) != 0) return;
+  ZoneRecord& record = watched.record;
+  if (distance < record.nearest->distance) record.nearest = {body.name, distance, begin};
+  record.clearance = 0;
+  enter(watched, body, begin, std::nullopt);
 }
 
 /// Of a body that is inside now. It may have been inside when its box was lost.

@@ -134,6 +134,7 @@ class ZoneWatch {
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
+  void visitBegin(Watched& watched, const Seen& body, std::int64_t now) const;
   static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
   void lookAtRest(Group& group, const Seen& body, std::int64_t now);
   void lookAtRest(Watched& watched, const Seen& body, std::int64_t now);
