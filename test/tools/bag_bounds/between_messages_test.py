@@ -401,6 +401,20 @@ class PostTest(BagBoundsTest):
                 if count:
                     self.assertEqual(zone['stays'][0]['entered']['stamp'], BEGIN + stamp)
 
+    def test_a_zone_that_moves_past_a_static_link_before_the_start(self):
+        self.plates('still')
+        static = TFMessage([transform('base', 'still', time_of(0))])
+        messages = [('/tf_static', static, time_of(BEGIN))]
+        messages += self.plate_messages(*[(i / 10, {'cart': -1 if i < 20 else 1})
+                                          for i in range(80)])
+        topic, post, _ = marker(0, 50, .02)
+        messages.insert(4, (topic, post, time_of(BEGIN + .2)))
+        for start, code in ('0', ENTERED), ('1.9', ENTERED), ('5', 0):
+            with self.subTest(start=start):
+                self.zone(messages, '--start', start, '--timeout', '10', '--objects', '/objects',
+                          code=code,
+                          text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1], 'cart'))
+
     def test_a_link_that_leaves_a_zone_while_tf_stalls_at_the_start(self):
         self.plates('fast')
         steps = [(0, {'fast': 0}), (.1, {'fast': 0}), (.3, {'fast': 1}, 4)]

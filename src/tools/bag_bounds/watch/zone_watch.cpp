@@ -61,15 +61,17 @@ void ZoneWatch::updateViews(ros::Time now) {
 
 void ZoneWatch::onNews(std::int64_t now, bool is_reported) {
   updateViews(toRosTime(now));
-  for (auto& [frame, group] : groups_) {
-    if (is_reported) {
-      compare(group, now);
-    } else {
-      group.motions.remember();
-    }
-  }
-  if (!is_reported) return;
+  for (auto& [frame, group] : groups_)
+    compareOrRemember(group, now, is_reported);
   have_views_changed_ = false;
+}
+
+void ZoneWatch::compareOrRemember(Group& group, std::int64_t now, bool is_reported) {
+  if (is_reported) {
+    compare(group, now);
+  } else {
+    group.motions.remember();
+  }
 }
 
 /// The frame of a zone may move while the scene stands still in the fixed one.
@@ -79,11 +81,10 @@ void ZoneWatch::onStep(std::int64_t now, bool is_tick, bool is_reported) {
     for (auto& [frame, view] : views_)
       have_views_changed_ |= view.expire(toRosTime(now));
   }
-  if (!is_reported) return;
   const bool have_changed = std::exchange(have_views_changed_, false);
   for (auto& [frame, group] : groups_) {
-    if (group.view && have_changed) compare(group, now);
-    if (is_tick) sample(group, now);
+    if (group.view && have_changed) compareOrRemember(group, now, is_reported);
+    if (is_tick && is_reported) sample(group, now);
   }
 }
 

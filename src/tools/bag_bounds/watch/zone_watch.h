@@ -131,6 +131,7 @@ class ZoneWatch {
   };
 
   void updateViews(ros::Time now);
+  void compareOrRemember(Group& group, std::int64_t now, bool is_reported);
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now) const;
   void visit(Watched& watched, const Seen& body, std::int64_t now);
