@@ -401,6 +401,38 @@ class PostTest(BagBoundsTest):
                 if count:
                     self.assertEqual(zone['stays'][0]['entered']['stamp'], BEGIN + stamp)
 
+    def test_a_start_while_one_publisher_is_late(self):
+        """Its plate passes through the other one in stamps of before, which become known later."""
+        self.plates('fast', 'still')
+        late = [(i * .3, {'fast': -1 if i < 10 else 1}, i * .3 + .25) for i in range(20)]
+        stalled = [(0, {'fast': -1}), (.1, {'fast': -1}), (.3, {'fast': 1}, 4)]
+        stalled += [(4 + i / 2, {'fast': 1}) for i in range(1, 4)]
+        for steps, starts in (late, (0, 3.1, 3.2, 3.26)), (stalled, (0, 2, 3.5, 4.05)):
+            still = [(i / 50, {'still': 0}) for i in range(300)]
+            messages = sorted(self.plate_messages(*steps, *still), key=lambda m: m[2])
+            for place, codes in (0, (UNDERCUT,) * 3 + (0,)), (3, (0,) * 4):
+                for _, transforms, _ in messages:
+                    for edge in transforms.transforms:
+                        if edge.child_frame_id == 'still':
+                            edge.transform.translation.x = place
+                for start, code in zip(starts, codes):
+                    with self.subTest(start=start, place=place):
+                        self.report(self.bag(messages), '--distances', '.01', '--start', str(start),
+                                    '--min-coverage', '0', '--timeout', '1', code=code)
+
+    def test_an_object_that_was_met_before_the_start(self):
+        """It is placed before the start, or after it by an earlier stamp."""
+        self.plates('slow', 'fast')
+        steps = [(i / 10, {'slow': 5, 'fast': -1 if i < 10 else 1}) for i in range(60)]
+        for recorded in .25, 1.05, 3.05, 4.05:
+            topic, post, _ = marker(0, 0, .02, 'base', .2)
+            messages = self.plate_messages(*steps) + [(topic, post, time_of(BEGIN + recorded))]
+            bag = self.bag(sorted(messages, key=lambda m: m[2]))
+            for start, code in (0, UNDERCUT), (3.02, 0):
+                with self.subTest(recorded=recorded, start=start):
+                    self.report(bag, '--distances', '.01', '--objects', '/objects', '--start',
+                                str(start), code=code)
+
     def test_a_zone_that_moves_past_a_static_link_before_the_start(self):
         self.plates('still')
         static = TFMessage([transform('base', 'still', time_of(0))])

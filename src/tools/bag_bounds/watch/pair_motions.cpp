@@ -26,6 +26,11 @@ Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset)
   return offset ? pose * *offset : pose;
 }
 
+/// From one stamp to another one, so much later [ns].
+bool isMotion(std::int64_t passed, double timeout) {
+  return passed >= 0 && (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9);
+}
+
 void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d& pose) {
   body.frame = frame;
   body.offset = &pose;
@@ -129,18 +134,22 @@ struct RestTimes {
 
 void PairMotions::remember(const Scene& scene) {
   const std::vector<BoxState>& states = scene.links.states();
-  early_stamps_.resize(states.size());
+  const double timeout = scene.model()->parameters.timeout;
+  early_.resize(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (states[i].box) early_stamps_[i] = states[i].stamp;
+    if (!states[i].box) continue;
+    Early& early = early_[i];
+    const std::int64_t before = std::exchange(early.stamp, states[i].stamp);
+    if (before == 0 || !isMotion(early.stamp - before, timeout)) early.since = early.stamp;
   }
 }
 
 void PairMotions::takeEarlyStamps() {
-  for (std::size_t i = 0; i < early_stamps_.size(); ++i) {
-    const std::int64_t stamp = early_stamps_[i];
-    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, stamp, kNoPass, 0, true});
+  for (std::size_t i = 0; i < early_.size(); ++i) {
+    const auto [stamp, since] = early_[i];
+    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, since, kNoPass, 0, true, stamp});
   }
-  early_stamps_.clear();
+  early_.clear();
 }
 
 /// Of the last moment. Those that were gone before stay while they are needed. One that was
@@ -239,7 +248,7 @@ void PairMotions::finish(const Means& means) {
   moment_.reset();
   gone_.clear();
   known_.clear();
-  early_stamps_.clear();
+  early_.clear();
 }
 
 /// Pairs that were within the limit before they moved that far, in all.
@@ -264,17 +273,17 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     const Known before =
         std::exchange(known->second, {body.stamp, mover.since, pass_, i, mover.end != 0});
     if (is_new && body.object && !body.object->follows()) {
-      mover.was_there = mover.is_placed_now = true;
+      mover.was_there = true;
+      mover.is_placed_now = last_ != nullptr;
       mover.since = body.stamp;  // not later: it may have been there before
     }
     if (is_new) continue;
     mover.begin = mover.end == 0 ? 0 : before.stamp;
     const std::int64_t passed = mover.end - mover.begin;
-    mover.was_there =
-        passed == 0 || (mover.begin != 0 && passed > 0 &&
-                        (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9));
+    mover.was_there = passed == 0 || (mover.begin != 0 && isMotion(passed, timeout));
     if (!mover.was_there) continue;
     mover.since = known->second.since = before.since;
+    mover.reported = known->second.reported = before.reported;
     if (before.pass + 1 != pass_) continue;
     MovedBody& last = last_movers[before.place];
     last.goes_on = last.end == 0 || !rests.isLong(last);
@@ -333,8 +342,10 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   MovedBody& second = movers_[pair.second];
   if (!first.was_there || !second.was_there) return;
   const bool is_placed_now = first.is_placed_now || second.is_placed_now;
-  const std::int64_t begin = is_placed_now ? oldestKnown(means.tf, first.frame, second.frame)
-                                           : olderStamp(first.begin, second.begin);
+  const std::int64_t begin = is_placed_now
+                                 ? std::max({oldestKnown(means.tf, first.frame, second.frame),
+                                             first.reported, second.reported})
+                                 : olderStamp(first.begin, second.begin);
   const MotionSpan span{std::max({begin, first.since, second.since}),
                         std::min({olderStamp(first.end, second.end), first.until, second.until})};
   if (span.begin == 0 || span.begin >= span.end) return;

@@ -47,6 +47,7 @@ struct MovedBody {
   std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
   std::int64_t since = 0;         ///< its motion is known from this stamp on
+  std::int64_t reported = 0;      ///< and looked at from here on beside what is placed now
   bool was_there = false;         ///< known before, not longer ago than `timeout`; or placed now
   bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
   bool goes_on = false;           ///< in the next moment, likewise
@@ -127,6 +128,13 @@ class PairMotions {
     std::uint64_t pass;  ///< of that moment
     std::size_t place;   ///< among its bodies
     bool moves;
+    std::int64_t reported = 0;  ///< as of MovedBody
+  };
+
+  /// Of a link before the first moment.
+  struct Early {
+    std::int64_t stamp = 0;  ///< the last one; 0: none
+    std::int64_t since = 0;  ///< its motion is known from this stamp on
   };
 
   /// An object at rest that is gone, while stamps of others are older than that.
@@ -156,10 +164,10 @@ class PairMotions {
 
   MomentPtr moment_;
   MomentPtr last_;
-  std::vector<Gone> gone_;                  ///< the last bodies of the moment
-  std::vector<MovedBody> movers_;           ///< of the bodies of the moment
-  std::vector<std::int64_t> early_stamps_;  ///< of links, before the first moment; 0: none
-  std::map<BodyKey, Known> known_;          ///< while the bodies exist
+  std::vector<Gone> gone_;                                     ///< the last bodies of the moment
+  std::vector<MovedBody> movers_;                              ///< of the bodies of the moment
+  std::vector<Early> early_;  ///< by link
+  std::map<BodyKey, Known> known_;                             ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                             ///< by target
