@@ -325,6 +325,23 @@ class PostTest(BagBoundsTest):
         steps += [(6, {'pauses': 0, 'behind': 1, 'ahead': 5})]
         self.check_plates(*steps, arguments=('--timeout', '0'))
 
+    def test_a_long_motion_between_two_messages(self):
+        """It is no rest, although the bodies beside it send meanwhile."""
+        self.plates('slow', 'fast')
+        for gap in 4, 6, 9:
+            for last, code in (1, UNDERCUT), (-1, 0):
+                steps = [(0, {'slow': -1}), (2, {'slow': -1}), (2 + gap, {'slow': last})]
+                steps += [(2 + gap + i / 2, {'slow': last}) for i in range(1, 8)]
+                for place, others in (0, []), (9, [marker(0, 0, .02)]):
+                    fast = [(i / 10, {'fast': place}) for i in range(10 * gap + 50)]
+                    messages = sorted(others + self.plate_messages(*steps, *fast),
+                                      key=lambda message: message[2])
+                    with self.subTest(gap=gap, last=last, place=place):
+                        found = self.report(self.bag(messages), '--distances', '.01', '--objects',
+                                            '/objects', '--timeout', '10', '--allow-incomplete',
+                                            code=code, err='' if others else 'no message on')
+                        self.assertEqual(len(found['distances']), code == UNDERCUT)
+
     def test_a_marker_that_waits_for_tf_is_there_since_its_stamp(self):
         """The plate passes through its place before tf says where that is."""
         self.plates('slow', 'fast')

@@ -126,7 +126,7 @@ struct RestTimes {
   }
 
   bool isLong(const MovedBody& body) const {
-    return newest - std::max(body.end, body.since) >= kLongestRest;
+    return newest - std::max({body.end, body.since, body.rested}) >= kLongestRest;
   }
 };
 
@@ -284,11 +284,15 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     if (!mover.was_there) continue;
     mover.since = known->second.since = before.since;
     mover.reported = known->second.reported = before.reported;
+    mover.rested = known->second.rested = before.rested;
     if (before.pass + 1 != pass_) continue;
     MovedBody& last = last_movers[before.place];
     last.goes_on = last.end == 0 || !rests.isLong(last);
-    // Later motions beside its place are looked at from then on.
-    if (!last.goes_on) mover.since = known->second.since = rests.end;
+    if (!last.goes_on) mover.rested = known->second.rested = rests.end;
+    const bool has_rested =
+        last_->bodies[before.place].frame_from_body.matrix() == body.frame_from_body.matrix();
+    if (passed > 0 && has_rested && mover.rested > mover.begin)
+      mover.since = known->second.since = std::max(mover.since, mover.rested);
   }
 }
 
@@ -368,7 +372,8 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
     oldest = olderStamp(oldest, mover.end);
   std::int64_t begin = 0;  // no motion that is looked at begins earlier
   for (const MovedBody& mover : movers) {
-    if (mover.end != 0 && !mover.goes_on) begin = olderStamp(begin, std::max(mover.since, oldest));
+    if (mover.end != 0 && !mover.goes_on)
+      begin = olderStamp(begin, std::max({mover.since, mover.rested, oldest}));
   }
   if (begin == 0) return;
   const Frame fixed = *means.tf.find(last_->model->fixed_frame);
@@ -390,7 +395,8 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
 void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second,
                              const Means& means) {
   if ((first.goes_on && second.goes_on) || first.end == 0 || second.end == 0) return;
-  const MotionSpan span{std::max({std::min(first.end, second.end), first.since, second.since}),
+  const MotionSpan span{std::max({std::min(first.end, second.end), first.since, second.since,
+                                  first.rested, second.rested}),
                         std::max(first.end, second.end)};
   if (span.begin >= span.end) return;
   const std::optional<double> wanted = means.handlers.wanted(*last_, pair);

@@ -48,6 +48,7 @@ struct MovedBody {
   std::int64_t end = 0;
   std::int64_t since = 0;         ///< its motion is known from this stamp on
   std::int64_t reported = 0;      ///< and looked at from here on beside what is placed now
+  std::int64_t rested = 0;        ///< beside its last place, others were looked at until then
   bool was_there = false;         ///< known before, not longer ago than `timeout`; or placed now
   bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
   bool goes_on = false;           ///< in the next moment, likewise
@@ -129,6 +130,7 @@ class PairMotions {
     std::size_t place;   ///< among its bodies
     bool moves;
     std::int64_t reported = 0;  ///< as of MovedBody
+    std::int64_t rested = 0;    ///< likewise
   };
 
   /// Of a link before the first moment.
@@ -166,7 +168,7 @@ class PairMotions {
   MomentPtr last_;
   std::vector<Gone> gone_;                                     ///< the last bodies of the moment
   std::vector<MovedBody> movers_;                              ///< of the bodies of the moment
-  std::vector<Early> early_;  ///< by link
+  std::vector<Early> early_;                                   ///< by link
   std::map<BodyKey, Known> known_;                             ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
