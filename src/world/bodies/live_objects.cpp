@@ -60,6 +60,7 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
   const bool is_same = !is_new && isSame(*object.content, content);
   if (is_same && !was_given_up) return sendAgain(object, now);
+  const bool has_same_stamp = !is_new && object.content->stamp == content.stamp;
   if (!is_new) release(object);
   object.content = std::make_shared<const ObjectContent>(std::move(content));
   object.boxes = LinkBoxes({object.content->bounded});
@@ -67,7 +68,8 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
   const bool is_old = !clock_.isSinceJump(*object.content, object.received);
-  object.is_repeated = is_same && (object.is_repeated || object.is_outdated);
+  object.is_repeated =
+      has_same_stamp && (object.is_repeated || (has_jumped_back_ && object.is_outdated));
   object.is_outdated =
       is_old && (has_jumped_back_ ? object.content->stamp != 0 : is_same && object.is_outdated);
   object.is_sent_again = false;
@@ -79,9 +81,9 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
 bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   if (!object.is_outdated || !clock_.isSinceJump(*object.content, object.received)) return false;
   object.is_sent_again = object.placement.has_value();
+  object.is_repeated |= has_jumped_back_;
   if (!object.placement) {
     object.is_outdated = false;
-    object.is_repeated = true;
     object.stamp = object.content->stamp;
   }
   return refresh(object, now);

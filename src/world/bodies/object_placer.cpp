@@ -37,7 +37,6 @@ bool ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
     if (object.is_sent_again) {
       object.stamp = stamp;
       object.is_outdated = false;
-      object.is_repeated = true;
     }
   } else if (!hasWaitedLong(object.waiting_since, now)) {
     const bool may_come = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;

@@ -66,7 +66,8 @@ std::string BodyWays::whyNotHeld(const PastBody& body, Frame mover, const FrameP
                                  const BodyWay& way) const {
   if (mover == *body.frame) return "";
   const std::string remedy = "; let it follow a frame of that link, with stamp 0";
-  if (body.is_outdated) return "its place may be of a time before the clock jumped back" + remedy;
+  if (body.is_outdated && start.stamp != 0)
+    return "its place may be of a time before the clock jumped back" + remedy;
   if (start.stamp != 0 && start.stamp != way.stamp)
     return "its place is of another time than that of the link to which it is attached" + remedy;
   if (body.frame_from_body && *body.frame == scene_.target) return "";

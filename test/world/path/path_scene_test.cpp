@@ -211,6 +211,10 @@ TEST(PathScene, AfterAJumpBackAHeldBodyNeedsANewStamp) {
   EXPECT_EQ(arm.path().incomplete, Names{"held/1"});
   arm.put("held", boxIn("map", kStamp));
   EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << "it may be of the old time";
+  ObjectContent larger = boxIn("map", kStamp);
+  larger.bounded.shapes[0].size *= 2;
+  arm.put("held", larger);
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"}) << "its stamp still is";
   arm.send(kStamp + 0.1, {1, 0});
   arm.put("held", boxIn("map", kStamp + 0.1));
   EXPECT_EQ(arm.path(kStamp + 0.1).incomplete, Names{});
@@ -244,6 +248,15 @@ TEST(PathScene, AHeldBodyStaysOnItsLinkWhenTheClockStarts) {
   Arm arm(attaching());
   arm.put("held", boxIn("map", kStamp));
   arm.scene().startClock(ros::Time(kStamp + 0.05));
+  EXPECT_EQ(arm.path().incomplete, Names{});
+}
+
+TEST(PathScene, AHeldBodyWithAStampAheadOfTheStartOfTheClockIsSentAgain) {
+  Arm arm(attaching());
+  arm.put("held", boxIn("map", kStamp));
+  arm.scene().startClock(ros::Time(kStamp - 0.05));
+  EXPECT_EQ(arm.path().incomplete, Names{"held/1"});
+  arm.put("held", boxIn("map", kStamp));
   EXPECT_EQ(arm.path().incomplete, Names{});
 }
 

@@ -373,7 +373,7 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
   std::int64_t begin = 0;  // no motion that is looked at begins earlier
   for (const MovedBody& mover : movers) {
     if (mover.end != 0 && !mover.goes_on)
-      begin = olderStamp(begin, std::max({mover.since, mover.rested, oldest}));
+      begin = olderStamp(begin, std::max({mover.since, mover.rested, mover.reported, oldest}));
   }
   if (begin == 0) return;
   const Frame fixed = *means.tf.find(last_->model->fixed_frame);
@@ -396,7 +396,7 @@ void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody sec
                              const Means& means) {
   if ((first.goes_on && second.goes_on) || first.end == 0 || second.end == 0) return;
   const MotionSpan span{std::max({std::min(first.end, second.end), first.since, second.since,
-                                  first.rested, second.rested}),
+                                  first.rested, second.rested, first.reported, second.reported}),
                         std::max(first.end, second.end)};
   if (span.begin >= span.end) return;
   const std::optional<double> wanted = means.handlers.wanted(*last_, pair);
