@@ -400,6 +400,21 @@ class PostTest(BagBoundsTest):
                         self.assertAlmostEqual(stay['entered']['stamp'], BEGIN + .9445, delta=.002)
                         self.assertAlmostEqual(stay['entered']['time'], .9445, delta=.002)
 
+    def test_a_marker_stands_until_the_stamp_of_a_new_one_that_is_ahead_of_the_zone(self):
+        """The zone passes its place at 0.945 s. What comes after the new one does not matter."""
+        self.plates('fast')
+        gate = self.write('gate.yaml', zone_text('gate', [-.1, -1, -1], [.1, 1, 1], 'fast'))
+        messages = self.plate_messages(*[(i / 10, {'fast': -1 if i < 10 else 1}) for i in range(20)])
+        for stamp, count in (.95, 1), (.94, 0), (1.35, 1):
+            for others in (), (stamp + .01, stamp + .02):
+                posts = [(0, .1)] + [(5 + i, other) for i, other in enumerate((stamp,) + others)]
+                posts = [marker(x, 0, .02, 'base', at)[:2] + (time_of(BEGIN + at),) for x, at in posts]
+                bag = self.bag(sorted(messages + posts, key=lambda message: message[2]))
+                with self.subTest(stamp=stamp, others=others):
+                    stays = self.report(bag, '--zones', gate, '--objects', '/objects',
+                                        code=ENTERED)['zones'][0]['stays']
+                    self.assertEqual(len([s for s in stays if s['name'] == 'post/0']), count, stays)
+
     def test_a_marker_that_was_in_a_zone_before_tf_placed_it(self):
         """The zone moves away before."""
         self.plates('slow', 'fast')

@@ -169,25 +169,42 @@ const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
   return motion_;
 }
 
-/// In the view. Null if there is no such motion.
-const BodyMotion* BodyMotions::untilReplaced(const Last& last, const SceneBody& body,
-                                             const FrameView::Placed& placed) {
-  if (!last.place || !placed.state.box || last.stamp == 0 || last.stamp < view_since_)
-    return nullptr;
+/// Forgets those whose stand is over, or whose view was lost.
+void BodyMotions::noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed) {
+  const auto is_over = [this](const Former& former) {
+    return former.stamp >= former.until || former.stamp < view_since_;
+  };
+  last.formers.erase(std::remove_if(last.formers.begin(), last.formers.end(), is_over),
+                     last.formers.end());
+  if (!last.place || !placed.state.box || last.stamp == 0 || last.stamp < view_since_) return;
   const BoxSource source = scene_.boxSource(body);
-  if (source.object == last.object || source.object->follows()) return nullptr;
-  const MotionSpan span{last.stamp, std::min(source.object->stamp, view_stamp_)};
+  if (source.object == last.object || source.object->follows()) return;
+  if (source.object->stamp > last.stamp)
+    last.formers.push_back({last.object, *last.place, last.box, last.stamp, source.object->stamp});
+}
+
+/// In the view, as far as it has come. Null if there is no such motion.
+const BodyMotion* BodyMotions::untilReplaced(Former& former) {
+  const MotionSpan span{former.stamp, std::min(former.until, view_stamp_)};
   if (span.begin >= span.end) return nullptr;
+  const TransformBuffer::Frame fixed = *scene_.frames.fixedFrame();
   motion_ = {span,
-             last.box,
+             former.box,
              0,
              target_,
-             *scene_.frames.fixedFrame(),
-             &last.object->bounded,
-             &*last.place,
+             fixed,
+             &former.object->bounded,
+             &former.place,
              Eigen::Affine3d::Identity(),
              view_stamp_ - span.end};
   motion_.way = ways_.of(motion_.source, radiusOf(motion_), span);
+  former.stamp = span.end;
+  if (former.stamp == former.until) return &motion_;
+  const auto pose = scene_.frames.tf().pose(target_, fixed, former.stamp);
+  const auto box = pose ? linkBox(former.object->bounded, MatrixPose(*pose).affine * former.place)
+                        : std::nullopt;
+  if (box) former.box = *box;
+  if (!box) former.until = former.stamp;
   return &motion_;
 }
 

@@ -105,8 +105,11 @@ class BodyMotions {
       Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
       const bool goes_on = placed.state.box && isMotion(last, placed.pose_stamp);
       if (!goes_on && hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
-      if (const BodyMotion* former = untilReplaced(last, body, placed))
-        visit_rest(last.number, body.name, *former);
+      noteReplaced(last, body, placed);
+      for (Former& former : last.formers) {
+        if (const BodyMotion* until_replaced = untilReplaced(former))
+          visit_rest(last.number, body.name, *until_replaced);
+      }
       const BodyMotion* motion = next(last, body, placed);
       visit(last.number, body.name, placed.state, motion);
     });
@@ -123,11 +126,23 @@ class BodyMotions {
     view_stamp_ = 0;
     for (Last& last : last_links_)
       last.stamp = last.ahead = 0;
-    for (auto& [key, last] : last_objects_)
+    for (auto& [key, last] : last_objects_) {
       last.stamp = last.ahead = 0;
+      last.formers.clear();
+    }
   }
 
  private:
+  /// An object that was placed once and replaced. It stands until the stamp of the new one, which
+  /// may be ahead of the view.
+  struct Former {
+    std::shared_ptr<const ObjectContent> object;
+    Eigen::Affine3d place;  ///< in the scene's fixed frame
+    Aabb box;               ///< in the view at `stamp`
+    std::int64_t stamp;
+    std::int64_t until;
+  };
+
   struct Last {
     std::int64_t stamp = 0;  ///< of the newest pose; 0: there was none, or it does not move
     std::int64_t ahead = 0;  ///< that of the scene's box, as long as it is newer; else 0
@@ -135,6 +150,7 @@ class BodyMotions {
     bool is_new = false;                          ///< the box was not visited
     std::shared_ptr<const ObjectContent> object;  ///< kept, so that its address is not used again
     std::optional<Eigen::Affine3d> place;  ///< in the scene's fixed frame, if it stands there
+    std::vector<Former> formers;
     BodyNumber number = 0;
     std::uint64_t seen = 0;  ///< pass
   };
@@ -146,8 +162,8 @@ class BodyMotions {
   void standSinceStamp(Last& last, const BoxSource& source) const;
   bool hasRest(const Last& last, const SceneBody& body) const;
   const BodyMotion& rest(Last& last, const SceneBody& body);
-  const BodyMotion* untilReplaced(const Last& last, const SceneBody& body,
-                                  const FrameView::Placed& placed);
+  void noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed);
+  const BodyMotion* untilReplaced(Former& former);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
   void forgetObjects();
 
