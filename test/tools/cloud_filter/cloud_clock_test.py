@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """cloud_filter while the clock jumps back, as at the begin of each loop of a bag."""
 import math
+import itertools
 import struct
 import time
 import unittest
@@ -72,8 +73,11 @@ class CloudClock(unittest.TestCase):
         wait_for(lambda: objects.get_num_connections() >= 1, "the filter listens to objects")
         objects.publish(MarkerArray([marker]))
         self.status.clear()
-        wait_for(lambda: len(self.status.messages) >= 3, "the grid of the object is made")
-        for seconds in (1000, 1001, 1002):
+        wait_for(lambda: len(self.status.messages) >= 3, "the filter hears of the object")
+        steps = itertools.count()
+        wait_for(lambda: self.is_removed(1000 + next(steps) / 100, 1, 1.5),
+                 "the grid of the object is made")
+        for seconds in (1001, 1002):
             self.assertTrue(self.is_removed(seconds, 1, 1.5))
 
     def test_a_jump_back(self):
