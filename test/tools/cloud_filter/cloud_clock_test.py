@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """cloud_filter while the clock jumps back, as at the begin of each loop of a bag."""
-import math
 import itertools
+import math
 import struct
 import time
 import unittest
