@@ -71,7 +71,6 @@ class HullSearch {
         second_(second),
         goal_{goal.accuracy, above(goal.limit), goal.max_steps, goal.relative_accuracy},
         memory_(memory),
-        open_(room.open),
         room_(room),
         motion_(motion),
         rounding_(pairRounding(first, second)),
@@ -79,19 +78,20 @@ class HullSearch {
 
   /// The pair that was nearest before comes first, then those with the nearest boxes.
   BodyDistance run() {
-    open_.clear();
+    room_.open.clear();
     for (std::uint32_t i = 0; i < first_.shapes.size(); ++i) {
       for (std::uint32_t j = 0; j < second_.shapes.size(); ++j)
-        open_.push_back({i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box, rounding_)});
+        room_.open.push_back(
+            {i, j, boxLower(first_.shapes[i].box, second_.shapes[j].box, rounding_)});
     }
     if (memory_.is_known) {
       memory_.is_known = false;
       look(takeOut(memory_.first_shape * second_.shapes.size() + memory_.second_shape), true);
     }
-    std::sort(open_.begin(), open_.end(),
+    std::sort(room_.open.begin(), room_.open.end(),
               [](const Candidate& a, const Candidate& b) { return a.lower > b.lower; });
-    while (!open_.empty() && !(open_.back().lower >= std::max(lower_, farEnough())))
-      look(takeOut(open_.size() - 1), false);
+    while (!room_.open.empty() && !(room_.open.back().lower >= std::max(lower_, farEnough())))
+      look(takeOut(room_.open.size() - 1), false);
     if (!memory_.is_known) memory_.trees = TreeMemory();
     if (!hasWitness()) takeAnyPoints();
     return result();
@@ -102,9 +102,9 @@ class HullSearch {
   bool hasWitness() const { return witness_.distance < std::numeric_limits<double>::infinity(); }
 
   Candidate takeOut(std::size_t index) {
-    std::swap(open_[index], open_.back());
-    const Candidate result = open_.back();
-    open_.pop_back();
+    std::swap(room_.open[index], room_.open.back());
+    const Candidate result = room_.open.back();
+    room_.open.pop_back();
     return result;
   }
 
@@ -150,7 +150,7 @@ class HullSearch {
     const bool are_convex = isConvex(pair.first) && isConvex(pair.second);
     const bool needs_trees =
         !(lower >= farEnough()) && isKnown(pair.first) && isKnown(pair.second) && !are_convex;
-    // Where the bound suffices, nearer points are not needed. Trees have better ones from before.
+    // Where the bound suffices, nearer points are not needed.
     const bool is_far = by_hulls >= farEnough() && hasWitness();
     if (!is_far) offer(simplex, pair, are_convex);
     if (needs_trees && !(lower >= farEnough())) {
@@ -257,7 +257,6 @@ class HullSearch {
   const PlacedBody& second_;
   DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
-  std::vector<Candidate>& open_;
   SearchRoom& room_;
   const PairMotion& motion_;
   double rounding_;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kPlaceTolerance = 8 * kUnitRoundoff;
 constexpr double kRigidTolerance = 32 * kUnitRoundoff;
 
-/// Each cylinder of a body looks at all shapes.
+/// A body of more shapes is left as it is: each cylinder is compared with every shape.
 constexpr std::size_t kMostShapes = 64;
 
 bool isBareSolid(const BodyShape& body_shape, Solid solid) {

@@ -12,7 +12,8 @@ namespace link_bounds {
 /// The same body for searches at rigid poses. One shape, a segment that a ball sweeps, stands for
 /// each cylinder and two balls that are a capsule together. Each ball and each capsule has as its
 /// triangles the centre or the segment alone: its tree has no solid. The bodies may differ by 64u
-/// of the largest coordinate of the shapes, where u = 2^-53. The body itself if it has no ball.
+/// of the largest coordinate of the shapes, where u = 2^-53. The body itself if it has no ball, or
+/// more than 64 shapes.
 std::shared_ptr<const Body> withCores(std::shared_ptr<const Body> body);
 
 /// Made by withCores().

@@ -25,7 +25,8 @@ class ObjectClock {
   /// Where the object's age began, as restart() shifts it. To be called before restart().
   std::int64_t receivedAfterJump(const LiveObject& object, ros::Time now) const;
 
-  /// Whether the content can have been stamped since the clock last jumped back.
+  /// Whether the content can have been stamped since the clock last jumped back or began
+  /// to run.
   bool isSinceJump(const ObjectContent& content, std::int64_t now) const;
 
   /// The stamp of a box of this content. What was sent before the clock jumped back may arrive

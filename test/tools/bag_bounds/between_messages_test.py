@@ -434,7 +434,7 @@ class PostTest(BagBoundsTest):
                     self.assertEqual(zone['stays'][0]['entered']['stamp'], BEGIN + stamp)
 
     def test_a_start_while_one_publisher_is_late(self):
-        """Its plate passes through the other one in stamps of before, which become known later."""
+        """The plate passes through the other one before --start; that becomes known after it."""
         self.plates('fast', 'still')
         late = [(i * .3, {'fast': -1 if i < 10 else 1}, i * .3 + .25) for i in range(20)]
         stalled = [(0, {'fast': -1}), (.1, {'fast': -1}), (.3, {'fast': 1}, 4)]

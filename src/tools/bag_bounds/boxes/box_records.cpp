@@ -47,12 +47,10 @@ void endWait(BoxRecord& record, bool was_placed) {
   record.waiting.reset();
 }
 
-/// Another marker may come while one waits. That whose mesh was loaded is the same one. True if one
-/// waits now.
+/// Another marker may come while one waits. True if one waits now.
 template <class GetReason>
 bool takeWait(BoxRecord& record, const LiveObject& object, const GetReason& reason) {
   const bool waits = object.problem == TransformProblem::kWaiting;
-  if (record.waiting && record.waiting->isLoading()) record.waiting = object.content;
   if (record.waiting && (!waits || object.content != record.waiting))
     endWait(record, object.boxed.content == record.waiting);
   if (!waits) return false;
