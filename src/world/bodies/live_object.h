@@ -59,6 +59,16 @@ bool isSame(const ObjectContent& a, const ObjectContent& b);
 struct ObjectPlacement {
   FrameTracker::Frame fixed_frame;  ///< of that time
   Eigen::Affine3d fixed_from_header;
+  bool is_earlier =
+      false;  ///< the object was sent again since, and stays there if tf knows no more
+};
+
+/// What is known of an object's stamp since the clock last jumped back: the later, the more.
+enum class StampTime {
+  kNotSent,   ///< nothing: the object was not sent since then
+  kOutside,   ///< it was, but the clock has not been at its stamp since then
+  kRepeated,  ///< it had that stamp before, too: who sends it may know nothing of the jump
+  kKnown      ///< the stamp is of the time since then
 };
 
 /// What a box was computed from.
@@ -84,14 +94,9 @@ struct LiveObject {
   ros::Duration lifetime;     ///< that of the last receipt
   std::string sender;         ///< the publisher of the last receipt
   bool is_silent = false;     ///< a neighbour's: nothing was received for `timeout`
-  /// It was last sent before the clock jumped back, or with a stamp that is ahead of its start. Its
-  /// stamp, or its place, is that of another time.
-  bool is_outdated = false;
-  /// Since then it was only sent again unchanged, maybe by somebody who knows nothing of the jump.
-  /// It has a box, but where it is on a link is not known.
-  bool is_repeated = false;
-  bool is_sent_again = false;      ///< since then, unchanged: it is placed anew if tf has its stamp
-  std::int64_t waiting_since = 0;  ///< for the transform at its stamp
+  /// Unless it is known, the object has a box, but where it is on a link is not known.
+  StampTime stamp_time = StampTime::kKnown;
+  std::int64_t waiting_since = 0;   ///< for the transform at its stamp
   std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again
   TransformProblem problem = TransformProblem::kNone;
   BoxState state;

@@ -60,33 +60,38 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   const bool was_given_up = object.problem == TransformProblem::kGivenUp;
   const bool is_same = !is_new && isSame(*object.content, content);
   if (is_same && !was_given_up) return sendAgain(object, now);
-  const bool has_same_stamp = !is_new && object.content->stamp == content.stamp;
+  const bool had_stamp =
+      !is_new && object.content->stamp == content.stamp && object.stamp_time != StampTime::kKnown;
   if (!is_new) release(object);
   object.content = std::make_shared<const ObjectContent>(std::move(content));
   object.boxes = LinkBoxes({object.content->bounded});
   object.problem = TransformProblem::kNone;
   object.stamp = clock_.stampOf(*object.content, object.received);
   object.placement.reset();
-  const bool is_old = !clock_.isSinceJump(*object.content, object.received);
-  object.is_repeated =
-      has_same_stamp && (object.is_repeated || (has_jumped_back_ && object.is_outdated));
-  object.is_outdated =
-      is_old && (has_jumped_back_ ? object.content->stamp != 0 : is_same && object.is_outdated);
-  object.is_sent_again = false;
+  object.stamp_time = stampTime(object, had_stamp);
   follow(object);
   return refresh(object, now) || is_new;
 }
 
 /// The same content. What was sent before the clock jumped back may also arrive after it.
 bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
-  if (!object.is_outdated || !clock_.isSinceJump(*object.content, object.received)) return false;
-  object.is_sent_again = object.placement.has_value();
-  object.is_repeated |= has_jumped_back_;
-  if (!object.placement) {
-    object.is_outdated = false;
+  if (object.stamp_time > StampTime::kOutside) return false;
+  const StampTime stamp_time = stampTime(object, true);
+  if (stamp_time == StampTime::kOutside) return false;
+  object.stamp_time = stamp_time;
+  if (object.placement)
+    object.placement->is_earlier = true;
+  else
     object.stamp = object.content->stamp;
-  }
   return refresh(object, now);
+}
+
+/// When it is received. `had_stamp`: with that stamp it was there before, which was not known.
+StampTime LiveObjects::stampTime(const LiveObject& object, bool had_stamp) const {
+  const bool may_be_old = has_jumped_back_ || had_stamp;
+  if (object.content->stamp == 0 || !may_be_old) return StampTime::kKnown;
+  if (!clock_.isSinceJump(*object.content, object.received)) return StampTime::kOutside;
+  return has_jumped_back_ && had_stamp ? StampTime::kRepeated : StampTime::kKnown;
 }
 
 bool LiveObjects::remove(const ObjectKey& key) {
@@ -167,8 +172,7 @@ bool LiveObjects::update(ros::Time now) {
 bool LiveObjects::restart(ros::Time now) {
   has_jumped_back_ = true;
   for (auto& [key, object] : objects_) {
-    object.is_outdated |= object.content->stamp != 0;
-    object.is_sent_again = false;
+    if (object.content->stamp != 0) object.stamp_time = StampTime::kNotSent;
   }
   return startClock(now);
 }
@@ -180,7 +184,7 @@ bool LiveObjects::startClock(ros::Time now) {
   const std::int64_t start = clock_.restart(now);
   for (auto& [key, object] : objects_) {
     object.waiting_since = object.unplaced_since = start;
-    object.is_outdated |= object.stamp > start;
+    if (object.stamp > start) object.stamp_time = std::min(object.stamp_time, StampTime::kOutside);
     object.stamp = std::min(object.stamp, start);
     is_changed |= object.state.stamp > start;
     object.state.stamp = std::min(object.state.stamp, start);
@@ -282,7 +286,8 @@ bool LiveObjects::refresh(LiveObject& object, ros::Time now) {
   if (object.problem == TransformProblem::kWaiting) ++waiting_;
   const bool is_loading = object.content->isLoading();
   const bool has_name = object.content->refused_name.empty();
-  if (object.problem == TransformProblem::kWaiting || is_loading) state = object.state;
+  const bool waits = object.problem == TransformProblem::kWaiting || is_loading;
+  if (waits && !state.box) state = object.state;
   if (!has_name) state.box.reset();
   state.incomplete = object.problem != TransformProblem::kNone || is_loading || !has_name ||
                      !object.content->bounded.isWhole();
@@ -300,12 +305,13 @@ TransformProblem LiveObjects::bound(LiveObject& object, ros::Time now, BoxState&
   if (!fixed_frame_) return TransformProblem::kNoTransform;
   if (!object.content->isBounded()) return TransformProblem::kNone;
   const ObjectPose pose = placer_.place(object, now);
-  if (pose.problem != TransformProblem::kNone) return pose.problem;
-  object.boxes.update(0, pose.fixed_from_header);
+  const bool waits = pose.problem == TransformProblem::kWaiting;
+  if (!pose.fixed_from_header || (waits && object.state.box)) return pose.problem;
+  object.boxes.update(0, *pose.fixed_from_header);
   state.box = object.boxes.box(0);
-  if (state.box) object.boxed = {object.content, pose.fixed_from_header};
+  if (state.box) object.boxed = {object.content, *pose.fixed_from_header};
   state.stamp = pose.stamp;
-  return state.box ? TransformProblem::kNone : TransformProblem::kPoseNotFinite;
+  return state.box || waits ? pose.problem : TransformProblem::kPoseNotFinite;
 }
 
 std::vector<const LiveObject*> LiveObjects::takeGivenUp() {

@@ -62,7 +62,8 @@ class LiveObjects {
   /// again, and no stamp of a box is ahead of `now`.
   bool startClock(ros::Time now);
 
-  /// The same after the clock jumped back. What is there was placed at another time.
+  /// The same after the clock jumped back. What was placed before stays there until it is sent
+  /// again. Only then is it placed by tf of the new time, which may know its stamp, too.
   bool restart(ros::Time now);
 
   /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
@@ -95,6 +96,7 @@ class LiveObjects {
   void follow(LiveObject& object);
   void release(LiveObject& object);
   bool sendAgain(LiveObject& object, ros::Time now);
+  StampTime stampTime(const LiveObject& object, bool had_stamp) const;
   Objects::iterator erase(Objects::iterator object);
   bool removeIf(const std::function<bool(const Objects::value_type&)>& is_over);
   bool isSilent(const LiveObject& object, std::int64_t now, double timeouts = 1) const;

@@ -14,36 +14,42 @@ constexpr double kPatience = 10;
 ObjectPose ObjectPlacer::place(LiveObject& object, ros::Time now) {
   if (object.header) {
     const FramePose& header = object.header.pose();
+    if (header.problem != TransformProblem::kNone) return {header.problem};
     return {header.problem, header.fixed_from_frame.affine, olderStamp(header.stamp, object.stamp)};
   }
-  if (!object.placement && object.problem == TransformProblem::kGivenUp)
-    return {TransformProblem::kGivenUp};
-  if (!object.placement || object.is_sent_again) {
-    if (!placeOnce(object, now)) return {TransformProblem::kWaiting};
-    if (!object.placement) return {TransformProblem::kGivenUp};
-  }
+  TransformProblem problem = TransformProblem::kNone;
+  if (!object.placement || object.placement->is_earlier) problem = placeOnce(object, now);
+  if (!object.placement) return {problem};
   const std::optional<Eigen::Affine3d> pose = carried(*object.placement);
-  if (!pose) return {TransformProblem::kNotCarried};
-  return {TransformProblem::kNone, *pose, object.stamp};
+  if (!pose && problem == TransformProblem::kNone) problem = TransformProblem::kNotCarried;
+  return {problem, pose, object.stamp};
 }
 
-/// False while it waits for the transform at its stamp. If that does not come, an earlier placement
+/// kWaiting while the transform at its stamp may come, then kGivenUp, or an earlier placement
 /// stays.
-bool ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
+TransformProblem ObjectPlacer::placeOnce(LiveObject& object, ros::Time now) {
+  if (object.problem == TransformProblem::kGivenUp) return object.problem;
   const std::int64_t stamp = object.content->stamp;
-  const auto pose = poseAt(stamp, object.frame);
-  if (pose) {
+  const bool is_known = knowsTimeOf(object);
+  if (const auto pose = is_known ? poseAt(stamp, object.frame) : std::nullopt) {
+    if (object.placement) object.stamp = stamp;
     object.placement = ObjectPlacement{*frames_.fixedFrame(), *pose};
-    if (object.is_sent_again) {
-      object.stamp = stamp;
-      object.is_outdated = false;
-    }
-  } else if (!hasWaitedLong(object.waiting_since, now)) {
-    const bool may_come = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;
-    if (!object.placement || may_come) return false;
+    return TransformProblem::kNone;
   }
-  object.is_sent_again = false;
-  return true;
+  const bool is_in_tf = static_cast<std::int64_t>(now.toNSec()) - stamp <= EdgeHistory::kLength;
+  const bool may_come = !object.placement || (is_known && is_in_tf);
+  if (may_come && !hasWaitedLong(object.waiting_since, now)) return TransformProblem::kWaiting;
+  if (!object.placement) return TransformProblem::kGivenUp;
+  object.placement->is_earlier = false;
+  object.stamp_time = StampTime::kNotSent;
+  return TransformProblem::kNone;
+}
+
+/// Whether tf can be of the time when the object was sent. What is static is of any time.
+bool ObjectPlacer::knowsTimeOf(const LiveObject& object) {
+  if (object.stamp_time != StampTime::kNotSent) return true;
+  const FrameTracker::Handle header = frames_.follow(object.frame);
+  return header.pose().problem == TransformProblem::kNone && header.pose().stamp == 0;
 }
 
 std::optional<Eigen::Affine3d> ObjectPlacer::poseAt(std::int64_t stamp, Frame frame) {

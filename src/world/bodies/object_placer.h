@@ -12,11 +12,11 @@
 
 namespace link_bounds {
 
-/// The last two count only without a problem.
 struct ObjectPose {
   TransformProblem problem = TransformProblem::kNoTransform;
-  Eigen::Affine3d fixed_from_header = Eigen::Affine3d::Identity();
-  std::int64_t stamp = 0;  ///< of the box [ns]
+  /// Without a problem, or where an object waits that was placed earlier.
+  std::optional<Eigen::Affine3d> fixed_from_header = std::nullopt;
+  std::int64_t stamp = 0;  ///< of the box [ns], if there is a pose
 };
 
 class ObjectPlacer {
@@ -58,7 +58,8 @@ class ObjectPlacer {
     std::optional<Eigen::Affine3d> fixed_from_frame;
   };
 
-  bool placeOnce(LiveObject& object, ros::Time now);
+  TransformProblem placeOnce(LiveObject& object, ros::Time now);
+  bool knowsTimeOf(const LiveObject& object);
   std::optional<Eigen::Affine3d> poseAt(std::int64_t stamp, Frame frame);
   std::optional<Eigen::Affine3d> carried(const ObjectPlacement& placement) const;
 

@@ -181,19 +181,18 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
       body.frame = past_->excerpt.add(tf, *scene.frames.fixedFrame());
       body.frame_from_body = object.boxed.fixed_from_header;
       body.stamp = object.state.stamp;
-      body.is_outdated = object.is_outdated || object.is_repeated;
-      if (isHeldSince(scene, object)) body.held = heldPlace(scene, body);
+      body.is_outdated = object.stamp_time != StampTime::kKnown;
+      if (!body.is_outdated && isHeldSince(scene, object)) body.held = heldPlace(scene, body);
     }
   }
   body.bounded = &body.object->bounded;
   past_->bodies.push_back(std::move(body));
 }
 
-/// Whether tf tells where a link was when the object was placed. After a jump of the clock its time
-/// is another one, and in another fixed frame its place is that of a later time.
+/// Whether tf tells where a link was when the object was placed. In another fixed frame its place
+/// is that of a later time.
 bool SceneCopy::isHeldSince(const Scene& scene, const LiveObject& object) const {
   if (holders_.empty() || object.state.stamp == 0) return false;
-  if (object.is_outdated || object.is_repeated) return false;
   if (object.state.stamp != object.boxed.content->stamp) return false;
   if (object.placement) return object.placement->fixed_frame == scene.frames.fixedFrame();
   // A neighbour's box follows its frame, so only in a frame that stands it is of its stamp.

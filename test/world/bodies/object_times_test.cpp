@@ -135,10 +135,47 @@ TEST_F(ObjectTimesTest, WhatTfForgotOrNeverKnewStaysWhereItWas) {
     pass(2.1);
     EXPECT_FALSE(state().incomplete);
     expectBox(0, 1);
-    EXPECT_TRUE(object().is_outdated);
+    EXPECT_EQ(object().stamp_time, StampTime::kNotSent);
     objects_.removeAll();
     tf_.clear();
   }
+}
+
+/// tf of the new time may have that stamp, too, but it is not the time at which the object was
+/// there.
+TEST_F(ObjectTimesTest, WhatWaitsDuringAJumpBackIsPlacedOnlyWhenItIsSentAgain) {
+  put(boxIn("camera", 99));
+  jumpTo(98.9);
+  hear("map", "camera", 99, 0, 1);
+  EXPECT_TRUE(state().incomplete);
+  EXPECT_FALSE(state().box);
+  EXPECT_TRUE(put(boxIn("camera", 99)));
+  expectBox(0, 1);
+}
+
+TEST_F(ObjectTimesTest, WhatIsStaticPlacesAlsoWhatWaitedDuringAJumpBack) {
+  put(boxIn("camera", 99));
+  jumpTo(98.9);
+  tf_.add({edge("map", "camera", 0, turnedBy(0), {1, 0, 0})}, true, now_);
+  EXPECT_TRUE(update());
+  EXPECT_FALSE(state().incomplete);
+  expectBox(0, 1);
+}
+
+TEST_F(ObjectTimesTest, WhatWaitsToBePlacedAnewHasItsBoxInAnotherFixedFrame) {
+  tf_.add({edge("map", "odom", 0, turnedBy(0), {5, 0, 0})}, true, now_);
+  hear("map", "camera", 99, 0, 1);
+  put(boxIn("camera", 99));
+  jumpTo(98.9);
+  put(boxIn("camera", 99));
+  for (const char* const frame : {"odom", "map"}) {
+    adopt(frame, 2);
+    EXPECT_TRUE(state().incomplete) << frame;
+    expectBox(0, frame == std::string("odom") ? -4 : 1);
+  }
+  hear("map", "camera", 99, 0, 3);
+  EXPECT_FALSE(state().incomplete);
+  expectBox(0, 3);
 }
 
 TEST_F(ObjectTimesTest, WhatWaitsIsNoNewsWhenItIsSentAgainAfterAJump) {
@@ -147,7 +184,7 @@ TEST_F(ObjectTimesTest, WhatWaitsIsNoNewsWhenItIsSentAgainAfterAJump) {
   EXPECT_FALSE(put(boxIn("camera", 99)));
   hear("map", "camera", 99, 0, 1);
   EXPECT_EQ(stamp(), 99);
-  EXPECT_FALSE(object().is_outdated);
+  EXPECT_EQ(object().stamp_time, StampTime::kRepeated);
 }
 
 TEST_F(ObjectTimesTest, WhatWasGivenUpIsOfTheOldTimeAlsoWhenItIsSentAgain) {
@@ -159,9 +196,9 @@ TEST_F(ObjectTimesTest, WhatWasGivenUpIsOfTheOldTimeAlsoWhenItIsSentAgain) {
   hear("map", "camera", 99, 0, 1);
   EXPECT_TRUE(put(boxIn("camera", 99)));
   EXPECT_FALSE(state().incomplete);
-  EXPECT_TRUE(object().is_outdated) << "as far as one can know";
+  EXPECT_EQ(object().stamp_time, StampTime::kOutside) << "as far as one can know";
   EXPECT_TRUE(put(boxIn("camera", 99.06)));
-  EXPECT_FALSE(object().is_outdated);
+  EXPECT_EQ(object().stamp_time, StampTime::kKnown);
 }
 
 TEST_F(ObjectTimesTest, WhenTheClockStartsOnlyStampsAheadOfItAreOutdated) {
