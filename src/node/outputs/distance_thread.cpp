@@ -61,7 +61,8 @@ std::vector<std::string> DistanceThread::errors() const {
 }
 
 /// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. To
-/// forget takes memory, too, so it is tried until it succeeds. True while there is a moment.
+/// forget takes memory, too, so it is tried until it succeeds. Then the moment is computed again:
+/// no other one may come. True while there is a moment.
 bool DistanceThread::onTick() {
   if (!is_whole_) distances_ = SceneDistances(requests_, true);
   is_whole_ = true;
@@ -72,7 +73,8 @@ bool DistanceThread::onTick() {
     forgetIfUnwanted();
   } catch (...) {
     is_whole_ = false;
-    drop();
+    has_news_ = true;
+    if (!callbacks_.is_wanted()) drop();
     throw;
   }
   return current_ != nullptr;

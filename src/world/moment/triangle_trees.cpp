@@ -13,13 +13,13 @@ constexpr std::chrono::milliseconds kSettled(500);
 
 }  // namespace
 
-/// The entry of these points, and whether it is new. Other points may have had the same address.
+/// The entry of these points, and whether it is new: then it gets them once its tree is requested,
+/// which may throw. Other points may have had the same address.
 std::pair<TriangleTrees::Entry&, bool> TriangleTrees::entryOf(
     const std::shared_ptr<const PointSet>& points) {
   Entry& entry = entries_[points.get()];
   const bool is_new = entry.points.lock() != points;
   if (is_new) entry = Entry();
-  entry.points = points;
   return {entry, is_new};
 }
 
@@ -27,6 +27,7 @@ TriangleTrees::Tree TriangleTrees::ofMesh(const std::string& uri,
                                           const std::shared_ptr<const PointSet>& points) {
   const auto [entry, is_new] = entryOf(points);
   if (is_new) requests_.mesh(uri, points);
+  entry.points = points;
   return entry.triangles;
 }
 
@@ -37,6 +38,7 @@ TriangleTrees::Tree TriangleTrees::ofList(const std::shared_ptr<const ObjectCont
     entry.list = content;
     entry.since = now;
     entry.is_settling = true;
+    entry.points = content->bounded.shapes.front().points;
   }
   return entry.triangles;
 }
@@ -44,8 +46,8 @@ TriangleTrees::Tree TriangleTrees::ofList(const std::shared_ptr<const ObjectCont
 void TriangleTrees::requestSettled(Time now) {
   for (auto& [key, entry] : entries_) {
     if (!entry.is_settling || now - entry.since < kSettled) continue;
-    entry.is_settling = false;
     if (auto content = entry.list.lock()) requests_.list(std::move(content));
+    entry.is_settling = false;
   }
 }
 

@@ -140,6 +140,15 @@ TEST_F(DistanceThreadTest, AFailureLeavesNothingBehind) {
   EXPECT_EQ(requested_, 3) << "the request that failed is repeated";
 }
 
+/// A scene that rests gives no other one.
+TEST_F(DistanceThreadTest, AMomentWhoseComputationFailedIsComputedAgain) {
+  start(seconds(10));
+  fails_ = true;
+  thread_->give(madeMoment(0.5));
+  ASSERT_TRUE(waitForGap(0.5));
+  EXPECT_FALSE(fails_);
+}
+
 TEST_F(DistanceThreadTest, AFailureLeavesNothingBehindWhereForgettingFailsToo) {
   start(seconds(10));
   const auto moment = madeMoment(0.5);

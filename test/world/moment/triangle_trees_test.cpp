@@ -29,8 +29,15 @@ class TriangleTreesTest : public testing::Test {
   TriangleTrees::Time now_{};
   std::vector<std::string> meshes_;
   std::size_t lists_ = 0;
-  TriangleTrees trees_{{[this](const std::string& uri, const auto&) { meshes_.push_back(uri); },
-                        [this](const auto&) { ++lists_; }}};
+  bool is_memory_short_ = false;  // for the next request
+  TriangleTrees trees_{{[this](const std::string& uri, const auto&) {
+                          if (std::exchange(is_memory_short_, false)) throw std::bad_alloc();
+                          meshes_.push_back(uri);
+                        },
+                        [this](const auto&) {
+                          if (std::exchange(is_memory_short_, false)) throw std::bad_alloc();
+                          ++lists_;
+                        }}};
 };
 
 TEST_F(TriangleTreesTest, aMeshIsRequestedOnce) {
@@ -42,6 +49,20 @@ TEST_F(TriangleTreesTest, aMeshIsRequestedOnce) {
   trees_.add({mesh, tree_, ""});
   EXPECT_NE(trees_.version(), version);
   EXPECT_EQ(trees_.ofMesh("a", mesh), tree_);
+}
+
+TEST_F(TriangleTreesTest, aRequestThatFailedIsMadeAgain) {
+  const auto mesh = points();
+  is_memory_short_ = true;
+  EXPECT_THROW(trees_.ofMesh("a", mesh), std::bad_alloc);
+  trees_.ofMesh("a", mesh);
+  EXPECT_EQ(meshes_.size(), 1U);
+  const auto content = list();
+  trees_.ofList(content, now_);
+  is_memory_short_ = true;
+  EXPECT_THROW(trees_.requestSettled(now_ + milliseconds(500)), std::bad_alloc);
+  trees_.requestSettled(now_ + milliseconds(500));
+  EXPECT_EQ(lists_, 1U);
 }
 
 TEST_F(TriangleTreesTest, aTreeOfOtherPointsIsNotTaken) {
