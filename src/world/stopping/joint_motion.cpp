@@ -92,6 +92,13 @@ bool tellSpeed(const std::vector<std::int64_t>& stamps, std::int64_t window) {
          std::adjacent_find(stamps.begin(), stamps.end(), is_gap) == stamps.end();
 }
 
+std::string whyTooRare(const Joint& joint) {
+  return "joint_states has joint \"" + joint.name +
+         "\" too rarely for ~velocity_window, or at other times than tf; raise ~velocity_window, "
+         "or "
+         "send it more often";
+}
+
 /// How far a joint can be from where a report has it.
 double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
   const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
@@ -149,6 +156,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                   [](const JointReport& report) { return report.velocity; });
   const std::vector<JointReport> reports =
       have_velocities ? all_reports : withoutLate(all_reports, stamp, window);
+  const bool is_any_late = reports.size() < all_reports.size();
   TimedValues found;
   const JointReport* nearest = nullptr;
   for (const JointReport& report : reports) {
@@ -159,9 +167,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   }
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
       (!have_velocities && !tellSpeed(found.stamps, window))) {
-    state.problem = "joint_states has joint \"" + joint.name +
-                    "\" too rarely for ~velocity_window, or at other times than tf; raise "
-                    "~velocity_window, or send it more often";
+    state.problem = whyTooRare(joint);
     return state;
   }
   if (have_velocities) {
@@ -181,7 +187,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     // Since the last report it may have become faster, as by twice the time in a piece.
     const std::int64_t gap = std::max<std::int64_t>(stamp - found.stamps.back(), 0);
     state.piece += 2 * static_cast<double>(gap) / kSecond;
-    if (reports.size() < all_reports.size()) {
+    if (is_any_late) {
       const JointReport& late = all_reports.back();
       const JointReport& last = reports.back();
       widen(state.speed, false, late.position - last.position, late.stamp - last.stamp);
@@ -190,8 +196,11 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   double error = fit.value - nearest->position;
   if (joint.motion == Motion::kRotation) error = withoutTurns(error);
   if (!(std::abs(error) <= reportError(*nearest, state, stamp))) {
-    state.problem = "tf and joint_states differ by " + std::to_string(std::abs(error)) +
-                    " rad or m about joint \"" + joint.name + "\"; correct their publishers";
+    // Between two reports that are far apart, the joint may have moved in any way.
+    state.problem = is_any_late ? whyTooRare(joint)
+                                : "tf and joint_states differ by " +
+                                      std::to_string(std::abs(error)) + " rad or m about joint \"" +
+                                      joint.name + "\"; correct their publishers";
   }
   state.value = nearest->position + error;
   state.are_turns_known = true;

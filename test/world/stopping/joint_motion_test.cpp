@@ -219,6 +219,18 @@ TEST(JointState, OfPositionsALateReportAfterAPauseIsNoPartOfThePieces) {
   EXPECT_LE(state.speed.upper, mean * 1.01 + 1e-3);
 }
 
+/// The joint moved and came back while no report came. Nobody's numbers are wrong.
+TEST(JointState, WhatMovedDuringAPauseOfTheReportsWasReportedTooRarely) {
+  Random random(7);
+  const Joint joint = randomJoint(Motion::kTranslation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 0.5);
+  Reports reports{{kEnd - 2 * kPeriod, 0, {}}, {kEnd - kPeriod, 0, {}}};
+  const auto problem = [&] { return jointState(joint, pose, reports, kEnd, kWindow).problem; };
+  EXPECT_EQ(problem().find("tf and joint_states differ"), 0u);
+  reports.push_back({kEnd - kPeriod + kWindow + 1, 0, {}});
+  EXPECT_EQ(problem().find("joint_states has joint \"joint\" too rarely"), 0u) << problem();
+}
+
 /// A publisher may invent names without end.
 TEST(JointStates, OfMoreJointsThanAnyRobotHasAreIgnored) {
   JointStates states;
