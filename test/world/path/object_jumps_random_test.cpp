@@ -23,9 +23,9 @@ namespace {
 using visualization_msgs::Marker;
 using Nanoseconds = std::int64_t;
 
-constexpr int kRuns = 150;
-constexpr int kSteps = 400;  // of a run
-constexpr int kObjects = 4;
+constexpr int kJumpRuns = 150;
+constexpr int kJumpSteps = 400;  // of a run
+constexpr int kJumpingObjects = 4;
 constexpr Nanoseconds kTenth = 100'000'000;
 constexpr Nanoseconds kStepTime = kTenth;
 constexpr Nanoseconds kTolerated = 5 * kTenth;  // a stamp is ahead of the clock by no more
@@ -42,13 +42,13 @@ constexpr char kJumpingArm[] = R"(<robot name="arm">
 </robot>)";
 
 /// A time of the world: how often the clock had jumped back, and what it showed.
-struct Instant {
+struct EraTime {
   int era = 0;
   Nanoseconds stamp = 0;
 };
 
 /// Each era has other places. tf interpolates between two samples without an error.
-Eigen::Isometry3d mapFrom(const std::string& frame, const Instant& at) {
+Eigen::Isometry3d mapFrom(const std::string& frame, const EraTime& at) {
   const double era = at.era;
   const double seconds = static_cast<double>(at.stamp) / 1e9;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -64,7 +64,7 @@ const std::vector<std::pair<std::string, std::string>> kJumpingEdges = {
     {"map", "odom"}, {"map", "base"}, {"base", "arm"}, {"map", "camera"}};
 
 /// A marker as it was sent. Each other content has another size.
-struct Content {
+struct SentContent {
   int size = 0;  // of a cube [mm]
   std::string frame;
   Nanoseconds stamp = 0;  // 0: it follows the frame
@@ -74,14 +74,14 @@ struct Content {
   bool follows() const { return stamp == 0 || is_locked; }
 };
 
-struct Sent {
+struct SentMarker {
   int object = 0;
-  std::optional<Content> content;  // nothing: it is deleted
+  std::optional<SentContent> content;  // nothing: it is deleted
   std::size_t step = 0;
 };
 
 /// After which everything is compared.
-struct Step {
+struct JumpingStep {
   Nanoseconds now = 0;
   int era = 0;
   Nanoseconds era_start = 0;
@@ -89,7 +89,7 @@ struct Step {
   std::string fixed_frame;
 };
 
-struct Edge {
+struct JumpingEdge {
   Nanoseconds lag = 0;
   int silent = 0;  // for that many steps
   Nanoseconds newest = 0;
@@ -109,11 +109,11 @@ std::shared_ptr<const Model> jumpingModel(const std::string& fixed_frame, double
 }
 
 /// How often each kind of thing was seen, so that the test shows that it is not empty.
-struct Seen {
+struct JumpsSeen {
   long placed = 0, of_another_era = 0, incomplete = 0, placed_late = 0, held = 0, not_held = 0,
        stopping = 0, copied_over_a_jump = 0;
 
-  void add(const Seen& other) {
+  void add(const JumpsSeen& other) {
     placed += other.placed;
     of_another_era += other.of_another_era;
     incomplete += other.incomplete;
@@ -131,7 +131,7 @@ class JumpingScene {
       : random_(seed), timeout_(seed % 4 == 0 ? 0 : 2), patience_(seed % 4 == 0 ? 10 : 2) {
     now_.fixed_frame = "map";
     adopt();
-    Content post{5, "map", 0, true, 0};
+    SentContent post{5, "map", 0, true, 0};
     send({"post", 0}, post);
   }
 
@@ -139,19 +139,19 @@ class JumpingScene {
     moveClock();
     for (std::size_t i = 0; i < kJumpingEdges.size(); ++i)
       sendTransform(i);
-    if (!steps_.empty() && chance(0.3)) sendMarker(pick(kObjects));
+    if (!steps_.empty() && chance(0.3)) sendMarker(pick(kJumpingObjects));
     if (chance(0.03)) {
       now_.fixed_frame = now_.fixed_frame == "map" ? "odom" : "map";
       adopt();
     }
     feed_.onTick(time());
     steps_.push_back(now_);
-    for (int object = 0; object < kObjects; ++object)
+    for (int object = 0; object < kJumpingObjects; ++object)
       expectRightBox(object);
     expectRightCopies();
   }
 
-  const Seen& seen() const { return seen_; }
+  const JumpsSeen& seen() const { return seen_; }
 
  private:
   // Events:
@@ -162,7 +162,7 @@ class JumpingScene {
     return static_cast<Nanoseconds>(random_.uniform(low, high)) * kTenth;
   }
   ros::Time time() const { return ros::Time().fromNSec(static_cast<std::uint64_t>(now_.now)); }
-  Instant present() const { return {now_.era, now_.now}; }
+  EraTime present() const { return {now_.era, now_.now}; }
 
   void moveClock() {
     now_.now += kStepTime;
@@ -175,22 +175,22 @@ class JumpingScene {
     now_.now -= back;
     now_.era_start = now_.now;
     ++now_.era;
-    for (Edge& edge : edges_)
+    for (JumpingEdge& edge : edges_)
       edge.newest = edge.renewed = 0;
     feed_.onTick(time());
     // What was sent before the jump arrives after it, and its stamp tells so.
-    const Content late = newContent({now_.era - 1, before});
+    const SentContent late = newContent({now_.era - 1, before});
     const bool tells = late.stamp < now_.now || late.stamp > now_.now + kTolerated;
-    if (tells && chance(0.3)) send(pick(kObjects), late);
+    if (tells && chance(0.3)) send(pick(kJumpingObjects), late);
   }
 
   void sendTransform(std::size_t i) {
-    Edge& edge = edges_[i];
+    JumpingEdge& edge = edges_[i];
     if (chance(0.03)) edge.lag = tenths(0, 12);
     if (chance(0.01)) edge.silent = pick(50);
     if (edge.silent > 0) --edge.silent;
     if (edge.silent > 0 || chance(0.1)) return;
-    const Instant at{now_.era, now_.now - edge.lag};
+    const EraTime at{now_.era, now_.now - edge.lag};
     const auto& [parent, child] = kJumpingEdges[i];
     const Eigen::Isometry3d pose = mapFrom(parent, at).inverse() * mapFrom(child, at);
     geometry_msgs::TransformStamped message =
@@ -204,9 +204,9 @@ class JumpingScene {
         {message}, false, [] { return "/sender"; }, time(), steady_);
   }
 
-  Content newContent(const Instant& at) {
+  SentContent newContent(const EraTime& at) {
     static const char* const kFrames[] = {"map", "odom", "arm", "camera", "camera"};
-    Content content;
+    SentContent content;
     content.size = ++contents_ + 10;
     content.frame = kFrames[pick(5)];
     content.stamp = chance(0.1) ? 0 : at.stamp + tenths(-10, 4) + 1000 * contents_;
@@ -219,22 +219,22 @@ class JumpingScene {
 
   /// Only who sent a marker before repeats it, or changes all but its stamp.
   void sendMarker(int object) {
-    const Content* const last = contentOf(object);
+    const SentContent* const last = contentOf(object);
     const double kind = random_.uniform(0, 1);
     if (!last || kind < 0.4) return send(object, newContent(present()));
     if (kind < 0.8) return send(object, *last);
     if (kind < 0.9) return send(object, std::nullopt);
-    Content resized = *last;
+    SentContent resized = *last;
     resized.size = ++contents_ + 10;
     send(object, resized);
   }
 
-  void send(int object, const std::optional<Content>& content) {
+  void send(int object, const std::optional<SentContent>& content) {
     send(keyOf(object), content);
     sent_.push_back({object, content, steps_.size()});
   }
 
-  void send(const ObjectKey& key, const std::optional<Content>& content) {
+  void send(const ObjectKey& key, const std::optional<SentContent>& content) {
     Marker marker = markerOf(Marker::CUBE, Eigen::Vector3d::Ones());
     marker.ns = key.ns;
     marker.id = key.id;
@@ -261,9 +261,9 @@ class JumpingScene {
   static ObjectKey keyOf(int object) { return {object < 2 ? "held" : "free", object}; }
 
   /// What is there of an object: all that was sent since it was last deleted.
-  std::vector<const Sent*> since(int object) const {
-    std::vector<const Sent*> result;
-    for (const Sent& sent : sent_) {
+  std::vector<const SentMarker*> since(int object) const {
+    std::vector<const SentMarker*> result;
+    for (const SentMarker& sent : sent_) {
       if (sent.object != object) continue;
       if (sent.content)
         result.push_back(&sent);
@@ -274,17 +274,17 @@ class JumpingScene {
   }
 
   /// Null if there is none.
-  const Content* contentOf(int object) const {
+  const SentContent* contentOf(int object) const {
     const auto all = since(object);
     return all.empty() ? nullptr : &*all.back()->content;
   }
 
-  const Step& stepOf(const Sent& sent) const {
+  const JumpingStep& stepOf(const SentMarker& sent) const {
     return sent.step < steps_.size() ? steps_[sent.step] : now_;
   }
 
   /// Where the content is if it was placed in that era.
-  std::optional<Aabb> boxIn(int era, const Content& content, Nanoseconds stamp) const {
+  std::optional<Aabb> boxIn(int era, const SentContent& content, Nanoseconds stamp) const {
     const Eigen::Isometry3d fixed_from_map = mapFrom(now_.fixed_frame, {}).inverse();
     const Eigen::Isometry3d pose = fixed_from_map * mapFrom(content.frame, {era, stamp});
     const Eigen::Vector3d size = Eigen::Vector3d::Constant(content.size * 1e-3);
@@ -296,8 +296,8 @@ class JumpingScene {
     return (a.min() - b.min()).norm() + (a.max() - b.max()).norm() < kSamePlace;
   }
 
-  bool isInOneOfItsEras(int object, const Content& content, const Aabb& box) const {
-    for (const Sent* sent : since(object)) {
+  bool isInOneOfItsEras(int object, const SentContent& content, const Aabb& box) const {
+    for (const SentMarker* sent : since(object)) {
       if (sent->content->size == content.size &&
           isNear(box, *boxIn(stepOf(*sent).era, content, content.stamp)))
         return true;
@@ -305,8 +305,8 @@ class JumpingScene {
     return false;
   }
 
-  bool isPlausible(const Sent& sent) const {
-    const Step& step = stepOf(sent);
+  bool isPlausible(const SentMarker& sent) const {
+    const JumpingStep& step = stepOf(sent);
     const Nanoseconds stamp = sent.content->stamp;
     return step.era == now_.era && (now_.era == 0 || stamp >= step.era_start) &&
            stamp <= step.now + kTolerated;
@@ -315,7 +315,7 @@ class JumpingScene {
   /// When it was last sent with a stamp that the present era can have had. Nothing: never.
   std::optional<Nanoseconds> sentInThisEra(int object) const {
     std::optional<Nanoseconds> result;
-    for (const Sent* sent : since(object)) {
+    for (const SentMarker* sent : since(object)) {
       if (sent->content->size != contentOf(object)->size) continue;
       if (isPlausible(*sent)) result = stepOf(*sent).now;
     }
@@ -330,8 +330,8 @@ class JumpingScene {
   }
 
   /// Those between the frame and the fixed frame.
-  std::vector<const Edge*> pathOf(const std::string& frame) const {
-    std::vector<const Edge*> result;
+  std::vector<const JumpingEdge*> pathOf(const std::string& frame) const {
+    std::vector<const JumpingEdge*> result;
     for (std::size_t i = 0; i < kJumpingEdges.size(); ++i) {
       const std::string& child = kJumpingEdges[i].second;
       const bool is_above = child == frame || (frame == "arm" && child == "base");
@@ -343,8 +343,9 @@ class JumpingScene {
   /// Whether each transform of the path came a moment ago.
   bool isFresh(const std::string& frame) const {
     const auto path = pathOf(frame);
-    return std::all_of(path.begin(), path.end(),
-                       [this](const Edge* edge) { return edge->renewed >= now_.now - kFresh; });
+    return std::all_of(path.begin(), path.end(), [this](const JumpingEdge* edge) {
+      return edge->renewed >= now_.now - kFresh;
+    });
   }
 
   /// What was placed in the other fixed frame.
@@ -353,7 +354,7 @@ class JumpingScene {
   /// 0 if there is no edge.
   Nanoseconds latestCommonTime(const std::string& frame) const {
     Nanoseconds result = 0;
-    for (const Edge* edge : pathOf(frame))
+    for (const JumpingEdge* edge : pathOf(frame))
       result = result == 0 ? edge->newest : std::min(result, edge->newest);
     return result;
   }
@@ -363,7 +364,7 @@ class JumpingScene {
   void expectRightBox(int object) {
     const LiveObjects::Objects& objects = feed_.scene().objects.objects();
     const auto found = objects.find(keyOf(object));
-    const Content* const content = contentOf(object);
+    const SentContent* const content = contentOf(object);
     ASSERT_EQ(found != objects.end(), content != nullptr);
     if (!content) return;
     SCOPED_TRACE(found->second.content->bounded.name + ' ' + content->frame);
@@ -376,7 +377,7 @@ class JumpingScene {
       expectPlaced(object, *content, state);
   }
 
-  void expectFollower(const Content& content, const LiveObject& object) {
+  void expectFollower(const SentContent& content, const LiveObject& object) {
     const BoxState& state = object.state;
     if (!state.incomplete) {
       const Nanoseconds stamp = state.stamp == 0 ? now_.now : state.stamp;
@@ -387,7 +388,7 @@ class JumpingScene {
     }
   }
 
-  void expectPlaced(int object, const Content& content, const BoxState& state) {
+  void expectPlaced(int object, const SentContent& content, const BoxState& state) {
     const auto sent = sentInThisEra(object);
     if (!state.incomplete) {
       ASSERT_TRUE(isInOneOfItsEras(object, content, *state.box)) << "no sender said so";
@@ -395,7 +396,7 @@ class JumpingScene {
       seen_.of_another_era += !sent;
     } else if (state.box) {
       bool is_any = false;
-      for (const Sent* earlier : since(object))
+      for (const SentMarker* earlier : since(object))
         is_any = is_any || earlier->content->follows() ||
                  isInOneOfItsEras(object, *earlier->content, *state.box);
       ASSERT_TRUE(is_any) << "no sender said that it ever was there";
@@ -467,9 +468,9 @@ class JumpingScene {
   }
 
   /// What was sent as this content; also after it was deleted.
-  const Content* sentAs(const ObjectContent& body) const {
+  const SentContent* sentAs(const ObjectContent& body) const {
     const int size = static_cast<int>(std::lround(body.bounded.shapes.at(0).size.x() * 1e3));
-    for (const Sent& sent : sent_) {
+    for (const SentMarker& sent : sent_) {
       if (sent.content && sent.content->size == size) return &*sent.content;
     }
     return nullptr;
@@ -486,13 +487,13 @@ class JumpingScene {
       if (body.link || path.names[i] == "post/0") continue;
       SCOPED_TRACE(path.names[i] + " in the path");
       const bool is_held = path.names[i].compare(0, 4, "held") == 0;
-      const Content* const content = sentAs(*body.object);
+      const SentContent* const content = sentAs(*body.object);
       ASSERT_NE(content, nullptr);
       const bool is_known = path.bodies[i].is_whole;
       if (is_known && is_held) expectPlaceOnArm(*content, path.bodies[i]);
       if (is_held) ++(is_known ? seen_.held : seen_.not_held);
     }
-    for (int object = 0; is_new && object < kObjects; ++object) {
+    for (int object = 0; is_new && object < kJumpingObjects; ++object) {
       const auto name = std::find(path.names.begin(), path.names.end(), objectName(keyOf(object)));
       if (name != path.names.end() && mustBeHeld(object)) {
         const auto i = static_cast<std::size_t>(name - path.names.begin());
@@ -502,8 +503,8 @@ class JumpingScene {
   }
 
   /// In the era of its sender.
-  void expectPlaceOnArm(const Content& content, const PathBody& body) const {
-    const Instant at{content.era, content.stamp};
+  void expectPlaceOnArm(const SentContent& content, const PathBody& body) const {
+    const EraTime at{content.era, content.stamp};
     const Eigen::Isometry3d arm_from_object =
         mapFrom("arm", at).inverse() * mapFrom(content.frame, at);
     const Eigen::Affine3d& place = body.body.shapes.at(0).shape.link_from_shape;
@@ -518,10 +519,10 @@ class JumpingScene {
   /// An object whose stamp is new in this era, which was placed in this fixed frame, and whose link
   /// tf has at its stamp.
   bool mustBeHeld(int object) {
-    const Content* const content = contentOf(object);
+    const SentContent* const content = contentOf(object);
     if (object >= 2 || !content || content->follows() || known_.count(content->size) == 0)
       return false;
-    for (const Sent* sent : since(object)) {
+    for (const SentMarker* sent : since(object)) {
       if (sent->content->stamp != content->stamp) continue;
       if (!isPlausible(*sent)) return false;
       for (std::size_t step = sent->step - 1; step < steps_.size(); ++step) {
@@ -540,7 +541,7 @@ class JumpingScene {
     for (const PastBody& body : past.bodies) {
       const std::string& name = body.bounded->name;
       if (name.compare(0, 4, "held") != 0 || !body.frame || body.incomplete) continue;
-      const Content* const content = sentAs(*body.object);
+      const SentContent* const content = sentAs(*body.object);
       ASSERT_NE(content, nullptr);
       if (content->follows()) continue;
       SCOPED_TRACE(name + " in ~stopping and ~earliest");
@@ -561,22 +562,22 @@ class JumpingScene {
   ros::SteadyTime steady_{1000};
   SceneFeed feed_{{[](const MeshUse&) {}, [] {}}, [this] { return steady_; }};
   std::shared_ptr<const Model> model_;
-  Step now_{100'000'000'000, 0, 0, 0, ""};
-  Edge edges_[4];
+  JumpingStep now_{100'000'000'000, 0, 0, 0, ""};
+  JumpingEdge edges_[4];
   int contents_ = 0;
-  std::vector<Sent> sent_;
-  std::vector<Step> steps_;
+  std::vector<SentMarker> sent_;
+  std::vector<JumpingStep> steps_;
   std::set<int> known_;  // sizes of contents that tf had in time
   std::deque<Copy> copies_;
-  Seen seen_;
+  JumpsSeen seen_;
 };
 
 TEST(ObjectJumps, AreNowhereWhereNobodySaidSo) {
-  Seen seen;
-  for (int run = 1; run <= repetitions(kRuns) && !testing::Test::HasFailure(); ++run) {
+  JumpsSeen seen;
+  for (int run = 1; run <= repetitions(kJumpRuns) && !testing::Test::HasFailure(); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     JumpingScene scene(static_cast<std::uint64_t>(run));
-    for (int step = 0; step < kSteps && !testing::Test::HasFailure(); ++step) {
+    for (int step = 0; step < kJumpSteps && !testing::Test::HasFailure(); ++step) {
       SCOPED_TRACE("step " + std::to_string(step));
       scene.step();
     }
@@ -587,7 +588,7 @@ TEST(ObjectJumps, AreNowhereWhereNobodySaidSo) {
             << seen.held << " held and " << seen.not_held << " not; " << seen.stopping
             << " held in ~stopping and ~earliest; " << seen.copied_over_a_jump
             << " copies over a jump\n";
-  const long runs = repetitions(kRuns);
+  const long runs = repetitions(kJumpRuns);
   EXPECT_GT(seen.of_another_era, runs);
   EXPECT_GT(seen.placed_late, runs);
   EXPECT_GT(seen.held, runs);
