@@ -59,8 +59,8 @@ bool isSame(const ObjectContent& a, const ObjectContent& b);
 struct ObjectPlacement {
   FrameTracker::Frame fixed_frame;  ///< of that time
   Eigen::Affine3d fixed_from_header;
-  bool is_earlier =
-      false;  ///< the object was sent again since, and stays there if tf knows no more
+  /// The object was sent again since, and stays there if tf knows no more.
+  bool is_earlier = false;
 };
 
 /// What is known of an object's stamp since the clock last jumped back: the later, the more.

@@ -94,9 +94,8 @@ bool tellSpeed(const std::vector<std::int64_t>& stamps, std::int64_t window) {
 
 std::string whyTooRare(const Joint& joint) {
   return "joint_states has joint \"" + joint.name +
-         "\" too rarely for ~velocity_window, or at other times than tf; raise ~velocity_window, "
-         "or "
-         "send it more often";
+         "\" too rarely for ~velocity_window, or at other times than tf; raise "
+         "~velocity_window, or send it more often";
 }
 
 /// How far a joint can be from where a report has it.
