@@ -73,16 +73,19 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
   return refresh(object, now) || is_new;
 }
 
-/// The same content. What was sent before the clock jumped back may also arrive after it.
+/// The same content. What was sent before the clock jumped back may also arrive after it. Where it
+/// is to be placed anew, it counts as another content: it was not at that place before.
 bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   if (object.stamp_time > StampTime::kOutside) return false;
   const StampTime stamp_time = stampTime(object, true);
   if (stamp_time == StampTime::kOutside) return false;
   object.stamp_time = stamp_time;
-  if (object.placement)
+  if (object.placement) {
     object.placement->is_earlier = true;
-  else
+    object.content = std::make_shared<const ObjectContent>(*object.content);
+  } else {
     object.stamp = object.content->stamp;
+  }
   return refresh(object, now);
 }
 
