@@ -342,6 +342,98 @@ class PostTest(BagBoundsTest):
                                             code=code, err='' if others else 'no message on')
                         self.assertEqual(len(found['distances']), code == UNDERCUT)
 
+    def test_an_object_that_was_deleted_while_a_body_paused(self):
+        """The slow one passed through it before, as its next transform shows."""
+        self.plates('slow', 'fast')
+        gone = Marker(ns='post', action=Marker.DELETE)
+        for last, timeout, deleted, code in ((8, 0, 2, UNDERCUT), (8, 9, 2, UNDERCUT), (8, 0, .5, 0),
+                                             (14, 0, 2, INCOMPLETE)):
+            steps = [(0, {'slow': -1, 'fast': 50})]
+            steps += [(i / 2, {'fast': 50}) for i in range(1, 2 * last)]
+            messages = self.plate_messages(*steps, (last, {'slow': last - 1, 'fast': 50}))
+            messages += [marker(0, 0, .02), ('/objects', gone, time_of(BEGIN + deleted))]
+            messages.sort(key=lambda message: message[2])
+            with self.subTest(last=last, timeout=timeout, deleted=deleted):
+                self.report(self.bag(messages), '--distances', '.01', '--objects', '/objects',
+                            '--timeout', str(timeout), '--ignore-pairs', 'slow fast', code=code,
+                            err='' if code != INCOMPLETE else 'not decided, the first of slow and post')
+
+    def test_a_body_that_swings_away_and_back_while_its_own_transform_pauses(self):
+        """Its place is the same before and after, but what carries it meets the other one."""
+        self.plates('tool', 'fast')
+        for place, last, code in (1, 8, UNDERCUT), (2, 8, 0), (1, 14, INCOMPLETE):
+            steps = [(i / 2, {'cart': 1 if i == 4 else 0, 'fast': place}) for i in range(2 * last)]
+            messages = self.plate_messages(*steps)
+            for stamp in 0, last:
+                edge = transform('cart', 'tool', time_of(BEGIN + stamp), (0, 0, 0))
+                messages.append(('/tf', TFMessage([edge]), time_of(BEGIN + stamp)))
+            messages += self.plate_messages((last, {'cart': 0, 'fast': place}))
+            messages.sort(key=lambda message: message[2])
+            with self.subTest(place=place, last=last):
+                self.report(self.bag(messages), '--distances', '.01', '--timeout', '0', code=code,
+                            err='not decided' if code == INCOMPLETE else '')
+
+    def test_two_bodies_that_pause(self):
+        """One of them passes through the other, as its next transform shows."""
+        self.plates('rests', 'pauses', 'fast')
+        for rests in [], [(9, {'rests': 0})], [(8, {'rests': 0})]:
+            for last, code in (1, UNDERCUT), (-.5, 0):
+                fast = [(i / 2, {'fast': 50}) for i in range(20)]
+                steps = [(0, {'rests': 0, 'pauses': -1}), (8, {'pauses': last})]
+                messages = sorted(self.plate_messages(*steps, *rests, *fast), key=lambda m: m[2])
+                with self.subTest(rests=rests, last=last):
+                    self.report(self.bag(messages), '--distances', '.01', '--timeout', '0',
+                                code=code)
+
+    def test_a_body_that_pauses_and_then_is_late(self):
+        """The fast one passes through its new place, at a time that was looked at beside its old
+        place."""
+        self.plates('slow', 'fast')
+        for passes, code in (9, UNDERCUT), (8, 0):
+            fast = [(i / 2, {'fast': passes - 7 if i == 8 else -1}) for i in range(18)]
+            slow = [(0, {'slow': 50}), (3, {'slow': 1.5}, 6), (8, {'slow': 1.5})]
+            messages = sorted(self.plate_messages(*slow, *fast), key=lambda m: m[2])
+            with self.subTest(passes=passes):
+                self.report(self.bag(messages), '--distances', '.01', '--timeout', '0', code=code)
+
+    def test_a_motion_of_which_tf_has_forgotten_the_other_body(self):
+        """The slow one moves by 1 m. While tf forgets, the other one, which stood 4 cm beside its
+        place, is far away."""
+        self.plates('slow', 'fast')
+        for recorded, last, code in (11, 46, INCOMPLETE), (9.9, 46, UNDERCUT), (9.9, 20, 0):
+            slow = self.plate_messages((0, {'slow': 0}), (9.8, {'slow': 1}, recorded))
+            fast = self.plate_messages(*[(i / 100, {'fast': .05})
+                                         for i in range(round(100 * recorded) + 1)])
+            for _, message, _ in fast[last + 1:]:
+                message.transforms[0].transform.translation.y = 100
+            messages = sorted(slow + fast, key=lambda m: m[2])
+            with self.subTest(recorded=recorded, last=last):
+                self.report(self.bag(messages), '--distances', '.01', '--timeout', '0', code=code,
+                            err='not decided, .*tf knows frame "fast" only from'
+                            if code == INCOMPLETE else '')
+
+    def test_a_marker_that_is_placed_anew_after_a_jump_of_the_clock(self):
+        """It is sent again unchanged. The plate passes through its new place before tf says where
+        that is."""
+        self.plates('slow', 'fast')
+        gate = self.write('gate.yaml', zone_text('gate', [-.1, -1, -1], [.1, 1, 1], 'fast'))
+        first = [(i / 10, {'slow': -20, 'fast': -1}) for i in range(50)]
+        again = [(0, {'slow': 5, 'fast': -1}), (.1, {'slow': 5, 'fast': -1}), (.18, {'fast': -.2}),
+                 (.22, {'fast': .2}), (.3, {'slow': 5, 'fast': 1})]
+        for stamp, code in (.12, UNDERCUT), (.25, 0):
+            topic, post, _ = marker(-5, 0, .02, 'slow', stamp)
+            messages = []
+            for steps in first, again:
+                sent = (topic, post, time_of(BEGIN + .15))
+                messages += sorted([sent] + self.plate_messages(*steps), key=lambda m: m[2])
+            with self.subTest(stamp=stamp):
+                bag = self.bag(messages)
+                self.report(bag, '--distances', '.01', '--objects', '/objects', code=code,
+                            err='jumped back')
+                stays = self.report(bag, '--zones', gate, '--objects', '/objects', code=ENTERED,
+                                    err='jumped back')['zones'][0]['stays']
+                self.assertEqual('post/0' in {stay['name'] for stay in stays}, code != 0)
+
     def test_a_marker_that_waits_for_tf_is_there_since_its_stamp(self):
         """The plate passes through its place before tf says where that is."""
         self.plates('slow', 'fast')

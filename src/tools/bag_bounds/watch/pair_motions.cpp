@@ -133,29 +133,23 @@ struct RestTimes {
 }  // namespace
 
 void PairMotions::remember(const Scene& scene) {
-  const std::vector<BoxState>& states = scene.links.states();
   const double timeout = scene.model()->parameters.timeout;
-  early_.resize(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!states[i].box) continue;
-    Early& early = early_[i];
-    const std::int64_t before = std::exchange(early.stamp, states[i].stamp);
-    if (before == 0 || !isMotion(early.stamp - before, timeout)) early.since = early.stamp;
-  }
-}
-
-void PairMotions::takeEarlyStamps() {
-  for (std::size_t i = 0; i < early_.size(); ++i) {
-    const auto [stamp, since] = early_[i];
-    if (stamp != 0) known_.emplace(BodyKey(i), Known{stamp, since, kNoPass, 0, true, stamp});
-  }
-  early_.clear();
+  scene.forEach([&](const SceneBody& body) {
+    const std::int64_t stamp = body.state.stamp;
+    if (!body.state.box || stamp == 0) return;
+    const auto& object = scene.boxSource(body).object;
+    if (object && !object->follows()) return;
+    const auto [known, is_new] = known_.try_emplace(BodyKey(body.link, object));
+    const Known before = known->second;
+    const bool goes_on = !is_new && isMotion(stamp - before.stamp, timeout);
+    known->second = {stamp, goes_on ? before.since : stamp, kNoPass, 0, true, stamp};
+  });
 }
 
 /// Of the last moment. Those that were gone before stay while they are needed. One that was
 /// replaced stands until the stamp of the new one, which may be ahead of the recorder.
 void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
-  const std::size_t count = moment_ ? moment_->bodies.size() - gone_.size() : 0;
+  const std::size_t count = moment_ ? moment_->bodies.size() - needed_gone_ : 0;
   std::set<const ObjectContent*> present;
   std::map<std::string, std::int64_t> stamps;
   for (std::size_t i = 0; i < count; ++i) {
@@ -172,39 +166,57 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
     const std::int64_t until = std::max(now, stamps[moment_->name(body)]);
     gone_.push_back({body, means.bodies.sharedBody(i), until});
   }
-  if (!gone_.empty()) forgetGone();
+  if (!gone_.empty()) forgetGone(moment.model->parameters.timeout);
 }
 
 /// When no motion can begin before they were deleted. Where the clocks of stamps and of the
-/// recorder differ, a deletion may seem to be much later.
-void PairMotions::forgetGone() {
+/// recorder differ, a deletion may seem to be much later. What goes on after a longer pause than tf
+/// remembers is not known beside any of them: the last one is enough to say so.
+void PairMotions::forgetGone(double timeout) {
   std::int64_t newest = 0;
   for (const auto& [key, known] : known_) {
     if (known.moves) newest = std::max(newest, known.stamp);
   }
   std::int64_t oldest = newest;
   for (const auto& [key, known] : known_) {
-    if (known.moves && newest - known.stamp < kLongestRest) oldest = std::min(oldest, known.stamp);
+    const std::int64_t silence = newest - known.stamp;
+    if (known.moves && (silence < kLongestRest || isMotion(silence, timeout)))
+      oldest = std::min(oldest, known.stamp);
   }
-  for (Gone& gone : gone_)
+  std::int64_t last = 0;
+  for (Gone& gone : gone_) {
     gone.until = std::min(gone.until, newest + kLongestRest);
+    last = std::max(last, gone.until);
+  }
   const auto is_over = [&](const Gone& gone) {
-    return newest == 0 || oldest >= gone.until || newest - gone.until > kLongestRest;
+    const bool is_known = newest - gone.until <= EdgeHistory::kLength;
+    return newest == 0 || oldest >= gone.until || (!is_known && gone.until != last);
   };
   gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_over), gone_.end());
 }
 
-MomentPtr PairMotions::withGone(const MomentPtr& moment) const {
+/// With those that were there when a motion began that ends now.
+MomentPtr PairMotions::withGone(const MomentPtr& moment) {
+  needed_gone_ = 0;
   if (gone_.empty()) return moment;
+  std::int64_t earliest = MovedBody::kForEver;
+  for (const Moment::Body& body : moment->bodies) {
+    const auto known = known_.find(BodyKey(body));
+    if (known != known_.end() && known->second.moves && known->second.stamp != body.stamp)
+      earliest = std::min(earliest, known->second.stamp);
+  }
+  const auto others = std::partition(gone_.begin(), gone_.end(),
+                                     [=](const Gone& gone) { return earliest < gone.until; });
+  needed_gone_ = static_cast<std::size_t>(others - gone_.begin());
+  if (needed_gone_ == 0) return moment;
   auto all = std::make_shared<Moment>(*moment);
-  for (const Gone& gone : gone_)
-    all->bodies.push_back(gone.seen);
+  for (auto gone = gone_.begin(); gone != others; ++gone)
+    all->bodies.push_back(gone->seen);
   return all;
 }
 
 void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means& means) {
   ++pass_;
-  takeEarlyStamps();
   findGone(*present, now, means);
   const MomentPtr moment = withGone(present);
   last_ = std::exchange(moment_, moment);
@@ -215,7 +227,7 @@ void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means&
     mover.since = mover.end;
     movers_.push_back(mover);
   }
-  for (std::size_t i = 0; i < gone_.size(); ++i) {
+  for (std::size_t i = 0; i < needed_gone_; ++i) {
     MovedBody& mover = movers_[present->bodies.size() + i];
     mover.body = gone_[i].body.get();
     mover.until = gone_[i].until;
@@ -247,8 +259,8 @@ void PairMotions::finish(const Means& means) {
   if (last_) lookAtRests(std::exchange(movers_, {}), means);
   moment_.reset();
   gone_.clear();
+  needed_gone_ = 0;
   known_.clear();
-  early_.clear();
 }
 
 /// Pairs that were within the limit before they moved that far, in all.
@@ -262,10 +274,12 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
 }
 
 /// Remembers the stamps of this moment for the next ones. Says of the movers of the last moment
-/// which of them go on. A body that does not move always does.
+/// which of them go on. A body that does not move always does. What moves on from a stamp was not
+/// looked at beside those at rest since then.
 void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_movers) {
   const double timeout = moment.model->parameters.timeout;
   const RestTimes rests(last_movers);
+  std::int64_t earliest = 0;  // begin of a motion that ends now
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
@@ -284,16 +298,14 @@ void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_
     if (!mover.was_there) continue;
     mover.since = known->second.since = before.since;
     mover.reported = known->second.reported = before.reported;
-    mover.rested = known->second.rested = before.rested;
+    if (passed > 0) earliest = olderStamp(earliest, mover.begin);
     if (before.pass + 1 != pass_) continue;
     MovedBody& last = last_movers[before.place];
     last.goes_on = last.end == 0 || !rests.isLong(last);
-    if (!last.goes_on) mover.rested = known->second.rested = rests.end;
-    const bool has_rested =
-        last_->bodies[before.place].frame_from_body.matrix() == body.frame_from_body.matrix();
-    if (passed > 0 && has_rested && mover.rested > mover.begin)
-      mover.since = known->second.since = std::max(mover.since, mover.rested);
+    if (passed == 0) mover.rested = last.goes_on ? last.rested : rests.end;
   }
+  for (MovedBody& mover : movers_)
+    if (earliest != 0) mover.rested = std::min(mover.rested, earliest);
 }
 
 void PairMotions::forgetObjects() {
@@ -303,22 +315,24 @@ void PairMotions::forgetObjects() {
   }
 }
 
-/// Of a pair, the motion is looked at that begins where the one of the older stamps was.
+/// Of a pair, the motion is looked at that begins where the one of the older stamps was; of what is
+/// placed now, as far as tf remembers.
 void PairMotions::findWays(const TransformBuffer& tf, Frame fixed) {
   WayBound& ways = ways_.try_emplace(fixed, *edges_, fixed).first->second;
-  std::int64_t earliest = 0;  // begin of a motion that is looked at; 0: none
+  std::int64_t moved = MovedBody::kForEver;   // begin of a motion that ends now
+  std::int64_t placed = MovedBody::kForEver;  // first stamp of what is placed now
   for (const MovedBody& mover : movers_) {
-    if (mover.is_placed_now) earliest = olderStamp(earliest, mover.since);
-    if (mover.was_there && mover.begin < mover.end && (earliest == 0 || mover.begin < earliest))
-      earliest = mover.begin;
+    if (mover.is_placed_now) placed = std::min(placed, mover.since);
+    if (mover.was_there && mover.begin < mover.end) moved = std::min(moved, mover.begin);
   }
-  if (earliest == 0) return;
+  if (std::min(moved, placed) == MovedBody::kForEver) return;
   for (MovedBody& mover : movers_) {
-    std::int64_t begin = std::max(std::min(earliest, mover.begin), mover.since);
-    if (begin < mover.begin)
-      begin = std::min(mover.begin, std::max(begin, oldestKnown(tf, fixed, mover.frame)));
-    if (mover.was_there && begin != 0 && begin < mover.end)
-      mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
+    if (!mover.was_there || mover.end == 0) continue;
+    std::int64_t begin = std::min(moved, mover.begin);
+    if (placed < begin)
+      begin = std::min(begin, std::max(placed, oldestKnown(tf, fixed, mover.frame)));
+    begin = std::max(begin, mover.since);
+    if (begin < mover.end) mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
   }
 }
 
@@ -369,11 +383,11 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
 void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means& means) {
   std::int64_t oldest = 0;
   for (const MovedBody& mover : movers)
-    oldest = olderStamp(oldest, mover.end);
+    oldest = olderStamp(oldest, std::max(mover.end, mover.rested));
   std::int64_t begin = 0;  // no motion that is looked at begins earlier
   for (const MovedBody& mover : movers) {
     if (mover.end != 0 && !mover.goes_on)
-      begin = olderStamp(begin, std::max({mover.since, mover.rested, mover.reported, oldest}));
+      begin = olderStamp(begin, std::max({mover.since, mover.reported, oldest}));
   }
   if (begin == 0) return;
   const Frame fixed = *means.tf.find(last_->model->fixed_frame);
@@ -395,13 +409,14 @@ void PairMotions::lookAtRests(const std::vector<MovedBody>& movers, const Means&
 void PairMotions::lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second,
                              const Means& means) {
   if ((first.goes_on && second.goes_on) || first.end == 0 || second.end == 0) return;
-  const MotionSpan span{std::max({std::min(first.end, second.end), first.since, second.since,
-                                  first.rested, second.rested, first.reported, second.reported}),
+  const bool is_first_older = first.end < second.end;
+  const MovedBody& older = is_first_older ? first : second;
+  const MotionSpan span{std::max({older.end, older.rested, first.since, second.since,
+                                  first.reported, second.reported}),
                         std::max(first.end, second.end)};
   if (span.begin >= span.end) return;
   const std::optional<double> wanted = means.handlers.wanted(*last_, pair);
   if (!wanted) return;
-  const bool is_first_older = first.end < second.end;
   stand(is_first_older ? first : second, *means.tf.find(last_->model->fixed_frame),
         last_->bodies[is_first_older ? pair.first : pair.second].frame_from_body);
   Lease lease;

@@ -79,8 +79,8 @@ class PairMotions {
     const Handlers& handlers;
   };
 
-  /// To be called before the first moment when boxes change: their links move from there, also
-  /// those that are lost when it begins.
+  /// To be called before the first moment when boxes change: links, and objects that follow a
+  /// frame, move from there, also those that are lost when it begins.
   void remember(const Scene& scene);
 
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
@@ -113,9 +113,10 @@ class PairMotions {
     std::size_t link;
     std::weak_ptr<const ObjectContent> object;
 
-    explicit BodyKey(const Moment::Body& body)
-        : link(body.link ? *body.link + 1 : 0), object(body.object) {}
-    explicit BodyKey(std::size_t index_of_link) : link(index_of_link + 1) {}
+    BodyKey(std::optional<std::size_t> index_of_link,
+            const std::shared_ptr<const ObjectContent>& content)
+        : link(index_of_link ? *index_of_link + 1 : 0), object(content) {}
+    explicit BodyKey(const Moment::Body& body) : BodyKey(body.link, body.object) {}
     bool operator<(const BodyKey& other) const {
       return link != other.link ? link < other.link : object.owner_before(other.object);
     }
@@ -130,13 +131,6 @@ class PairMotions {
     std::size_t place;   ///< among its bodies
     bool moves;
     std::int64_t reported = 0;  ///< as of MovedBody
-    std::int64_t rested = 0;    ///< likewise
-  };
-
-  /// Of a link before the first moment.
-  struct Early {
-    std::int64_t stamp = 0;  ///< the last one; 0: none
-    std::int64_t since = 0;  ///< its motion is known from this stamp on
   };
 
   /// An object at rest that is gone, while stamps of others are older than that.
@@ -147,9 +141,8 @@ class PairMotions {
   };
 
   void findGone(const Moment& moment, std::int64_t now, const Means& means);
-  void forgetGone();
-  MomentPtr withGone(const MomentPtr& moment) const;
-  void takeEarlyStamps();
+  void forgetGone(double timeout);
+  MomentPtr withGone(const MomentPtr& moment);
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
   void findWays(const TransformBuffer& tf, Frame fixed);
@@ -166,10 +159,10 @@ class PairMotions {
 
   MomentPtr moment_;
   MomentPtr last_;
-  std::vector<Gone> gone_;                                     ///< the last bodies of the moment
-  std::vector<MovedBody> movers_;                              ///< of the bodies of the moment
-  std::vector<Early> early_;                                   ///< by link
-  std::map<BodyKey, Known> known_;                             ///< while the bodies exist
+  std::vector<Gone> gone_;
+  std::size_t needed_gone_ = 0;     ///< so many of them are the last bodies of the moment
+  std::vector<MovedBody> movers_;   ///< of the bodies of the moment
+  std::map<BodyKey, Known> known_;  ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                             ///< by target
