@@ -497,12 +497,14 @@ class PostTest(BagBoundsTest):
         self.plates('fast')
         gate = self.write('gate.yaml', zone_text('gate', [-.1, -1, -1], [.1, 1, 1], 'fast'))
         messages = self.plate_messages(*[(i / 10, {'fast': -1 if i < 10 else 1}) for i in range(20)])
+        gone = Marker(ns='post', action=Marker.DELETE)
         for stamp, count in (.95, 1), (.94, 0), (1.35, 1):
-            for others in (), (stamp + .01, stamp + .02):
+            for others, deleted in ((), ()), ((stamp + .01, stamp + .02), ()), ((), (stamp + .01,)):
                 posts = [(0, .1)] + [(5 + i, other) for i, other in enumerate((stamp,) + others)]
                 posts = [marker(x, 0, .02, 'base', at)[:2] + (time_of(BEGIN + at),) for x, at in posts]
+                posts += [('/objects', gone, time_of(BEGIN + at)) for at in deleted]
                 bag = self.bag(sorted(messages + posts, key=lambda message: message[2]))
-                with self.subTest(stamp=stamp, others=others):
+                with self.subTest(stamp=stamp, others=others, deleted=deleted):
                     stays = self.report(bag, '--zones', gate, '--objects', '/objects',
                                         code=ENTERED)['zones'][0]['stays']
                     self.assertEqual(len([s for s in stays if s['name'] == 'post/0']), count, stays)
@@ -570,6 +572,36 @@ class PostTest(BagBoundsTest):
                 self.zone(messages, '--start', start, '--timeout', '10', '--objects', '/objects',
                           code=code,
                           text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1], 'cart'))
+
+    def test_record_times_that_step_back_across_the_start(self):
+        """What such a message moves is looked at in the report, which has begun."""
+        self.plates('fast')
+        for name in '', 'cart':
+            steps = [(i / 10, {'fast': -1, 'cart': 0}) for i in range(11)]
+            steps += [(1.05, {'fast': 1, 'cart': 0}, .98), (1.1, {'fast': 1, 'cart': 0})]
+            with self.subTest(frame=name):
+                self.zone(self.plate_messages(*steps), '--start', '1', code=ENTERED,
+                          err='leave out --start',
+                          text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1], name))
+
+    def test_a_marker_on_a_link_that_moves_at_the_start(self):
+        """It moves as that does, also where that becomes known after a stall."""
+        self.plates('slow', 'fast')
+        post = marker(0, 5, .02, 'fast')
+        even = [(0, {'slow': 0, 'fast': -1}), (.1, {'slow': 0, 'fast': -1}),
+                (.6, {'slow': 0, 'fast': 1})]
+        stalled = even[:2] + [(.6, {'slow': 0, 'fast': 1}, 4)]
+        for steps, starts in (even, ((.3, ENTERED), (.7, 0))), (stalled, ((3, ENTERED), (4.1, 0))):
+            later = .6 if steps is even else 4
+            steps = steps + [(later + i / 2, {'slow': 0, 'fast': 1}) for i in range(1, 4)]
+            bag = self.bag([post] + self.plate_messages(*steps))
+            for name in '', 'slow':
+                text = zone_text('gate', [-.3, 4.9, -1], [.3, 5.1, 1], name)
+                zones = self.write('zones.yaml', text)
+                for start, code in starts:
+                    with self.subTest(start=start, frame=name):
+                        self.report(bag, '--zones', zones, '--objects', '/objects', '--start',
+                                    str(start), '--min-coverage', '0', code=code)
 
     def test_a_link_that_leaves_a_zone_while_tf_stalls_at_the_start(self):
         self.plates('fast')

@@ -92,13 +92,20 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
 
 void BodyMotions::remember() {
   scene_.forEach([this](const SceneBody& body) {
-    const FrameView::Placed placed =
-        body.link ? (view_ ? view_->placed(body) : placedInScene(body)) : FrameView::Placed();
-    if (!placed.state.box) return;
-    last_links_[*body.link].stamp = placed.pose_stamp;
-    last_links_[*body.link].box = *placed.state.box;
-    last_links_[*body.link].is_new = true;
+    if (!body.state.box) return;
+    const BoxSource source = scene_.boxSource(body);
+    const FrameView::Placed placed = placedIn(body);
+    if (source.frame_from_body || !placed.state.box) return;
+    Last& last = lastOf(body);
+    last.stamp = placed.pose_stamp;
+    last.box = *placed.state.box;
+    last.is_new = true;
+    last.object = source.object;
   });
+}
+
+FrameView::Placed BodyMotions::placedIn(const SceneBody& body) {
+  return view_ ? view_->placed(body) : placedInScene(body);
 }
 
 /// In the scene's own frame a body that does not follow another one stands.
@@ -108,8 +115,9 @@ FrameView::Placed BodyMotions::placedInScene(const SceneBody& body) const {
   return {body.state, moves ? body.object->header.pose().stamp : 0};
 }
 
-BodyMotions::Last& BodyMotions::lastOf(const ObjectKey& key) {
-  const auto [entry, is_new] = last_objects_.try_emplace(key);
+BodyMotions::Last& BodyMotions::lastOf(const SceneBody& body) {
+  if (body.link) return last_links_[*body.link];
+  const auto [entry, is_new] = last_objects_.try_emplace(*body.key);
   if (is_new) entry->second.number = ++last_number_;
   entry->second.seen = pass_;
   return entry->second;
@@ -169,13 +177,16 @@ const BodyMotion& BodyMotions::rest(Last& last, const SceneBody& body) {
   return motion_;
 }
 
-/// Forgets those whose stand is over, or whose view was lost.
-void BodyMotions::noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed) {
+/// Whose stand is over, or whose view was lost.
+void BodyMotions::forgetFormers(Last& last) const {
   const auto is_over = [this](const Former& former) {
     return former.stamp >= former.until || former.stamp < view_since_;
   };
   last.formers.erase(std::remove_if(last.formers.begin(), last.formers.end(), is_over),
                      last.formers.end());
+}
+
+void BodyMotions::noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed) {
   if (!last.place || !placed.state.box || last.stamp == 0 || last.stamp < view_since_) return;
   const BoxSource source = scene_.boxSource(body);
   if (source.object == last.object || source.object->follows()) return;
@@ -231,12 +242,6 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
   last.object = source.object;
   last.place = source.frame_from_body ? std::optional(*source.frame_from_body) : std::nullopt;
   return has_moved ? &motion_ : nullptr;
-}
-
-void BodyMotions::forgetObjects() {
-  if (last_objects_.size() == scene_.objects.objects().size()) return;
-  for (auto last = last_objects_.begin(); last != last_objects_.end();)
-    last = last->second.seen == pass_ ? std::next(last) : last_objects_.erase(last);
 }
 
 }  // namespace link_bounds

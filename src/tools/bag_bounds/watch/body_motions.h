@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -88,8 +89,8 @@ class BodyMotions {
   /// this.
   BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
-  /// To be called before the first forEach() when boxes change: their links move from there, also
-  /// those that are lost when it begins.
+  /// To be called before the first forEach() when boxes change: links, and objects that follow a
+  /// frame, move from there, also those that are lost when it begins.
   void remember();
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
@@ -101,26 +102,23 @@ class BodyMotions {
     ++pass_;
     followView();
     scene_.forEach([&](const SceneBody& body) {
-      const FrameView::Placed placed = view_ ? view_->placed(body) : placedInScene(body);
-      Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      const FrameView::Placed placed = placedIn(body);
+      Last& last = lastOf(body);
       const bool goes_on = placed.state.box && isMotion(last, placed.pose_stamp);
       if (!goes_on && hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
       noteReplaced(last, body, placed);
-      for (Former& former : last.formers) {
-        if (const BodyMotion* until_replaced = untilReplaced(former))
-          visit_rest(last.number, body.name, *until_replaced);
-      }
+      visitFormers(last, visit_rest);
       const BodyMotion* motion = next(last, body, placed);
       visit(last.number, body.name, placed.state, motion);
     });
-    forgetObjects();
+    forgetObjects(visit_rest);
   }
 
   /// All motions are over: calls visit_rest as above. To be called before tf forgets.
   template <class VisitRest>
   void finish(VisitRest&& visit_rest) {
     scene_.forEach([&](const SceneBody& body) {
-      Last& last = body.link ? last_links_[*body.link] : lastOf(*body.key);
+      Last& last = lastOf(body);
       if (hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
     });
     view_stamp_ = 0;
@@ -153,19 +151,51 @@ class BodyMotions {
     std::vector<Former> formers;
     BodyNumber number = 0;
     std::uint64_t seen = 0;  ///< pass
+
+    /// All but what was replaced before.
+    void forget() {
+      stamp = ahead = 0;
+      object.reset();
+      place.reset();
+    }
   };
 
+  FrameView::Placed placedIn(const SceneBody& body);
   FrameView::Placed placedInScene(const SceneBody& body) const;
-  Last& lastOf(const ObjectKey& key);
+  Last& lastOf(const SceneBody& body);
   bool isMotion(const Last& last, std::int64_t stamp) const;
   void followView();
   void standSinceStamp(Last& last, const BoxSource& source) const;
   bool hasRest(const Last& last, const SceneBody& body) const;
   const BodyMotion& rest(Last& last, const SceneBody& body);
   void noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed);
+  void forgetFormers(Last& last) const;
   const BodyMotion* untilReplaced(Former& former);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
-  void forgetObjects();
+
+  template <class VisitRest>
+  void visitFormers(Last& last, VisitRest& visit_rest) {
+    forgetFormers(last);
+    for (Former& former : last.formers) {
+      if (const BodyMotion* motion = untilReplaced(former))
+        visit_rest(last.number, former.object->bounded.name, *motion);
+    }
+  }
+
+  /// What was replaced by one of them stands until its stamp nevertheless.
+  template <class VisitRest>
+  void forgetObjects(VisitRest& visit_rest) {
+    if (last_objects_.size() == scene_.objects.objects().size()) return;
+    for (auto entry = last_objects_.begin(); entry != last_objects_.end();) {
+      Last& last = entry->second;
+      const bool is_gone = last.seen != pass_;
+      if (is_gone) {
+        last.forget();
+        visitFormers(last, visit_rest);
+      }
+      entry = is_gone && last.formers.empty() ? last_objects_.erase(entry) : std::next(entry);
+    }
+  }
 
   Scene& scene_;
   FrameView* view_;

@@ -69,7 +69,7 @@ void ZoneWatch::onNews(std::int64_t now, bool is_reported) {
 void ZoneWatch::compareOrRemember(Group& group, std::int64_t now, bool is_reported) {
   if (is_reported) {
     compare(group, now);
-  } else {
+  } else if (comparisons_ == 0) {
     group.motions.remember();
   }
 }
