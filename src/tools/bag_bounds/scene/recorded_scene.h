@@ -11,6 +11,7 @@
 
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/scene/joint_transforms.h"
+#include "tools/bag_bounds/scene/record_time.h"
 #include "world/bodies/scene_feed.h"
 #include "world/model/model.h"
 
