@@ -695,6 +695,8 @@ class PostTest(BagBoundsTest):
         self.check_plates((0, {'fast': -1}), (.05, {'slow': 0}), (.1, {'fast': -1}),
                           (.2, {'slow': 0, 'fast': -1}), code=0)
 
+        hand, = [box for box in self.report(self.path('arms.bag'))['extremes'] if 'min' in box]
+        self.assertEqual(set(hand['min_stamp'] + hand['max_stamp']), {0, 1})
     def test_a_parent_that_changes_is_undecided(self):
         """tf knows no way between two parents."""
         other = [transform('base', 'cart', time_of(0)), transform('base', 'table', time_of(0))]

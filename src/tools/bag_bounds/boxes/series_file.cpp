@@ -28,7 +28,7 @@ void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances,
   const double timeout = scene.model()->parameters.timeout;
   scene.forEach([&](const SceneBody& body) { addBox(body.name, body.state, time, timeout); });
   for (const Distance& distance : distances) {
-    out_ << time << ',' << exactSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
+    out_ << time << ',' << stampSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
          << csvField(distance.first) << ',' << csvField(distance.second) << ",,,,,,,"
          << exactNumber(distance.distance) << ",\n";
   }
@@ -51,7 +51,7 @@ void SeriesFile::addBox(const std::string& name, const BoxState& state, const st
   last.has_box = has_box;
   last.stamp = state.stamp;
   if (has_box) last.box = *state.box;
-  out_ << time << ',' << (has_box ? exactSeconds(state.stamp) : "") << ',' << csvField(name) << ',';
+  out_ << time << ',' << (has_box ? stampSeconds(state.stamp) : "") << ',' << csvField(name) << ',';
   for (int k = 0; k < 6; ++k) {
     out_ << ',';
     if (has_box) out_ << exactNumber(k < 3 ? state.box->min()[k] : state.box->max()[k - 3]);

@@ -200,7 +200,7 @@ class Writer {
                 std::optional<double> value, const RecordTime& when) const {
     out_ << kind << ',' << csvField(name) << ',' << csvField(other) << ','
          << (value ? exactNumber(*value) : "") << ',' << time(when.recorded) << ','
-         << exactSeconds(when.stamp) << '\n';
+         << stampSeconds(when.stamp) << '\n';
   }
 
   const BagReport& report_;

@@ -94,12 +94,12 @@ class JsonWriter {
   std::string time(std::int64_t recorded) const { return exactSeconds(recorded - report_.begin); }
 
   std::string when(const RecordTime& moment) const {
-    return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + exactSeconds(moment.stamp);
+    return "\"time\": " + time(moment.recorded) + ", \"stamp\": " + stampSeconds(moment.stamp);
   }
 
   /// The other end of the interval in which it happened.
   static std::string after(const std::optional<std::int64_t>& stamp) {
-    return stamp ? ", \"after\": " + exactSeconds(*stamp) : "";
+    return stamp ? ", \"after\": " + stampSeconds(*stamp) : "";
   }
 
   /// Three arrays: values, times and stamps.
@@ -109,7 +109,7 @@ class JsonWriter {
       const char* comma = values.empty() ? "" : ", ";
       values += comma + exactNumber(extreme.value);
       times += comma + time(extreme.when.recorded);
-      stamps += comma + exactSeconds(extreme.when.stamp);
+      stamps += comma + stampSeconds(extreme.when.stamp);
     }
     return jsonString(key) + ": [" + values + "], " + jsonString(key + "_time") + ": [" + times +
            "], " + jsonString(key + "_stamp") + ": [" + stamps + "]";

@@ -21,6 +21,10 @@ std::string exactSeconds(std::int64_t nanoseconds) {
   return text;
 }
 
+std::string stampSeconds(std::int64_t stamp) {
+  return exactSeconds(toRosTime(stamp) == kStampOfZero ? 0 : stamp);
+}
+
 std::string shortSeconds(std::int64_t time, std::int64_t begin) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3f", static_cast<double>(time - begin) / kSecond);
