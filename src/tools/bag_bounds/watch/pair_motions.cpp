@@ -4,27 +4,18 @@
 #include "tools/bag_bounds/watch/pair_motions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
-#include "tools/bag_bounds/watch/zone_search.h"
-#include "world/history/motion_walk.h"
 #include "world/history/swept_box.h"
 
 namespace link_bounds {
 namespace {
 
-constexpr int kMaxPosesOfPair = 5'000;      // of one motion: some 100 ms
-constexpr std::size_t kMaxSteps = 100'000;  // as in scene_distances.cpp
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-Eigen::Affine3d with(const Eigen::Affine3d& pose, const Eigen::Affine3d* offset) {
-  return offset ? pose * *offset : pose;
-}
 
 /// From one stamp to another one, so much later [ns].
 bool isMotion(std::int64_t passed, double timeout) {
@@ -36,78 +27,6 @@ void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d&
   body.offset = &pose;
   body.radius = pose.translation().norm() + pose.linear().norm() * body.radius;
 }
-
-std::optional<BodyDistance> measure(const MovedBody& first, const Eigen::Affine3d& first_pose,
-                                    const MovedBody& second, const Eigen::Affine3d& second_pose,
-                                    double limit) {
-  return bodyDistance(*first.body, with(first_pose, first.offset), *second.body,
-                      with(second_pose, second.offset), {kPairAccuracy / 10, limit, kMaxSteps});
-}
-
-/// Halves the time until the way of a piece is shorter than the distances at its ends allow.
-class PairMotionSearch {
- public:
-  struct Made {
-    Eigen::Affine3d pose;
-    double distance;
-  };
-  using Placed = BodyAtTime<Made>;
-
-  PairMotionSearch(const MovedBody& first, const MovedBody& second, double wanted, double limit)
-      : first_(first), second_(second), wanted_(wanted), limit_(limit) {}
-
-  std::optional<Made> make(std::int64_t time, const Eigen::Affine3d& first_from_second) {
-    ++poses_;
-    const auto found =
-        measure(first_, Eigen::Affine3d::Identity(), second_, first_from_second, kInfinite);
-    if (!found) return std::nullopt;
-    if (found->lower < nearest_) {
-      nearest_ = found->lower;
-      stamp_ = time;
-    }
-    return Made{first_from_second, found->lower};
-  }
-
-  /// Of a point at a distance of r from the origin, the chord is at most the origin's and r times
-  /// that of the rotation, which is its Frobenius norm over the root of 2.
-  bool isCovered(const Placed& from, const Placed& to, const Bulge& bulge) {
-    const Eigen::Affine3d& a = from.made->pose;
-    const Eigen::Affine3d& b = to.made->pose;
-    const double chord = (b.translation() - a.translation()).norm() +
-                         0.70711 * (b.linear() - a.linear()).norm() * second_.radius;
-    const double clearance =
-        (from.made->distance + to.made->distance - chord) / 2 - bulge.smooth - bulge.jump;
-    const bool is_clear = clearance > wanted();
-    // In contact there is nothing more to find.
-    if (!is_clear && nearest_ > 0 && to.time - from.time > kTimeResolution &&
-        poses_ < kMaxPosesOfPair)
-      return false;
-    is_undecided_ |= !is_clear && nearest_ > 0;
-    clearance_ = std::min(clearance_, std::max(clearance, 0.0));
-    return true;
-  }
-
-  double clearance() const { return std::min(clearance_, nearest_); }
-  bool isUndecided() const { return is_undecided_; }
-  std::int64_t stamp() const { return stamp_; }
-
- private:
-  /// While no pose is below the limit, none between two poses may be, either.
-  double wanted() const {
-    if (nearest_ >= limit_) return wanted_;
-    return std::min(wanted_, std::max(nearest_ - kPairAccuracy, 0.0));
-  }
-
-  const MovedBody& first_;
-  const MovedBody& second_;
-  double wanted_;
-  double limit_;
-  double clearance_ = kInfinite;
-  double nearest_ = kInfinite;
-  std::int64_t stamp_ = 0;
-  int poses_ = 0;
-  bool is_undecided_ = false;
-};
 
 /// Then what moved beside a body at rest is looked at, before tf forgets it [ns].
 constexpr std::int64_t kLongestRest = EdgeHistory::kLength / 2;
@@ -163,16 +82,30 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
       }
     }
     if (present.count(body.object.get()) != 0) continue;
-    const std::int64_t until = std::max(now, stamps[moment_->name(body)]);
-    gone_.push_back({body, means.bodies.sharedBody(i), until});
+    const std::int64_t until = std::max(stampAt(now), stamps[moment_->name(body)]);
+    gone_.push_back({body, means.bodies.sharedBody(i), now, until});
   }
-  if (!gone_.empty()) forgetGone(moment.model->parameters.timeout);
+  if (!gone_.empty()) forgetGone(now, moment.model->parameters.timeout);
 }
 
-/// When no motion can begin before they were deleted. Where the clocks of stamps and of the
-/// recorder differ, a deletion may seem to be much later. What goes on after a longer pause than tf
-/// remembers is not known beside any of them: the last one is enough to say so.
-void PairMotions::forgetGone(double timeout) {
+/// The clocks of stamps and of the recorder differ where no transform is as late as the earliest.
+void PairMotions::compareClocks(const Moment& moment, std::int64_t now) {
+  for (const Moment::Body& body : moment.bodies) {
+    const bool moves = body.stamp != 0 && (!body.object || body.object->follows());
+    if (moves) delay_ = std::min(delay_.value_or(MovedBody::kForEver), now - body.stamp);
+  }
+}
+
+/// By the clock of stamps.
+std::int64_t PairMotions::stampAt(std::int64_t recorded) const {
+  const std::int64_t delay = delay_.value_or(0);
+  return delay < 0 || delay > kLongestRest ? recorded - delay : recorded;
+}
+
+/// When no motion can begin before they were deleted. A deletion that still seems to be much later
+/// after a while is so because one clock runs faster than the other. What goes on after a longer
+/// pause than tf remembers is not known beside any of them: the last one is enough to say so.
+void PairMotions::forgetGone(std::int64_t now, double timeout) {
   std::int64_t newest = 0;
   for (const auto& [key, known] : known_) {
     if (known.moves) newest = std::max(newest, known.stamp);
@@ -185,7 +118,8 @@ void PairMotions::forgetGone(double timeout) {
   }
   std::int64_t last = 0;
   for (Gone& gone : gone_) {
-    gone.until = std::min(gone.until, newest + kLongestRest);
+    if (now - gone.recorded > kLongestRest)
+      gone.until = std::min(gone.until, newest + EdgeHistory::kLength);
     last = std::max(last, gone.until);
   }
   const auto is_over = [&](const Gone& gone) {
@@ -217,6 +151,7 @@ MomentPtr PairMotions::withGone(const MomentPtr& moment) {
 
 void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means& means) {
   ++pass_;
+  compareClocks(*present, now);
   findGone(*present, now, means);
   const MomentPtr moment = withGone(present);
   last_ = std::exchange(moment_, moment);
@@ -261,6 +196,7 @@ void PairMotions::finish(const Means& means) {
   gone_.clear();
   needed_gone_ = 0;
   known_.clear();
+  delay_.reset();
 }
 
 /// Pairs that were within the limit before they moved that far, in all.
@@ -441,8 +377,8 @@ void PairMotions::lookDuring(MotionSpan span, const Moment& moment, const BoxPai
   const std::optional<Tf2Pose> pose = means.tf.pose(first.frame, second.frame, span.end);
   std::optional<BodyDistance> now;
   if (pose)
-    now = measure(first, Eigen::Affine3d::Identity(), second, MatrixPose(*pose).affine,
-                  wanted + std::max(10 * way, 0.1));
+    now = distanceOf(first, Eigen::Affine3d::Identity(), second, MatrixPose(*pose).affine,
+                     wanted + std::max(10 * way, 0.1));
   lease = {span.end, now ? now->lower : -kInfinite};
   motion.clearance = std::max(lease.distance - way, (before + lease.distance - way) / 2);
   if (motion.clearance <= wanted) walk(first, second, span, wanted, means, motion);
@@ -454,26 +390,19 @@ void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSp
                        double wanted, const Means& means, PairMotion& motion) const {
   const TransformBuffer& tf = means.tf;
   const Parameters& parameters = moment_->model->parameters;
-  MotionPath path = pathBetween(tf, first.frame, second.frame, span, parameters.timeout);
-  motion.clearance = 0;
-  motion.undecided = path.problem;
-  if (!path.problem.empty()) return;
-  PairMotionSearch search(first, second, wanted, parameters.distance_limit);
-  MotionWalk<PairMotionSearch> walk(path, span, second.radius, search, means.handlers.gives_up);
-  if (!walk.walk()) {
-    motion.undecided = walk.wasGivenUp() ? "it was interrupted" : "a pose is not finite";
-    return;
-  }
-  motion.clearance = search.clearance();
-  if (search.isUndecided()) motion.undecided = "they came nearer than can be decided";
-  motion.stamp = search.stamp();
+  const PairSearch found = searchPair(tf, first, second, span, wanted, parameters.distance_limit,
+                                      parameters.timeout, means.handlers.gives_up);
+  motion.clearance = found.clearance;
+  motion.undecided = found.undecided;
+  if (!found.nearest_stamp) return;
+  motion.stamp = *found.nearest_stamp;
   motion.duration = span.end - motion.stamp;
   const Frame fixed = *tf.find(moment_->model->fixed_frame);
   const auto first_pose = tf.pose(fixed, first.frame, motion.stamp);
   const auto second_pose = tf.pose(fixed, second.frame, motion.stamp);
   if (first_pose && second_pose)
-    motion.nearest = measure(first, MatrixPose(*first_pose).affine, second,
-                             MatrixPose(*second_pose).affine, kInfinite);
+    motion.nearest = distanceOf(first, MatrixPose(*first_pose).affine, second,
+                                MatrixPose(*second_pose).affine, kInfinite);
 }
 
 }  // namespace link_bounds

@@ -13,15 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "tools/bag_bounds/watch/pair_search.h"
 #include "world/history/way_bound.h"
 #include "world/moment/live_bodies.h"
 #include "world/moment/moment_pairs.h"
 
 namespace link_bounds {
-
-/// What is proven is at most so far from the nearest pose that was looked at [m], where that is
-/// farther away. Of a pair that is not below the limit, all motions are proven to stay there.
-constexpr double kPairAccuracy = 1e-3;
 
 /// Two bodies by their indices in the moment.
 struct PairMotion {
@@ -37,14 +34,10 @@ struct PairMotion {
 };
 
 /// A body of a moment.
-struct MovedBody {
+struct MovedBody : FramedBody {
   static constexpr std::int64_t kForEver = std::numeric_limits<std::int64_t>::max();
 
-  const Body* body = nullptr;  ///< null until it is measured
-  TransformBuffer::Frame frame = 0;
-  const Eigen::Affine3d* offset = nullptr;  ///< of the body in that frame; null: none
-  double radius = 0;                        ///< about the origin of the frame [m]
-  std::int64_t begin = 0;                   ///< stamps of its motion; 0: does not move
+  std::int64_t begin = 0;  ///< stamps of its motion; 0: does not move
   std::int64_t end = 0;
   std::int64_t since = 0;         ///< its motion is known from this stamp on
   std::int64_t reported = 0;      ///< and looked at from here on beside what is placed now
@@ -86,7 +79,7 @@ class PairMotions {
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
   /// is lost, or does not go on, others are looked at beside its last place, since its stamp. An
   /// object at rest that is not in the moment was deleted or replaced at `now`, the record time
-  /// [ns]: until then, others are looked at beside it.
+  /// [ns], by the clock of the stamps: until then, others are looked at beside it.
   void begin(const MomentPtr& moment, std::int64_t now, const Means& means);
 
   /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
@@ -137,11 +130,14 @@ class PairMotions {
   struct Gone {
     Moment::Body seen;
     std::shared_ptr<const Body> body;
-    std::int64_t until;
+    std::int64_t recorded;  ///< when it was deleted [ns]
+    std::int64_t until;     ///< the same by the clock of stamps
   };
 
   void findGone(const Moment& moment, std::int64_t now, const Means& means);
-  void forgetGone(double timeout);
+  void compareClocks(const Moment& moment, std::int64_t now);
+  std::int64_t stampAt(std::int64_t recorded) const;
+  void forgetGone(std::int64_t now, double timeout);
   MomentPtr withGone(const MomentPtr& moment);
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
@@ -160,9 +156,10 @@ class PairMotions {
   MomentPtr moment_;
   MomentPtr last_;
   std::vector<Gone> gone_;
-  std::size_t needed_gone_ = 0;     ///< so many of them are the last bodies of the moment
-  std::vector<MovedBody> movers_;   ///< of the bodies of the moment
-  std::map<BodyKey, Known> known_;  ///< while the bodies exist
+  std::optional<std::int64_t> delay_;  ///< the smallest one of a record time after its stamp [ns]
+  std::size_t needed_gone_ = 0;        ///< so many of them are the last bodies of the moment
+  std::vector<MovedBody> movers_;      ///< of the bodies of the moment
+  std::map<BodyKey, Known> known_;     ///< while the bodies exist
   std::map<PairKey, std::pair<std::uint64_t, Lease>> leases_;  ///< with the pass that renewed it
   std::optional<EdgeWays> edges_;                              ///< of the tf of all calls
   std::map<Frame, WayBound> ways_;                             ///< by target
