@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,7 +95,8 @@ struct BodyHistory {
     if (!follows) placed = seen.stamp;
     if (follows) frame = seen.link ? model.frames[*seen.link] : seen.object->frame;
     radius = radiusOf(bounded);
-    timeout = static_cast<std::int64_t>(model.parameters.timeout * 1e9);
+    const double seconds = model.parameters.timeout;
+    timeout = seconds > 0 ? std::llround(seconds * 1e9) : std::numeric_limits<std::int64_t>::max();
   }
 };
 

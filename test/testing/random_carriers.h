@@ -27,11 +27,11 @@ class RandomCarriers {
   static constexpr int kMarkers = 4;
   static std::string armName(int i) { return "arm_" + std::to_string(i); }
 
-  /// `timeout` in seconds; frames are in a cube of half width `spread` [m]. Every other recording
-  /// has transforms that are late.
-  RandomCarriers(std::uint64_t seed, double timeout, double spread)
+  /// Pauses last about `pause` [s]; frames are in a cube of half width `spread` [m]. Every other
+  /// recording has transforms that are late.
+  RandomCarriers(std::uint64_t seed, double pause, double spread)
       : random_(seed),
-        timeout_(timeout),
+        pause_(pause),
         spread_(spread),
         has_late_(seed % 2 == 0),
         markers_(kMarkers) {
@@ -48,7 +48,7 @@ class RandomCarriers {
 
   CarrierMessage next() {
     if (pick(400) == 0) jumpBack();
-    if (pick(100) == 0) stalled_until_ = now_ + nanoseconds(1.5 * timeout_);
+    if (pick(100) == 0) stalled_until_ = now_ + nanoseconds(1.5 * pause_);
     CarrierMessage message = pick(8) == 0 ? markerMessage() : transformMessage();
     message.time = now_ = std::max(now_ + 1, stalled_until_);
     return message;
@@ -78,7 +78,7 @@ class RandomCarriers {
     Carrier carrier;
     carrier.frame = frame;
     carrier.parent = parent;
-    carrier.period = random_.uniform(0.02, 0.2);
+    carrier.period = random_.uniform(0.04, 0.4) * pause_;
     carrier.delay = nanoseconds(0.05 * pick(3));
     carrier.due = kBegin + nanoseconds(random_.uniform(0, 0.2));
     carriers_.push_back(carrier);
@@ -108,7 +108,7 @@ class RandomCarriers {
     message.transforms.push_back(moved(carrier, stamp));
     if (!carrier.is_static && pick(3) == 0) addOther(message, stamp);
     carrier.due += nanoseconds(carrier.period * random_.uniform(0.7, 1.3));
-    if (pick(25) == 0) carrier.due += nanoseconds(timeout_ * random_.uniform(0.5, 3));
+    if (pick(25) == 0) carrier.due += nanoseconds(pause_ * random_.uniform(0.5, 3));
     if (carrier.is_static) carrier.due += nanoseconds(1000);
     return message;
   }
@@ -180,7 +180,7 @@ class RandomCarriers {
   }
 
   brute_force::Random random_;
-  double timeout_;
+  double pause_;
   double spread_;
   bool has_late_;
   std::vector<Carrier> carriers_;

@@ -44,9 +44,10 @@ class PairScene {
         gone_dips = 0, looks = 0;
   };
 
-  PairScene(const std::string& fixed_frame, const std::vector<BoundedLink>& links) {
+  PairScene(const std::string& fixed_frame, const std::vector<BoundedLink>& links,
+            double timeout = kPairTimeout) {
     auto model = std::make_shared<Model>(*modelOf(fixed_frame, links));
-    model->parameters.timeout = kPairTimeout;
+    model->parameters.timeout = timeout;
     model->parameters.distance_limit = kPairLimit;
     model->attached = {{"object/0", 0}};
     scene_.adopt(model, 1'000'000'000);
@@ -57,6 +58,7 @@ class PairScene {
       counts_.undecided += !motion.undecided.empty();
       const BodyKey first(moment.bodies[motion.first]), second(moment.bodies[motion.second]);
       calls_[{is_rest_, first, second}] = motion;
+      if (is_rest_) onRest(moment, motion);
     };
     handlers_.gives_up = [this] {
       ++counts_.looks;
@@ -102,6 +104,8 @@ class PairScene {
 
   virtual void onJump() {}
   virtual void onStep() {}
+  virtual void onEnd() {}
+  virtual void onRest(const Moment&, const PairMotion&) {}
 
   RecordedScene scene_{[](const std::string&) { return LoadedMesh(); },
                        [this](std::int64_t) { onNews(); }, [](std::int64_t, bool) {}};
@@ -134,6 +138,17 @@ class PairScene {
     last_ = moment_;
   }
 
+ public:
+  /// The end of the recording, as a step in which no body goes on.
+  void end() {
+    ++counts_.steps;
+    calls_.clear();
+    is_rest_ = true;
+    motions_.finish(means());
+    onEnd();
+  }
+
+ private:
   MomentPairs pairs_;
   LiveBodies bodies_{{}};
   PairMotions motions_;
@@ -143,9 +158,9 @@ class PairScene {
 
 class RandomPairs : public PairScene {
  public:
-  explicit RandomPairs(std::uint64_t seed)
-      : PairScene(seed % 3 == 0 ? "base" : "world", randomLinks(seed)),
-        carriers_(seed, kPairTimeout, seed % 7 < 4 ? 0.6 : 2) {}
+  RandomPairs(std::uint64_t seed, double timeout, double pause)
+      : PairScene(seed % 3 == 0 ? "base" : "world", randomLinks(seed), timeout),
+        carriers_(seed, pause, seed % 7 < 4 ? 0.6 : 2) {}
 
   void receive() { take(carriers_.next()); }
 
@@ -171,6 +186,18 @@ class RandomPairs : public PairScene {
   void onJump() override {
     bodies_.clear();
     gone_.clear();
+    rests_.clear();
+  }
+
+  void onEnd() override {
+    if (last_) compareRests();
+  }
+
+  /// In each moment both stand at the stamps that they have there.
+  void onRest(const Moment& moment, const PairMotion& motion) override {
+    double& nearest =
+        rests_.try_emplace(restOf(moment, motion.first, motion.second), 1).first->second;
+    nearest = std::min(nearest, motion.clearance);
   }
 
   void onStep() override {
@@ -187,6 +214,15 @@ class RandomPairs : public PairScene {
       const bool is_here = motion.second < moment_->bodies.size();
       if (!std::get<0>(call) && is_here && motion.nearest) compareNearest(motion);
     }
+  }
+
+  /// The bodies and the stamp of the older one, which stands.
+  using Rest = std::tuple<BodyKey, BodyKey, std::int64_t>;
+
+  static Rest restOf(const Moment& moment, std::size_t i, std::size_t j) {
+    const Moment::Body& first = moment.bodies[i];
+    const Moment::Body& second = moment.bodies[j];
+    return {BodyKey(first), BodyKey(second), std::min(first.stamp, second.stamp)};
   }
 
   const BodyHistory& historyOf(const Moment& moment, std::size_t i) const {
@@ -235,8 +271,14 @@ class RandomPairs : public PairScene {
       const std::int64_t begin =
           std::max({std::min(a_end, b_end), a.since(a_last), b.since(b_last)});
       forEachSample({begin, std::max(a_end, b_end)}, [&](std::int64_t stamp) {
-        const auto found = distanceAt(*last_, i, j, stamp, a_end < b_end ? &a : &b);
-        counts_.rest_dips += isSeen(*last_, i, j, found);
+        const double found =
+            distanceAt(*last_, i, j, stamp, a_end < b_end ? &a : &b).value_or(kPairLimit);
+        if (found >= kPairLimit) return;
+        ++counts_.rest_dips;
+        const auto rest = rests_.find(restOf(*last_, i, j));
+        EXPECT_TRUE(rest != rests_.end() && rest->second <= found + kRounding)
+            << last_->name(last_->bodies[i]) << " and " << last_->name(last_->bodies[j])
+            << " came within " << found << " m in a rest, step " << counts_.steps;
       });
     });
   }
@@ -264,9 +306,9 @@ class RandomPairs : public PairScene {
       if (!span || !is_other || !isPair(*moment_->model, moment_->member(i), member)) continue;
       forEachSample(*span, [&](std::int64_t stamp) {
         if (stamp > gone.until) return;
-        const auto found =
-            distance(historyOf(*moment_, i), poseAt(body, historyOf(*moment_, i), stamp), history,
-                     gone.pose);
+        const auto pose = poseAt(body, historyOf(*moment_, i), stamp);
+        if (!pose) return;
+        const auto found = distance(historyOf(*moment_, i), *pose, history, gone.pose);
         counts_.gone_dips += found && *found < kPairLimit;
         EXPECT_TRUE(!found || isSeen({false, BodyKey(body), gone.key}, *found))
             << moment_->name(body) << " came within " << *found << " m of " << gone.name
@@ -291,17 +333,18 @@ class RandomPairs : public PairScene {
   }
 
   /// As tf2 interpolates. `standing` stays where it is in the moment. Nothing if it is far above
-  /// the limit.
+  /// the limit, or if tf has forgotten where they were.
   std::optional<double> distanceAt(const Moment& moment, std::size_t i, std::size_t j,
                                    std::int64_t stamp, const BodyHistory* standing) const {
     const BodyHistory& a = historyOf(moment, i);
     const BodyHistory& b = historyOf(moment, j);
     const auto pose = [&](std::size_t k, const BodyHistory& body) {
-      return &body == standing ? moment.bodies[k].frame_from_body
+      return &body == standing ? std::optional(moment.bodies[k].frame_from_body)
                                : poseAt(moment.bodies[k], body, stamp);
     };
-    const Eigen::Affine3d a_pose = pose(i, a), b_pose = pose(j, b);
-    return distance(a, a_pose, b, b_pose);
+    const auto a_pose = pose(i, a), b_pose = pose(j, b);
+    if (!a_pose || !b_pose) return std::nullopt;
+    return distance(a, *a_pose, b, *b_pose);
   }
 
   static std::optional<double> distance(const BodyHistory& a, const Eigen::Affine3d& a_pose,
@@ -311,14 +354,14 @@ class RandomPairs : public PairScene {
     return bodyDistance(a.body, a_pose, b.body, b_pose, {1e-5})->upper;
   }
 
-  Eigen::Affine3d poseAt(const Moment::Body& seen, const BodyHistory& body,
-                         std::int64_t stamp) const {
+  std::optional<Eigen::Affine3d> poseAt(const Moment::Body& seen, const BodyHistory& body,
+                                        std::int64_t stamp) const {
     if (!body.frame || body.isStatic()) return seen.frame_from_body;
     const TransformBuffer& tf = scene_.tf();
     const auto fixed = tf.find(moment_->model->fixed_frame), frame = tf.find(*body.frame);
     const auto pose = tf.pose(*fixed, *frame, stamp);
-    EXPECT_TRUE(pose) << "tf knew it before";
-    return pose ? MatrixPose(*pose).affine : seen.frame_from_body;
+    EXPECT_TRUE(pose || scene_.scene().model()->parameters.timeout == 0) << "tf knew it before";
+    return pose ? std::optional(MatrixPose(*pose).affine) : std::nullopt;
   }
 
   /// True if the distance is below the limit. Then there must have been a call.
@@ -343,16 +386,17 @@ class RandomPairs : public PairScene {
   RandomCarriers carriers_;
   std::map<BodyKey, BodyHistory> bodies_;
   std::vector<GoneObject> gone_;
+  std::map<Rest, double> rests_;  ///< the smallest proven distance of all looks at them [m]
 };
 
-TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
-  constexpr int kRecordings = repetitions(400);
+PairScene::Counts countRandomPairs(int recordings, double timeout, double pause) {
   PairScene::Counts sum;
-  for (std::uint64_t seed = 1; seed <= kRecordings && !testing::Test::HasFailure(); ++seed) {
+  for (int seed = 1; seed <= recordings && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
-    RandomPairs recording(seed);
+    RandomPairs recording(static_cast<std::uint64_t>(seed), timeout, pause);
     for (int i = 0; i < 150; ++i)
       recording.receive();
+    recording.end();
     const PairScene::Counts& counts = recording.counts();
     sum.pairs += counts.pairs;
     sum.calls += counts.calls;
@@ -365,11 +409,27 @@ TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
   std::cout << sum.pairs << " pairs, " << sum.calls << " calls, " << sum.walks << " walks, "
             << sum.undecided << " undecided, " << sum.dips << ", " << sum.rest_dips << " and "
             << sum.gone_dips << " samples below the limit\n";
+  return sum;
+}
+
+TEST(PairSequences, WhatComesNearBetweenMessagesIsSeen) {
+  constexpr int kRecordings = repetitions(400);
+  const PairScene::Counts sum = countRandomPairs(kRecordings, kPairTimeout, kPairTimeout);
   EXPECT_GT(sum.dips, 100 * kRecordings);
   EXPECT_GT(sum.rest_dips, 5 * kRecordings);
   EXPECT_GT(sum.gone_dips, kRecordings);
   EXPECT_LT(sum.calls, sum.pairs / 2);
   EXPECT_LT(sum.undecided, sum.calls / 20);
+}
+
+/// Nothing is ever stale, and pauses are longer than what is looked at as one rest, or than what tf
+/// remembers.
+TEST(PairSequences, WhatComesNearDuringLongPausesIsSeen) {
+  constexpr int kRecordings = repetitions(200);
+  const PairScene::Counts sum = countRandomPairs(kRecordings, 0, 4);
+  EXPECT_GT(sum.dips, 50 * kRecordings);
+  EXPECT_GT(sum.rest_dips, 5 * kRecordings);
+  EXPECT_GT(sum.gone_dips, kRecordings);
 }
 
 /// A ball stands, another one is at that place in the message of that number.
