@@ -13,15 +13,16 @@ namespace link_bounds {
 /// Where the boxes of a tree are during a search.
 struct BoxPlacement {
   explicit BoxPlacement(const Placement& its_at)
-      : at(its_at), linear(at.linear.cast<float>()), pad(0x1p-19f * linear.cwiseAbs().maxCoeff()) {}
+      : at(its_at), linear(at.linear.cast<float>()), largest(linear.cwiseAbs().maxCoeff()) {}
 
   const Placement& at;
   Eigen::Matrix3f linear;
-  float pad;  ///< for each metre of all coordinates of a box's edges
+  float largest;  ///< entry of `linear`
 
   /// Of the width of a node's box, as derived below [m].
   double padOf(const TreeNode& node) const {
-    return pad * ((node.x.abs() + node.y.abs() + node.z.abs()) * TreeNode::edgesOnly()).sum();
+    return 0x1p-19f * largest *
+           ((node.x.abs() + node.y.abs() + node.z.abs()) * TreeNode::edgesOnly()).sum();
   }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/distance/hull_vertices.h"
 #include "geometry/distance/triangle_tree.h"
 #include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
@@ -212,7 +213,7 @@ class VertexBlocks {
 
  private:
   void gather(TreeNode& node) {
-    node.first_vertex = static_cast<std::uint32_t>(vertices_.size());
+    setFirstVertex(node, static_cast<std::uint32_t>(vertices_.size()));
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       for (std::uint32_t& vertex : tree_.triangles[i]) {
         std::uint32_t& after = moved_to_[vertex];
@@ -223,7 +224,14 @@ class VertexBlocks {
         vertex = after - 1;
       }
     }
-    node.vertex_count = static_cast<std::uint32_t>(vertices_.size()) - node.first_vertex;
+  }
+
+  /// Of all nodes below, too.
+  void setFirstVertex(TreeNode& node, std::uint32_t vertex) {
+    node.first_vertex = vertex;
+    if (node.isLeaf()) return;
+    setFirstVertex(tree_.nodes[node.child], vertex);
+    setFirstVertex(tree_.nodes[node.child + 1], vertex);
   }
 
   TriangleTree& tree_;
@@ -259,6 +267,7 @@ std::shared_ptr<const TriangleTree> triangleTree(
   WorkMeter meter(check_interrupt);
   Builder(*tree, meter).build();
   VertexBlocks(*tree, meter);
+  listHullVertices(*tree, meter);
   tree->nodes.shrink_to_fit();
   return tree;
 }
@@ -284,13 +293,14 @@ bool holdsPoint(const TriangleTree& tree, const Eigen::Vector3d& point) {
 std::size_t bytes(const TriangleTree& tree) {
   return sizeof(tree) + tree.nodes.capacity() * sizeof(TreeNode) +
          tree.triangles.capacity() * sizeof(tree.triangles[0]) +
-         tree.vertices.capacity() * sizeof(tree.vertices[0]);
+         tree.vertices.capacity() * sizeof(tree.vertices[0]) +
+         tree.hull_lists.capacity() * sizeof(tree.hull_lists[0]);
 }
 
 /// As if each leaf had one triangle.
 std::size_t maxTreeBytes(const TriangleMesh& mesh) {
   return sizeof(TriangleTree) +
-         mesh.triangles.size() * (2 * sizeof(TreeNode) + sizeof(mesh.triangles[0])) +
+         mesh.triangles.size() * (2 * sizeof(TreeNode) + sizeof(mesh.triangles[0]) + kListedBytes) +
          mesh.vertices.size() * sizeof(Eigen::Vector3d);
 }
 

@@ -305,26 +305,32 @@ class NodeSearch {
     if (count > pair.hull_count || count <= kTrianglesPerLeaf) return;
     pair.hull_count = count / kNextHulls;
     boundBy(NodeHull{*pair_.first.triangles, first}, NodeHull{*pair_.second.triangles, second},
+            pair_.pad() + hullPad(pair_.first, first_boxes_) + hullPad(pair_.second, second_boxes_),
             pair.separation);
+  }
+
+  /// What kHullPad may come to. No vector grows by more than three times the largest entry.
+  static double hullPad(const BodyShape& shape, const BoxPlacement& at) {
+    return 4 * kHullPad * shape.triangles->magnitude * at.largest;
   }
 
   void boundHull(NodePair& pair) const {
     withNode(pair_.first, pair.first, [&](const auto& first) {
       withNode(pair_.second, pair.second,
-               [&](const auto& second) { boundBy(first, second, pair.separation); });
+               [&](const auto& second) { boundBy(first, second, pair_.pad(), pair.separation); });
     });
   }
 
   /// Ends as soon as the sets are proven to be far enough apart, or to be nearer.
   template <class First, class Second>
-  void boundBy(const First& first, const Second& second, Separation& known) const {
+  void boundBy(const First& first, const Second& second, double pad, Separation& known) const {
     const double far_enough = farEnough();
-    const GjkGoal gjk_goal{far_enough + pair_.pad(), far_enough, 0, kNodeSteps};
+    const GjkGoal gjk_goal{far_enough + pad, far_enough, 0, kNodeSteps};
     Simplex simplex;
     const GjkResult result =
         gjk(first, pair_.first_at, second, pair_.second_at, known.normal, gjk_goal, simplex);
     known.near = result.upper;
-    known.raise(result.lower - pair_.pad(), result.normal);
+    known.raise(result.lower - pad, result.normal);
   }
 
   /// Triangles that no solid sweeps.

@@ -21,10 +21,12 @@ struct TreeNode {
   std::uint32_t first;  ///< triangle; those of a node follow each other
   std::uint32_t count;  ///< of triangles
   std::uint32_t child;  ///< the left one, which the right one follows; 0: a leaf
-  /// Where the vertices of all its triangles begin, which follow each other. Only the largest of
-  /// the small nodes have such a list; in all others the count is 0.
+  /// Of the largest small node that this one belongs to. All vertices of that one follow each
+  /// other.
   std::uint32_t first_vertex = 0;
-  std::uint32_t vertex_count = 0;
+  /// Where the list of the vertices of its hull begins: their number, then their offsets from
+  /// first_vertex. 0: it has none, as a leaf.
+  std::uint32_t hull_list = 0;
 
   bool isLeaf() const { return child == 0; }
 
@@ -72,11 +74,17 @@ constexpr std::size_t kTrianglesPerLeaf = 8;
 /// and from 2 % less to 20 % more for collision meshes.
 constexpr std::uint32_t kSmallNode = 192;
 
+/// No vertex of a node is farther than this part of the tree's magnitude outside the hull of those
+/// that the node lists.
+constexpr double kHullPad = 0x1p-22;
+
 class TriangleTree {
  public:
   std::vector<TreeNode> nodes;  ///< the root first
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Eigen::Vector3d> vertices;
+  using Offset = std::uint16_t;
+  std::vector<Offset> hull_lists;
   Solid solid = Solid::kNone;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
   double magnitude = 0;  ///< no |coordinate| of any box exceeds it
@@ -85,35 +93,43 @@ class TriangleTree {
     const auto& [a, b, c] = triangles[triangle];
     return {vertices[a], vertices[b], vertices[c]};
   }
+
+  /// Calls `use` with the offset of each vertex that counts for the hull of a small node, without a
+  /// list several times.
+  template <class Use>
+  void forEachHullVertex(const TreeNode& node, const Use& use) const {
+    if (node.hull_list == 0) {
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        for (const std::uint32_t vertex : triangles[i])
+          use(static_cast<Offset>(vertex - node.first_vertex));
+      }
+    } else {
+      const Offset* const list = &hull_lists[node.hull_list];
+      for (const Offset* offset = list + 1; offset != list + 1 + *list; ++offset)
+        use(*offset);
+    }
+  }
 };
 
 /// True for a vertex that a triangle uses, and where a solid sweeps it, for all points of that
 /// solid's box. Looks at each vertex.
 bool holdsPoint(const TriangleTree& tree, const Eigen::Vector3d& point);
 
-/// The convex hull of a node's triangles, each swept by the solid.
+/// The convex hull of a small node's triangles, each swept by the solid, but for kHullPad.
 struct NodeHull {
   const TriangleTree& tree;
   const TreeNode& node;
 
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const {
-    const Eigen::Vector3d* best = &tree.vertices[tree.triangles[node.first][0]];
-    double best_dot = best->dot(direction);
-    const auto consider = [&](const Eigen::Vector3d& vertex) {
-      const double dot = vertex.dot(direction);
+    const Eigen::Vector3d* const vertices = &tree.vertices[node.first_vertex];
+    const Eigen::Vector3d* best = vertices;
+    double best_dot = -std::numeric_limits<double>::infinity();
+    tree.forEachHullVertex(node, [&](TriangleTree::Offset offset) {
+      const double dot = vertices[offset].dot(direction);
       if (!(dot > best_dot)) return;
       best_dot = dot;
-      best = &vertex;
-    };
-    if (node.vertex_count > 0) {
-      for (std::uint32_t i = 0; i < node.vertex_count; ++i)
-        consider(tree.vertices[node.first_vertex + i]);
-    } else {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        for (const std::uint32_t vertex : tree.triangles[i])
-          consider(tree.vertices[vertex]);
-      }
-    }
+      best = vertices + offset;
+    });
     if (tree.solid == Solid::kNone) return *best;
     return *best + farthestOf(tree.solid, tree.size, direction);
   }

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "geometry/distance/hull_vertices.h"
 #include "geometry/distance/placed_box.h"
 #include "testing/distance_bodies.h"
 #include "testing/numbers.h"
@@ -81,6 +82,27 @@ void expectContained(const TriangleTree& tree, std::uint32_t node, Random& rando
   }
 }
 
+/// Along many directions, no vertex is farther than the hull by more than its pad, and the hull's
+/// points are vertices of the node.
+void expectInHull(const TriangleTree& tree, std::uint32_t node, Random& random) {
+  const NodeHull hull{tree, tree.nodes[node]};
+  const auto triangles = trianglesBelow(tree, node);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d direction = random.vector(1).normalized();
+    const Eigen::Vector3d solid = farthestOf(tree.solid, tree.size, direction);
+    const Eigen::Vector3d point = hull.farthest(direction);
+    const distance_oracle::Vector d = direction.cast<Long>();
+    bool is_vertex = false;
+    for (const std::uint32_t triangle : triangles) {
+      for (const Eigen::Vector3d& corner : tree.corners(triangle)) {
+        ASSERT_LE(d.dot((corner + solid - point).cast<Long>()), kHullPad * tree.magnitude);
+        is_vertex = is_vertex || corner + solid == point;
+      }
+    }
+    ASSERT_TRUE(is_vertex);
+  }
+}
+
 void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random) {
   const auto all = trianglesBelow(tree, 0);
   ASSERT_EQ(all.size(), triangles);
@@ -89,6 +111,7 @@ void expectTree(const TriangleTree& tree, std::size_t triangles, Random& random)
     ASSERT_TRUE(!tree.nodes[i].isLeaf() || tree.nodes[i].count <= kTrianglesPerLeaf);
     expectContained(tree, i, random);
     expectContainedWhenPlaced(tree, i, random);
+    if (tree.nodes[i].count <= kSmallNode) expectInHull(tree, i, random);
   }
 }
 
@@ -164,6 +187,61 @@ TEST(TriangleTree, TakesLittleMemoryForMeshesThatAreHardToDivide) {
   equal.vertices = {{1, 2, 3}};
   for (const TriangleMesh& mesh : {slivers, equal, line})
     EXPECT_LE(bytes(*triangleTree(mesh)), 130 * count);
+}
+
+TEST(TriangleTree, LeavesOutNoVertexThatIsOutside) {
+  Random random(7);
+  const auto tree = triangleTree(ball(60, 120));  // neighbours are nearly in one plane
+  for (std::uint32_t i = 0; i < tree->nodes.size(); ++i) {
+    if (tree->nodes[i].count <= kSmallNode) expectInHull(*tree, i, random);
+  }
+}
+
+TEST(TriangleTree, EndsItsListsWhereHullsNeedEachVertex) {
+  Random random(8);
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3000; i += 3) {
+    for (int k = 0; k < 3; ++k)
+      mesh.vertices.push_back(random.vector(1).normalized().cast<float>());
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  }
+  const auto tree = triangleTree(mesh);
+  const std::size_t most = kListedBytes / sizeof(TriangleTree::Offset) * mesh.triangles.size();
+  EXPECT_GT(tree->hull_lists.size(), most / 2);
+  EXPECT_LE(tree->hull_lists.size(), most + 3 * kSmallNode + 1);
+  expectTree(*tree, mesh.triangles.size(), random);
+}
+
+/// The number of vertices that each node lists that is small and no leaf.
+std::vector<std::size_t> hullSizes(const TriangleMesh& mesh) {
+  const auto tree = triangleTree(mesh);
+  std::vector<std::size_t> result;
+  for (const TreeNode& node : tree->nodes) {
+    if (node.hull_list > 0) result.push_back(tree->hull_lists[node.hull_list]);
+  }
+  return result;
+}
+
+TEST(TriangleTree, ListsOnlyTheVerticesThatHullsNeed) {
+  TriangleMesh plane;
+  constexpr std::uint32_t kSide = 40;
+  for (std::uint32_t x = 0; x < kSide; ++x) {
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+      plane.vertices.emplace_back(0.01f * static_cast<float>(x), 0.01f * static_cast<float>(y),
+                                  0.0f);
+      if (x == 0 || y == 0) continue;
+      const std::uint32_t i = x * kSide + y;
+      plane.triangles.push_back({i, i - 1, i - kSide});
+      plane.triangles.push_back({i - kSide - 1, i - 1, i - kSide});
+    }
+  }
+  const auto flat = hullSizes(plane);
+  ASSERT_GT(flat.size(), 100u);
+  // Borders between nodes are jagged.
+  EXPECT_LE(*std::max_element(flat.begin(), flat.end()), 12u);
+  const auto round = hullSizes(ball(20, 40));
+  ASSERT_GT(round.size(), 10u);
+  EXPECT_GT(*std::max_element(round.begin(), round.end()), 50u);
 }
 
 TEST(BodyDistance, OfPosesThatCannotBeUsedIsNothing) {
