@@ -13,6 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 /// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
 constexpr std::chrono::milliseconds kLookEvery(50);
+constexpr std::chrono::seconds kPause(1);  ///< after an exception
 
 }  // namespace
 
@@ -61,19 +62,20 @@ std::vector<std::string> DistanceThread::errors() const {
 }
 
 /// After an exception, such as std::bad_alloc, nothing that was remembered can be trusted. To
-/// forget takes memory, too, so it is tried until it succeeds. Then the moment is computed again:
-/// no other one may come. True while there is a moment.
+/// forget takes memory, too, so it is tried until it succeeds. Then, after a pause, the moment is
+/// computed again: no other one may come. True while there is a moment.
 bool DistanceThread::onTick() {
   if (!is_whole_) distances_ = SceneDistances(requests_, true);
   is_whole_ = true;
   try {
-    if (std::exchange(has_news_, false) && current_) compute();
+    if (Clock::now() >= not_before_ && std::exchange(has_news_, false) && current_) compute();
     distances_.trees().requestSettled(Clock::now());
     callbacks_.tick();
     forgetIfUnwanted();
   } catch (...) {
     is_whole_ = false;
     has_news_ = true;
+    not_before_ = Clock::now() + kPause;
     if (!callbacks_.is_wanted()) drop();
     throw;
   }

@@ -65,7 +65,7 @@ struct ObjectPlacement {
 
 /// What is known of an object's stamp since the clock last jumped back: the later, the more.
 enum class StampTime {
-  kNotSent,   ///< nothing: the object was not sent since then
+  kNotSent,   ///< nothing: the object was not sent since then, or tf did not get its stamp
   kOutside,   ///< it was, but the clock has not been at its stamp since then
   kRepeated,  ///< it had that stamp before, too: who sends it may know nothing of the jump
   kKnown      ///< the stamp is of the time since then

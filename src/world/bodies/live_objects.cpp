@@ -74,19 +74,25 @@ bool LiveObjects::put(const ObjectKey& key, ObjectContent content, ros::Time now
 }
 
 /// The same content. What was sent before the clock jumped back may also arrive after it. Where it
-/// is to be placed anew, it counts as another content: it was not at that place before.
+/// is placed anew or waits for that, it counts as another content: it was not at that place before.
 bool LiveObjects::sendAgain(LiveObject& object, ros::Time now) {
   if (object.stamp_time > StampTime::kOutside) return false;
   const StampTime stamp_time = stampTime(object, true);
   if (stamp_time == StampTime::kOutside) return false;
   object.stamp_time = stamp_time;
-  if (object.placement) {
-    object.placement->is_earlier = true;
-    object.content = std::make_shared<const ObjectContent>(*object.content);
-  } else {
+  if (!object.placement) {
     object.stamp = object.content->stamp;
+    return refresh(object, now);
   }
-  return refresh(object, now);
+  object.placement->is_earlier = true;
+  const auto before = object.content;
+  object.content = std::make_shared<const ObjectContent>(*before);
+  const bool is_changed = refresh(object, now);
+  if (object.stamp_time == StampTime::kNotSent) {  // it is not
+    if (object.boxed.content == object.content) object.boxed.content = before;
+    object.content = before;
+  }
+  return is_changed;
 }
 
 /// When it is received. `had_stamp`: with that stamp it was there before, which was not known.

@@ -63,7 +63,8 @@ class LiveObjects {
   bool startClock(ros::Time now);
 
   /// The same after the clock jumped back. What was placed before stays there until it is sent
-  /// again. Only then is it placed by tf of the new time, which may know its stamp, too.
+  /// again. Only then is it placed by tf of the new time, which may know its stamp, too; what is
+  /// static places it before.
   bool restart(ros::Time now);
 
   /// To be called now and then, after that of the poses: ends lifetimes, drops stale boxes and
