@@ -6,6 +6,7 @@ import os
 import pathlib
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import threading
@@ -169,6 +170,14 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.assertEqual(list(robot.incomplete), ['b'])
         self.assertTrue(np.isnan(robot.boxes([])[1]).all())
         np.testing.assert_allclose(robot.boxes([])[0], [[-0.5] * 3, [0.5] * 3], atol=1e-12)
+
+    def test_a_mesh_without_triangles(self):
+        """Its boxes are exact, its distances those of its hull."""
+        content = tetrahedron().replace(struct.pack('<f', 3), struct.pack('<f', 2e30))
+        urdf = tree(mesh('a', 'file://' + self.write('far.stl', content)))
+        with self.assertWarnsRegex(RuntimeWarning, 'link "a", visual 1 .*convex hull.* exceeds 1e30 m'):
+            robot = link_bounds.Robot(urdf)
+        np.testing.assert_allclose(robot.boxes([])[0, 1, 2], 2e30, 1e-6)
 
     def test_a_reader_of_meshes_that_dies(self):
         """The library looks for mesh_worker beside the running program first."""

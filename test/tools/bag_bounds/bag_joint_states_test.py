@@ -85,11 +85,12 @@ class JointStatesTest(BagBoundsTest):
                  '</link><joint name="j{0}" type="prismatic"><parent link="base"/>'
                  '<child link="{0}"/><axis xyz="1 0 0"/>{1}'
                  '<limit lower="-9" upper="9" effort="1" velocity="1"/></joint>')
-        mimics = ('z', ''), ('m', '<mimic joint="jz" multiplier="2"/>'), ('n', '<mimic joint="jm"/>')
+        mimics = (('z', ''), ('m', '<mimic joint="jz" multiplier="2" offset="0.3"/>'),
+                  ('n', '<mimic joint="jm" multiplier="3" offset="0.05"/>'))
         self.urdf = self.write('chain.urdf', '<robot name="r"><link name="base"/>%s</robot>' %
                                ''.join(slide.format(*mimic) for mimic in mimics))
-        for told, places in (({'jz': .1}, (.1, .2, .2)), ({'jz': .1, 'jm': .7}, (.1, .7, .7)),
-                             ({'jz': .1, 'jn': .7}, (.1, .2, .7))):
+        for told, places in (({'jz': .1}, (.1, .5, 1.55)), ({'jz': .1, 'jm': .7}, (.1, .7, 2.15)),
+                             ({'jz': .1, 'jn': .7}, (.1, .5, .7))):
             message = JointState(name=list(told), position=list(told.values()))
             message.header.stamp = time_of(BEGIN)
             found = self.report(self.bag([('/joint_states', message, time_of(BEGIN))]),
