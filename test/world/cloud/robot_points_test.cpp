@@ -460,6 +460,27 @@ TEST(NearestPoints, AreProvenBesideAllPoints) {
   }
 }
 
+/// Whatever the order in which they come.
+TEST(NearestPoints, OfALongCloudAreTheNearest) {
+  constexpr std::size_t count = 1000;
+  Scanned scanned;
+  placeBefore({{{{nullptr, Solid::kBox, {0.2, 0.2, 0.02}}}}}, scanned);
+  for (const std::size_t nearest : {std::size_t{0}, count / 2, count - 1}) {
+    std::vector<TestPoint> points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double steps = static_cast<double>(i > nearest ? i - nearest : nearest - i);
+      points.push_back({{0, 0, 1.11 + 0.002 * steps}, 0});
+    }
+    const sensor_msgs::PointCloud2 cloud = cloudOf(points);
+    const CloudPoints places = layoutOf(cloud).points;
+    const NearestPoints found = nearestPoints(
+        {places, {}, scanned.grids, scanned.links, scanned.tf, scanned.tf.frame("sensor")});
+    ASSERT_TRUE(found.links.at(0));
+    EXPECT_EQ(found.links[0]->point, nearest);
+    EXPECT_NEAR(found.links[0]->lower, 0.1, 1e-6);
+  }
+}
+
 TEST(NearestPoints, OfACloudWithoutPointsAreNone) {
   Scanned scanned;
   placeBefore({{{{nullptr, Solid::kBox, {0.2, 0.2, 0.02}}}}}, scanned);
