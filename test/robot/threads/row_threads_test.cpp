@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -60,6 +61,20 @@ TEST(RowThreads, NoRowBeginsAfterOneThrew) {
   };
   EXPECT_THROW(forRows(0, 1000, 1, 1, work), std::runtime_error);
   EXPECT_EQ(rows, 4u);
+}
+
+TEST(RowThreads, ThrowWhatAnotherThreadThrew) {
+  std::atomic<bool> has_thrown{false};
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  const auto work = [&](unsigned thread, std::size_t, std::size_t) {
+    if (thread == 1) {
+      has_thrown = true;
+      throw std::runtime_error("of thread 1");
+    }
+    while (!has_thrown && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::yield();
+  };
+  EXPECT_THROW(forRows(0, 2, 2, 1, work), std::runtime_error);
 }
 
 /// A thread that went on would do all rows.
