@@ -199,6 +199,18 @@ TEST(PathProver, FindsContactsBetweenSamples) {
   EXPECT_LT(counts.sampled, segments / 10);
 }
 
+TEST(PathProver, AContactAtAnEndIsFoundThere) {
+  const LoadedRobot loaded = thinPlates();
+  const WayPoint touching{{0, 1e-5}, {}, {}}, apart{{0, 0.5}, {}, {}};
+  for (const double end : {0.0, 1.0}) {
+    PathProver prover(loaded.robot, bodiesOf(loaded.bounded), {{0, 1}}, {{0, 0}, {0, 1}}, {});
+    const JointMotion motion(end == 0 ? touching : apart, end == 0 ? apart : touching);
+    const SegmentProof proof = prover.prove(motion, isNeverOver);
+    EXPECT_EQ(proof.verdict, PathVerdict::kCollides);
+    EXPECT_EQ(proof.share, end);
+  }
+}
+
 TEST(PathProver, ClearanceIsThatOfTheNearestPose) {
   const LoadedRobot loaded = thinPlates();
   PathProver prover(loaded.robot, bodiesOf(loaded.bounded), {{0, 1}}, {{0, 0}, {0, 1}}, {0, 0.001});
