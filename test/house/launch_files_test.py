@@ -36,6 +36,14 @@ class LaunchFiles(unittest.TestCase):
         self.assertGreater(len(nodes), 4)
         self.assertEqual({node.output for node in nodes}, {'screen'})
 
+    def test_no_node_of_a_test_is_required(self):
+        """Where a required one dies, roslaunch ends the test, and rostest says that it has succeeded."""
+        files = [*self.checkout.glob('test/**/*.test'), self.checkout / 'test/node.test.in']
+        self.assertGreater(len(files), 10)
+        for path in files:
+            with self.subTest(path.name):
+                self.assertNotIn('required=', path.read_text('utf-8'))
+
     def test_nothing_is_installed_where_roslaunch_looks(self):
         prefix = self.checkout / 'build' / 'installed'
         self.assertFalse(prefix.exists())
