@@ -52,9 +52,10 @@ class Tree:
     def shell(self, command, **environment):
         """(succeeds, output) of a command in the environment of scripts/test."""
         start = f'. scripts/common.sh; clean_environment; use_localhost; ulimit -v {MEGABYTES}000; '
+        # In a session of its own, as a test may stop its group of processes.
         done = subprocess.run(['bash', '-c', start + command], cwd=self.tree, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              env={**os.environ, **environment})
+                              env={**os.environ, **environment}, start_new_session=True)
         return done.returncode == 0, done.stdout.decode('utf-8', 'replace')
 
     def make(self, targets):
@@ -155,8 +156,8 @@ class Tests:
     def run(self, name, seconds, **environment):
         """'passed', 'failed' or 'timed out'. A test never runs beside itself."""
         with self.busy[name]:
-            passes, output = self.tree.shell(
-                f'cd build && ctest -R "^{re.escape(name)}$" --timeout {seconds:.0f}', **environment)
+            command = f'cd build && ctest -R "^{re.escape(name)}$" --timeout {seconds:.0f}'
+            passes, output = self.tree.shell(command, **environment)
         return 'passed' if passes else 'timed out' if 'Timeout' in output else 'failed'
 
     def measure(self, name, count):
@@ -198,6 +199,20 @@ def tried(log):
     return {entry['mutant']: entry['fate'] for entry in entries}
 
 
+def choose(tree, room, count):
+    """(number, mutant) of each mutant that is tried, which are the same while the sources are."""
+    known = {mutant.key: mutant for mutant in candidates(room)}
+    file, wanted = tree.folder / 'chosen.json', [room, count, str(sorted(known.items()))]
+    wanted[2] = hashlib.sha256(wanted[2].encode()).hexdigest()
+    chosen = json.loads(file.read_text('utf-8')) if file.exists() else {}
+    if chosen.get('wanted') != wanted:
+        tree.copy({})
+        tree.make('link_bounds_generate_messages_cpp')
+        chosen = {'wanted': wanted, 'keys': [mutant.key for mutant in tree.choose(room, count)]}
+        file.write_text(json.dumps(chosen), 'utf-8')
+    return list(enumerate((known[key] for key in chosen['keys']), 1))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('folder', type=pathlib.Path)
@@ -210,19 +225,7 @@ def main():
     tree = Tree(arguments.folder.resolve())
     log = arguments.log or tree.folder / 'mutants.jsonl'
     known, before = tried(log), tried(arguments.before)
-    # What was chosen is tried again as long as the sources are the same.
-    chosen_file = tree.folder / 'chosen.json'
-    wanted = [arguments.room, arguments.count,
-              hashlib.sha256(repr(candidates(arguments.room)).encode()).hexdigest()]
-    chosen = json.loads(chosen_file.read_text('utf-8')) if chosen_file.exists() else {}
-    if chosen.get('wanted') != wanted:
-        tree.copy({})
-        tree.make('link_bounds_generate_messages_cpp')
-        keys = [mutant.key for mutant in tree.choose(arguments.room, arguments.count)]
-        chosen = {'wanted': wanted, 'keys': keys}
-        chosen_file.write_text(json.dumps(chosen), 'utf-8')
-    by_key = {mutant.key: mutant for mutant in candidates(arguments.room)}
-    numbered = [(number + 1, by_key[key]) for number, key in enumerate(chosen['keys'])]
+    numbered = choose(tree, arguments.room, arguments.count)
     by_path = collections.defaultdict(list)
     for number, mutant in numbered:
         by_path[mutant.path].append((number, mutant))
@@ -244,8 +247,9 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         list(pool.map(judge, numbered))
-    fates = [known[mutant.key].split(' by ')[0].split(' of ')[0] for _, mutant in numbered]
-    counts = collections.Counter(re.sub(r' \d+$', '', fate) for fate in fates)
+    # Without the names and numbers of tests.
+    counts = collections.Counter(re.match('killed|survived|not reached', known[mutant.key]).group()
+                                 for _, mutant in numbered)
     print(', '.join(f'{count} {fate}' for fate, count in sorted(counts.items())))
     worse = [mutant.text for _, mutant in numbered if known[mutant.key].startswith('survived')
              and before.get(mutant.key, '').startswith('killed')]

@@ -91,21 +91,22 @@ class Source:
         code = self.code[start:end]
         head = re.match(r'[^(=\[{;]*', code).group()
         return (re.search(r'[(=]|\+\+|--', code) and not re.search(r'[\w>&*]\s+[\w&*]', head)
-                and not re.match(r'(?:return|if|for|while|switch|else|do|case|default|throw)\b|[\[{}]',
-                                 code))
+                and not re.match(r'(?:return|throw|if|for|while|switch|else|do|case|default)\b'
+                                 r'|[\[{}]', code))
 
     def left_out(self, first):
         statement = self.statement(first, len(self.code))
         if not statement or statement[0] < first:
             return None
         start, end, _ = statement
-        if not (self.code[start:end] in ('break', 'continue', 'return') or self.is_simple(start, end)):
+        is_jump = self.code[start:end] in ('break', 'continue', 'return')
+        if not is_jump and not self.is_simple(start, end):
             return None
         return Edit(start, end + 1, f'{{ if (!::mutantOn(\0)) {{ {self.text[start:end]}; }} }}')
 
     def replaced(self, start, end, new):
-        """As large a part as both fit into: a statement, a condition, or else an expression. That of
-        Eigen has another type with another operator."""
+        """As large a part as both fit into: a statement, a condition, or else an expression. An
+        expression of Eigen has another type with another operator."""
         def both(a, b):
             return self.text[a:b], self.text[a:start] + new + self.text[end:b]
         if statement := self.statement(start, start):
@@ -114,7 +115,8 @@ class Source:
             if is_condition:
                 return Edit(a, b, f'::mutantOn(\0) ? bool({changed}) : bool({old})')
             if a <= start < b and (old.startswith('return ') or self.is_simple(a, b)):
-                return Edit(a, b + 1, f'{{ if (::mutantOn(\0)) {{ {changed}; }} else {{ {old}; }} }}')
+                text = f'{{ if (::mutantOn(\0)) {{ {changed}; }} else {{ {old}; }} }}'
+                return Edit(a, b + 1, text)
         if not (expression := self.expression(start)):
             return None
         a, b = expression
