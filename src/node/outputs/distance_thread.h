@@ -74,7 +74,7 @@ class DistanceThread {
   MomentPtr current_;                 ///< the newest one
   std::uint64_t current_number_ = 0;  ///< among those that were given
   bool has_news_ = false;             ///< since the last computation
-  Clock::time_point not_before_;      ///< the next computation
+  Time not_before_;                   ///< of the next computation
   Time last_wanted_;
   TreeRequests requests_;
   std::atomic<std::uint64_t> trees_{0};          ///< number of trees that were given: each counts
