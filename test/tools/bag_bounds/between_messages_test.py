@@ -57,6 +57,10 @@ def marker(x, y, size, frame='base', stamp=None):
     return '/objects', cube, time_of(BEGIN)
 
 
+def gone_post(deleted):
+    return '/objects', Marker(ns='post', action=Marker.DELETE), time_of(BEGIN + deleted)
+
+
 class RandomArms:
     """Each link has messages of its own at a low rate; between them angles change evenly."""
 
@@ -357,6 +361,59 @@ class PostTest(BagBoundsTest):
                 self.report(self.bag(messages), '--distances', '.01', '--objects', '/objects',
                             '--timeout', str(timeout), '--ignore-pairs', 'slow fast', code=code,
                             err='' if code != INCOMPLETE else 'not decided, the first of slow and post')
+
+    def check_gone(self, messages, *arguments, code=UNDERCUT, err=''):
+        """With a post at 0."""
+        messages = [marker(0, 0, .02)] + sorted(messages, key=lambda message: message[2])
+        self.report(self.bag(messages), '--distances', '.01', '--objects', '/objects',
+                    '--min-coverage', '0', *arguments, code=code, err=err)
+
+    def test_an_object_that_was_deleted_while_tf_stalled(self):
+        """All of it, for longer than it remembers; or that of one plate, for longer than the
+        timeout."""
+        self.plates('slow', 'fast')
+        for fast_ends, timeout, deleted, burst in (1, 10, 13, 18.6), (7, 2, 4, 7.05):
+            fast = [(i / 10, {'fast': 50}) for i in range(10 * fast_ends + 1)]
+            fast.append((burst, {'fast': 50}, burst + .1))
+            for meets, code in (deleted - 1, UNDERCUT), (deleted + 1, 0):
+                slow = [(i / 10, {'slow': -1 if i / 10 < meets else 1},
+                         i / 10 if i <= 10 else burst + i / 1e4) for i in range(round(10 * burst))]
+                other = marker(30, 30, .02)[1]
+                other.id = 1
+                messages = self.plate_messages(*fast, *slow)
+                messages += [gone_post(deleted),
+                             ('/objects', other, time_of(BEGIN + burst - .05))]
+                with self.subTest(timeout=timeout, meets=meets):
+                    self.check_gone(messages, '--timeout', str(timeout), '--ignore-pairs',
+                                    'slow fast', code=code)
+
+    def test_an_object_that_was_deleted_before_one_that_is_ignored(self):
+        """What tf has forgotten is undecided, whichever object was deleted last."""
+        self.plates('slow', 'fast')
+        steps = [(0, {'slow': -1, 'fast': 50})] + [(i / 2, {'fast': 50}) for i in range(1, 60)]
+        steps += [(30, {'slow': 1, 'fast': 50})]
+        other = marker(30, 30, .02)[1]
+        other.ns = 'other'
+        gone = Marker(ns='other', action=Marker.DELETE)
+        messages = self.plate_messages(*steps)
+        messages += [gone_post(4), ('/objects', other, time_of(BEGIN)),
+                     ('/objects', gone, time_of(BEGIN + 6))]
+        for ignored, code in ([], INCOMPLETE), (['slow post/0'], 0):
+            ignored = ['slow fast', 'slow other/0'] + ignored
+            arguments = [word for pair in ignored for word in ('--ignore-pairs', pair)]
+            with self.subTest(ignored=ignored):
+                self.check_gone(messages, '--timeout', '0', *arguments, code=code,
+                                err='first of slow and post/0' if code else '')
+
+    def test_an_object_that_was_deleted_after_a_start_in_a_pause(self):
+        """The report begins 5.5 s after the last transform: the clocks agree nevertheless."""
+        self.plates('slow', 'fast')
+        steps = [(i / 10, {'slow': -1, 'fast': 50}) for i in range(46)]
+        steps += [(13, {'slow': 1, 'fast': 50}), (13.1, {'slow': 1, 'fast': 50})]
+        for deleted, code in (12, UNDERCUT), (8, 0):
+            with self.subTest(deleted=deleted):
+                self.check_gone(self.plate_messages(*steps) + [gone_post(deleted)], '--timeout',
+                                '0', '--start', '10', code=code)
 
     def test_an_object_that_is_deleted_where_the_clocks_differ(self):
         """Stamps are those of a simulation, or ahead of the recorder."""

@@ -60,6 +60,9 @@ class PairScene {
       calls_[{is_rest_, first, second}] = motion;
       if (is_rest_) onRest(moment, motion);
     };
+    handlers_.on_forgotten = [this](const std::string&, const std::string&) {
+      ++counts_.undecided;
+    };
     handlers_.gives_up = [this] {
       ++counts_.looks;
       return false;

@@ -249,8 +249,8 @@ void BagRun::onNews(std::int64_t now) {
   zones_.onNews(now, isReported(now));
   if (isReported(now)) {
     record(now);
-  } else if (pairs_ && !has_recorded_) {
-    pairs_->remember(scene_.scene());
+  } else if (pairs_) {
+    pairs_->remember(scene_.scene(), now);
   }
 }
 

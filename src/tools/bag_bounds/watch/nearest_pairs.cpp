@@ -97,6 +97,13 @@ PairMotions::Handlers NearestPairs::motionHandlers() {
   handlers.on_motion = [this](const Moment& moment, const PairMotion& motion) {
     take(moment, motion);
   };
+  handlers.on_forgotten = [this](const std::string& first, const std::string& second) {
+    for (const auto& names : {std::pair(first, second), std::pair(second, first)}) {
+      const auto found = pairs_.find(names);
+      if (found != pairs_.end()) found->second.clearance = 0;
+    }
+    takeUndecided(first, second, "the second one was deleted before it is known how they moved");
+  };
   handlers.gives_up = isInterrupted;
   return handlers;
 }
@@ -114,8 +121,12 @@ void NearestPairs::take(const Moment& moment, const PairMotion& motion) {
   const auto found = pairs_.find({first, second});
   if (found != pairs_.end())
     found->second.clearance = std::min(found->second.clearance, motion.clearance);
-  if (!motion.undecided.empty() && undecided_++ == 0)
-    first_undecided_ = first + " and " + second + ": " + motion.undecided;
+  if (!motion.undecided.empty()) takeUndecided(first, second, motion.undecided);
+}
+
+void NearestPairs::takeUndecided(const std::string& first, const std::string& second,
+                                 const std::string& why) {
+  if (undecided_++ == 0) first_undecided_ = first + " and " + second + ": " + why;
 }
 
 /// Nothing if it was interrupted: without all trees, distances are smaller than they need be.

@@ -39,7 +39,7 @@ class NearestPairs {
   NearestPairs& operator=(const NearestPairs&) = delete;
 
   /// See PairMotions.
-  void remember(const Scene& scene) { motions_.remember(scene); }
+  void remember(const Scene& scene, std::int64_t now) { motions_.remember(scene, now); }
 
   /// The scene must have a model. Looks at the motions since the last call, too. Adds less, or
   /// nothing, if it is interrupted.
@@ -82,6 +82,7 @@ class NearestPairs {
   void addNow(const ComputedDistances& computed, double limit, std::int64_t now);
   PairMotions::Handlers motionHandlers();
   void take(const Moment& moment, const PairMotion& motion);
+  void takeUndecided(const std::string& first, const std::string& second, const std::string& why);
   void keep(const Distance& distance, const RecordTime& when);
 
   LoadTree load_tree_;

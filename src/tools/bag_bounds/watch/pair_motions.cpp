@@ -17,6 +17,9 @@ namespace {
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+/// So many objects that are gone are looked at: those of some seconds, where many change often.
+constexpr std::size_t kMaxGone = 10'000;
+
 /// From one stamp to another one, so much later [ns].
 bool isMotion(std::int64_t passed, double timeout) {
   return passed >= 0 && (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9);
@@ -51,7 +54,8 @@ struct RestTimes {
 
 }  // namespace
 
-void PairMotions::remember(const Scene& scene) {
+void PairMotions::remember(const Scene& scene, std::int64_t now) {
+  if (moment_) return;
   const double timeout = scene.model()->parameters.timeout;
   scene.forEach([&](const SceneBody& body) {
     const std::int64_t stamp = body.state.stamp;
@@ -62,7 +66,9 @@ void PairMotions::remember(const Scene& scene) {
     const Known before = known->second;
     const bool goes_on = !is_new && isMotion(stamp - before.stamp, timeout);
     known->second = {stamp, goes_on ? before.since : stamp, kNoPass, 0, true, stamp};
+    compareClocks(stamp, now);
   });
+  forgetObjects();
 }
 
 /// Of the last moment. Those that were gone before stay while they are needed. One that was
@@ -83,50 +89,46 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
     }
     if (present.count(body.object.get()) != 0) continue;
     const std::int64_t until = std::max(stampAt(now), stamps[moment_->name(body)]);
-    gone_.push_back({body, means.bodies.sharedBody(i), now, until});
+    gone_.push_back({body, means.bodies.sharedBody(i), until});
   }
-  if (!gone_.empty()) forgetGone(now, moment.model->parameters.timeout);
+  if (!gone_.empty() || !forgotten_.empty()) forgetGone();
 }
 
-/// The clocks of stamps and of the recorder differ where no transform is as late as the earliest.
-void PairMotions::compareClocks(const Moment& moment, std::int64_t now) {
-  for (const Moment::Body& body : moment.bodies) {
-    const bool moves = body.stamp != 0 && (!body.object || body.object->follows());
-    if (moves) delay_ = std::min(delay_.value_or(MovedBody::kForEver), now - body.stamp);
-  }
+void PairMotions::compareClocks(std::int64_t stamp, std::int64_t now) {
+  delay_ = std::min(delay_.value_or(MovedBody::kForEver), now - stamp);
 }
 
-/// By the clock of stamps.
+/// By the clock of stamps. Where that is the recorder's, no transform is recorded before its stamp,
+/// and one of them soon after it. Else the smallest delay counts as the difference of the clocks,
+/// although it includes the latency of that transform, which is not known.
 std::int64_t PairMotions::stampAt(std::int64_t recorded) const {
   const std::int64_t delay = delay_.value_or(0);
   return delay < 0 || delay > kLongestRest ? recorded - delay : recorded;
 }
 
-/// When no motion can begin before they were deleted. A deletion that still seems to be much later
-/// after a while is so because one clock runs faster than the other. What goes on after a longer
-/// pause than tf remembers is not known beside any of them: the last one is enough to say so.
-void PairMotions::forgetGone(std::int64_t now, double timeout) {
+/// When the stamps of all bodies that move have passed the deletion. Who is silent may go on at any
+/// time: tf may have stalled. Until then, of those that are too old or too many the names stay.
+void PairMotions::forgetGone() {
   std::int64_t newest = 0;
+  std::int64_t oldest = MovedBody::kForEver;
   for (const auto& [key, known] : known_) {
-    if (known.moves) newest = std::max(newest, known.stamp);
+    if (!known.moves) continue;
+    newest = std::max(newest, known.stamp);
+    oldest = std::min(oldest, known.stamp);
   }
-  std::int64_t oldest = newest;
-  for (const auto& [key, known] : known_) {
-    const std::int64_t silence = newest - known.stamp;
-    if (known.moves && (silence < kLongestRest || isMotion(silence, timeout)))
-      oldest = std::min(oldest, known.stamp);
-  }
-  std::int64_t last = 0;
-  for (Gone& gone : gone_) {
-    if (now - gone.recorded > kLongestRest)
-      gone.until = std::min(gone.until, newest + EdgeHistory::kLength);
-    last = std::max(last, gone.until);
-  }
-  const auto is_over = [&](const Gone& gone) {
-    const bool is_known = newest - gone.until <= EdgeHistory::kLength;
-    return newest == 0 || oldest >= gone.until || (!is_known && gone.until != last);
-  };
+  const auto is_over = [oldest](const Gone& gone) { return gone.until <= oldest; };
   gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_over), gone_.end());
+  if (forgotten_until_ <= oldest) forgotten_.clear();
+  std::size_t excess = gone_.size() - std::min(gone_.size(), kMaxGone);
+  const auto is_forgotten = [&](const Gone& gone) {
+    if (newest - gone.until <= EdgeHistory::kLength && excess == 0) return false;
+    if (excess > 0) --excess;
+    std::int64_t& until = forgotten_[gone.seen.object->bounded.name];
+    until = std::max(until, gone.until);
+    forgotten_until_ = std::max(forgotten_until_, until);
+    return true;
+  };
+  gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_forgotten), gone_.end());
 }
 
 /// With those that were there when a motion began that ends now.
@@ -151,7 +153,10 @@ MomentPtr PairMotions::withGone(const MomentPtr& moment) {
 
 void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means& means) {
   ++pass_;
-  compareClocks(*present, now);
+  for (const Moment::Body& body : present->bodies) {
+    const bool moves = body.stamp != 0 && (!body.object || body.object->follows());
+    if (moves) compareClocks(body.stamp, now);
+  }
   findGone(*present, now, means);
   const MomentPtr moment = withGone(present);
   last_ = std::exchange(moment_, moment);
@@ -184,6 +189,7 @@ void PairMotions::look(const Means& means) {
       if (means.handlers.gives_up()) break;
       lookAt(pair, means);
     }
+    lookAtForgotten(means);
   }
   for (auto lease = leases_.begin(); lease != leases_.end();)
     lease = lease->second.first == pass_ ? std::next(lease) : leases_.erase(lease);
@@ -194,6 +200,8 @@ void PairMotions::finish(const Means& means) {
   if (last_) lookAtRests(std::exchange(movers_, {}), means);
   moment_.reset();
   gone_.clear();
+  forgotten_.clear();
+  forgotten_until_ = 0;
   needed_gone_ = 0;
   known_.clear();
   delay_.reset();
@@ -313,6 +321,22 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
   if (pass + 1 != pass_ || lease.stamp != span.begin) lease = {};
   pass = pass_;
   lookDuring(span, *moment_, pair, first, second, *wanted, lease, means);
+}
+
+/// Where these were is not known: whether they were near is undecided.
+void PairMotions::lookAtForgotten(const Means& means) const {
+  if (forgotten_.empty()) return;
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const MovedBody& mover = movers_[i];
+    const bool has_moved = mover.was_there && mover.way > 0 && mover.begin < mover.end;
+    if (!has_moved || mover.begin >= forgotten_until_) continue;
+    const PairMember member = moment_->member(i);
+    for (const auto& [name, until] : forgotten_) {
+      const bool is_other = mover.begin < until && name != *member.name;
+      if (is_other && isPair(*moment_->model, member, {&name, std::nullopt}))
+        means.handlers.on_forgotten(*member.name, name);
+    }
+  }
 }
 
 /// The movers are those of the last moment.

@@ -61,6 +61,9 @@ class PairMotions {
     std::function<std::optional<double>(const Moment&, const BoxPair&)> wanted;
     /// A motion of a pair of the moment, whose clearance may be below that.
     std::function<void(const Moment&, const PairMotion&)> on_motion;
+    /// The body of the first name moved, maybe beside the object of the second one, which was
+    /// deleted meanwhile: where that was is forgotten.
+    std::function<void(const std::string&, const std::string&)> on_forgotten;
     std::function<bool()> gives_up;
   };
 
@@ -72,9 +75,10 @@ class PairMotions {
     const Handlers& handlers;
   };
 
-  /// To be called before the first moment when boxes change: links, and objects that follow a
-  /// frame, move from there, also those that are lost when it begins.
-  void remember(const Scene& scene);
+  /// To be called before the first moment, at the record time `now` [ns], when boxes change: links,
+  /// and objects that follow a frame, move from there, also those that are lost when it begins.
+  /// Does nothing after that, until finish().
+  void remember(const Scene& scene, std::int64_t now);
 
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
   /// is lost, or does not go on, others are looked at beside its last place, since its stamp. An
@@ -130,14 +134,13 @@ class PairMotions {
   struct Gone {
     Moment::Body seen;
     std::shared_ptr<const Body> body;
-    std::int64_t recorded;  ///< when it was deleted [ns]
-    std::int64_t until;     ///< the same by the clock of stamps
+    std::int64_t until;  ///< when it was deleted, by the clock of stamps
   };
 
   void findGone(const Moment& moment, std::int64_t now, const Means& means);
-  void compareClocks(const Moment& moment, std::int64_t now);
+  void compareClocks(std::int64_t stamp, std::int64_t now);
   std::int64_t stampAt(std::int64_t recorded) const;
-  void forgetGone(std::int64_t now, double timeout);
+  void forgetGone();
   MomentPtr withGone(const MomentPtr& moment);
   void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
   void forgetObjects();
@@ -145,6 +148,7 @@ class PairMotions {
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;
   static std::vector<BoxPair> near(const MomentPtr& moment, double way, const Means& means);
   void lookAt(const BoxPair& pair, const Means& means);
+  void lookAtForgotten(const Means& means) const;
   void lookAtRests(const std::vector<MovedBody>& movers, const Means& means);
   void lookAtRest(const BoxPair& pair, MovedBody first, MovedBody second, const Means& means);
   void lookDuring(MotionSpan span, const Moment& moment, const BoxPair& pair, MovedBody& first,
@@ -156,6 +160,8 @@ class PairMotions {
   MomentPtr moment_;
   MomentPtr last_;
   std::vector<Gone> gone_;
+  std::map<std::string, std::int64_t> forgotten_;  ///< objects that are gone, with their `until`
+  std::int64_t forgotten_until_ = 0;               ///< the last one of these
   std::optional<std::int64_t> delay_;  ///< the smallest one of a record time after its stamp [ns]
   std::size_t needed_gone_ = 0;        ///< so many of them are the last bodies of the moment
   std::vector<MovedBody> movers_;      ///< of the bodies of the moment
