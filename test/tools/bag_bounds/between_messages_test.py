@@ -658,6 +658,30 @@ class PostTest(BagBoundsTest):
                           err='leave out --start',
                           text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1], name))
 
+    def test_a_motion_across_the_start_after_a_jump_of_the_clock(self):
+        """What was before the start is remembered again."""
+        self.plates('slow', 'fast')
+        steps = [(i / 2, {'slow': 0, 'fast': -1}) for i in range(17)]
+        steps += [(i + .9, {'slow': 0, 'fast': -1}) for i in range(2, 5)]
+        for last, code in (1, UNDERCUT), (-.9, INCOMPLETE):
+            messages = self.plate_messages(*steps, (5.9, {'slow': 0, 'fast': last}))
+            for name in '', 'slow':
+                text = zone_text('gate', [-.3, -1, -1], [-.2, 1, 1], name)
+                with self.subTest(last=last, frame=name):
+                    self.zone(messages, '--start', '5', code=code, err='jumped back', text=text)
+            with self.subTest(last=last):
+                self.report(self.bag(messages), '--distances', '.01', '--start', '5', code=code,
+                            err='jumped back')
+
+    def test_a_link_without_a_place_in_the_fixed_frame_that_moves_at_the_start(self):
+        self.plates('fast')
+        steps = [(0, {'fast': -1}), (.1, {'fast': -1}), (.3, {'fast': 1}, 4), (4.5, {'fast': 1})]
+        static = TFMessage([transform('map', 'cart', time_of(0))])
+        messages = [('/tf_static', static, time_of(BEGIN))] + self.plate_messages(*steps)
+        self.zone(messages, '--start', '2', '--fixed-frame', 'map', '--timeout', '1', code=ENTERED,
+                  err='no link ever had a box',
+                  text=zone_text('gate', [-.3, -1, -1], [.3, 1, 1], 'base'))
+
     def test_a_marker_on_a_link_that_moves_at_the_start(self):
         """It moves as that does, also where that becomes known after a stall."""
         self.plates('slow', 'fast')

@@ -42,6 +42,24 @@ struct ToldMotion {
   Eigen::Affine3d source_from_link = Eigen::Affine3d::Identity();
 };
 
+template <class Message>
+void takeMessage(RecordedScene& scene, const std::string& topic, const std::string& type,
+                 const Message& message, std::int64_t time) {
+  const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
+  const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
+  scene.take({&topic, &type, &kBodySender, time, bytes.message_start, size});
+}
+
+void takeMessage(RecordedScene& scene, const CarrierMessage& message) {
+  if (message.transforms.empty())
+    return takeMessage(scene, "/objects", "visualization_msgs/Marker", message.marker,
+                       message.time);
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms = message.transforms;
+  takeMessage(scene, message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms,
+              message.time);
+}
+
 class RandomBodies {
  public:
   struct Counts {
@@ -65,11 +83,7 @@ class RandomBodies {
   void receive() {
     const CarrierMessage message = carriers_.next();
     if (scene_.goesBackTo(message.time)) finish();
-    if (message.transforms.empty())
-      return take("/objects", "visualization_msgs/Marker", message.marker, message.time);
-    tf2_msgs::TFMessage transforms;
-    transforms.transforms = message.transforms;
-    take(message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms, message.time);
+    takeMessage(scene_, message);
   }
 
   const Counts& counts() const { return counts_; }
@@ -99,14 +113,6 @@ class RandomBodies {
   TransformBuffer& tf() { return scene_.tf(); }
   ros::Time rosNow() const {
     return ros::Time().fromNSec(static_cast<std::uint64_t>(scene_.now()));
-  }
-
-  template <class Message>
-  void take(const std::string& topic, const std::string& type, const Message& message,
-            std::int64_t time) {
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    scene_.take({&topic, &type, &kBodySender, time, bytes.message_start, size});
   }
 
   auto teller() {
@@ -312,6 +318,37 @@ TEST(BodySequences, EachPlaceBetweenMessagesBelongsToAMotion) {
   EXPECT_GT(sum.motions, 1000 * kRecordings);
   EXPECT_GT(sum.rests, 10 * kRecordings);
   EXPECT_GT(sum.formers, kRecordings / 2);
+}
+
+/// Of what was before the first look, only what is there is kept.
+TEST(BodySequences, AnObjectThatIsDeletedBeforeTheFirstLookIsForgotten) {
+  const std::string arm = RandomCarriers::armName(0);
+  RecordedScene scene([](const std::string&) { return LoadedMesh(); }, [](std::int64_t) {},
+                      [](std::int64_t, bool) {});
+  scene.adopt(modelOf("world", {meshLink(arm, 1)}), 1'000'000'000);
+  EdgeWays edges(scene.tf());
+  BodyMotions motions(scene.scene(), edges, nullptr);
+  CarrierMessage message;
+  message.time = 2'000'000'000;
+  message.transforms = {
+      edge("world", arm, 2, Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero())};
+  takeMessage(scene, message);
+  message.transforms.clear();
+  message.marker.header.frame_id = arm;
+  message.marker.type = visualization_msgs::Marker::SPHERE;
+  message.marker.pose.orientation.w = 1;
+  message.marker.scale.x = message.marker.scale.y = message.marker.scale.z = 0.1;
+  takeMessage(scene, message);
+  motions.remember();
+  std::weak_ptr<const ObjectContent> content;
+  scene.scene().forEach([&](const SceneBody& body) {
+    if (body.object) content = scene.scene().boxSource(body).object;
+  });
+  ASSERT_FALSE(content.expired());
+  message.marker.action = visualization_msgs::Marker::DELETE;
+  takeMessage(scene, message);
+  motions.remember();
+  EXPECT_TRUE(content.expired());
 }
 
 }  // namespace

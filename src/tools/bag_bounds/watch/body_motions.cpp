@@ -91,17 +91,20 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
 }
 
 void BodyMotions::remember() {
+  ++pass_;
   scene_.forEach([this](const SceneBody& body) {
-    if (!body.state.box) return;
-    const BoxSource source = scene_.boxSource(body);
-    const FrameView::Placed placed = placedIn(body);
-    if (source.frame_from_body || !placed.state.box) return;
     Last& last = lastOf(body);
+    const FrameView::Placed placed = placedIn(body);
+    if (!placed.state.box) return;
+    const BoxSource source = scene_.boxSource(body);
+    if (source.frame_from_body) return;
     last.stamp = placed.pose_stamp;
     last.box = *placed.state.box;
     last.is_new = true;
     last.object = source.object;
+    last.place.reset();
   });
+  forgetObjects([](BodyNumber, const std::string&, const BodyMotion&) {});
 }
 
 FrameView::Placed BodyMotions::placedIn(const SceneBody& body) {

@@ -89,8 +89,8 @@ class BodyMotions {
   /// this.
   BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view);
 
-  /// To be called before the first forEach() when boxes change: links, and objects that follow a
-  /// frame, move from there, also those that are lost when it begins.
+  /// To be called before the first forEach(), also after finish(), when boxes change: links, and
+  /// objects that follow a frame, move from there, also those that are lost when it begins.
   void remember();
 
   /// Calls visit(number, name, state, motion) as Scene::forEach; `motion` is null if there was none
@@ -174,7 +174,7 @@ class BodyMotions {
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
 
   template <class VisitRest>
-  void visitFormers(Last& last, VisitRest& visit_rest) {
+  void visitFormers(Last& last, VisitRest&& visit_rest) {
     forgetFormers(last);
     for (Former& former : last.formers) {
       if (const BodyMotion* motion = untilReplaced(former))
@@ -184,7 +184,7 @@ class BodyMotions {
 
   /// What was replaced by one of them stands until its stamp nevertheless.
   template <class VisitRest>
-  void forgetObjects(VisitRest& visit_rest) {
+  void forgetObjects(VisitRest&& visit_rest) {
     if (last_objects_.size() == scene_.objects.objects().size()) return;
     for (auto entry = last_objects_.begin(); entry != last_objects_.end();) {
       Last& last = entry->second;

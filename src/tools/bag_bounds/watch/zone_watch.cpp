@@ -69,7 +69,7 @@ void ZoneWatch::onNews(std::int64_t now, bool is_reported) {
 void ZoneWatch::compareOrRemember(Group& group, std::int64_t now, bool is_reported) {
   if (is_reported) {
     compare(group, now);
-  } else if (comparisons_ == 0) {
+  } else if (!group.is_compared) {
     group.motions.remember();
   }
 }
@@ -126,6 +126,7 @@ void ZoneWatch::compare(Group& group, std::int64_t now) {
   }
   sample(group, now);
   group.compared = now;
+  group.is_compared = true;
 }
 
 void ZoneWatch::visit(Watched& watched, const Seen& body, std::int64_t now) {
@@ -263,6 +264,7 @@ void ZoneWatch::endMotions() {
     group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {
       lookAtRest(group, {number, name, {}, &motion}, group.compared);
     });
+    group.is_compared = false;
   }
 }
 

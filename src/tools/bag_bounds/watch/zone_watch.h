@@ -114,6 +114,7 @@ class ZoneWatch {
     std::vector<Watched*> zones;
     std::int64_t compared = 0;            ///< the last time [ns]
     std::optional<std::int64_t> sampled;  ///< the last time at which the next two were looked up
+    bool is_compared = false;             ///< since motions ended
     bool has_boxes = false;               ///< a link had a box
     bool is_whole = false;                ///< and so it had in the frame of the zones
     std::int64_t time = 0;                ///< with boxes [ns]
