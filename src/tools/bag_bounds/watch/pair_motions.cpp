@@ -75,6 +75,7 @@ void PairMotions::remember(const Scene& scene, std::int64_t now) {
 /// replaced stands until the stamp of the new one, which may be ahead of the recorder.
 void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& means) {
   const std::size_t count = moment_ ? moment_->bodies.size() - needed_gone_ : 0;
+  const std::size_t known_gone = gone_.size();
   std::set<const ObjectContent*> present;
   std::map<std::string, std::int64_t> stamps;
   for (std::size_t i = 0; i < count; ++i) {
@@ -91,7 +92,7 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
     const std::int64_t until = std::max(stampAt(now), stamps[moment_->name(body)]);
     gone_.push_back({body, means.bodies.sharedBody(i), until});
   }
-  if (!gone_.empty() || !forgotten_.empty()) forgetGone();
+  if (gone_.size() > known_gone) forgetGone();
 }
 
 void PairMotions::compareClocks(std::int64_t stamp, std::int64_t now) {
