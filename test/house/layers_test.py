@@ -33,7 +33,7 @@ ROOTS = ['include/link_bounds', 'src', 'test']
 # Former places of headers, folders of test that are no rooms, and folders of tests that look at the
 # node as a whole.
 WITHOUT_RULES = ['include/link_bounds/geometry/overlaps', 'test/consumer', 'test/fuzz',
-                 'test/house', 'test/sanitizers', 'test/soak', 'test/testing']
+                 'test/house', 'test/mutants', 'test/sanitizers', 'test/soak', 'test/testing']
 WHOLE_NODE = ['test/node/demos', 'test/node/sequences']
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
