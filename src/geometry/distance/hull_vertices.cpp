@@ -102,7 +102,8 @@ class HullLists {
         offsets_[next] = offsets_.back();
         offsets_.pop_back();
       } else {
-        list(result.lower > 0 ? farthest(-result.normal) : next);
+        // A listed one, where only rounding separates them.
+        list(result.lower > 0 ? std::max(next, farthest(-result.normal)) : next);
       }
     }
     return farthest_out;

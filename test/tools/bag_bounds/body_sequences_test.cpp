@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Random recordings: each place of a body between two messages, as dense samples of tf have it in
-// the frame of a zone, belongs to a motion that is told.
+// the frame of a zone, belongs to a motion that is reported.
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
