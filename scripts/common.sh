@@ -123,7 +123,7 @@ build() {
 
 # Prints a port on which nobody listens.
 free_port() {
-  python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
+  python3 "$REPO/test/testing/free_port.py"
 }
 
 # Here $1 is the first argument of the script that sources this file.

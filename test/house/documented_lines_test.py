@@ -14,7 +14,6 @@ import pathlib
 import re
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -26,6 +25,7 @@ from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 
 from bag_bounds_testing import BEGIN, time_of, write_bag
+from free_port import free_port
 from page_testing import PACKAGE
 from patience import PATIENCE
 
@@ -178,12 +178,6 @@ class DocumentedLinesTest(unittest.TestCase):
                 with self.subTest(line):
                     code, err = self.status(line, is_sound=True)
                     self.assertEqual(code, 0, err)
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('localhost', 0))
-        return probe.getsockname()[1]
 
 
 class Shell:

@@ -12,6 +12,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -51,16 +53,20 @@ class OwnMaster {
   OwnMaster& operator=(const OwnMaster&) = delete;
 
  private:
+  /// On which nobody listens. Linux gives ports from 32768 on to whoever asks for any, also between
+  /// the choice and the start.
   static int freePort() {
-    const int probe = socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(address);
-    bind(probe, reinterpret_cast<sockaddr*>(&address), size);
-    getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-    close(probe);
-    return ntohs(address.sin_port);
+    std::uniform_int_distribution<int> ports(20000, 31999);
+    for (std::random_device random;;) {
+      sockaddr_in address{};
+      address.sin_family = AF_INET;
+      address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+      address.sin_port = htons(static_cast<std::uint16_t>(ports(random)));
+      const int probe = socket(AF_INET, SOCK_STREAM, 0);
+      const bool is_free = bind(probe, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+      close(probe);
+      if (is_free) return ntohs(address.sin_port);
+    }
   }
 
   pid_t process_ = 0;

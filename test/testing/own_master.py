@@ -3,21 +3,19 @@
 """A ROS master for one test script and the processes that it starts."""
 import os
 import signal
-import socket
 import subprocess
 import xmlrpc.client
 
 import rosgraph
 from bounds_testing import wait_for
+from free_port import free_port
 
 
 class OwnMaster:
     """It may die and start again at the same address, which is that of this process's master."""
 
     def __init__(self):
-        with socket.socket() as probe:
-            probe.bind(("localhost", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % self.port
         self.start()
 

@@ -5,12 +5,12 @@ environment."""
 import json
 import os
 import random
-import socket
 import struct
 import subprocess
 import time
 
 import rosgraph
+from free_port import free_port
 
 PROGRAMS = os.path.join(os.environ["LINK_BOUNDS_BUILD"], "devel", "lib", "link_bounds")
 PROCESSES = ("relay", "stopwatch", "usual_tf2", "service_client", "empty_service", "bag_made",
@@ -52,9 +52,7 @@ class Master:
     """A master on a port that nobody else uses; all processes started by it end with it."""
 
     def __enter__(self):
-        with socket.socket() as free:
-            free.bind(("localhost", 0))
-            port = free.getsockname()[1]
+        port = free_port()
         os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % port
         self._processes = []
         self.start("rosmaster", "--core", "-p", str(port), stdout=subprocess.DEVNULL)
