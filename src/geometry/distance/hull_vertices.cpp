@@ -65,7 +65,7 @@ class HullLists {
       if (node.isLeaf() || node.count > kSmallNode) continue;
       begin(node);
       allowed_[i] = std::min(allowed_[node.child], allowed_[node.child + 1]);
-      allowed_[i] -= choose(allowed_[i]);
+      if (node.count > kProvenNode) allowed_[i] -= choose(allowed_[i]);
       store(node);
     }
     tree.hull_lists.shrink_to_fit();
