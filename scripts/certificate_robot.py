@@ -7,6 +7,7 @@ import math
 import os
 import re
 import struct
+import urllib.parse
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -125,9 +126,23 @@ def inside(element, body, hint):
     return place.apply(Interval(p)), min(room.lo.min() for room in rooms)
 
 
+def parsed(path):
+    """The XML of a robot description, of which urdf_bounds takes more than this program does."""
+    with open(path, 'rb') as file:
+        data = file.read()
+    try:
+        tree = ElementTree.fromstring(data)
+    except ElementTree.ParseError as reason:
+        raise NotCovered('%s is no XML by the rules: %s' % (path, reason)) from reason
+    encoding = re.match(rb'[^>]*encoding=.([\w-]+)', data)
+    if tree.tag != 'robot' or (encoding and encoding[1].lower() not in (b'utf-8', b'us-ascii')):
+        raise NotCovered('%s has a default namespace, or another encoding than UTF-8' % path)
+    return tree
+
+
 class Robot:
     def __init__(self, file, given):
-        tree = ElementTree.parse(file).getroot()
+        tree = parsed(file)
         self.folder, self.given, self.bodies = os.path.dirname(os.path.abspath(file)), given, {}
         self.links = {link.get('name'): link for link in tree.findall('link')}
         self.joints = {joint.get('name'): joint for joint in tree.findall('joint')}
@@ -168,6 +183,7 @@ class Robot:
                 self.given[name] = 0.0, 0.0
 
     def file_of(self, name):
+        name = urllib.parse.unquote(name)
         if not name.startswith('package://'):
             return os.path.join(self.folder, re.sub('^file://', '', name))
         package, _, rest = name[len('package://'):].partition('/')

@@ -4,8 +4,9 @@
 """Reports which link enters or leaves a zone: an object in the marker namespace ~zones.
 
 Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
-~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete is
-reported as not watched and leaves no zone meanwhile; the header stamps say what belongs together.
+~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete, and
+a link that has no box any more, is reported as not watched and leaves no zone meanwhile; the header
+stamps say what belongs together.
 Parameter: ~zones (default zones).
 """
 
@@ -22,6 +23,7 @@ sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
+QUIET = 10  # PERIODs without a message: then both topics have sent what they know
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
@@ -44,7 +46,10 @@ class Watch:
         self._lock = threading.Lock()
         self._zones, self._incomplete = set(), set()
         self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
+        self._boxed = set()  # names
         self._boxes_stamp = self._overlaps_stamp = NEVER  # ns, of the newest message
+        self._went_back = False  # the stamps, so that they may not tell what belongs together
+        self._quiet = 0  # PERIODs since the last message
         self._missing_since = {}  # (name, zone): the first ~overlaps without it
         self._complete_since = {}  # name: the ~boxes that it is complete again in, if newer than
         #                            ~overlaps
@@ -53,6 +58,7 @@ class Watch:
         """Reports who enters, at once."""
         stamp = message.header.stamp.to_nsec()
         with self._lock:
+            self._quiet = 0
             if stamp < self._overlaps_stamp:
                 self._begin_anew()
             self._overlaps_stamp = stamp
@@ -68,10 +74,12 @@ class Watch:
     def take_boxes(self, message):
         stamp = message.header.stamp.to_nsec()
         with self._lock:
+            self._quiet = 0
             if stamp < self._boxes_stamp:
                 self._begin_anew()
             self._boxes_stamp = stamp
-            zones = {box.name for box in message.boxes if self._is_zone(box.name)}
+            self._boxed = {box.name for box in message.boxes}
+            zones = set(filter(self._is_zone, self._boxed))
             incomplete = set(message.incomplete)
             self._tell_difference(zones, self._zones, 'zone %s is there', 'zone %s is gone')
             self._tell_difference(incomplete, self._incomplete,
@@ -83,20 +91,32 @@ class Watch:
 
     def _begin_anew(self):
         """The stamps of a topic went back: those of the other one tell nothing until it sends."""
+        self._went_back = True
         self._boxes_stamp = self._overlaps_stamp = NEVER
         self._missing_since, self._complete_since = {}, {}
 
     def settle(self):
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
-            unwatched = self._incomplete.union(self._complete_since)
-            missing = {pair for pair, since in self._missing_since.items()
-                       if since <= self._boxes_stamp and not unwatched.intersection(pair)}
+            self._quiet += 1
+            missing = self._find_missing()
             for name, zone in sorted(missing & self._missing):
-                self._tell('%s left zone %s' % (kind(name), zone))
-                del self._missing_since[name, zone]
+                if name in self._boxed or OBJECT.fullmatch(name):
+                    self._tell('%s left zone %s' % (kind(name), zone))
+                else:
+                    self._tell('%s is not watched: it has no box any more' % kind(name))
+                self._missing_since.pop((name, zone), None)
             self._inside -= missing & self._missing
             self._missing = missing
+
+    def _find_missing(self):
+        """Who is not in a zone any more, by both topics."""
+        if self._went_back and self._quiet > QUIET:
+            return {pair for pair in self._inside - self._overlapping
+                    if not self._incomplete.intersection(pair)}
+        unwatched = self._incomplete.union(self._complete_since)
+        return {pair for pair, since in self._missing_since.items()
+                if since <= self._boxes_stamp and not unwatched.intersection(pair)}
 
     def _visit(self, pair):
         """(name, zone), or None for two zones or none."""

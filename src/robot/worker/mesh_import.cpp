@@ -7,19 +7,19 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <cstring>
 #include <new>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "link_bounds/geometry/box/length.h"
 #include "robot/mesh/weld.h"
 #include "robot/worker/confined_files.h"
+#include "robot/worker/misread_files.h"
+#include "robot/worker/polygon.h"
 
 namespace link_bounds {
 namespace {
@@ -69,61 +69,54 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
     const Eigen::Vector3d vertex(v.x, v.y, v.z);
     mesh.vertices.push_back((file_from_node * vertex).cast<float>());
   }
+  CornerIndices corners;
   for (unsigned i = 0; i < source.mNumFaces; ++i) {
     const aiFace& face = source.mFaces[i];
-    // A polygon becomes a fan, points and lines nothing. The box is that of any triangulation.
-    for (unsigned corner = 2; corner < face.mNumIndices; ++corner) {
-      mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[corner - 1],
-                                first + face.mIndices[corner]});
+    corners.assign(face.mIndices, face.mIndices + face.mNumIndices);
+    for (std::uint32_t& corner : corners)
+      corner += first;
+    // Points and lines become nothing.
+    if (corners.size() == 3) {
+      mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+    } else if (corners.size() > 3) {
+      const auto triangles = trianglesOf(corners, mesh.vertices);
+      mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
     }
   }
 }
 
-/// The PLY reader of assimp makes one triangle of all strips of a mesh.
-void refuseTriangleStrips(ConfinedFiles& files, const std::string& path) {
-  constexpr std::size_t kMaxHeaderBytes = 1 << 16;  // headers of real files take less than 1 KiB
-  Assimp::IOStream* file = files.Open(path.c_str(), "rb");
-  if (!file) throw MeshError("it cannot be opened", MeshFault::kUnreadable);
-  std::string header(kMaxHeaderBytes, ' ');
-  header.resize(file->Read(header.data(), 1, kMaxHeaderBytes));
-  files.Close(file);
-  if (header.compare(0, 3, "ply") != 0) return;
-  std::replace(header.begin(), header.end(), '\r', '\n');
-  std::istringstream lines(header);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string keyword;
-    std::string name;
-    words >> keyword >> name;
-    if (keyword == "end_header") return;
-    if (keyword == "element" && name == "tristrips") {
-      throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
-    }
-  }
-}
-
-/// The reader of OFF replaces an index that is out of range by a valid one, and only logs it.
-class IndexErrorLog : public Assimp::Logger {
+/// Some readers only log what they leave out: an index that is out of range, a number that is too
+/// large, the end of a text, a part of a Collada file that is elsewhere.
+class LossLog : public Assimp::Logger {
  public:
   /// "" if there is none.
-  const std::string& firstError() const { return first_error_; }
+  const std::string& firstLoss() const { return first_loss_; }
 
   // The names of pure functions differ between versions of assimp (OnVerboseDebug, detachStream
   // and detatchStream), so none is marked as overriding.
   void OnDebug(const char*) {}
   void OnVerboseDebug(const char*) {}
   void OnInfo(const char*) {}
-  void OnWarn(const char*) {}
+  void OnWarn(const char* message) {
+    for (const char* const loss : {"'endsolid' keyword was expected", "not yet complete",
+                                   "resulted in overflow", "Unable to find geometry"})
+      note(message, loss);
+  }
   void OnError(const char* message) {
-    const bool is_index_error = std::strstr(message, "out of range") != nullptr;
-    if (is_index_error && first_error_.empty()) first_error_ = message;
+    for (const char* const loss :
+         {"out of range", "OFF: ", "STL: ", "to instanced node", "Unresolved reference format"})
+      note(message, loss);
   }
   bool attachStream(Assimp::LogStream*, unsigned int) { return false; }
   bool detachStream(Assimp::LogStream*, unsigned int) { return false; }
   bool detatchStream(Assimp::LogStream*, unsigned int) { return false; }
 
  private:
-  std::string first_error_;
+  void note(const char* message, const char* loss) {
+    if (first_loss_.empty() && std::strstr(message, loss)) first_loss_ = message;
+  }
+
+  std::string first_loss_;
 };
 
 /// A loop, because nodes may be nested more deeply than the stack allows.
@@ -149,12 +142,12 @@ TriangleMesh collectTriangles(const aiScene& scene) {
 
 TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
                         const BytesHandler& on_bytes) {
-  auto* const log = new IndexErrorLog;
+  auto* const log = new LossLog;
   Assimp::DefaultLogger::set(log);  // which owns it
   Assimp::Importer importer;
   auto* files = new ConfinedFiles(file.root, max_bytes, on_bytes);
   importer.SetIOHandler(files);
-  refuseTriangleStrips(*files, file.path);
+  refuseMisread(*files, file.path);
   // Otherwise assimp adds a mesh that shows the nodes of a file without geometry.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(file.path, 0);
@@ -166,10 +159,10 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
     throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);
-  if (!log->firstError().empty()) {
-    throw MeshError("assimp found a fault in it (" + log->firstError() + ")");
-  }
-  return welded(collectTriangles(*scene));
+  TriangleMesh mesh = welded(collectTriangles(*scene));
+  if (!log->firstLoss().empty())
+    throw MeshError("assimp found a fault in it (" + log->firstLoss() + ")");
+  return mesh;
 }
 
 }  // namespace link_bounds

@@ -149,9 +149,25 @@ class Scan {
     return times;
   }
 
-  /// Adds moments from one sample to before the next one, so many that the errors are small. False
-  /// if there would be too many, with `left` more of them at least.
+  /// From one sample to before the next one. An edge that jumps there does so in the last
+  /// nanosecond.
   bool follow(std::int64_t begin, std::int64_t end, std::size_t left) {
+    if (end - begin < 2 || !jumpsAfter(begin)) return followStep(begin, end, left);
+    return followStep(begin, end - 1, left + 1) && followStep(end - 1, end, left);
+  }
+
+  /// Whether an edge does not move as a line from this sample to the next one.
+  bool jumpsAfter(std::int64_t begin) {
+    return std::any_of(movers_.begin(), movers_.end(), [&](Mover& mover) {
+      if (!mover.path().isMoving()) return false;
+      mover.path().seek(begin);
+      return mover.path().isSudden();
+    });
+  }
+
+  /// Adds moments, so many that the errors are small. False if there would be too many, with `left`
+  /// more of them at least.
+  bool followStep(std::int64_t begin, std::int64_t end, std::size_t left) {
     const std::int64_t duration = end - begin;
     double parts = partsBetween(begin, end);
     // No point has a time between two nanoseconds. Parts of a few would differ too much in length.

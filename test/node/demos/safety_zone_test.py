@@ -13,7 +13,8 @@ import rospy
 import rostest
 from bounds_testing import (NodeLog, Pose, Recorder, TfSender, box_link, load, names_of, robot,
                             transform, turn, wait_for)
-from link_bounds.msg import AxisAlignedBoxArray, BoxOverlap, BoxOverlapArray
+from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap,
+                             BoxOverlapArray)
 from node_testing import NODE, SANITIZED
 from object_testing import ObjectSender, deletion, marker
 from std_msgs.msg import Header, String
@@ -192,11 +193,12 @@ class LateBoxes(unittest.TestCase):
 
     def boxes(self, stamp, *incomplete):
         self.watch.take_boxes(AxisAlignedBoxArray(
-            header=Header(stamp=rospy.Time(stamp)), incomplete=list(incomplete)))
+            header=Header(stamp=rospy.Time(stamp)), incomplete=list(incomplete),
+            boxes=[AxisAlignedBox(name=name) for name in {"hand"}.difference(incomplete)]))
 
-    def has_left(self):
+    def has_left(self, periods=3):
         """Looked at for long enough."""
-        for _ in range(3):
+        for _ in range(periods):
             self.watch.settle()
         return self.told.count(LEFT) == 1
 
@@ -262,6 +264,37 @@ class LateBoxes(unittest.TestCase):
         self.boxes(998)
         self.overlaps(998)
         self.assertTrue(self.has_left())
+
+    def test_what_both_topics_know_counts_when_no_more_comes(self):
+        """After stamps that went back; the other topic's came before, so that they seem later."""
+        for first, second in ((self.boxes, self.overlaps), (self.overlaps, self.boxes)):
+            with self.subTest(first.__name__):
+                self.setUp()
+                self.enter(1000)
+                first(1001)
+                first(999)
+                second(1001)
+                second(999)
+                self.assertFalse(self.has_left())
+                self.assertTrue(self.has_left(20))
+                self.assertTrue(self.has_left(20))  # once
+
+    def test_who_stays_incomplete_has_not_left_when_no_more_comes(self):
+        self.enter(1000)
+        self.boxes(1001)
+        self.boxes(999, "hand")
+        self.overlaps(1001)
+        self.overlaps(999)
+        self.assertFalse(self.has_left(40))
+        self.assertNotIn(LEFT, self.told)
+
+    def test_a_link_without_a_box_has_not_left(self):
+        """As that of a neighbour that has ended, or one that is ignored since a reload."""
+        self.enter(5)
+        self.watch.take_boxes(AxisAlignedBoxArray(header=Header(stamp=rospy.Time(6))))
+        self.overlaps(6)
+        self.assertFalse(self.has_left())
+        self.assertIn("link hand is not watched: it has no box any more", self.told)
 
     def test_boxes_that_are_ahead_after_a_jump_stay_known(self):
         self.enter(1000)

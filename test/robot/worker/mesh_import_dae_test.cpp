@@ -174,5 +174,12 @@ TEST(ImportDae, PolylistsAreTriangulated) {
   expectBounds(mesh, posed(kIdentity));
 }
 
+TEST(ImportDae, APartThatIsNotInTheFileIsMissed) {
+  EXPECT_EQ(importDae(dae(kMetres, node(kInstance))).triangles.size(), 4u);
+  for (const char* const part : {"<instance_geometry url='#none'/>", "<instance_node url='#none'/>",
+                                 "<instance_node url='other.dae#part'/>"})
+    EXPECT_THROW(importDae(dae(kMetres, node(kInstance + part))), MeshError) << part;
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -32,6 +32,8 @@ class ImportRefusals : public testing::Test {
     }
   }
 
+  void expectRefusedWhenCutOff(const std::string& name, const std::string& whole) const;
+
   TemporaryFolder folder_;
 };
 
@@ -103,6 +105,58 @@ TEST_F(ImportRefusals, AnEmptyOrTruncatedFile) {
   expectRefused("a.stl", whole.substr(0, whole.size() - 60));
 }
 
+/// Each beginning of it, but those that only lack the last number's end: they are whole in form.
+void ImportRefusals::expectRefusedWhenCutOff(const std::string& name,
+                                             const std::string& whole) const {
+  const Aabb box = boundsOf(import(name, whole));
+  ASSERT_EQ(whole.back(), '\n');
+  const std::size_t last = whole.find_last_of(" \n", whole.size() - 2) + 2;
+  for (std::size_t size = 0; size < std::min(last, whole.size() - 1); ++size) {
+    try {
+      const Aabb found = boundsOf(import(name, whole.substr(0, size)));
+      EXPECT_EQ(found.min(), box.min()) << name << ", bytes: " << size;
+      EXPECT_EQ(found.max(), box.max()) << name << ", bytes: " << size;
+    } catch (const MeshError&) {
+    }
+  }
+}
+
+TEST_F(ImportRefusals, ATextThatIsCutOffAnywhere) {
+  expectRefusedWhenCutOff("a.stl", asciiStl(tetrahedronCorners()));
+  expectRefusedWhenCutOff("a.off",
+                          "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 7\n0 6 0\n"
+                          "3 0 1 2\n3 0 1 4\n3 1 4 3\n");
+  expectRefusedWhenCutOff("a.off",
+                          "OFF 5 2 0 # counts\n# more\n0 0 0\n1 0 0\n0 1 0\n0 0 7\n"
+                          "0 6 0\n\n4 0 1 4 2 255 0 0\n3 1 4 3\n");
+  const std::string vertices =
+      "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 5\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 3\n"
+      "property list uchar int vertex_indices\n";
+  expectRefusedWhenCutOff("a.ply", vertices +
+                                       "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 7\n0 6 0\n"
+                                       "3 0 1 2\n3 0 1 4\n3 1 4 3\n");
+}
+
+TEST_F(ImportRefusals, ATextWithFewerLinesThanItSays) {
+  expectRefused("a.off", kOffVertices + "", "ends after 0 of 1 lines of faces");
+  expectRefused("a.off", kOffVertices + "3 0 1\n", "2 of 3 corners in line 0 of faces");
+  expectRefused("a.ply", ply("3 0 1"), "2 of 3 corners in line 0 of face");
+  expectRefused("a.ply", ply(""), "ends after 0 of 1 lines of face");
+  expectRefused("a.stl",
+                "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                "vertex 0 1 0\nendloop\nendfacet\n",
+                "endsolid");
+  expectRefused("a.ply", ply("3.0 0 1 2"), "does not begin with a number of corners");
+  expectRefused("a.off", kOffVertices + "10 0 1 2 0 1 2 0 1 2 0\n", "more corners than the 9");
+}
+
+TEST_F(ImportRefusals, ANumberThatIsTooLarge) {
+  const std::string rest = "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(import("a.obj", "v 1e20 0 0" + rest).triangles.size(), 1u);
+  expectRefused("a.obj", "v 100000000000000000000 0 0" + rest, "overflow");
+}
+
 TEST_F(ImportRefusals, AFormatThatNobodyKnows) {
   expectRefused("a.txt", "what is this", "assimp cannot read it");
 }
@@ -138,6 +192,14 @@ std::string threeVertices() {
 TEST_F(ImportRefusals, ABufferBesideTheMeshIsRead) {
   folder_.write("meshes/data.bin", threeVertices());
   EXPECT_EQ(import("a.gltf", gltf("data.bin")).vertices.size(), 3u);
+}
+
+TEST_F(ImportRefusals, AnExtensionThatMovesVertices) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const std::string used = R"({"extensionsUsed":["KHR_materials_unlit","KHR_mesh_quantization"],)";
+  expectRefused("a.gltf", used + gltf("data.bin").substr(1), "KHR_mesh_quantization");
+  const std::string harmless = R"({"extensionsUsed":["KHR_materials_unlit"],)";
+  EXPECT_EQ(import("a.gltf", harmless + gltf("data.bin").substr(1)).triangles.size(), 1u);
 }
 
 TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {

@@ -85,6 +85,17 @@ TEST(ImportObj, QuadsAndLargerPolygonsAreTriangulated) {
   expectBounds(hexagon, {-2, -2, 0}, {2, 2, 0});
 }
 
+TEST(ImportObj, ANotchOfAPolygonIsEmpty) {
+  const TriangleMesh mesh =
+      import("a.obj", "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n");  // an arrow
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3f edge = mesh.vertices[b] - mesh.vertices[a];
+    area += edge.cross(mesh.vertices[c] - mesh.vertices[a]).norm() / 2;
+  }
+  EXPECT_EQ(area, 1);
+}
+
 TEST(ImportObj, SeveralObjectsAreOneMesh) {
   const TriangleMesh mesh = import("a.obj",
                                    "o first\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"

@@ -15,7 +15,8 @@ FILTER = "/cloud_filter"
 
 
 def has_registered():
-    return is_known(FILTER) and FILTER + "/reload" in dict(entries(FILTER)["services"])
+    """Objects are what it subscribes to last."""
+    return is_known(FILTER) and FILTER + "/objects" in entries(FILTER)["subscriptions"]
 
 
 class CloudMaster(unittest.TestCase):

@@ -103,6 +103,30 @@ class CertificateTest(UrdfBoundsTest):
             self.assertEqual(code, REFUSED)
             self.assertIn('elbow', text)
 
+    def test_ranges_may_come_after_options(self):
+        file, _ = self.certificate(self.urdf, 'elbow:=0..0.5')
+        self.assertEqual(check(file, self.urdf, '--all', 'elbow:=0..0.5', '--seed', '1')[0], 0)
+
+    def test_names_of_meshes_that_are_encoded(self):
+        self.write('a cube.stl', 'solid cube\n%sendsolid\n' % cube_at((0, 0)))
+        for name in ('a%20cube.stl', 'file://%s/a%%20cube.stl' % self.folder):
+            urdf = self.write('mesh.urdf', '<robot name="mesh">%s</robot>' % ''.join([
+                link('base', '<geometry><mesh filename="%s"/></geometry>' % name), link('arm'),
+                link('tip', box('0.1 0.1 0.1', '3 0 0')),
+                joint('lift', 'prismatic', 'base', 'arm'),
+                joint('turn', 'revolute', 'arm', 'tip', limits=(-0.1, 0.1))]))
+            self.accept(urdf)
+
+    def test_descriptions_that_it_does_not_read(self):
+        """urdf_bounds does."""
+        for text in (ARM.replace('<robot ', '<robot xmlns="http://a" ', 1), ARM + '<!-- -->\0',
+                     ARM.replace('</robot>', '<gazebo><a:b/></gazebo></robot>'),
+                     '<?xml version="1.0" encoding="ISO-8859-1"?>' + ARM):
+            urdf = self.write('odd.urdf', text)
+            file, _ = self.certificate(urdf)
+            code, said = check(file, urdf)
+            self.assertEqual((code, 'odd.urdf' in said), (INCOMPLETE, True), said)
+
     def test_floating_and_planar_joints(self):
         """About a tilted axis, too."""
         with open(MOBILE, encoding='utf-8') as file:
@@ -134,7 +158,7 @@ class CertificateTest(UrdfBoundsTest):
         """A ball inside of a ring: only single shapes or triangles show that they are apart."""
         places = [(0.3, 0), (-0.3, 0), (0, 0.3), (0, -0.3)]
         solids = '</visual><visual>'.join(box('0.1 0.1 0.1', '%g %g 0' % place) for place in places)
-        stl = self.write('ring.stl', 'solid ring\n%s' % ''.join(map(cube_at, places)))
+        stl = self.write('ring.stl', 'solid ring\n%sendsolid\n' % ''.join(map(cube_at, places)))
         for ring, kind in ((solids, list), (
                 '<geometry><mesh filename="%s"/></geometry>' % os.path.basename(stl), str)):
             with self.subTest(kind):
