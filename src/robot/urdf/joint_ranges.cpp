@@ -28,14 +28,15 @@ std::size_t leaderOf(const Robot& robot, const Joint& joint, const JointIndex& i
   const bool has_parts = std::any_of(robot.joints.begin(), robot.joints.end(), is_part);
   throw JointError("joint \"" + joint.name + "\" mimics \"" + joint.mimic->joint + "\", which " +
                    (has_parts ? "has more than one value; let it mimic a joint with one value"
-                              : "is no joint of the robot"));
+                              : "is no joint of the robot; correct its <mimic>"));
 }
 
 Lead leadOf(const Robot& robot, const JointIndex& index, std::size_t joint) {
   Lead lead{joint};
   for (std::size_t steps = 0; robot.joints[lead.leader].mimic; ++steps) {
     if (steps > robot.joints.size()) {
-      throw JointError("joint \"" + robot.joints[joint].name + "\" mimics in a circle");
+      throw JointError("joint \"" + robot.joints[joint].name +
+                       "\" mimics in a circle; correct a <mimic> in it");
     }
     const Mimic& mimic = *robot.joints[lead.leader].mimic;
     lead.offset += lead.factor * mimic.offset;

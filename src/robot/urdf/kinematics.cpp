@@ -22,7 +22,8 @@ Eigen::Isometry3d jointMotion(Motion motion, const Eigen::Vector3d& axis, double
 Eigen::Isometry3d jointMotion(const Joint& joint, double value) {
   if (!hasValue(joint.motion) || value == 0) return Eigen::Isometry3d::Identity();
   if (joint.axis.isZero(0)) {
-    throw JointError("joint \"" + joint.name + "\" cannot move, its axis is zero");
+    throw JointError("joint \"" + joint.name +
+                     "\" cannot move, its axis is zero; correct its <axis>");
   }
   return jointMotion(joint.motion, joint.axis, value);
 }

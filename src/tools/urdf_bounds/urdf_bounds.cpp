@@ -193,11 +193,8 @@ Outcome runProof(const UrdfBoundsOptions& options, const Robot& robot) {
   return outcome;
 }
 
-Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
-  if (options.report == Report::kPose) return runPose(options, robot);
-  if (options.report == Report::kRows || options.report == Report::kPath)
-    return runRows(options, robot);
-  return runProof(options, withSimpleJoints(robot));
+UsageError faultIn(const std::string& file, const std::exception& fault) {
+  return UsageError((file == "-" ? "standard input" : file) + ": " + fault.what());
 }
 
 Robot readRobot(const std::string& file) {
@@ -205,7 +202,18 @@ Robot readRobot(const std::string& file) {
   try {
     return parseRobot(text);
   } catch (const RobotError& error) {
-    throw UsageError((file == "-" ? "standard input" : file) + ": " + error.what());
+    throw faultIn(file, error);
+  }
+}
+
+Outcome runReport(const UrdfBoundsOptions& options, const Robot& robot) {
+  try {
+    if (options.report == Report::kPose) return runPose(options, robot);
+    if (options.report == Report::kRows || options.report == Report::kPath)
+      return runRows(options, robot);
+    return runProof(options, withSimpleJoints(robot));
+  } catch (const JointError& error) {
+    throw faultIn(options.file, error);
   }
 }
 

@@ -352,7 +352,16 @@ class RefusalTest(UrdfBoundsTest):
 
     def test_axis_of_zero_length(self):
         urdf = ARM.replace('<axis xyz="1 0 0"/>', '<axis xyz="0 0 0"/>')
-        self.check_refused('"push"', '-', 'push:=1', urdf=urdf)
+        self.check_refused('standard input: joint "push" .*zero; correct its <axis>', '-', 'push:=1',
+                           urdf=urdf)
+
+    def test_joints_that_mimic_nothing(self):
+        for leader, words in (('none', 'is no joint of the robot; correct its <mimic>'),
+                              ('push', 'in a circle; correct a <mimic>')):
+            urdf = ARM.replace('<axis xyz="1 0 0"/>', '<axis xyz="1 0 0"/><mimic joint="%s"/>' % leader)
+            for mode in (), ('--reach',), ('--pairs',):
+                self.check_refused('arm.urdf: joint "push" mimics .*' + words,
+                                   self.write('arm.urdf', urdf), *mode)
 
     def test_unreadable_files(self):
         self.check_refused('cannot read .*directory', self.folder)
