@@ -11,14 +11,13 @@
 #include <cstdlib>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 namespace link_bounds {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine =
-    1 << 16;  // of a text; those of real files take less than 1 KiB
+/// Of a text; those of real files take less than 1 KiB.
+constexpr std::size_t kMaxHeaderLine = 1 << 16;
 
 /// Assimp leaves out faces with more.
 constexpr std::size_t kMostOffCorners = 9;
@@ -39,7 +38,7 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  /// Of lines that begin with it.
+  /// These are lines that begin with it.
   void skipComments(char begin) { comment_ = begin; }
 
   /// At most `most` bytes of it, the rest of which is the next line. Nothing at the end.
@@ -146,11 +145,10 @@ void checkPly(Lines& lines) {
     check(lines, each);
 }
 
-/// `first` is its first line, which may have the numbers of vertices, faces and edges already.
-void checkOff(Lines& lines, std::string first) {
+void checkOff(Lines& lines) {
   std::vector<std::size_t> counts;
   std::size_t wanted = 3;
-  for (std::optional<std::string> line = std::move(first); line; line = lines.next()) {
+  while (const auto line = lines.next()) {
     std::istringstream words(*line);
     for (std::string word; counts.size() < wanted && words >> word;) {
       if (word == "BINARY") return;
@@ -169,8 +167,8 @@ void checkOff(Lines& lines, std::string first) {
 }
 
 /// A glTF that uses an extension has its name in quotes in its JSON.
-void checkGltf(Lines& lines, std::string first) {
-  for (std::optional<std::string> line = std::move(first); line; line = lines.next()) {
+void checkGltf(Lines& lines) {
+  while (const auto line = lines.next()) {
     for (const char* const name : kUnknownToAssimp) {
       if (line->find('"' + std::string(name) + '"') != line->npos) {
         throw MeshError("it uses the extension " + std::string(name) +
@@ -191,15 +189,14 @@ bool isNamed(const std::string& path, const std::string& extension) {
 
 void refuseMisread(ConfinedFiles& files, const std::string& path) {
   Lines lines(files, path);
-  const auto first = lines.next(kMaxHeaderLine);
-  if (!first) return;
-  if (first->compare(0, 3, "ply") == 0) {
-    checkPly(lines);
-  } else if (isNamed(path, ".off")) {
+  if (isNamed(path, ".off")) {
     lines.skipComments('#');
-    checkOff(lines, *first);
+    checkOff(lines);
   } else if (isNamed(path, ".gltf") || isNamed(path, ".glb")) {
-    checkGltf(lines, *first);
+    checkGltf(lines);
+  } else if (const auto first = lines.next(kMaxHeaderLine);
+             first && first->compare(0, 3, "ply") == 0) {
+    checkPly(lines);
   }
 }
 
