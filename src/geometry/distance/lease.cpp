@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_bounds/geometry/box/length.h"
 #include "link_bounds/geometry/box/rounding.h"
 
 namespace link_bounds {
@@ -97,7 +98,7 @@ BodyDistance Lease::carried(const RelativeMotion& motion, const RigidBody& first
   const Eigen::Vector3d from_first = first.axes * on_first_;
   const Eigen::Vector3d from_second = second.axes * on_second_;
   const Eigen::Vector3d between = (second.origin - first.origin) + (from_second - from_first);
-  const double upper = between.norm() + motion.slack;
+  const double upper = length(between.x(), between.y(), between.z()) + motion.slack;
   const double lower = std::max(0.0, lower_ - motion.approach);
   BodyDistance result{std::min(lower, upper),    upper,
                       first.origin + from_first, second.origin + from_second,

@@ -3,14 +3,18 @@
 // Counts lines and corners as assimp's readers take them, one element in each line.
 #include "robot/worker/misread_files.h"
 
+#include <tinyxml2.h>
+
 #include <algorithm>
 #include <array>
 #include <assimp/IOStream.hpp>
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace link_bounds {
@@ -80,65 +84,73 @@ class Lines {
   throw MeshError("it " + fault + ", as if it was cut off");
 }
 
-/// The number of corners with which the line of a face begins.
-std::size_t cornersOf(const std::string& line, const std::string& place) {
-  char* end = nullptr;
-  const std::size_t result = std::strtoull(line.c_str(), &end, 10);
-  if (end != line.c_str() && (*end == '\0' || *end == ' ' || *end == '\t')) return result;
-  throw MeshError("it does not begin with a number of corners in " + place);
-}
+/// Of the lines of a text: a scalar is one word, a list its length and as many words.
+enum class Property { kScalar, kList, kListOfFloatLength };
 
-/// Each in a line: vertices, say. Faces begin with a list.
 struct Elements {
   std::string name;
   std::size_t count = 0;
-  bool are_faces = false;
+  std::vector<Property> properties;
 };
+
+/// The length with which a list begins.
+std::size_t lengthOf(const std::string& word, Property property, const std::string& place) {
+  char* end = nullptr;
+  const double number = std::strtod(word.c_str(), &end);
+  const bool is_number = end != word.c_str() && *end == '\0' && number >= 0 && number < 1e9;
+  const bool has_digits_only = word.find_first_not_of("0123456789") == word.npos;
+  if (is_number && (has_digits_only || property == Property::kListOfFloatLength))
+    return static_cast<std::size_t>(number);
+  throw MeshError("\"" + word + "\" is no number of corners, in " + place);
+}
 
 void check(Lines& lines, const Elements& elements, std::size_t most_corners = SIZE_MAX) {
   for (std::size_t i = 0; i < elements.count; ++i) {
     const auto line = lines.next();
-    if (!line) {
-      refuseCutOff("ends after " + std::to_string(i) + " of " + std::to_string(elements.count) +
-                   " lines of " + elements.name);
-    }
-    if (!elements.are_faces) continue;
     const std::string place = "line " + std::to_string(i) + " of " + elements.name;
-    const std::size_t corners = cornersOf(*line, place);
-    if (corners > most_corners) {
-      throw MeshError("it has more corners than the " + std::to_string(most_corners) +
-                      " that assimp reads in " + place + "; store triangles");
-    }
+    if (!line) refuseCutOff("ends before " + place);
     std::istringstream words(*line);
-    std::size_t found = 0;
-    for (std::string word; found <= corners && words >> word;)
-      ++found;
-    if (found <= corners) {
-      refuseCutOff("has " + std::to_string(found - 1) + " of " + std::to_string(corners) +
-                   " corners in " + place);
+    std::string word;
+    const auto take = [&](std::size_t count) {
+      for (; count > 0; --count) {
+        if (!(words >> word)) refuseCutOff("has too few numbers in " + place);
+      }
+    };
+    for (const Property property : elements.properties) {
+      take(1);
+      if (property == Property::kScalar) continue;
+      const std::size_t length = lengthOf(word, property, place);
+      if (length > most_corners) {
+        throw MeshError("it has more corners than the " + std::to_string(most_corners) +
+                        " that assimp reads, in " + place + "; store triangles");
+      }
+      take(length);
     }
   }
 }
 
 void checkPly(Lines& lines) {
   std::vector<Elements> elements;
-  bool is_text = false, is_first = false;
+  bool is_text = false;
   for (;;) {
     const auto line = lines.next(kMaxHeaderLine);
     if (!line) refuseCutOff("has no end_header");
     std::istringstream words(*line);
-    std::string keyword, word;
-    words >> keyword >> word;
+    std::string keyword, word, type;
+    words >> keyword >> word >> type;
     if (keyword == "end_header") break;
     if (keyword == "format") is_text = word == "ascii";
     if (keyword == "element") {
       if (word == "tristrips")
         throw MeshError("it is made of triangle strips, which assimp misreads; store triangles");
-      elements.push_back({word});
-      words >> elements.back().count;
+      elements.push_back({word, std::strtoull(type.c_str(), nullptr, 10), {}});
     }
-    if (keyword == "property" && is_first) elements.back().are_faces = word == "list";
-    is_first = keyword == "element";
+    if (keyword == "property" && !elements.empty()) {
+      const bool is_float = type[0] == 'f' || type[0] == 'd';
+      elements.back().properties.push_back(word != "list" ? Property::kScalar
+                                           : is_float     ? Property::kListOfFloatLength
+                                                          : Property::kList);
+    }
   }
   if (!is_text) return;
   for (const Elements& each : elements)
@@ -162,8 +174,8 @@ void checkOff(Lines& lines) {
     if (counts.size() == wanted) break;
   }
   if (counts.size() < wanted) return;
-  check(lines, {"vertices", counts[wanted - 3], false});
-  check(lines, {"faces", counts[wanted - 2], true}, kMostOffCorners);
+  check(lines, {"vertices", counts[wanted - 3], {}});
+  check(lines, {"faces", counts[wanted - 2], {Property::kList}}, kMostOffCorners);
 }
 
 /// A glTF that uses an extension has its name in quotes in its JSON.
@@ -178,11 +190,69 @@ void checkGltf(Lines& lines) {
   }
 }
 
+/// Assimp reads what is behind an array where an accessor reaches beyond it.
+class AccessorCheck : public tinyxml2::XMLVisitor {
+ public:
+  bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute*) override {
+    const std::string name = element.Name();
+    const char* const id = element.Attribute("id");
+    const char* const source = element.Attribute("source");
+    if (name == "float_array" && id) sizes_[id] = numberOf(element, "count", 0);
+    if (name != "accessor" || !source) return true;
+    double params = 0;
+    for (auto* each = element.FirstChildElement("param"); each;
+         each = each->NextSiblingElement("param"))
+      ++params;
+    const double last = numberOf(element, "count", 0) - 1;
+    if (last < 0) return true;
+    const double begin = numberOf(element, "offset", 0) + last * numberOf(element, "stride", 1);
+    ends_.emplace_back(source, begin + params);
+    return true;
+  }
+
+  void refuse() const {
+    for (const auto& [source, end] : ends_) {
+      const auto size = sizes_.find(source.substr(source.find('#') + 1));
+      if (size != sizes_.end() && !(end <= size->second))
+        throw MeshError("an accessor reaches beyond its float_array \"" + source + "\"");
+    }
+  }
+
+ private:
+  /// As a double, which does not overflow.
+  static double numberOf(const tinyxml2::XMLElement& element, const char* name, double missing) {
+    const char* const text = element.Attribute(name);
+    return text ? std::strtod(text, nullptr) : missing;
+  }
+
+  std::map<std::string, double> sizes_;               ///< of arrays, by id
+  std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
+};
+
+void checkCollada(Lines& lines) {
+  std::string text;
+  while (const auto line = lines.next())
+    text += *line + '\n';
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return;
+  AccessorCheck accessors;
+  document.Accept(&accessors);
+  accessors.refuse();
+}
+
 bool isNamed(const std::string& path, const std::string& extension) {
   std::string end = path.substr(path.size() - std::min(path.size(), extension.size()));
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return end == extension;
+}
+
+/// Some binary STL files begin with it, too, but not with a line of it.
+bool isPly(const std::string& first_line) {
+  std::istringstream words(first_line);
+  std::string word, next;
+  words >> word >> next;
+  return word.size() == 3 && isNamed(word, "ply") && next.empty();
 }
 
 }  // namespace
@@ -194,8 +264,9 @@ void refuseMisread(ConfinedFiles& files, const std::string& path) {
     checkOff(lines);
   } else if (isNamed(path, ".gltf") || isNamed(path, ".glb")) {
     checkGltf(lines);
-  } else if (const auto first = lines.next(kMaxHeaderLine);
-             first && first->compare(0, 3, "ply") == 0) {
+  } else if (isNamed(path, ".dae")) {
+    checkCollada(lines);
+  } else if (isPly(lines.next(kMaxHeaderLine).value_or(""))) {
     checkPly(lines);
   }
 }

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "link_bounds/robot/mesh/mesh_fault.h"
+
 namespace link_bounds {
 namespace {
+
+/// Corners that are looked at, of one polygon; that takes a second.
+constexpr std::size_t kMaxLooks = 300'000'000;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -108,6 +113,9 @@ class Ring {
   /// i to it: above 0 inside.
   template <class Counts>
   bool holds(std::size_t i, const Counts& counts) const {
+    looks_ += size();
+    if (looks_ > kMaxLooks)
+      throw MeshError("a polygon with so many corners has too many notches; store triangles");
     for (std::size_t k = 0; k < size(); ++k) {
       const Corner& corner = corners_[k];
       const double least =
@@ -119,6 +127,7 @@ class Ring {
   }
 
   std::vector<Corner> corners_;
+  mutable std::size_t looks_ = 0;
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ using CornerIndices = std::vector<std::uint32_t>;  // indices of vertices, in or
 /// polygon. A convex polygon becomes a fan from its first corner. Of a concave one ears are cut
 /// off, so that the triangles cover it and nothing else, also where bridges lead to its holes.
 /// Where there is no ear, because the polygon crosses itself, the rest becomes a fan.
+/// Throws MeshError for a polygon of thousands of corners with so many notches that it takes
+/// seconds.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(const CornerIndices& corners,
                                                       const std::vector<Eigen::Vector3f>& vertices);
 

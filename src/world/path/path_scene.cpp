@@ -224,7 +224,9 @@ class SceneMaker {
     if (!attached || (above && of_links[*above] == *attached)) return own;
     const auto link = std::find(of_links.begin(), of_links.end(), *attached);
     if (link == of_links.end()) return own;
-    return {static_cast<std::size_t>(link - of_links.begin()), true};
+    const auto held_by = static_cast<std::size_t>(link - of_links.begin());
+    const bool is_one = rigid_.of_links[held_by] == rigid_.of_links[own.link];
+    return {held_by, true, is_one};  // else it moves with the one or with the other
   }
 
   /// Why the place of an attached object on its link is not known; "" if it is.

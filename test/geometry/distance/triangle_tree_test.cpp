@@ -229,9 +229,8 @@ void expectAllListed(const TriangleTree& tree, const TreeNode& node) {
     used.insert(used.end(), tree.triangles[i].begin(), tree.triangles[i].end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  tree.forEachHullVertex(node, [&](TriangleTree::Offset offset) {
-    listed.push_back(node.first_vertex + offset);
-  });
+  tree.forEachHullVertex(
+      node, [&](TriangleTree::Offset offset) { listed.push_back(node.first_vertex + offset); });
   EXPECT_EQ(listed, used);
 }
 

@@ -181,5 +181,19 @@ TEST(ImportDae, APartThatIsNotInTheFileIsMissed) {
     EXPECT_THROW(importDae(dae(kMetres, node(kInstance + part))), MeshError) << part;
 }
 
+TEST(ImportDae, AnAccessorThatReachesBeyondItsArrayIsRefused) {
+  const std::string good = dae(kMetres, node(kInstance));
+  const auto expectRefused = [&](const std::string& from, const std::string& to) {
+    std::string bad = good;
+    bad.replace(bad.find(from), from.size(), to);
+    EXPECT_THROW(importDae(bad), MeshError) << to;
+  };
+  expectRefused("id='f' count='15'", "id='f' count='14'");
+  expectRefused("count='5' stride='3'", "count='6' stride='3'");
+  expectRefused("count='5' stride='3'", "count='5' stride='4'");
+  expectRefused("count='5' stride='3'", "count='5' stride='3' offset='1'");
+  expectRefused("count='5' stride='3'", "count='5' stride='4000000000'");
+}
+
 }  // namespace
 }  // namespace link_bounds

@@ -136,19 +136,32 @@ TEST_F(ImportRefusals, ATextThatIsCutOffAnywhere) {
   expectRefusedWhenCutOff("a.ply", vertices +
                                        "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 7\n0 6 0\n"
                                        "3 0 1 2\n3 0 1 4\n3 1 4 3\n");
+  // Faces as Cyberware writes them, and a second list; capitals are allowed.
+  const std::string properties =
+      "PLY\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty uchar intensity\nproperty list uchar float uv\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  expectRefusedWhenCutOff("a.ply", properties +
+                                       "0 0 0\n1 0 0\n0 1 0\n0 0 7\n0 6 0\n"
+                                       "9 0 3 0 1 2\n9 1 0.5 3 0 1 4\n9 0 3 1 4 3\n");
 }
 
 TEST_F(ImportRefusals, ATextWithFewerLinesThanItSays) {
-  expectRefused("a.off", kOffVertices + "", "ends after 0 of 1 lines of faces");
-  expectRefused("a.off", kOffVertices + "3 0 1\n", "2 of 3 corners in line 0 of faces");
-  expectRefused("a.ply", ply("3 0 1"), "2 of 3 corners in line 0 of face");
-  expectRefused("a.ply", ply(""), "ends after 0 of 1 lines of face");
+  expectRefused("a.off", kOffVertices + "", "ends before line 0 of faces");
+  expectRefused("a.off", kOffVertices + "3 0 1\n", "too few numbers in line 0 of faces");
+  expectRefused("a.ply", ply("3 0 1"), "too few numbers in line 0 of face");
+  expectRefused("a.ply", ply(""), "ends before line 0 of face");
   expectRefused("a.stl",
                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                 "vertex 0 1 0\nendloop\nendfacet\n",
                 "endsolid");
-  expectRefused("a.ply", ply("3.0 0 1 2"), "does not begin with a number of corners");
+  expectRefused("a.ply", ply("3.0 0 1 2"), "is no number of corners");
   expectRefused("a.off", kOffVertices + "10 0 1 2 0 1 2 0 1 2 0\n", "more corners than the 9");
+}
+
+TEST_F(ImportRefusals, ABinaryFileThatBeginsLikeAPlyIsNone) {
+  EXPECT_EQ(import("a.stl", binaryStl(tetrahedronCorners(), "ply2stl output")).triangles.size(),
+            4u);
 }
 
 TEST_F(ImportRefusals, ANumberThatIsTooLarge) {

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "link_bounds/robot/mesh/mesh_fault.h"
 #include "testing/brute_force.h"
 
 namespace link_bounds {
@@ -110,6 +111,20 @@ TEST(Polygon, OfRandomStars) {
     if (areaOf(star) < 0.05) continue;
     expectCovered(star, random.rigid(1));
   }
+}
+
+/// A band that goes up and down, and back along itself.
+TEST(Polygon, OneThatTakesLongIsRefusedInTime) {
+  std::vector<Eigen::Vector3f> vertices;
+  constexpr int kHalf = 3000;
+  for (int i = 0; i < 2 * kHalf; ++i) {
+    const int along = i < kHalf ? i : 2 * kHalf - 1 - i;
+    const int height = (along % 2) * 10 + (i < kHalf ? 0 : 1);
+    vertices.push_back(Eigen::Vector3i(along, height, 0).cast<float>());
+  }
+  CornerIndices corners(vertices.size());
+  std::iota(corners.begin(), corners.end(), 0u);
+  EXPECT_THROW(trianglesOf(corners, vertices), MeshError);
 }
 
 TEST(Polygon, EachCornerOfOneWithoutAnAreaIsKept) {

@@ -137,6 +137,39 @@ TEST(PathScene, ABodyMayMoveIfItsLinkIsNotKnown) {
   }
 }
 
+constexpr char kTwoArms[] = R"(<robot name="arms">
+  <link name="base"><visual><geometry><box size="0.2 0.2 0.2"/></geometry></visual></link>
+  <link name="arm"><visual><geometry><box size="0.7 0.1 0.1"/></geometry></visual></link>
+  <link name="other"><visual><geometry><box size="0.7 0.1 0.1"/></geometry></visual></link>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="arm"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+  <joint name="turn_other" type="revolute"><parent link="base"/><child link="other"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+</robot>)";
+
+TEST(PathScene, ABodyThatIsAttachedToAnotherArmThanItFollowsMayMoveWithEither) {
+  for (const char* frame : {"arm", "other"}) {
+    Parameters parameters = inFrame("base");
+    parameters.attached = {{"arm", {"held/*"}}};
+    parameters.ignore_pairs = {"other held/*", "arm held/*"};
+    MovingRobot arms(kTwoArms, parameters);
+    arms.add("base", "arm", kStamp, at(0, 1));
+    arms.add("base", "other", kStamp, at(0, 2));
+    ObjectContent held = boxIn(frame);
+    held.bounded.name = "held/1";
+    arms.scene().objects.put({"held", 1}, std::move(held), ros::Time(kStamp));
+    ObjectContent post = boxIn("base");
+    post.bounded.name = "post/1";
+    arms.scene().objects.put({"post", 1}, std::move(post), ros::Time(kStamp));
+    const bool is_of_arm = frame == std::string("arm");
+    for (const char* joint : {"turn", "turn_other"}) {
+      EXPECT_EQ(pathOf(arms.scene(), arms.model(), kStamp, {joint}).incomplete,
+                is_of_arm ? Names{} : Names{"held/1"})
+          << frame << ", " << joint;
+    }
+  }
+}
+
 // A camera of few frames per second, which does not move as seen from the arm or from its wrist.
 TEST(PathScene, WhatFollowsASlowFrameIsOnItsLinkAtOneTime) {
   for (const char* parent : {"arm", "wrist"}) {

@@ -32,7 +32,7 @@ struct BodyDistance {
 };
 
 struct DistanceGoal {
-  /// `upper` - `lower` shall not exceed this [m], > 0. Rounding is added: up to 1e-13 of the
+  /// `upper` - `lower` shall not exceed this [m], > 0. Rounding is added: up to 1e-12 of the
   /// largest coordinates of both bodies and of the distance of their origins. Also close to
   /// contact, 1e-8 of the bodies' size is reached.
   double accuracy = 1e-4;
@@ -56,9 +56,9 @@ struct DistanceGoal {
 
 /// `lower` and `upper` differ by at most goal.tolerance(upper) and rounding if each shape has
 /// triangles or is a solid with at most one point, and neither goal.limit nor goal.max_steps ended
-/// the search. Nothing if a body has no shape, or a pose gives no finite box. The other order of
-/// the bodies gives the same numbers, with the points swapped and the normal reversed. Poses may be
-/// any affine transform. Throws nothing but std::bad_alloc.
+/// the search. Nothing if a body has no shape, or a pose gives no box within 1e60 m. The other
+/// order of the bodies gives the same numbers, with the points swapped and the normal reversed.
+/// Poses may be any affine transform. Throws nothing but std::bad_alloc.
 std::optional<BodyDistance> bodyDistance(const Body& first, const Eigen::Affine3d& world_from_first,
                                          const Body& second,
                                          const Eigen::Affine3d& world_from_second,
