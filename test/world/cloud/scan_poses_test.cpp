@@ -34,8 +34,8 @@ void addEdge(const char* parent, const char* child, Random& random, TransformBuf
     if (turns) q = nearly(q, random);
     place += random.vector(0.06);
     const double length = 1 + random.uniform(-noise, noise);
-    std::vector<TransformView> views{
-        TransformView(parent, child, "", ros::Time().fromNSec(kBegin + i * kPeriod))};
+    std::vector<TransformView> views{TransformView(
+        parent, child, "", ros::Time().fromNSec(static_cast<std::uint64_t>(kBegin + i * kPeriod)))};
     views[0].parent_from_child =
         Tf2Pose(tf2::Quaternion(q.x() * length, q.y() * length, q.z() * length, q.w() * length),
                 tf2::Vector3(place.x(), place.y(), place.z()));
