@@ -112,8 +112,10 @@ class Watch:
     def _find_missing(self):
         """Who is not in a zone any more, by both topics."""
         if self._went_back and self._quiet > QUIET:
-            return {pair for pair in self._inside - self._overlapping
-                    if not self._incomplete.intersection(pair)}
+            missing = {pair for pair in self._inside - self._overlapping
+                       if not self._incomplete.intersection(pair)}
+            self._went_back = bool(missing)  # until they are told
+            return missing
         unwatched = self._incomplete.union(self._complete_since)
         return {pair for pair, since in self._missing_since.items()
                 if since <= self._boxes_stamp and not unwatched.intersection(pair)}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts lines and corners as assimp's readers take them, one element in each line.
+// Counts the lines and corners of texts as assimp's readers do: each vertex or face has a line.
 #include "robot/worker/misread_files.h"
 
 #include <tinyxml2.h>
@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMaxHeaderLine = 1 << 16;
 
 /// Assimp leaves out faces with more.
-constexpr std::size_t kMostOffCorners = 9;
+constexpr std::size_t kMaxCornersInOff = 9;
 
 /// Extensions of glTF that change where vertices are, and that assimp leaves out.
 constexpr std::array<const char*, 4> kUnknownToAssimp{
@@ -175,7 +175,7 @@ void checkOff(Lines& lines) {
   }
   if (counts.size() < wanted) return;
   check(lines, {"vertices", counts[wanted - 3], {}});
-  check(lines, {"faces", counts[wanted - 2], {Property::kList}}, kMostOffCorners);
+  check(lines, {"faces", counts[wanted - 2], {Property::kList}}, kMaxCornersInOff);
 }
 
 /// A glTF that uses an extension has its name in quotes in its JSON.
@@ -247,7 +247,7 @@ bool isNamed(const std::string& path, const std::string& extension) {
   return end == extension;
 }
 
-/// Some binary STL files begin with it, too, but not with a line of it.
+/// The word is alone in its line: the header of a binary STL may begin with the same letters.
 bool isPly(const std::string& first_line) {
   std::istringstream words(first_line);
   std::string word, next;

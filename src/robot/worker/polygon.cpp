@@ -11,7 +11,7 @@
 namespace link_bounds {
 namespace {
 
-/// Corners that are looked at, of one polygon; that takes a second.
+/// Of all tries to cut an ear off one polygon, the corners that it then has. That takes seconds.
 constexpr std::size_t kMaxLooks = 300'000'000;
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -113,9 +113,6 @@ class Ring {
   /// i to it: above 0 inside.
   template <class Counts>
   bool holds(std::size_t i, const Counts& counts) const {
-    looks_ += size();
-    if (looks_ > kMaxLooks)
-      throw MeshError("a polygon with so many corners has too many notches; store triangles");
     for (std::size_t k = 0; k < size(); ++k) {
       const Corner& corner = corners_[k];
       const double least =
@@ -127,7 +124,6 @@ class Ring {
   }
 
   std::vector<Corner> corners_;
-  mutable std::size_t looks_ = 0;
 };
 
 }  // namespace
@@ -137,11 +133,14 @@ std::vector<std::array<std::uint32_t, 3>> trianglesOf(
   Triangles triangles;
   if (corners.size() < 3) return triangles;
   Ring ring(flattened(corners, vertices));
-  std::size_t i = 0, tried = 0;
+  std::size_t i = 0, tried = 0, looks = 0;
   while (ring.size() > 3 && tried < 2 * ring.size()) {
-    const std::size_t flat = ring.findFlat();
+    looks += ring.size();
+    if (looks > kMaxLooks)
+      throw MeshError("a polygon with so many corners has too many notches; store triangles");
+    const std::size_t flat = tried == 0 ? ring.findFlat() : ring.size();
     const bool is_flat = flat < ring.size();
-    if (!is_flat && ring.isConvex()) break;
+    if (tried == 0 && !is_flat && ring.isConvex()) break;
     i = is_flat ? flat : i % ring.size();
     if (is_flat || (tried < ring.size() ? ring.isEar(i) : ring.isEarBesides(i))) {
       ring.cut(i, triangles);
