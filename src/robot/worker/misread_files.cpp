@@ -60,6 +60,13 @@ class Lines {
     return std::nullopt;
   }
 
+  /// The text as it is.
+  std::string all() {
+    std::string text(file_->FileSize(), ' ');
+    text.resize(file_->Read(text.data(), 1, text.size()));
+    return text;
+  }
+
  private:
   bool hasContent(const std::string& line) const {
     const std::size_t begin = line.find_first_not_of(" \t");
@@ -180,12 +187,11 @@ void checkOff(Lines& lines) {
 
 /// A glTF that uses an extension has its name in quotes in its JSON.
 void checkGltf(Lines& lines) {
-  while (const auto line = lines.next()) {
-    for (const char* const name : kUnknownToAssimp) {
-      if (line->find('"' + std::string(name) + '"') != line->npos) {
-        throw MeshError("it uses the extension " + std::string(name) +
-                        ", which assimp does not know; export it without");
-      }
+  const std::string text = lines.all();
+  for (const char* const name : kUnknownToAssimp) {
+    if (text.find('"' + std::string(name) + '"') != text.npos) {
+      throw MeshError("it uses the extension " + std::string(name) +
+                      ", which assimp does not know; export it without");
     }
   }
 }
@@ -230,9 +236,7 @@ class AccessorCheck : public tinyxml2::XMLVisitor {
 };
 
 void checkCollada(Lines& lines) {
-  std::string text;
-  while (const auto line = lines.next())
-    text += *line + '\n';
+  const std::string text = lines.all();
   tinyxml2::XMLDocument document;
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return;
   AccessorCheck accessors;
