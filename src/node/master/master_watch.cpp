@@ -44,7 +44,11 @@ void MasterWatch::poll() {
   // A node that ends removes its own entries from the master.
   if (worker_.isStopping()) return;
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
-  if (registration == Registration::kUnreachable) return reportLost("it does not answer");
+  if (registration == Registration::kUnreachable) {
+    // A new one may know the node by what else the process registers, before it is asked.
+    must_register_ = true;
+    return reportLost("it does not answer");
+  }
   if (name_is_taken_) {
     // The master ends the older node of a name. One that lives on a period later was not reached.
     if (was_taken) reportNameTaken();

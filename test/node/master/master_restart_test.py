@@ -8,6 +8,7 @@ import sys
 import time
 import unittest
 
+import rosgraph
 import rospy
 from bounds_testing import DEADLINE, Recorder, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
@@ -95,6 +96,23 @@ class MasterRestart(unittest.TestCase):
         self.restart_master()
         self.assertEqual(entries(NODE), before)
         self.assertIn(NODE, run("rosnode", "list"))
+        self.check_said_once()
+
+    def test_a_new_master_that_knows_a_part_learns_the_rest(self):
+        """Another nodelet of the process may register before the node is missed."""
+        before = entries(NODE)
+        self.master.kill()
+        self.wait_for_output(LOST, 1)
+        self.node.interrupt(signal.SIGSTOP)
+        try:
+            self.master.start()
+            rosgraph.Master(NODE).registerPublisher("/early", "std_msgs/String", before["uri"])
+        finally:
+            self.node.interrupt(signal.SIGCONT)
+        self.wait_for_output(BACK, 1)
+        after = entries(NODE)
+        after["publications"].remove(("/early", "std_msgs/String"))
+        self.assertEqual(after, before)
         self.check_said_once()
 
     def test_who_comes_after_the_restart_is_served(self):

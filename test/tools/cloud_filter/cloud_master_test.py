@@ -35,10 +35,21 @@ class CloudMaster(unittest.TestCase):
         wait_for(has_registered, "the filter has registered")
         before = entries(FILTER)
         master.kill()
-        wait_for(lambda: "lost the ROS master" in output.read(), "the filter misses its master")
+        self.wait_for_output(output.name, "lost the ROS master")
         master.start()
-        wait_for(lambda: has_registered() and entries(FILTER) == before,
-                 "the new master knows the filter")
+        self.wait_for_output(output.name, "knows this node again")
+        self.assertEqual(entries(FILTER), before)
+
+    @staticmethod
+    def wait_for_output(name, text):
+        def has_come():
+            with open(name, encoding="utf-8") as log:
+                return text in log.read()
+        try:
+            wait_for(has_come, text)
+        except AssertionError as error:
+            with open(name, encoding="utf-8") as log:
+                raise AssertionError("the filter said:\n" + log.read()) from error
 
 
 if __name__ == "__main__":
