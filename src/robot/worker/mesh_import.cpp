@@ -7,11 +7,13 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
-#include <cstring>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -85,6 +87,38 @@ void append(const aiMesh& source, const Eigen::Affine3d& file_from_node, Triangl
   }
 }
 
+/// Parts of messages of assimp, in small letters, that tell of geometry that is left out or
+/// misread.
+constexpr std::array kLosses = {
+    // Of warnings.
+    "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
+    "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
+    "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
+    "dxf: ", "surf token", "vertex reference",
+    // Of errors that end in a name, which may be one of the words below.
+    "to instanced node", "unresolved reference format"};
+
+/// An error with one of these tells of looks or motion, of a face without corners, or of a material
+/// before the first vertex; all other errors tell of geometry.
+constexpr std::array kNoLosses = {
+    "material",     "mtl",        "texture",          "uv",        "normal",
+    "tangent",      "color",      "shader",           "effect",    "diffuse",
+    "specular",     "light",      "camera",           "ambient",   "emissive",
+    "illumination", "bone",       "skeleton",         "animation", "skin",
+    "mapping",      "empty face", "attach a new mesh"};
+
+template <class Parts>
+bool hasAny(const Parts& parts, const std::string& text) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+std::string inSmallLetters(std::string text) {
+  for (char& c : text)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 /// Some readers only log what they leave out: an index that is out of range, a number that is too
 /// large, the end of a text, a part of a Collada file that is elsewhere.
 class LossLog : public Assimp::Logger {
@@ -98,22 +132,19 @@ class LossLog : public Assimp::Logger {
   void OnVerboseDebug(const char*) {}
   void OnInfo(const char*) {}
   void OnWarn(const char* message) {
-    for (const char* const loss : {"'endsolid' keyword was expected", "not yet complete",
-                                   "resulted in overflow", "Unable to find geometry"})
-      note(message, loss);
+    if (hasAny(kLosses, inSmallLetters(message))) note(message);
   }
   void OnError(const char* message) {
-    for (const char* const loss :
-         {"out of range", "OFF: ", "STL: ", "to instanced node", "Unresolved reference format"})
-      note(message, loss);
+    const std::string text = inSmallLetters(message);
+    if (hasAny(kLosses, text) || !hasAny(kNoLosses, text)) note(message);
   }
   bool attachStream(Assimp::LogStream*, unsigned int) { return false; }
   bool detachStream(Assimp::LogStream*, unsigned int) { return false; }
   bool detatchStream(Assimp::LogStream*, unsigned int) { return false; }
 
  private:
-  void note(const char* message, const char* loss) {
-    if (first_loss_.empty() && std::strstr(message, loss)) first_loss_ = message;
+  void note(const char* message) {
+    if (first_loss_.empty()) first_loss_ = message;
   }
 
   std::string first_loss_;

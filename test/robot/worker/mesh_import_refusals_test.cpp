@@ -170,6 +170,43 @@ TEST_F(ImportRefusals, ANumberThatIsTooLarge) {
   expectRefused("a.obj", "v 100000000000000000000 0 0" + rest, "overflow");
 }
 
+TEST_F(ImportRefusals, ATextThatOnlyTheLogCallsCutOff) {
+  const auto corner = [](int number, int x, int y, int z) {
+    std::string text;
+    for (const auto& [axis, value] : {std::pair(10, x), std::pair(20, y), std::pair(30, z)})
+      text += std::to_string(axis + number) + "\n" + std::to_string(value) + "\n";
+    return text;
+  };
+  const auto face = [&](int z) {
+    return "0\n3DFACE\n8\n0\n" + corner(0, 0, 0, 0) + corner(1, 1, 0, 0) + corner(2, 0, 1, z) +
+           corner(3, 0, 1, z);
+  };
+  expectRefusedWhenCutOff("a.dxf",
+                          "0\nSECTION\n2\nENTITIES\n" + face(0) + face(7) + "0\nENDSEC\n0\nEOF\n");
+  expectRefusedWhenCutOff("a.ac",
+                          "AC3Db\nMATERIAL \"\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 "
+                          "trans 0\nOBJECT world\nkids 1\n"
+                          "OBJECT poly\nnumvert 4\n0 0 0\n1 0 0\n0 1 0\n0 0 7\nnumsurf 2\n"
+                          "SURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\n"
+                          "SURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n3 0 0\nkids 0\n");
+}
+
+TEST_F(ImportRefusals, WhatAReaderLogsAndLeavesOut) {
+  const std::string ase =
+      "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 4\n"
+      "*MESH_NUMFACES 1\n*MESH_VERTEX_LIST {\n*MESH_VERTEX 0 0 0 0\n*MESH_VERTEX 1 1 0 0\n"
+      "*MESH_VERTEX 2 0 1 0\n";
+  const std::string faces =
+      "}\n*MESH_FACE_LIST {\n*MESH_FACE 0: A: 0 B: 1 C: 2 AB: 1 BC: 1 CA: 1\n}\n}\n}\n";
+  EXPECT_EQ(import("a.ase", ase + "*MESH_VERTEX 3 0 0 7\n" + faces).triangles.size(), 1u);
+  expectRefused("a.ase", ase + "*MESH_VERTEX 9 0 0 7\n" + faces, "nvalid vertex index");
+}
+
+TEST_F(ImportRefusals, ButNotWhatIsOnlyLooks) {
+  const std::string obj = "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl none\nf 1 2 3\n";
+  EXPECT_EQ(import("a.obj", obj).triangles.size(), 1u);
+}
+
 TEST_F(ImportRefusals, AFormatThatNobodyKnows) {
   expectRefused("a.txt", "what is this", "assimp cannot read it");
 }

@@ -19,7 +19,7 @@ from patience import PATIENCE
 GROUP = 'group:robot'
 
 URDF_BOUNDS = ''
-TIMEOUT_SECONDS = PATIENCE * (90 if bad_inputs.SANITIZED else 20)  # for one robot
+TIMEOUT_SECONDS = PATIENCE * (180 if bad_inputs.SANITIZED else 60)  # one robot; hangs never end
 MEMORY_BYTES = 4000000 * 1024
 
 
