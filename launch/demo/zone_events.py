@@ -10,6 +10,7 @@ stamps say what belongs together.
 Parameter: ~zones (default zones).
 """
 
+import copy
 import os
 import re
 import sys
@@ -23,7 +24,8 @@ sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
-QUIET = 10  # PERIODs without a message: then both topics have sent what they know
+PATIENCE = 10  # PERIODs for which one topic may be late where stamps go back or stay
+KEPT = 500  # messages of a topic, for those of the other one that come late
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
@@ -37,6 +39,42 @@ def kind(name):
     return ('object ' if OBJECT.fullmatch(name) else 'link ') + name
 
 
+class History:
+    """The newest messages of a topic, by their times: how often the stamps went back, the stamp, and
+    how many messages had it before.
+    """
+
+    def __init__(self):
+        self.by_time = {}
+        self._back, self._stamp, self._before = 0, NEVER, 0
+
+    def add(self, message, content):
+        """Returns its time."""
+        stamp = message.header.stamp.to_nsec()
+        self._back += stamp < self._stamp
+        self._before = self._before + 1 if stamp == self._stamp else 0
+        self._stamp = stamp
+        self.by_time[self._time()] = content
+        if len(self.by_time) > KEPT:
+            del self.by_time[min(self.by_time)]
+        return self._time()
+
+    def contradicts(self, other):
+        """One of them has lost a message that counts for the times of later ones."""
+        return self._back != other._back or (self._stamp == other._stamp and
+                                             self._before != other._before)
+
+    def begin_anew(self, other):
+        """The newest message is as new as that of the other topic, if they have one stamp."""
+        newest = self.by_time[self._time()]
+        self._back, self._before = max(self._back, other._back) + 1, 0
+        self.by_time = {self._time(): newest}
+        return self._time()
+
+    def _time(self):
+        return self._back, self._stamp, self._before
+
+
 class Watch:
     """Who is in which zone; callbacks come from a thread per topic."""
 
@@ -45,80 +83,75 @@ class Watch:
         self._tell = tell
         self._lock = threading.Lock()
         self._zones, self._incomplete = set(), set()
-        self._overlapping, self._inside, self._missing = set(), set(), set()  # (name, zone)
-        self._boxed = set()  # names
-        self._boxes_stamp = self._overlaps_stamp = NEVER  # ns, of the newest message
-        self._went_back = False  # the stamps, so that they may not tell what belongs together
-        self._quiet = 0  # PERIODs since the last message
-        self._missing_since = {}  # (name, zone): the first ~overlaps without it
-        self._complete_since = {}  # name: the ~boxes that it is complete again in, if newer than
-        #                            ~overlaps
+        self._boxes, self._overlaps = History(), History()
+        self._inside = {}  # (name, zone): the time of the newest ~overlaps with it
+        self._outside = {}  # of those inside, who is not any more: whether it has a box
+        self._settled = set()  # of those outside, who was so a PERIOD ago
+        self._contradicted = 0  # PERIODs
 
     def take_overlaps(self, message):
         """Reports who enters, at once."""
-        stamp = message.header.stamp.to_nsec()
+        overlapping = set(filter(None, map(self._visit, message.overlaps)))
         with self._lock:
-            self._quiet = 0
-            if stamp < self._overlaps_stamp:
-                self._begin_anew()
-            self._overlaps_stamp = stamp
-            self._complete_since = {name: since for name, since in self._complete_since.items()
-                                    if since > stamp}
-            self._overlapping = set(filter(None, map(self._visit, message.overlaps)))
-            for name, zone in sorted(self._overlapping - self._inside):
-                self._tell('%s entered zone %s' % (kind(name), zone))
-            self._inside |= self._overlapping
-            self._missing_since = {pair: self._missing_since.get(pair, stamp)
-                                   for pair in self._inside - self._overlapping}
+            time = self._overlaps.add(message, overlapping)
+            for pair in sorted(overlapping.difference(self._inside)):
+                self._tell('%s entered zone %s' % (kind(pair[0]), pair[1]))
+            for pair in overlapping:
+                self._inside[pair] = time
+                self._outside.pop(pair, None)
+            self._compare(time)
 
     def take_boxes(self, message):
-        stamp = message.header.stamp.to_nsec()
+        boxed = {box.name for box in message.boxes}
+        incomplete = set(message.incomplete)
         with self._lock:
-            self._quiet = 0
-            if stamp < self._boxes_stamp:
-                self._begin_anew()
-            self._boxes_stamp = stamp
-            self._boxed = {box.name for box in message.boxes}
-            zones = set(filter(self._is_zone, self._boxed))
-            incomplete = set(message.incomplete)
+            time = self._boxes.add(message, (boxed, incomplete))
+            zones = set(filter(self._is_zone, boxed))
             self._tell_difference(zones, self._zones, 'zone %s is there', 'zone %s is gone')
             self._tell_difference(incomplete, self._incomplete,
                                   '%s is not watched: it is incomplete',
                                   '%s is no longer incomplete')
-            if stamp > self._overlaps_stamp:
-                self._complete_since.update(dict.fromkeys(self._incomplete - incomplete, stamp))
             self._zones, self._incomplete = zones, incomplete
-
-    def _begin_anew(self):
-        """The stamps of a topic went back: those of the other one tell nothing until it sends."""
-        self._went_back = True
-        self._boxes_stamp = self._overlaps_stamp = NEVER
-        self._missing_since, self._complete_since = {}, {}
+            self._compare(time)
 
     def settle(self):
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
-            self._quiet += 1
-            missing = self._find_missing()
-            for name, zone in sorted(missing & self._missing):
-                if name in self._boxed or OBJECT.fullmatch(name):
+            self._contradicted += 1
+            if not self._boxes.contradicts(self._overlaps):
+                self._contradicted = 0
+            if self._contradicted > PATIENCE:
+                self._begin_anew()
+            outside = {pair for pair in self._outside if not self._incomplete.intersection(pair)}
+            for name, zone in sorted(outside & self._settled):
+                if self._outside.pop((name, zone)):
                     self._tell('%s left zone %s' % (kind(name), zone))
                 else:
                     self._tell('%s is not watched: it has no box any more' % kind(name))
-                self._missing_since.pop((name, zone), None)
-            self._inside -= missing & self._missing
-            self._missing = missing
+                del self._inside[name, zone]
+            self._settled = outside & set(self._outside)
 
-    def _find_missing(self):
-        """Who is not in a zone any more, by both topics."""
-        if self._went_back and self._quiet > QUIET:
-            missing = {pair for pair in self._inside - self._overlapping
-                       if not self._incomplete.intersection(pair)}
-            self._went_back = bool(missing)  # until they are told
-            return missing
-        unwatched = self._incomplete.union(self._complete_since)
-        return {pair for pair, since in self._missing_since.items()
-                if since <= self._boxes_stamp and not unwatched.intersection(pair)}
+    def _begin_anew(self):
+        self._contradicted = 0
+        if not self._boxes.by_time or not self._overlaps.by_time:
+            return
+        boxes, overlaps = copy.copy(self._boxes), copy.copy(self._overlaps)
+        self._boxes.begin_anew(overlaps)
+        time = self._overlaps.begin_anew(boxes)
+        for pair in self._overlaps.by_time[time]:
+            self._inside[pair] = time
+        self._compare(time)
+
+    def _compare(self, time):
+        """Who is outside, once both topics have told of one moment."""
+        if time not in self._boxes.by_time or time not in self._overlaps.by_time:
+            return
+        boxed, incomplete = self._boxes.by_time[time]
+        for pair in set(self._inside) - self._overlaps.by_time[time]:
+            if incomplete.intersection(pair):
+                self._outside.pop(pair, None)
+            elif time >= self._inside[pair]:
+                self._outside[pair] = pair[0] in boxed or bool(OBJECT.fullmatch(pair[0]))
 
     def _visit(self, pair):
         """(name, zone), or None for two zones or none."""

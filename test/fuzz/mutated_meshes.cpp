@@ -94,13 +94,33 @@ class MutationRun {
       files.push_back(mutants.back().file);
       folder_.write(files.back(), mutants.back().content);
     }
-    const MeshRobot robot = meshRobot(folder_.path(), files, options_.timeout);
+    const MeshRobot robot = meshRobotAmong("85", files);
     if (hasChildren()) fail("a process is left behind");
     checkGood(robot.links.at(0));
+    const MeshRobot again = kIsSanitized ? robot : meshRobotAmong("170", files);
     for (std::size_t i = 0; i < count; ++i) {
       check(mutants[i], robot.links.at(i + 1), robot);
+      checkSame(mutants[i], robot, again);
       std::filesystem::remove(folder_ / mutants[i].file);
     }
+  }
+
+  /// `garbage`: what the worker finds in memory that it did not write, see mallopt(3).
+  MeshRobot meshRobotAmong(const char* garbage, const std::vector<std::string>& files) const {
+    setenv("MALLOC_PERTURB_", garbage, 1);
+    MeshRobot robot = meshRobot(folder_.path(), files, options_.timeout);
+    unsetenv("MALLOC_PERTURB_");
+    return robot;
+  }
+
+  /// A reader may end at a fault or at the timeout in one of the two only.
+  void checkSame(const Mutant& mutant, const MeshRobot& robot, const MeshRobot& again) {
+    const auto one = robot.meshes.find(mutant.file);
+    const auto other = again.meshes.find(mutant.file);
+    if (one == robot.meshes.end() || other == again.meshes.end()) return;
+    if (one->second.vertices == other->second.vertices) return;
+    fail(mutant.file + " (" + mutant.seed->format + "): its vertices depend on what was in memory");
+    keep(mutant);
   }
 
   void checkGood(const BoundedLink& link) {
@@ -121,6 +141,10 @@ class MutationRun {
     }
     if (fault.empty()) return;
     fail(mutant.file + " (" + mutant.seed->format + "): " + fault);
+    keep(mutant);
+  }
+
+  void keep(const Mutant& mutant) const {
     if (options_.keep.empty()) return;
     std::filesystem::create_directories(options_.keep);
     std::ofstream(options_.keep + "/" + mutant.file, std::ios::binary) << mutant.content;
