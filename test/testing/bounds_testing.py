@@ -18,7 +18,7 @@ from std_msgs.msg import Header
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-DEADLINE = 20.0 * PATIENCE  # wall seconds
+DEADLINE = 60.0 * PATIENCE  # wall seconds; what never comes fails then
 
 
 def wait_for(condition, what, deadline=DEADLINE):

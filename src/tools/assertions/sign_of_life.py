@@ -33,9 +33,11 @@ class SignOfLife:
     since the first status after the last message: that message no longer holds.
     """
 
-    def __init__(self, max_age, lag_key=None):
+    def __init__(self, max_age, lag_key=None, topic=''):
         self._max_age = max_age
         self._lag_key = lag_key
+        self._topic = topic  # its full name
+        self._names = set()  # of the statuses that the publisher of the topic has sent
         self._publications = None  # in the first status since the last message
         self._has_missed = False  # a status did not count because of them
         self._lag = 0.0  # s, the longest of those that were too long
@@ -55,6 +57,8 @@ class SignOfLife:
     def see(self, message, now):
         """A message of the topic."""
         is_first = publisher_of(message) != self._publisher
+        if is_first:
+            self._names = set()
         self._publisher = publisher_of(message)
         self._message = now, self._ros_time
         self._publications = None
@@ -63,8 +67,10 @@ class SignOfLife:
     def see_status(self, message, now):
         if publisher_of(message) != self._publisher:
             return
-        for status in message.status:
-            if status.name.endswith(STATUS_NAME):
+        of_nodes = [status for status in message.status if status.name.endswith(STATUS_NAME)]
+        self._names.update(status.name for status in of_nodes)
+        for status in of_nodes:
+            if self._is_of_topic(status.name):
                 if self._lag_key:
                     self._see_lag(number_of(status, self._lag_key), now)
                 else:
@@ -94,6 +100,12 @@ class SignOfLife:
         if self._has_missed:
             lines.append('its status said that it published ~boxes meanwhile')
         return lines
+
+    def _is_of_topic(self, name):
+        """A player, or a manager of nodelets, may send the statuses of several nodes."""
+        fitting = [known for known in self._names
+                   if self._topic.startswith('/' + known[:-len(STATUS_NAME)] + '/')]
+        return len(self._names) == 1 or name == max(fitting, key=len, default=None)
 
     def _see_publications(self, count, now):
         if self._publications is None:

@@ -60,10 +60,13 @@ void checkOutput(const std::string& option_name, const std::string& output,
 }
 
 bool isSameFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
   std::error_code ignored;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(a, ignored);
-  return (!whole.empty() && whole == std::filesystem::weakly_canonical(b, ignored)) ||
-         std::filesystem::equivalent(a, b, ignored);
+  // A relative name of a file that does not exist yet would stay as it is.
+  const auto whole = [&](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+  };
+  return (!whole(a).empty() && whole(a) == whole(b)) || std::filesystem::equivalent(a, b, ignored);
 }
 
 void checkStandardInput(const std::vector<std::pair<std::string, std::string>>& inputs) {

@@ -22,6 +22,9 @@ struct BoxRequest {
   std::string frame;               ///< "": the fixed frame of the model
   std::vector<std::string> names;  ///< none: all links and objects
   bool has_robot_frames = false;   ///< PastScene::robot_frames is wanted, too
+  /// A neighbour's box of another frame than the fixed one moves with that frame, as one of stamp 0
+  /// does; else it stays where it is.
+  bool neighbours_follow = false;
 };
 
 /// Where an object was on a link when it was placed.

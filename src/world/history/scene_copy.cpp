@@ -163,14 +163,19 @@ void SceneCopy::copyLink(const Scene& scene, std::size_t link) {
 }
 
 /// An object that does not follow its frame, or that a neighbour moves, stays where its last box
-/// is.
+/// is, unless neighbours follow.
 void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   const TransformBuffer& tf = scene.frames.tf();
   PastBody body;
   body.object = object.content;
   const bool follows = object.content->follows() && object.content->stamp == 0;
-  if (follows && object.content->refused_name.empty() && object.content->bounded.isWhole() &&
-      !object.content->isLoading()) {
+  if (isNeighbourElsewhere(scene, object)) {
+    body.incomplete = object.state.incomplete;
+    body.reason = scene.objects.reason(object);
+    body.frame = past_->excerpt.add(tf, object.frame);
+    body.stamp = object.state.stamp;
+  } else if (follows && object.content->refused_name.empty() && object.content->bounded.isWhole() &&
+             !object.content->isLoading()) {
     body.frame = past_->excerpt.add(tf, object.frame);
   } else {
     body.incomplete = object.state.incomplete;
@@ -187,6 +192,13 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   }
   body.bounded = &body.object->bounded;
   past_->bodies.push_back(std::move(body));
+}
+
+/// Of another frame than the fixed one, with a box.
+bool SceneCopy::isNeighbourElsewhere(const Scene& scene, const LiveObject& object) const {
+  return request_.neighbours_follow && object.content->is_neighbour && object.content->stamp != 0 &&
+         object.state.box && object.boxed.content == object.content &&
+         object.frame != *scene.frames.fixedFrame();
 }
 
 /// Whether tf tells where a link was when the object was placed. In another fixed frame its place

@@ -35,6 +35,7 @@ class SceneCopy {
   void copyFrame(const Scene& scene, const Link& link);
   void copyLink(const Scene& scene, std::size_t link);
   void copyObject(const Scene& scene, const LiveObject& object);
+  bool isNeighbourElsewhere(const Scene& scene, const LiveObject& object) const;
   bool isHeldSince(const Scene& scene, const LiveObject& object) const;
   std::optional<HeldPlace> heldPlace(const Scene& scene, const PastBody& body) const;
 

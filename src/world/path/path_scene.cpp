@@ -65,7 +65,7 @@ class SceneMaker {
     const std::vector<bool> moves = movedJoints(original_, joints);
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
       if (moves[i])
-        checkFit(robot.joints[i]);
+        moveFromTf(robot.joints[i]);
       else
         rest(robot.joints[i]);
     }
@@ -97,15 +97,18 @@ class SceneMaker {
     return "tf has no usable pose of " + link + " in that of its parent";
   }
 
-  /// A joint that the trajectory moves is where the robot description has it: tf must agree, where
-  /// it has the joint.
-  void checkFit(const Joint& joint) {
+  /// A joint that the trajectory moves must fit its transform, where tf has it. If it has one
+  /// value, its axis is where tf has it: a calibrated robot differs a little from its description.
+  void moveFromTf(Joint& joint) {
     Eigen::Isometry3d parent_from_child;
     const bool has_axis = hasValue(joint.motion) || joint.motion == Motion::kPlanar;
     if (!has_axis || joint.axis.isZero(0)) return;
     if (!findPose(joint, parent_from_child).empty()) return;
-    const std::string misfit = whyMisfit(joint, fitOf(joint, parent_from_child));
+    const JointFit fit = fitOf(joint, parent_from_child);
+    const std::string misfit = whyMisfit(joint, fit);
     if (!misfit.empty()) throw std::runtime_error(misfit);
+    if (hasValue(joint.motion))
+      joint.parent_from_joint = parent_from_child * jointMotion(joint, fit.value).inverse();
   }
 
   /// Replaces a joint by what tf says of it now. A fixed joint that tf does not have stays as the
@@ -321,6 +324,7 @@ class SceneMaker {
 BoxRequest pathRequest() {
   BoxRequest request;
   request.has_robot_frames = true;
+  request.neighbours_follow = true;
   return request;
 }
 

@@ -391,6 +391,7 @@ std::string BodyWays::whyFixedFrameMoves() const {
 BoxRequest wayRequest(const Parameters& parameters) {
   BoxRequest request;
   request.span = windowOf(parameters);
+  request.neighbours_follow = true;
   return request;
 }
 

@@ -98,6 +98,11 @@ std::string whyTooRare(const Joint& joint) {
          "~velocity_window, or send it more often";
 }
 
+std::string whyNoDirection(const Joint& joint, const std::string& samples) {
+  return "joint \"" + joint.name + "\" turns by 90 degrees or more between two " + samples +
+         ", so its direction is not known; send them more often";
+}
+
 /// How far a joint can be from where a report has it.
 double reportError(const JointReport& report, const JointState& state, std::int64_t stamp) {
   const double fastest = std::max(std::abs(state.speed.lower), std::abs(state.speed.upper));
@@ -131,9 +136,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
     double difference = values.empty() ? 0 : fit.value - values.back();
     if (turns) difference = withoutTurns(difference);
     if (turns && std::abs(difference) >= kMaxTurn) {
-      state.problem = "joint \"" + joint.name +
-                      "\" turns by 90 degrees or more between two transforms, so its direction is "
-                      "not known; send them more often";
+      state.problem = whyNoDirection(joint, "transforms");
       return state;
     }
     found.stamps.push_back(sample.stamp);
@@ -172,12 +175,17 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   if (have_velocities) {
     JointState of_positions;
     // Some drivers keep the positions of joints without limits within one turn. The velocities tell
-    // how many turns were made.
+    // how many turns were made, unless they may be zeros for what is not measured.
     for (std::size_t i = 1; joint.motion == Motion::kRotation && i < reports.size(); ++i) {
       const double time = static_cast<double>(reports[i].stamp - reports[i - 1].stamp) / kSecond;
       const double told = (*reports[i].velocity + *reports[i - 1].velocity) / 2 * time;
       const double difference = reports[i].position - reports[i - 1].position;
-      found.values[i] = found.values[i - 1] + told + withoutTurns(difference - told);
+      const double more = withoutTurns(difference - told);
+      if (std::abs(difference) >= kMaxTurn && std::abs(more) >= kMaxTurn) {
+        state.problem = whyNoDirection(joint, "reports in joint_states");
+        return state;
+      }
+      found.values[i] = found.values[i - 1] + told + more;
     }
     if (reports.size() > 1) addSpeeds(found, window, of_positions);
     addReportedSpeeds(reports, stamp, of_positions, state);

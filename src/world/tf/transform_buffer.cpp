@@ -97,6 +97,9 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   }
   if (!edge.history) edge.history.emplace(edge.is_static = is_static);
   const std::int64_t stamp = nanoseconds(transform.stamp);
+  if (edge.is_static && edge.has_parent &&
+      !edge.history->holds({transform.parent_from_child, parent, stamp}))
+    count(&TfIntake::replaced, edge.needs > 0);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
   if (is_accepted ? record(edge, parent, stamp, now)
                   : refuse(edge, {transform.parent_from_child, parent, stamp}))

@@ -42,6 +42,7 @@ struct TfIntake {
   std::uint64_t too_old = 0;   ///< refused
   std::uint64_t unusable = 0;  ///< refused: see whyRefused
   std::uint64_t dropped = 0;   ///< refused: sent before the clock jumped
+  std::uint64_t replaced = 0;  ///< accepted: another value of a static transform
 };
 
 /// An edge leads from a frame to its parent and is named by the frame, the child. Times are

@@ -81,6 +81,19 @@ class SignOfLifeTest(unittest.TestCase):
             self.life.see_status(other, 3.0)
         self.check_counts(3.0, 1.0)
 
+    def test_of_the_statuses_that_a_player_sends_only_that_of_the_node_counts(self):
+        others = 'bounds: boxes', 'arm: boxes', 'leg/bounds: boxes'
+        for topic, until in ((NODE + '/boxes', 6.0), ('/elsewhere', 4.0)):
+            self.life = SignOfLife(1.0, topic=topic)
+            self.life.see(boxes('/play'), 1.0)
+            self.life.see_status(status(STATUS, '/play'), 2.0)  # the only one so far
+            for now, names in ((3.0, others), (4.0, (STATUS, *others)), (5.0, others)):
+                for name in names:
+                    self.life.see_status(status(name, '/play'), now)
+            with self.subTest(topic):
+                self.assertIsNone(self.life.silent_since(until))
+                self.assertEqual(self.life.silent_since(9.0), until)
+
     def test_a_status_does_not_count_if_boxes_were_published_and_no_message_came(self):
         """As of a subscriber that was cut off."""
         self.life.see(boxes(), 1.0)

@@ -185,6 +185,41 @@ class BagsTest(BagBoundsTest):
         self.assertEqual(code, 1)
         self.assertIn('error: there is no message on /tf or /tf_static', err)
 
+    def test_transforms_behind_the_end(self):
+        other = ('/chatter', String('tf'), time_of(BEGIN - 5))
+        code, _, err = run(self.bag([other] + arms(3)), '--urdf', self.urdf, '--end', '2')
+        self.assertEqual(code, 1)
+        self.assertIn('error: there are no transforms before --end; let it be later', err)
+
+    def test_other_topics_go_on_where_tf_ends(self):
+        """Silence at the end of a bag is no box."""
+        other = [('/chatter', String('x'), time_of(BEGIN + second)) for second in range(10)]
+        bag = self.bag(arms(100) + other)
+        for arguments, to in ([], 9), (['--end', '7'], 7), (['--end', '3'], 3):
+            with self.subTest(arguments=arguments):
+                is_silent = to > 5
+                found = self.report(bag, *arguments, code=INCOMPLETE if is_silent else 0,
+                                    err='incomplete names' if is_silent else '')
+                self.assertEqual('left' in found['incomplete'], is_silent)
+                self.assertEqual(found['to'], to)
+
+    def test_a_robot_that_stands_before_the_start(self):
+        other = [('/chatter', String('x'), time_of(BEGIN + second)) for second in range(10)]
+        zones = self.write('zones.yaml', zone_text('all', [-9] * 3, [9] * 3))
+        bag = self.bag([static_arms()] + other)
+        found = self.report(bag, '--zones', zones, '--start', '5', code=ENTERED, err='')
+        self.assertEqual((found['from'], found['to']), (5, 9))
+        self.assertEqual({stay['name'] for stay in found['zones'][0]['stays']}, {'base', 'mast'})
+
+    def test_two_outputs_are_two_files(self):
+        bag = self.bag(arms(3))
+        for series in 'both', './both', self.path('both'), 'elsewhere/../both':
+            done = run(bag, '--urdf', self.urdf, '--out', 'both', '--series', series,
+                       cwd=self.folder)
+            with self.subTest(series=series):
+                self.assertEqual(done[0], 1)
+                self.assertIn('--series is the file of --out', done[2])
+
     def test_nothing_between_start_and_end(self):
         code, _, err = run(self.bag(arms(10)), '--urdf', self.urdf, '--start', '100')
         self.assertEqual(code, 1)
@@ -338,6 +373,11 @@ class BagsTest(BagBoundsTest):
         found = self.report(self.bag(messages + new + again), err='the clock jumped back',
                             code=INCOMPLETE)
         self.assertEqual(found['losses'], [])
+        late = list(messages)  # one is recorded late, which tells nothing of the other topic
+        late[80] = late[80][:2] + (time_of(BEGIN + seconds(90)),)
+        found = self.report(self.bag([static_arms(BEGIN + seconds(i)) for i in range(100)] + late),
+                            code=PARTLY_READ, err='rosbag filter')
+        self.assertRegex(found['losses'][0], 'record time goes back 1 time, to 0.000 s')
         small = [moving_arms(99, BEGIN + seconds(99 - i)) for i in (3, 6)]  # they add up to a jump
         found = self.report(self.bag([static_arms()] + messages + small), err='the clock jumped back')
         self.assertEqual(found['losses'], [])

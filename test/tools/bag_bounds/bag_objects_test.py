@@ -5,13 +5,14 @@
 
 Run as: bag_objects_test.py PATH_OF_bag_bounds
 """
+import csv
 import pathlib
 
 import genpy
 import rosbag
 import rospy
 from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PARTLY_READ, PERIOD, UNDERCUT,
-                                BagBoundsTest, arms, degrees_at, main, moving_arms, raw, run,
+                                BagBoundsTest, arms, degrees_at, main, moving_arms, raw, run, seconds,
                                 static_arms, time_of, zone_text)
 from bounds_testing import Pose, difference, union
 from geometry_msgs.msg import Point
@@ -32,6 +33,9 @@ class ObjectsTest(BagBoundsTest):
     def objects(self, messages, *arguments, **options):
         bag = self.bag(sorted(messages, key=lambda message: message[2]))
         return self.report(bag, '--objects', '/objects', *arguments, **options)
+
+    def objects_in_order(self, messages, *arguments, **options):
+        return self.report(self.bag(messages), '--objects', '/objects', *arguments, **options)
 
     def box(self, found, name):
         box = next(box for box in found['extremes'] if box['name'] == name)
@@ -117,6 +121,43 @@ class ObjectsTest(BagBoundsTest):
         pose = joint_pose('left', degrees_at(6)) * joint_pose('left_tip', degrees_at(6))
         box = next(box for box in found['boxes'] if box['name'] == 'part/1')
         self.assertLess(difference(box['min'] + box['max'], pose.box_bounds((.1, .2, .3))), 1e-9)
+
+    def test_an_object_that_waits_for_tf_is_where_tf_places_it(self):
+        """At a time between its message and the transform of its stamp."""
+        cube = marker('part/1', frame='left', stamp=time_of(BEGIN + 6 * PERIOD), scale=(.1, .2, .3))
+        messages = [static_arms()] + [
+            moving_arms(i, BEGIN + PERIOD * (i + 4)) for i in range(20)]
+        found = self.objects(messages + [recorded(6, cube)], '--at', str(seconds(8)))
+        box = next(box for box in found['boxes'] if box['name'] == 'part/1')
+        expected = joint_pose('left', degrees_at(6)).box_bounds((.1, .2, .3))
+        self.assertLess(difference(box['min'] + box['max'], expected), 1e-9)
+        never = marker('part/2', frame='nowhere', stamp=time_of(BEGIN + 6 * PERIOD))
+        found = self.objects(messages + [recorded(6, never)], '--at', str(seconds(8)),
+                             code=INCOMPLETE, err='incomplete names: 1')
+        self.assertIn('no box at', found['incomplete']['part/2'])
+
+    def test_a_jump_of_the_clock_ends_the_search_for_boxes(self):
+        """Else links of the second pass stand beside objects of the first one."""
+        def late(begin, end):
+            return [moving_arms(i, BEGIN + PERIOD * (i + 4)) for i in range(begin, end)]
+        found = self.objects_in_order(
+            [static_arms()] + late(0, 100) + [recorded(104, marker('part/1'))] + late(101, 110) +
+            late(20, 120), '--at', str(seconds(110.5)), code=INCOMPLETE, err='.*')
+        self.assertEqual([box['name'] for box in found['boxes'] if box.get('min')],
+                         ['base', 'mast', 'part/1'])
+
+    def test_an_object_that_is_gone_has_a_row_and_no_speed(self):
+        near, far = (marker('part/1', stamp=time_of(BEGIN + i * PERIOD), pose=Pose((x, 0, 0)))
+                     for i, x in ((2, 0), (6, 10)))
+        path = self.path('series.csv')
+        found = self.objects(arms(20) + [recorded(2, near), recorded(4, deletion('part/1')),
+                                         recorded(6, far)], '--series', path)
+        with open(path, encoding='utf-8') as file:
+            rows = [row for row in csv.DictReader(file) if row['name'] == 'part/1']
+        self.assertEqual([(float(row['time']), row['min_x'][:4], row['speed']) for row in rows],
+                         [(seconds(2), '-0.5', ''), (seconds(4), '', ''), (seconds(6), '9.49', '')])
+        extremes = next(box for box in found['extremes'] if box['name'] == 'part/1')
+        self.assertNotIn('max_speed', extremes)
 
     def test_markers_that_tf_places_soon(self):
         """Each in the message that moves their link. They were there since their stamps."""

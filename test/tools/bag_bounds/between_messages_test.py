@@ -819,6 +819,20 @@ class PostTest(BagBoundsTest):
         self.zone(messages, '--allow-incomplete', text=free)
         self.zone(messages, '--start', '0.9', text=free)  # it came before
 
+    def test_a_static_transform_that_replaces_another_one_is_told(self):
+        """What passed by where it stood is not looked at. The same one again says nothing new."""
+        messages = swing(5)
+        free = zone_text('far', [5, 5, 5], [6, 6, 6])
+        cup = [('/tf_static', TFMessage([transform('hand', 'cup', time_of(0), (x, 0, 0))]),
+                messages[2][2]) for x in (0, 0, 1)]
+        base = [('/tf_static', TFMessage([transform('world', 'base', time_of(0), (x, 0, 0))]),
+                 messages[2][2]) for x in (0, 0, 1)]
+        world = ('--fixed-frame', 'world')
+        self.zone(messages[:3] + cup + messages[3:], text=free)  # no box needs it
+        self.zone(messages[:3] + base[:2] + messages[3:], *world, '--min-coverage', '0', text=free)
+        self.zone(messages[:3] + base + messages[3:], *world, '--min-coverage', '0', text=free,
+                  code=INCOMPLETE, err='static transforms that replaced others, .*: 1;')
+
     def test_a_late_transform_that_no_box_needs(self):
         messages = swing(5)
         for i in (3, 2):

@@ -81,7 +81,7 @@ class EachBagTest(BagBoundsTest):
             for topic, message, stamp in calm(5):
                 bag.write(topic, message, stamp)
             for number in range(LONG):
-                bag.write('/junk', junk, time_of(1001 + number), raw=True)
+                bag.write('/junk', junk, time_of(1000 + number / LONG), raw=True)
         return self.path(name)
 
     def endless_bag(self):
@@ -396,7 +396,7 @@ class MergeTest(EachBagTest):
         options = ('--objects', '/objects')
         path = self.write('long.jsonl', self.lines(bags, *options, code=INCOMPLETE)[0] + '\n')
         table, err = self.merged(path, code=INCOMPLETE)
-        self.assertEqual(err, '')
+        self.assertIn('--allow-incomplete accepts', err)
         self.assertIn('INCOMPLETE: %s: %s/1 never had a box' % (bags[0], text), table)
         self.assertEqual(self.lines(bags, *options, '--resume', path, code=INCOMPLETE), [])
 
@@ -448,6 +448,32 @@ class MergeTest(EachBagTest):
             self.assertRegex(err, r'line [12] was cut, and its bag has no whole line')
         healed = self.write('healed.jsonl', lines[0][:300] + lines[0] + '\n')
         self.assertEqual(self.merged(healed, code=0)[1], '')
+
+    def test_a_line_that_was_cut_may_be_whole_in_another_file(self):
+        bags, lines, _ = self.files()
+        cut = self.write('cut.jsonl', lines[0][:300])
+        whole = self.write('whole.jsonl', lines[0] + '\n')
+        for files in (cut, whole), (whole, cut):
+            self.assertEqual(self.merged(*files, code=0)[1], '')
+        resumed = [item for file in (cut, whole) for item in ('--resume', file)]
+        found = run(*self.arguments(bags[:1], *resumed))
+        self.assertEqual(found, (0, '', 'bag_bounds: 1 of 1 bags have a line already\n'))
+
+    def test_a_bag_that_was_whole_only_later(self):
+        """At first it was empty."""
+        bags, lines, files = self.files()
+        self.bag(calm(3), 'c.bag')
+        later = self.write('3.jsonl', self.lines(bags[2:], code=0)[0] + '\n')
+        for order in (*files, later), (later, *files):
+            self.assertIn('3 bags: 2 CLEAR, 1 FOUND', self.merged(*order, code=ENTERED)[0])
+
+    def test_what_is_incomplete_may_be_accepted(self):
+        bags = [self.bag(calm(3), 'a.bag'), self.bag([static_arms()], 'b.bag')]
+        lines = self.lines(bags, code=INCOMPLETE)
+        file = self.write('1.jsonl', '\n'.join(lines) + '\n')
+        table, err = self.merged(file, code=INCOMPLETE)
+        self.assertRegex(err, 'warning: not everything was answered: .* --allow-incomplete accepts')
+        self.assertEqual(self.merged(file, '--allow-incomplete', code=0), (table, ''))
 
 
 if __name__ == '__main__':

@@ -89,6 +89,19 @@ struct Arm : QuietArm {
   explicit Arm(const Parameters& parameters) : QuietArm(parameters) { send(kStamp, {0, 0}); }
 };
 
+TEST(PathScene, AJointOfTheTrajectoryTurnsAboutTheAxisThatTfHas) {
+  const double off = 0.0009;  // m, as of a robot that was calibrated
+  Arm arm(inFrame("map"));
+  arm.add("base", "arm", kStamp + 0.1, at(off, 0.7));
+  const PathScene path = arm.path(kStamp + 0.1);
+  for (const Joint& joint : path.robot.joints) {
+    if (joint.name != "turn") continue;
+    EXPECT_LT((joint.parent_from_joint.matrix() - at(off).matrix()).norm(), 1e-12);
+    return;
+  }
+  FAIL() << "there is no such joint";
+}
+
 /// Where a body of one shape is on its link.
 Eigen::Vector3d placeOf(const PathScene& path, const std::string& name) {
   const auto found = std::find(path.names.begin(), path.names.end(), name);
@@ -210,6 +223,24 @@ TEST(PathScene, ANeighboursBoxIsHeldWhereItsStampHasIt) {
   Arm arm(attaching());
   arm.put("held", neighbourIn("map", static_cast<std::int64_t>(kStamp * 1e9)));
   EXPECT_EQ(arm.path().incomplete, Names{});
+}
+
+TEST(PathScene, ANeighboursBoxOnALinkMovesWithIt) {
+  for (const bool is_attached : {false, true}) {
+    Arm arm(is_attached ? attaching() : ignoring());
+    ObjectContent held = neighbourIn("arm", static_cast<std::int64_t>(kStamp * 1e9));
+    held.bounded.shapes.front().link_from_shape.translation().x() = 2;
+    arm.put("held", held);
+    arm.send(kStamp + 0.1, {1, 0});
+    const PathScene path = arm.path(kStamp + 0.1);
+    EXPECT_EQ(path.incomplete, Names{});
+    const auto linkOf = [&path](const std::string& name) {
+      const auto found = std::find(path.names.begin(), path.names.end(), name);
+      return path.bodies.at(static_cast<std::size_t>(found - path.names.begin())).link;
+    };
+    EXPECT_EQ(linkOf("held/1"), linkOf("arm"));
+    EXPECT_LT((placeOf(path, "held/1") - Eigen::Vector3d(2, 0, 0)).norm(), kTolerance);
+  }
 }
 
 TEST(PathScene, ANeighboursNameWithoutABoxRests) {

@@ -124,6 +124,23 @@ TEST(JointState, VelocitiesThatThePositionsRefuteAreNotBelieved) {
   }
 }
 
+/// From one report to the next it turns by 200 degrees.
+TEST(JointState, ZeroVelocitiesTellNoDirectionOfAFastJoint) {
+  Random random(9);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, 9.0);
+  for (const double speed : {350.0, -350.0}) {
+    Reports reports = reportsOf(9.0, speed, true);
+    EXPECT_EQ(jointState(joint, pose, reports, kEnd, kWindow).problem, "");
+    for (JointReport& report : reports)
+      report.velocity = 0;
+    const std::string problem = jointState(joint, pose, reports, kEnd, kWindow).problem;
+    EXPECT_NE(problem.find("between two reports in joint_states, so its direction is not known"),
+              std::string::npos)
+        << problem;
+  }
+}
+
 /// Positions of a joint without limits may jump by a turn. Where nothing moves, speeds are known at
 /// the stamp.
 TEST(JointState, TurnsAndRestAreNoDisagreement) {

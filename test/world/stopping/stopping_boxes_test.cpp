@@ -146,18 +146,22 @@ TEST(StoppingBoxes, HavePaddingAndStampsOfTheBoxes) {
   }
 }
 
-/// As large as the hand, and at its place.
+/// As large as the hand, and at its place. A box of another node has the stamp of that.
 TEST(StoppingBoxes, AnObjectThatFollowsALinkMovesWithIt) {
-  Robotics robot(goodParameters());
-  ObjectContent content;
-  content.bounded.name = "held/1";
-  content.bounded.shapes = {{nullptr, Solid::kBox, {0.1, 0.1, 0.1}, Eigen::Affine3d::Identity()}};
-  content.frame = "hand";
-  robot.scene().objects.put({"held", 1}, content, ros::Time(kStamp));
-  const auto boxes = boxesOf(stoppingOf(robot));
-  ASSERT_EQ(boxes.count("held/1"), 1u);
-  EXPECT_TRUE(boxes.at("held/1").isApprox(boxes.at("hand"), 1e-9));
-  EXPECT_GT(boxes.at("hand").diagonal().norm(), 0.3);  // it moves
+  for (const bool is_neighbour : {false, true}) {
+    Robotics robot(goodParameters());
+    ObjectContent content;
+    content.bounded.name = "held/1";
+    content.bounded.shapes = {{nullptr, Solid::kBox, {0.1, 0.1, 0.1}, Eigen::Affine3d::Identity()}};
+    content.frame = "hand";
+    content.is_neighbour = is_neighbour;
+    content.stamp = is_neighbour ? static_cast<std::int64_t>(kStamp * 1e9) : 0;
+    robot.scene().objects.put({"held", 1}, content, ros::Time(kStamp));
+    const auto boxes = boxesOf(stoppingOf(robot));
+    ASSERT_EQ(boxes.count("held/1"), 1u);
+    EXPECT_TRUE(boxes.at("held/1").isApprox(boxes.at("hand"), 1e-9)) << is_neighbour;
+    EXPECT_GT(boxes.at("hand").diagonal().norm(), 0.3);  // it moves
+  }
 }
 
 /// 6,400 km from the origin of the fixed frame, too.

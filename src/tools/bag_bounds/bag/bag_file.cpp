@@ -183,6 +183,7 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
                             bool& is_message) {
   const Connection* const connection = findConnection(record.connection);
   if (!connection) ++unannounced_;
+  last_time_ = std::max(last_time_, record.time);
   if (!connection || !connection->is_wanted) return true;
   if (record.data_size > kMaxChunkSize) {
     lose(bytesText(position_, record.end()) + " are one message that is too large to be read");
@@ -191,7 +192,7 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
   message.data = bytes.at(record.data, record.data_size);
   if (!message.data) return false;
   message.size = record.data_size;
-  message.time = record.time;
+  message.time = last_time_ = record.time;
   message.topic = &connection->topic;
   message.type = &connection->type;
   message.publisher = &connection->publisher;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -34,6 +35,9 @@ class BagFile {
 
   /// The next message; false after the last one, or if interrupted.
   bool next(BagMessage& message);
+
+  /// The latest time of the messages behind the last wanted one, and its own; of any topic [ns].
+  std::int64_t lastTime() const { return last_time_; }
 
   /// Whether a later message has that time or an earlier one, by the index where there is one.
   /// Reads as far as that takes: nothing can be read after it.
@@ -79,6 +83,7 @@ class BagFile {
   std::uint64_t read_in_vain_ = 0;  ///< compressed data that was damaged [bytes]
   bool is_compressed_ = true;       ///< the last chunk was, or there was none yet
   Connections connections_;
+  std::int64_t last_time_ = std::numeric_limits<std::int64_t>::min();
   std::uint64_t unannounced_ = 0;     ///< messages of connections that the bag does not announce
   bool has_header_ = false;           ///< the next two are known
   std::uint64_t index_position_ = 0;  ///< 0: the recorder did not close the file

@@ -3,6 +3,7 @@
 #include "tools/bag_bounds/bag/bag_reader.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -65,6 +66,13 @@ bool BagReader::goesBackTo(std::int64_t time) {
       [time](const Source& source) { return source.has_message && source.file->goesBackTo(time); });
   losses_ = losses;
   return goes_back;
+}
+
+std::int64_t BagReader::endTime() const {
+  std::int64_t end = std::numeric_limits<std::int64_t>::min();
+  for (const Source& source : sources_)
+    end = std::max(end, source.file->lastTime());
+  return end;
 }
 
 double BagReader::progress() const {

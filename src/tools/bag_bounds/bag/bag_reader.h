@@ -55,6 +55,10 @@ class BagReader {
   /// time or an earlier one. Nothing can be read after it.
   bool goesBackTo(std::int64_t time);
 
+  /// After next() has returned false: when the bags end [ns], by all their topics. The least number
+  /// if they have no message.
+  std::int64_t endTime() const;
+
   /// Whether next() has ended before the last message.
   bool wasInterrupted() const { return was_interrupted_; }
 

@@ -126,7 +126,9 @@ bool BoxRecords::add(const Scene& scene, std::int64_t now) {
     link_bounds::add(*record, body.state, now, timeout, waits, reason);
   });
   for (BoxRecord* object : before) {
-    if (!object->is_there && object->waiting) endWait(*object, false);
+    if (object->is_there) continue;
+    object->last.reset();
+    if (object->waiting) endWait(*object, false);
   }
   return has_changed;
 }

@@ -13,10 +13,10 @@ void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t n
   for (Body& body : bodies_) {
     if (body.box) continue;
     const std::optional<TransformBuffer::Frame> frame = tf.find(body.frame);
-    const auto pose = frame ? tf.pose(fixed, *frame, stamp_) : std::nullopt;
+    const auto pose = frame ? tf.pose(fixed, *frame, body.at) : std::nullopt;
     if (!pose) continue;
     body.box = linkBox(*body.link, MatrixPose(*pose).affine * body.frame_from_body);
-    body.stamp = isStaticPath(tf, fixed, *frame) ? 0 : stamp_;
+    body.stamp = isStaticPath(tf, fixed, *frame) ? 0 : body.at;
     if (body.box) --missing_;
   }
 }
@@ -24,16 +24,32 @@ void BoxesAt::look(const Scene& scene, const TransformBuffer& tf, std::int64_t n
 void BoxesAt::begin(const Scene& scene, const TransformBuffer& tf) {
   has_begun_ = true;
   scene.forEach([&](const SceneBody& body) {
-    if (body.object && !body.state.box) return;
+    const bool waits = body.object && body.object->problem == TransformProblem::kWaiting;
+    // Until its stamp it is where a former one placed it.
+    const bool stands = waits && body.state.box && body.object->stamp > stamp_;
+    if (waits && !stands && body.object->content->isBounded()) {
+      const auto& content = body.object->content;
+      bodies_.push_back({body.name, &content->bounded, content, content->frame,
+                         Eigen::Affine3d::Identity(), body.object->stamp, std::nullopt, 0});
+      return;
+    }
+    if (body.object && !body.state.box) {
+      boxless_.push_back({body.name, std::nullopt, 0, noBox() + scene.reason(body)});
+      return;
+    }
     const BoxSource source = scene.boxSource(body);
     if (source.bounded.shapes.empty()) return;
     bodies_.push_back(
         {body.name, &source.bounded, source.object, scene.frames.tf().name(source.frame),
-         source.frame_from_body ? *source.frame_from_body : Eigen::Affine3d::Identity(),
+         source.frame_from_body ? *source.frame_from_body : Eigen::Affine3d::Identity(), stamp_,
          std::nullopt, 0});
   });
   missing_ = bodies_.size();
   look(scene, tf, stamp_);
+}
+
+std::string BoxesAt::noBox() const {
+  return "no box at " + secondsText(stamp_) + ": ";
 }
 
 std::vector<BoxAt> BoxesAt::boxes(const Scene& scene) const {
@@ -42,10 +58,11 @@ std::vector<BoxAt> BoxesAt::boxes(const Scene& scene) const {
   for (const Body& body : bodies_) {
     std::string problem;
     if (!body.box)
-      problem = "no box at " + secondsText(stamp_) + ": tf does not connect it with " +
-                scene.model()->fixed_frame + " at that time";
+      problem =
+          noBox() + "tf does not connect it with " + scene.model()->fixed_frame + " at that time";
     result.push_back({body.name, body.box, body.stamp, problem});
   }
+  result.insert(result.end(), boxless_.begin(), boxless_.end());
   return result;
 }
 

@@ -20,7 +20,7 @@ struct BoxAt {
 };
 
 /// Poses at a stamp are known when the next transforms have come. Objects are those that are there
-/// when record time reaches the stamp.
+/// when record time reaches the stamp; one that waits for tf is where tf places it later.
 class BoxesAt {
  public:
   explicit BoxesAt(std::int64_t stamp) : stamp_(stamp) {}
@@ -32,6 +32,9 @@ class BoxesAt {
 
   /// To be called after each message and tick, at the record time [ns].
   void look(const Scene& scene, const TransformBuffer& tf, std::int64_t now);
+
+  /// To be called before tf forgets: what is not known by then stays so.
+  void endMotions() { missing_ = 0; }
 
   std::int64_t stamp() const { return stamp_; }
 
@@ -45,13 +48,17 @@ class BoxesAt {
     std::shared_ptr<const ObjectContent> object;  ///< null for links
     std::string frame;  ///< its number may pass to another one before the pose is known
     Eigen::Affine3d frame_from_body;
+    std::int64_t at;  ///< when it is placed [ns]
     std::optional<Aabb> box;
     std::int64_t stamp;
   };
 
+  std::string noBox() const;
+
   std::int64_t stamp_;
   bool has_begun_ = false;
   std::vector<Body> bodies_;
+  std::vector<BoxAt> boxless_;  ///< objects that were there without a box, for another reason
   std::size_t missing_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "tools/bag_bounds/boxes/series_file.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "tools/bag_bounds/boxes/box_records.h"
 #include "tools/bag_bounds/scene/record_time.h"
@@ -26,7 +27,21 @@ void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances,
                      std::int64_t begin) {
   const std::string time = exactSeconds(now - begin);
   const double timeout = scene.model()->parameters.timeout;
-  scene.forEach([&](const SceneBody& body) { addBox(body.name, body.state, time, timeout); });
+  if (last_.size() > kMaxNames) {
+    last_.clear();
+    present_.clear();
+  }
+  ++pass_;
+  const std::vector<Names::value_type*> before = std::exchange(present_, {});
+  scene.forEach([&](const SceneBody& body) {
+    Names::value_type& last = *last_.try_emplace(body.name).first;
+    addBox(last, body.state, time, timeout);
+    if (!body.object) return;
+    last.second.pass = pass_;
+    present_.push_back(&last);
+  });
+  for (Names::value_type* object : before)
+    if (object->second.pass != pass_) addBox(*object, BoxState(), time, timeout);
   for (const Distance& distance : distances) {
     out_ << time << ',' << stampSeconds(static_cast<std::int64_t>(distance.stamp.toNSec())) << ','
          << csvField(distance.first) << ',' << csvField(distance.second) << ",,,,,,,"
@@ -34,11 +49,10 @@ void SeriesFile::add(const Scene& scene, const std::vector<Distance>& distances,
   }
 }
 
-/// A box that was lost leaves a row without numbers. Objects that are gone have no state.
-void SeriesFile::addBox(const std::string& name, const BoxState& state, const std::string& time,
-                        double timeout) {
-  if (last_.size() > kMaxNames) last_.clear();
-  Last& last = last_[name];
+/// A box that was lost leaves a row without numbers, and so does an object that is gone.
+void SeriesFile::addBox(Names::value_type& name_and_last, const BoxState& state,
+                        const std::string& time, double timeout) {
+  auto& [name, last] = name_and_last;
   const bool has_box = state.box.has_value();
   const bool is_same =
       last.has_box == has_box &&

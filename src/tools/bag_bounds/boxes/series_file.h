@@ -32,14 +32,18 @@ class SeriesFile {
     bool has_box = false;
     std::int64_t stamp = 0;
     Aabb box;
+    std::uint64_t pass = 0;  ///< in which the object was there
   };
+  using Names = std::map<std::string, Last>;
 
-  void addBox(const std::string& name, const BoxState& state, const std::string& time,
+  void addBox(Names::value_type& name_and_last, const BoxState& state, const std::string& time,
               double timeout);
 
   std::string file_;
   std::ofstream out_;
-  std::map<std::string, Last> last_;  ///< by name
+  Names last_;
+  std::vector<Names::value_type*> present_;  ///< objects of the last pass
+  std::uint64_t pass_ = 0;
 };
 
 }  // namespace link_bounds

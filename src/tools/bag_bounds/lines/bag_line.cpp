@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "text/joined.h"
 #include "tools/bag_bounds/run/bag_report.h"
@@ -144,7 +145,7 @@ class Reader {
     if (start == std::string::npos && !isBegun(text)) refuse();
     const std::optional<ReadLine> line =
         start == std::string::npos ? std::nullopt : read(text.substr(start));
-    if (start != 0 || !line) cut_.push_back({place(), nameIn(text)});
+    if (start != 0 || !line) result_.cut.push_back({place(), nameIn(text)});
     if (!line) return;
     if (!isConsistent(*line))
       throw UsageError(place() + " has the verdict \"" + line->verdict + "\", but the exit code " +
@@ -153,11 +154,7 @@ class Reader {
     result_.lines[line->bag.name].file = file_;
   }
 
-  LineFile take() {
-    for (const auto& [place, name] : cut_)
-      if (!isWhole(name)) result_.cut.push_back(place);
-    return std::move(result_);
-  }
+  LineFile take() { return std::move(result_); }
 
  private:
   [[noreturn]] void refuse() const {
@@ -172,15 +169,8 @@ class Reader {
 
   std::string place() const { return file_ + ", line " + std::to_string(number_); }
 
-  bool isWhole(const std::string& name) const {
-    for (const auto& [bag, line] : result_.lines)
-      if (jsonString(bag) == name) return true;
-    return false;
-  }
-
   const std::string& file_;
   std::size_t number_ = 0;
-  std::vector<std::pair<std::string, std::string>> cut_;  ///< place, name
   LineFile result_;
 };
 
@@ -218,6 +208,18 @@ BagLine unusableLine(const BagIdentity& bag, const std::string& question,
 
 BagLine diedLine(const BagIdentity& bag, const std::string& question, const std::string& reason) {
   return lineWithout(bag, question, "DIED", reason);
+}
+
+std::vector<std::string> placesOfCut(const std::vector<LineFile>& files) {
+  std::set<std::string> whole;
+  for (const LineFile& file : files)
+    for (const auto& [bag, line] : file.lines)
+      whole.insert(jsonString(bag));
+  std::vector<std::string> places;
+  for (const LineFile& file : files)
+    for (const LineFile::Cut& cut : file.cut)
+      if (whole.count(cut.name) == 0) places.push_back(cut.place);
+  return places;
 }
 
 LineFile readLines(const std::string& file) {

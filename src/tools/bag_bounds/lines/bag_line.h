@@ -71,10 +71,17 @@ struct ReadLine {
 
 /// Bags by name; of several lines of one bag in a file the last one counts.
 struct LineFile {
+  struct Cut {
+    std::string place;  ///< file and number
+    std::string name;   ///< of the bag, as JSON; "" if it was cut before its end
+  };
+
   std::map<std::string, ReadLine> lines;
-  /// Lines that were cut, of bags that have no whole line: file and number.
-  std::vector<std::string> cut;
+  std::vector<Cut> cut;  ///< lines that were cut
 };
+
+/// Where the lines that were cut are, of bags that have no whole line in any of the files.
+std::vector<std::string> placesOfCut(const std::vector<LineFile>& files);
 
 /// Throws UsageError if the file cannot be read, or is none that --each has written.
 LineFile readLines(const std::string& file);

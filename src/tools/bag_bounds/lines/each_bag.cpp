@@ -162,9 +162,9 @@ void EachBag::resume() {
   for (const std::string& file : options_.resume) {
     checkAppends(file);
     files.push_back(readLines(file));
-    for (const std::string& place : files.back().cut)
-      warn(place + " was cut; its bag is read again");
   }
+  for (const std::string& place : placesOfCut(files))
+    warn(place + " was cut; its bag is read again");
   for (std::size_t i = 0; i < bags_.size(); ++i) {
     const std::optional<int> code = knownCode(bags_[i], files);
     bytes_.push_back(code ? 0 : static_cast<double>(bags_[i].size.value_or(0)));

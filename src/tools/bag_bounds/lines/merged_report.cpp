@@ -19,9 +19,13 @@ namespace {
 using Lines = std::map<std::string, ReadLine>;
 
 /// Of two lines of a bag the better one. Where the bag could not be read, such as on a machine that
-/// has not mounted it, another machine may have read it.
+/// has not mounted it, or that had only a part of it, another machine may have read it.
 ReadLine betterOf(const ReadLine& first, const ReadLine& second) {
-  const auto was_read = [](const ReadLine& line) { return line.bag.size && !line.hasDied(); };
+  const bool is_same_bag = first.bag.size == second.bag.size && first.bag.head == second.bag.head;
+  const auto was_read = [&](const ReadLine& line) {
+    const bool is_unusable = line.verdict == verdictOf(kUnusable);
+    return line.bag.size && !line.hasDied() && (is_same_bag || !is_unusable);
+  };
   if (was_read(first) != was_read(second)) return was_read(first) ? first : second;
   if (first.text == second.text) return first;
   if (!was_read(first))
@@ -50,10 +54,12 @@ bool isNearer(const PairOfLine& a, const PairOfLine& b) {
 class MergedReport {
  public:
   explicit MergedReport(const std::vector<std::string>& files) {
-    for (const std::string& name : files) {
-      LineFile file = readLines(name);
-      cut_.insert(cut_.end(), file.cut.begin(), file.cut.end());
-      for (auto& [bag, line] : file.lines) {
+    std::vector<LineFile> read;
+    for (const std::string& name : files)
+      read.push_back(readLines(name));
+    cut_ = placesOfCut(read);
+    for (const LineFile& file : read) {
+      for (const auto& [bag, line] : file.lines) {
         if (!lines_.empty()) checkQuestion(lines_.begin()->second, line);
         const auto [known, is_new] = lines_.emplace(bag, line);
         if (!is_new) known->second = betterOf(known->second, line);
@@ -67,7 +73,11 @@ class MergedReport {
   int exitCode(const Demand& demand) const {
     for (const std::string& place : cut_)
       warn(place + " was cut, and its bag has no whole line; --resume reads it again");
-    return cut_.empty() || demand.allow_incomplete ? exit_code_ : worseCode(exit_code_, kOpen);
+    if (demand.allow_incomplete) return complete_code_;
+    const int code = cut_.empty() ? exit_code_ : worseCode(exit_code_, kOpen);
+    if (code == kOpen)
+      warn("not everything was answered: the lines say what; --allow-incomplete accepts that");
+    return code;
   }
 
   void writeTable(std::ostream& out) const {
@@ -146,6 +156,7 @@ class MergedReport {
   void add(const ReadLine& line) {
     ++verdicts_[line.verdict];
     exit_code_ = worseCode(exit_code_, line.exit_code);
+    if (line.exit_code != kOpen) complete_code_ = worseCode(complete_code_, line.exit_code);
     if (line.worst && (!worst_ || isNearer(*line.worst, *worst_->worst))) worst_ = &line;
     for (const ZoneOfLine& zone : line.zones) {
       auto sum = std::find_if(zones_.begin(), zones_.end(),
@@ -192,6 +203,7 @@ class MergedReport {
   std::vector<ZoneSum> zones_;
   const ReadLine* worst_ = nullptr;  ///< of several, the first by name of bag
   int exit_code_ = 0;
+  int complete_code_ = 0;  ///< without what is incomplete
 };
 
 }  // namespace

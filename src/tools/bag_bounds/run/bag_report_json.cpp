@@ -82,10 +82,9 @@ class JsonWriter {
 
   std::string entriesOf(const ZoneRecord& record) const {
     std::string first = "null";
-    if (!record.stays.empty()) {
-      const Stay& stay = record.stays.front();
-      first = "{\"name\": " + jsonString(stay.name) + ", " + when(stay.entered) +
-              after(stay.outside_at) + "}";
+    if (record.first) {
+      first = "{\"name\": " + jsonString(record.first->name) + ", " + when(record.first->entered) +
+              after(record.first->outside_at) + "}";
     }
     return "{\"name\": " + jsonString(record.zone.name) + ", " + approachTo(record) +
            ", \"first\": " + first + "}";

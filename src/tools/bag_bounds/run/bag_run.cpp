@@ -182,6 +182,7 @@ void BagRun::readMessages() {
       was_interrupted_ = !scene_.passTo(to_);
       goes_back_after_end_ = reader_.goesBackTo(to_);
       was_interrupted_ |= reader_.wasInterrupted();
+      ended_early_ = true;
       return;
     }
     if (scene_.goesBackTo(message.time)) endMotions();
@@ -192,7 +193,16 @@ void BagRun::readMessages() {
     was_interrupted_ = isInterrupted();
     if (was_interrupted_) return;
   }
-  was_interrupted_ = reader_.wasInterrupted();
+  was_interrupted_ = reader_.wasInterrupted() || !passToEnd();
+}
+
+/// Other topics may go on where those that are read end. False if it was interrupted.
+bool BagRun::passToEnd() {
+  const std::int64_t end = std::min(reader_.endTime(), to_);
+  if (end <= scene_.now()) return true;
+  if (!lookBefore(end) || !scene_.passTo(end)) return false;
+  onStep(end, false);
+  return true;
 }
 
 /// The begin of the report and --at may lie between two messages or ticks: what is there then
@@ -222,21 +232,25 @@ void BagRun::beginBoxesAt(std::int64_t next) {
 
 void BagRun::endMotions() {
   zones_.endMotions();
+  if (boxes_at_) boxes_at_->endMotions();
   if (pairs_) pairs_->endMotions(scene_.tf());
 }
 
 /// A clock that goes back does so on each topic that comes again. Where none does, the messages
 /// were not written in the order of their times.
 void BagRun::watchOrder(const BagMessage& message) {
-  std::int64_t& newest = newest_[*message.topic];
-  const bool goes_back = newest > message.time + kMinStepBack;
-  if (goes_back && may_be_jump_) steps_back_.pop_back();
-  may_be_jump_ = may_be_jump_ && !goes_back;
+  Newest& newest = newest_[*message.topic];
+  const bool goes_back = newest.time > message.time + kMinStepBack;
+  // What a topic does that has come again since the step tells nothing of it.
+  const bool goes_back_with_step = goes_back && newest.steps_back < all_steps_back_;
+  if (goes_back_with_step && may_be_jump_) steps_back_.pop_back();
+  may_be_jump_ = may_be_jump_ && !goes_back_with_step;
   if (scene_.goesBackTo(message.time) && !goes_back) {
     steps_back_.push_back(message.time);
     may_be_jump_ = true;
+    ++all_steps_back_;
   }
-  newest = goes_back ? message.time : std::max(newest, message.time);
+  newest = {goes_back ? message.time : std::max(newest.time, message.time), all_steps_back_};
 }
 
 /// Called by the reader now and then.
@@ -353,6 +367,8 @@ void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
 /// Who interrupts knows that there may be more.
 std::string BagRun::whyUseless(const BagReport& report) const {
   if (was_interrupted_) return "";
+  if (scene_.transforms() == 0 && ended_early_)
+    return "there are no transforms before --end; let it be later";
   if (scene_.transforms() == 0 && joints_)
     return "there is no message on " + options_.joint_states +
            "; see rosbag info for the topics of the bags";
@@ -397,9 +413,14 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());
   outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
-  if (pairs_ || !options_.zones.empty())
+  if (pairs_ || !options_.zones.empty()) {
+    const TfIntake& intake = scene_.tf().neededIntake();
     outcome.addOpen("late transforms, which change motions that were looked at",
-                    scene_.tf().neededIntake().late - intake_before_.late);
+                    intake.late - intake_before_.late);
+    outcome.addOpen(
+        "static transforms that replaced others, beside which motions were not looked at",
+        intake.replaced - intake_before_.replaced);
+  }
   outcome.addOpen("boxes of further objects", boxes_.objectsLeftOut());
   if (!pairs_) return outcome;
   if (pairs_->wasInterrupted())

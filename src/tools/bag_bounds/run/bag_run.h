@@ -52,6 +52,7 @@ class BagRun {
   void readMessages();
   void endMotions();
   void watchOrder(const BagMessage& message);
+  bool passToEnd();
   bool lookBefore(std::int64_t message);
   bool lookBetween(std::int64_t message);
   void beginBoxesAt(std::int64_t next);
@@ -80,14 +81,20 @@ class BagRun {
   std::int64_t to_ = 0;
   std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
   std::int64_t last_ = 0;         ///< the newest that is reported, likewise
-  std::map<std::string, std::int64_t> newest_;  ///< of each topic, likewise
-  std::vector<std::int64_t> steps_back_;        ///< to those times: messages are not in order
-  bool may_be_jump_ = false;                    ///< the last one, of the clock
+  struct Newest {
+    std::int64_t time = 0;
+    std::uint64_t steps_back = 0;  ///< when it came
+  };
+  std::map<std::string, Newest> newest_;  ///< of each topic, likewise
+  std::vector<std::int64_t> steps_back_;  ///< to those times: messages are not in order
+  std::uint64_t all_steps_back_ = 0;      ///< with jumps of the clock
+  bool may_be_jump_ = false;              ///< the last one, of the clock
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
   std::uint64_t steps_ = 0;
   std::uint64_t back_before_start_ = 0;  ///< messages, after the report had begun
+  bool ended_early_ = false;             ///< at --end
   bool goes_back_after_end_ = false;     ///< messages that were not read, to times of the report
   std::set<std::string> unused_topics_;
   std::string other_topics_;  ///< that have transforms, as a remedy; "" if there are none

@@ -243,8 +243,9 @@ ZoneWatch::InsideBody ZoneWatch::enter(Watched& watched, const Seen& body, const
   ZoneRecord& record = watched.record;
   ++record.entries;
   const std::size_t stay = record.stays.size();
-  if (stay < kMaxStays)
-    record.stays.push_back({body.name, now, outside_at, StayEnd::kReportEnded, {}, {}});
+  const Stay entry{body.name, now, outside_at, StayEnd::kReportEnded, {}, {}};
+  if (stay < kMaxStays) record.stays.push_back(entry);
+  if (!record.first || now.recorded < record.first->entered.recorded) record.first = entry;
   return watched.inside.insert_or_assign(body.number, Inside{stay, comparisons_, now.stamp}).first;
 }
 

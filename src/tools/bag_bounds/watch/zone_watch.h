@@ -45,7 +45,8 @@ struct NearestToZone {
 struct ZoneRecord {
   Zone zone;
   std::uint64_t entries = 0;
-  std::vector<Stay> stays;               ///< the first kMaxStays of the entries
+  std::vector<Stay> stays;               ///< the first kMaxStays of the entries, as they are found
+  std::optional<Stay> first;             ///< the first entry in time, without its end
   std::optional<NearestToZone> nearest;  ///< of all poses that were looked at
   /// Proven: nothing that has a box ever came nearer, also between messages [m]; 0 if something
   /// entered it, or if that is not decided.
