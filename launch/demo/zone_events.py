@@ -25,7 +25,7 @@ from demo_arguments import check_arguments  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
 PATIENCE = 10  # PERIODs for which one topic may be late where stamps go back or stay
-KEPT = 500  # messages of a topic, for those of the other one that come late
+KEPT = 200  # messages of a topic, for those of the other one that come late
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
