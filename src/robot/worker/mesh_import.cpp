@@ -98,14 +98,14 @@ constexpr std::array kLosses = {
     // Of errors that end in a name, which may be one of the words below.
     "to instanced node", "unresolved reference format"};
 
-/// An error with one of these tells of looks or motion, of a face without corners, or of a material
-/// before the first vertex; all other errors tell of geometry.
+/// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
-    "material",     "mtl",        "texture",          "uv",        "normal",
-    "tangent",      "color",      "shader",           "effect",    "diffuse",
-    "specular",     "light",      "camera",           "ambient",   "emissive",
-    "illumination", "bone",       "skeleton",         "animation", "skin",
-    "mapping",      "empty face", "attach a new mesh"};
+    // Of looks and motion.
+    "material", "mtl", "texture", "uv", "normal", "tangent", "color", "shader", "effect", "diffuse",
+    "specular", "light", "camera", "ambient", "emissive", "illumination", "bone", "skeleton",
+    "animation", "skin", "mapping",
+    // A face without corners, a material before the first vertex, a point with a texture.
+    "empty face", "attach a new mesh", "point statement"};
 
 template <class Parts>
 bool hasAny(const Parts& parts, const std::string& text) {

@@ -203,7 +203,8 @@ TEST_F(ImportRefusals, WhatAReaderLogsAndLeavesOut) {
 }
 
 TEST_F(ImportRefusals, ButNotWhatIsOnlyLooks) {
-  const std::string obj = "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl none\nf 1 2 3\n";
+  const std::string obj =
+      "mtllib none.mtl\nusemtl none\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl none\nf 1 2 3\np 1/1\nf\n";
   EXPECT_EQ(import("a.obj", obj).triangles.size(), 1u);
 }
 
