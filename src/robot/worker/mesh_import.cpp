@@ -94,7 +94,7 @@ constexpr std::array kLosses = {
     "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
     "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
     "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
-    "dxf: ", "surf token", "vertex reference",
+    "dxf: ", "surf token", "vertex reference", "number of kids",
     // Of errors that end in a name, which may be one of the words below.
     "to instanced node", "unresolved reference format"};
 
