@@ -90,9 +90,9 @@ class AssertBoxFaults(AssertionTest):
                            "--gtest_filter=palm", "--help")
 
     def test_what_goes_away_breaks_the_hold(self):
-        box = self.start_held("going")
-        publisher = self.start_held("ending")
+        box = self.start_held("going")  # may end while the next one starts
         box.talker.send(THUMB, incomplete=["palm"])
+        publisher = self.start_held("ending")
         publisher.talker.send(PALM)
         publisher.talker.end()
         self.check_failure(box, "at most for", "named in incomplete", LAST_PALM)
