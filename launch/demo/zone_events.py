@@ -24,7 +24,8 @@ sys.path.append(os.path.dirname(os.path.realpath(__file__)))
 from demo_arguments import check_arguments  # noqa: E402
 
 PERIOD = 0.1  # s of wall time for which a link must be gone
-PATIENCE = 10  # PERIODs for which one topic may be late where stamps go back or stay
+QUIET = 10  # PERIODs without a message: then both topics have sent what they know
+APART = 30  # PERIODs after which the stamps of both topics must have gone back equally often
 KEPT = 200  # messages of a topic, for those of the other one that come late
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
@@ -59,10 +60,14 @@ class History:
             del self.by_time[min(self.by_time)]
         return self._time()
 
+    def is_behind(self, other):
+        """Or ahead: the stamps have not gone back equally often."""
+        return self._back != other._back
+
     def contradicts(self, other):
-        """One of them has lost a message that counts for the times of later ones."""
-        return self._back != other._back or (self._stamp == other._stamp and
-                                             self._before != other._before)
+        """Once both have sent all: one has lost a message that counts for the times of later ones."""
+        return self.is_behind(other) or (self._stamp == other._stamp and
+                                         self._before != other._before)
 
     def begin_anew(self, other):
         """The newest message is as new as that of the other topic, if they have one stamp."""
@@ -87,12 +92,14 @@ class Watch:
         self._inside = {}  # (name, zone): the time of the newest ~overlaps with it
         self._outside = {}  # of those inside, who is not any more: whether it has a box
         self._settled = set()  # of those outside, who was so a PERIOD ago
-        self._contradicted = 0  # PERIODs
+        self._quiet = 0  # PERIODs since the last message
+        self._apart = 0  # PERIODs for which one topic is behind
 
     def take_overlaps(self, message):
         """Reports who enters, at once."""
         overlapping = set(filter(None, map(self._visit, message.overlaps)))
         with self._lock:
+            self._quiet = 0
             time = self._overlaps.add(message, overlapping)
             for pair in sorted(overlapping.difference(self._inside)):
                 self._tell('%s entered zone %s' % (kind(pair[0]), pair[1]))
@@ -105,6 +112,7 @@ class Watch:
         boxed = {box.name for box in message.boxes}
         incomplete = set(message.incomplete)
         with self._lock:
+            self._quiet = 0
             time = self._boxes.add(message, (boxed, incomplete))
             zones = set(filter(self._is_zone, boxed))
             self._tell_difference(zones, self._zones, 'zone %s is there', 'zone %s is gone')
@@ -117,10 +125,10 @@ class Watch:
     def settle(self):
         """Reports who leaves; to be called every PERIOD."""
         with self._lock:
-            self._contradicted += 1
-            if not self._boxes.contradicts(self._overlaps):
-                self._contradicted = 0
-            if self._contradicted > PATIENCE:
+            self._quiet += 1
+            self._apart = self._apart + 1 if self._boxes.is_behind(self._overlaps) else 0
+            is_quiet = self._quiet > QUIET and self._boxes.contradicts(self._overlaps)
+            if is_quiet or self._apart > APART:
                 self._begin_anew()
             outside = {pair for pair in self._outside if not self._incomplete.intersection(pair)}
             for name, zone in sorted(outside & self._settled):
@@ -132,7 +140,6 @@ class Watch:
             self._settled = outside & set(self._outside)
 
     def _begin_anew(self):
-        self._contradicted = 0
         if not self._boxes.by_time or not self._overlaps.by_time:
             return
         boxes, overlaps = copy.copy(self._boxes), copy.copy(self._overlaps)

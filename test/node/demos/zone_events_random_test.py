@@ -16,12 +16,12 @@ from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap,
 from std_msgs.msg import Header
 
 sys.path.append(os.path.join(roslib.packages.get_pkg_dir("link_bounds"), "launch", "demo"))
-from zone_events import PATIENCE, Watch  # noqa: E402
+from zone_events import QUIET, Watch  # noqa: E402
 
 ZONE = "zones/1"
 LINKS = ("base", "elbow", "hand")
 INSIDE, OUTSIDE, INCOMPLETE, GONE = "inside", "outside", "incomplete", "gone"
-SEQUENCES, STEPS = 1500, 40
+SEQUENCES, STEPS = 1000, 40
 LATE = 3  # messages of one topic that the other one is ahead, at most
 
 
@@ -51,7 +51,7 @@ class Sequence:
                 self._random.choice((self._deliver, self._deliver, self._watch.settle))()
         while any(self._queues.values()):
             self._deliver()
-        for _ in range(PATIENCE + 5):
+        for _ in range(QUIET + 5):
             self._watch.settle()
         known = {link for link in LINKS if self._states[link] in (INSIDE, OUTSIDE)}
         inside = {link for link in known if self._states[link] == INSIDE}
