@@ -130,7 +130,8 @@ class Watch:
             is_quiet = self._quiet > QUIET and self._boxes.contradicts(self._overlaps)
             if is_quiet or self._apart > APART:
                 self._begin_anew()
-            outside = {pair for pair in self._outside if not self._incomplete.intersection(pair)}
+            outside = set() if self._boxes.contradicts(self._overlaps) else {
+                pair for pair in self._outside if not self._incomplete.intersection(pair)}
             for name, zone in sorted(outside & self._settled):
                 if self._outside.pop((name, zone)):
                     self._tell('%s left zone %s' % (kind(name), zone))

@@ -94,9 +94,9 @@ constexpr std::array kLosses = {
     "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
     "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
     "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
-    "dxf: ", "surf token", "vertex reference", "number of kids",
-    // Of errors that end in a name, which may be one of the words below.
-    "to instanced node", "unresolved reference format"};
+    "dxf: ", "surf token", "invalid vertex reference", "number of kids",
+    // Of errors that may have one of the words below, as in a name.
+    "to instanced node", "unresolved reference format", "unexpected eof"};
 
 /// An error with one of these leaves out no geometry; all other errors may.
 constexpr std::array kNoLosses = {
@@ -105,7 +105,9 @@ constexpr std::array kNoLosses = {
     "specular", "light", "camera", "ambient", "emissive", "illumination", "bone", "skeleton",
     "animation", "skin", "mapping",
     // A face without corners, a material before the first vertex, a point with a texture.
-    "empty face", "attach a new mesh", "point statement"};
+    "empty face", "attach a new mesh", "point statement",
+    // Of normals and the like in FBX.
+    "vertex data channel", "input data unexpected"};
 
 template <class Parts>
 bool hasAny(const Parts& parts, const std::string& text) {

@@ -38,6 +38,7 @@ class SignOfLife:
         self._lag_key = lag_key
         self._topic = topic  # its full name
         self._names = set()  # of the statuses that the publisher of the topic has sent
+        self._strangers = set()  # nodes whose statuses it sent, while there was none of the topic's
         self._publications = None  # in the first status since the last message
         self._has_missed = False  # a status did not count because of them
         self._lag = 0.0  # s, the longest of those that were too long
@@ -97,6 +98,9 @@ class SignOfLife:
                  f'(max_age {self._max_age:.3g} s)']
         if self._lag:
             lines.append(f'its status said that they were {self._lag:.3g} s behind')
+        if self._strangers:
+            lines.append(f'{self._publisher} sent statuses of {", ".join(sorted(self._strangers))}, '
+                         f'which tell nothing of {self._topic}')
         if self._has_missed:
             lines.append('its status said that it published ~boxes meanwhile')
         return lines
@@ -105,7 +109,10 @@ class SignOfLife:
         """A player, or a manager of nodelets, may send the statuses of several nodes."""
         fitting = [known for known in self._names
                    if self._topic.startswith('/' + known[:-len(STATUS_NAME)] + '/')]
-        return len(self._names) == 1 or name == max(fitting, key=len, default=None)
+        is_its = name == max(fitting, key=len, default=self._publisher[1:] + STATUS_NAME)
+        if not fitting and not is_its:
+            self._strangers.add(name[:-len(STATUS_NAME)])
+        return is_its
 
     def _see_publications(self, count, now):
         if self._publications is None:

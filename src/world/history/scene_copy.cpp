@@ -194,11 +194,15 @@ void SceneCopy::copyObject(const Scene& scene, const LiveObject& object) {
   past_->bodies.push_back(std::move(body));
 }
 
-/// Of another frame than the fixed one, with a box.
+/// Of another frame than the fixed one, with a box. One that is attached to a link goes with that
+/// if its frame stands.
 bool SceneCopy::isNeighbourElsewhere(const Scene& scene, const LiveObject& object) const {
-  return request_.neighbours_follow && object.content->is_neighbour && object.content->stamp != 0 &&
-         object.state.box && object.boxed.content == object.content &&
-         object.frame != *scene.frames.fixedFrame();
+  const ObjectContent& content = *object.content;
+  if (!request_.neighbours_follow || !content.is_neighbour || content.stamp == 0 ||
+      !object.state.box || object.boxed.content != object.content ||
+      object.frame == *scene.frames.fixedFrame())
+    return false;
+  return object.header.pose().stamp != 0 || !bodyOf(*model_, {&content.bounded.name, std::nullopt});
 }
 
 /// Whether tf tells where a link was when the object was placed. In another fixed frame its place

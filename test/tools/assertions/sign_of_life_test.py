@@ -83,7 +83,7 @@ class SignOfLifeTest(unittest.TestCase):
 
     def test_of_the_statuses_that_a_player_sends_only_that_of_the_node_counts(self):
         others = 'bounds: boxes', 'arm: boxes', 'leg/bounds: boxes'
-        for topic, until in ((NODE + '/boxes', 6.0), ('/elsewhere', 4.0)):
+        for topic, until in ((NODE + '/boxes', 6.0), ('/elsewhere', 3.0)):
             self.life = SignOfLife(1.0, topic=topic)
             self.life.see(boxes('/play'), 1.0)
             self.life.see_status(status(STATUS, '/play'), 2.0)  # the only one so far
@@ -93,6 +93,14 @@ class SignOfLifeTest(unittest.TestCase):
             with self.subTest(topic):
                 self.assertIsNone(self.life.silent_since(until))
                 self.assertEqual(self.life.silent_since(9.0), until)
+        self.assertIn('/play sent statuses of arm, arm/bounds, bounds, leg/bounds, which tell '
+                      'nothing of /elsewhere', self.life.told())
+
+    def test_a_node_with_another_name_of_its_topic_sends_its_own_status(self):
+        self.life = SignOfLife(1.0, topic='/elsewhere')
+        self.life.see(boxes(), 1.0)
+        self.life.see_status(status(), 2.0)
+        self.check_counts(4.0, 2.0)
 
     def test_a_status_does_not_count_if_boxes_were_published_and_no_message_came(self):
         """As of a subscriber that was cut off."""

@@ -203,6 +203,15 @@ class BagsTest(BagBoundsTest):
                 self.assertEqual('left' in found['incomplete'], is_silent)
                 self.assertEqual(found['to'], to)
 
+    def test_the_end_of_a_bag_whatever_the_order_of_its_topics(self):
+        other = [('/chatter', String('x'), time_of(BEGIN + second)) for second in range(10)]
+        for messages in other + arms(50), arms(50) + other:
+            found = self.report(self.bag(messages), code=INCOMPLETE, err='incomplete names: 3')
+            self.assertEqual(found['to'], 9)
+        second_pass = [moving_arms(i) for i in range(30)]
+        found = self.report(self.bag(arms(50) + other[9:] + second_pass), err='the clock jumped back')
+        self.assertEqual(found['to'], seconds(29))
+
     def test_a_robot_that_stands_before_the_start(self):
         other = [('/chatter', String('x'), time_of(BEGIN + second)) for second in range(10)]
         zones = self.write('zones.yaml', zone_text('all', [-9] * 3, [9] * 3))

@@ -21,8 +21,8 @@ import time
 
 import bag_bounds_testing
 from bag_interrupts_test import bomb
-from bag_bounds_testing import (ENTERED, INCOMPLETE, BagBoundsTest, arms, main, moving_arms, raw, run,
-                                static_arms, time_of, zone_text)
+from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, BagBoundsTest, arms, main, moving_arms, raw,
+                                run, static_arms, time_of, write_bag, zone_text)
 from bounds_testing import wait_for
 from node_testing import ARMS, arm_transform
 from object_testing import marker
@@ -460,12 +460,23 @@ class MergeTest(EachBagTest):
         self.assertEqual(found, (0, '', 'bag_bounds: 1 of 1 bags have a line already\n'))
 
     def test_a_bag_that_was_whole_only_later(self):
-        """At first it was empty."""
-        bags, lines, files = self.files()
-        self.bag(calm(3), 'c.bag')
-        later = self.write('3.jsonl', self.lines(bags[2:], code=0)[0] + '\n')
-        for order in (*files, later), (later, *files):
-            self.assertIn('3 bags: 2 CLEAR, 1 FOUND', self.merged(*order, code=ENTERED)[0])
+        """At first it was empty, then a part of it was there. A bag that is another one counts."""
+        whole = self.path('a.bag')
+        bags = [whole]
+        write_bag(whole, [('/other', String('0' * 100000), time_of(BEGIN))] + calm(3))
+        later = self.write('3.jsonl', self.lines(bags, code=0)[0] + '\n')
+        with open(whole, 'rb') as file:
+            data = file.read()
+        for size in 0, 90000:
+            with open(whole, 'wb') as file:
+                file.write(data[:size])
+            earlier = self.write('1.jsonl', self.lines(bags, code=1)[0] + '\n')
+            for order in (earlier, later), (later, earlier):
+                self.assertIn('1 bag: 1 CLEAR', self.merged(*order, code=0)[0])
+        for size in 10, 200000:
+            write_bag(whole, [('/other', String('0' * size), time_of(BEGIN))])
+            other = self.write('2.jsonl', self.lines(bags, code=1)[0] + '\n')
+            self.check_refused('a.bag in .* differ; leave the older file out', '--merge', other, later)
 
     def test_what_is_incomplete_may_be_accepted(self):
         bags = [self.bag(calm(3), 'a.bag'), self.bag([static_arms()], 'b.bag')]

@@ -3,6 +3,7 @@
 #include "tools/bag_bounds/bag/bag_file.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,7 @@ constexpr int kMaxLosses = 20;                       // lines for one file
 constexpr std::uint64_t kNextHeaderSize = 512;       // bytes, typical
 constexpr std::uint64_t kMaxSizeAtOnce = 64 << 10;   // bytes, as in record.cpp
 constexpr std::uint64_t kMaxReadInVain = 256 << 20;  // bytes, beside twice the file
+constexpr std::int64_t kMinJumpBack = 500'000'000;   // ns; what comes late goes back by less
 const char* const kCopyAgain = "; copy it again from where it was recorded";
 
 std::string bytesText(std::uint64_t begin, std::uint64_t end) {
@@ -96,6 +98,22 @@ bool BagFile::next(BagMessage& message) {
     if (++steps_ % kStepsPerGlance == 0) isInterrupted(position_);
   }
   return false;
+}
+
+/// After a jump back of the clock, what was recorded before it tells no end.
+void BagFile::noteTime(const Record& record) {
+  std::int64_t& last = last_times_.try_emplace(record.connection, record.time).first->second;
+  const bool jumps_back = last > record.time + kMinJumpBack;
+  last = record.time;
+  for (auto known = last_times_.begin(); jumps_back && known != last_times_.end();)
+    known = known->second > record.time ? last_times_.erase(known) : std::next(known);
+}
+
+std::int64_t BagFile::lastTime() const {
+  std::int64_t last = std::numeric_limits<std::int64_t>::min();
+  for (const auto& [connection, time] : last_times_)
+    last = std::max(last, time);
+  return last;
 }
 
 // The rest of the chunk has no index. The message behind it is of the next one, which has.
@@ -183,7 +201,7 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
                             bool& is_message) {
   const Connection* const connection = findConnection(record.connection);
   if (!connection) ++unannounced_;
-  last_time_ = std::max(last_time_, record.time);
+  noteTime(record);
   if (!connection || !connection->is_wanted) return true;
   if (record.data_size > kMaxChunkSize) {
     lose(bytesText(position_, record.end()) + " are one message that is too large to be read");
@@ -192,7 +210,7 @@ bool BagFile::handleMessage(Bytes& bytes, const Record& record, BagMessage& mess
   message.data = bytes.at(record.data, record.data_size);
   if (!message.data) return false;
   message.size = record.data_size;
-  message.time = last_time_ = record.time;
+  message.time = record.time;
   message.topic = &connection->topic;
   message.type = &connection->type;
   message.publisher = &connection->publisher;

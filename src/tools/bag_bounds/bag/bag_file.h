@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "tools/bag_bounds/bag/bag_reader.h"
@@ -36,8 +36,8 @@ class BagFile {
   /// The next message; false after the last one, or if interrupted.
   bool next(BagMessage& message);
 
-  /// The latest time of the messages behind the last wanted one, and its own; of any topic [ns].
-  std::int64_t lastTime() const { return last_time_; }
+  /// Of the last messages of all connections since the clock jumped back the latest time [ns].
+  std::int64_t lastTime() const;
 
   /// Whether a later message has that time or an earlier one, by the index where there is one.
   /// Reads as far as that takes: nothing can be read after it.
@@ -54,6 +54,7 @@ class BagFile {
   bool step(BagMessage& message);
   bool handle(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
   bool handleMessage(Bytes& bytes, const Record& record, BagMessage& message, bool& is_message);
+  void noteTime(const Record& record);
   const Connection* findConnection(std::uint32_t number);
   void openChunk(const Record& record);
   ChunkData unpack(const std::string& compression, std::uint64_t begin, std::uint64_t next);
@@ -83,7 +84,7 @@ class BagFile {
   std::uint64_t read_in_vain_ = 0;  ///< compressed data that was damaged [bytes]
   bool is_compressed_ = true;       ///< the last chunk was, or there was none yet
   Connections connections_;
-  std::int64_t last_time_ = std::numeric_limits<std::int64_t>::min();
+  std::unordered_map<std::uint32_t, std::int64_t> last_times_;  ///< by connection
   std::uint64_t unannounced_ = 0;     ///< messages of connections that the bag does not announce
   bool has_header_ = false;           ///< the next two are known
   std::uint64_t index_position_ = 0;  ///< 0: the recorder did not close the file

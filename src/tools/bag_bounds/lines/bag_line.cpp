@@ -88,6 +88,8 @@ ReadLine parse(const std::string& text) {
   result.question = line["question"].as<std::string>();
   result.verdict = line["verdict"].as<std::string>();
   result.exit_code = line["exit"].as<int>();
+  result.complete_code = result.exit_code;
+  if (line["complete_exit"]) result.complete_code = line["complete_exit"].as<int>();
   result.reason = reasonIn(line);
   if (const YAML::Node least = line["coverage"]; least && !least.IsNull())
     result.coverage = {least["name"].as<std::string>(), least["share"].as<double>()};
@@ -195,8 +197,13 @@ BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun
   const std::string useless = run.whyUseless(report);
   if (outcome.is_unusable) return unusableLine(bag, question, useless);
   const int code = exitCode(outcome, demand);
+  Demand complete = demand;
+  complete.allow_incomplete = true;
+  const std::string rest =
+      code == kOpen ? "\"complete_exit\": " + std::to_string(exitCode(outcome, complete)) + ", "
+                    : "";
   const std::string reason = useless.empty() ? "" : "\"reason\": " + jsonString(useless) + ", ";
-  return {start(bag, question, verdictOf(code), code) + ", " + reason + summaryJson(report) +
+  return {start(bag, question, verdictOf(code), code) + ", " + rest + reason + summaryJson(report) +
               ", \"open\": [" + joined(outcome.open, ", ", jsonString) + "]}\n",
           code};
 }

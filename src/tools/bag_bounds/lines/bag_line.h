@@ -61,6 +61,7 @@ struct ReadLine {
   std::string question;
   std::string verdict;
   int exit_code = 0;
+  int complete_code = 0;                                   ///< with --allow-incomplete
   std::optional<std::pair<std::string, double>> coverage;  ///< the least covered link, its share
   std::optional<PairOfLine> worst;
   std::vector<ZoneOfLine> zones;

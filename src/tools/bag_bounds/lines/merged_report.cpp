@@ -18,13 +18,18 @@ namespace {
 
 using Lines = std::map<std::string, ReadLine>;
 
+/// Whether the one may be an unfinished copy of the other one.
+bool isBeginOf(const BagIdentity& begin, const BagIdentity& whole) {
+  return begin.size < whole.size && (begin.size == 0 || begin.head == whole.head);
+}
+
 /// Of two lines of a bag the better one. Where the bag could not be read, such as on a machine that
-/// has not mounted it, or that had only a part of it, another machine may have read it.
+/// has not mounted it, or that had only its begin, another machine may have read it.
 ReadLine betterOf(const ReadLine& first, const ReadLine& second) {
-  const bool is_same_bag = first.bag.size == second.bag.size && first.bag.head == second.bag.head;
   const auto was_read = [&](const ReadLine& line) {
+    const ReadLine& other = &line == &first ? second : first;
     const bool is_unusable = line.verdict == verdictOf(kUnusable);
-    return line.bag.size && !line.hasDied() && (is_same_bag || !is_unusable);
+    return line.bag.size && !line.hasDied() && !(is_unusable && isBeginOf(line.bag, other.bag));
   };
   if (was_read(first) != was_read(second)) return was_read(first) ? first : second;
   if (first.text == second.text) return first;
@@ -156,7 +161,7 @@ class MergedReport {
   void add(const ReadLine& line) {
     ++verdicts_[line.verdict];
     exit_code_ = worseCode(exit_code_, line.exit_code);
-    if (line.exit_code != kOpen) complete_code_ = worseCode(complete_code_, line.exit_code);
+    complete_code_ = worseCode(complete_code_, line.complete_code);
     if (line.worst && (!worst_ || isNearer(*line.worst, *worst_->worst))) worst_ = &line;
     for (const ZoneOfLine& zone : line.zones) {
       auto sum = std::find_if(zones_.begin(), zones_.end(),
@@ -203,7 +208,7 @@ class MergedReport {
   std::vector<ZoneSum> zones_;
   const ReadLine* worst_ = nullptr;  ///< of several, the first by name of bag
   int exit_code_ = 0;
-  int complete_code_ = 0;  ///< without what is incomplete
+  int complete_code_ = 0;  ///< with --allow-incomplete
 };
 
 }  // namespace

@@ -121,6 +121,7 @@ void BagRun::takeStatic() {
   for (; reader.next(message); is_empty = false)
     scene_.takeStatic(message);
   static_losses_ = reader.losses();
+  intake_before_ = scene_.tf().neededIntake();
   if (is_empty && !reader.wasInterrupted())
     throw UsageError("--static-from " + options_.static_from + " has no message on " +
                      staticTopic(options_) + "; name the bag of the first part of the recording");
