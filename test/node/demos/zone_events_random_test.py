@@ -21,7 +21,7 @@ from zone_events import QUIET, Watch  # noqa: E402
 ZONE = "zones/1"
 LINKS = ("base", "elbow", "hand")
 INSIDE, OUTSIDE, INCOMPLETE, GONE = "inside", "outside", "incomplete", "gone"
-SEQUENCES, STEPS = 1000, 40
+SEQUENCES, STEPS = 600, 40
 LATE = 3  # messages of one topic that the other one is ahead, at most
 
 
