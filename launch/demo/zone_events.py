@@ -57,7 +57,7 @@ class History:
         self._stamp = stamp
         self.by_time[self._time()] = content
         if len(self.by_time) > KEPT:
-            del self.by_time[min(self.by_time)]
+            del self.by_time[next(iter(self.by_time))]
         return self._time()
 
     def is_behind(self, other):

@@ -437,6 +437,11 @@ class MergeTest(EachBagTest):
             self.check_refused('wrong.jsonl, line 2 has the verdict "%s", but the exit code %d'
                                % (verdict, code), '--merge',
                                self.write('wrong.jsonl', lines[1] + '\n' + wrong + '\n'))
+        for index, rest in (0, 2), (1, 0):  # else --allow-incomplete would accept any finding
+            wrong = lines[index].replace(', "frame"', ', "complete_exit": %d, "frame"' % rest, 1)
+            self.assertNotEqual(wrong, lines[index])
+            self.check_refused(r'\(%d with --allow-incomplete\), which does not go' % rest, '--merge',
+                               self.write('wrong.jsonl', wrong + '\n'), '--allow-incomplete')
         died = lines[2].replace('UNUSABLE', 'DIED')
         self.assertIn('1 DIED', self.merged(self.write('died.jsonl', died + '\n'), code=1)[0])
 

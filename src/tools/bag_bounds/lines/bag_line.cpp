@@ -119,6 +119,9 @@ std::string plain(std::string text) {
 
 /// Whether verdict and exit code go together.
 bool isConsistent(const ReadLine& line) {
+  const bool is_rest =
+      line.exit_code == kOpen && (line.complete_code == 0 || line.complete_code == 2);
+  if (line.complete_code != line.exit_code && !is_rest) return false;
   const bool is_unusable = line.hasDied() || line.verdict == verdictOf(kUnusable);
   return is_unusable ? line.exit_code == kUnusable : line.verdict == verdictOf(line.exit_code);
 }
@@ -151,7 +154,9 @@ class Reader {
     if (!line) return;
     if (!isConsistent(*line))
       throw UsageError(place() + " has the verdict \"" + line->verdict + "\", but the exit code " +
-                       std::to_string(line->exit_code) + ", which does not go with it; remove it");
+                       std::to_string(line->exit_code) + " (" +
+                       std::to_string(line->complete_code) +
+                       " with --allow-incomplete), which does not go with it; remove it");
     result_.lines[line->bag.name] = *line;
     result_.lines[line->bag.name].file = file_;
   }
