@@ -26,8 +26,8 @@ struct EigenMethod : Method {
   static Aabb toAabb(const Aabb& box) { return box; }
 };
 
-/// Poses and the exact boxes of one mesh under the first of them.
-struct Motion {
+/// Poses, and the exact boxes of one mesh under the first of them.
+struct TruePoses {
   const Poses& poses;
   Boxes exact;
 };
@@ -40,8 +40,8 @@ struct Trial {
         sliding{slidingPoses(), exactBoxes(mesh.mesh, slidingPoses())} {}
 
   const MeasuredMesh& mesh;
-  Motion turning;
-  Motion sliding;
+  TruePoses turning;
+  TruePoses sliding;
 };
 
 /// The same poses for every mesh, in one place in memory.
@@ -59,7 +59,7 @@ const std::vector<typename Method::Pose>& posesFor(const Poses& poses) {
 }
 
 template <class Method>
-Judgement judge(Method& method, const Motion& motion) {
+Judgement judge(Method& method, const TruePoses& motion) {
   const auto& poses = posesFor<Method>(motion.poses);
   Boxes boxes;
   method.begin();
@@ -69,8 +69,8 @@ Judgement judge(Method& method, const Motion& motion) {
 }
 
 template <class Method>
-void addCase(const std::string& name, const MeasuredMesh& mesh, const Motion& motion, Method method,
-             Suite& suite) {
+void addCase(const std::string& name, const MeasuredMesh& mesh, const TruePoses& motion,
+             Method method, Suite& suite) {
   const Judgement judgement = judge(method, motion);
   const Result result{mesh.name, mesh.kind,       mesh.mesh.vertices.size(), mesh.points->size(),
                       name,      judgement.exact, judgement.volume_ratio,    method.bytes()};

@@ -30,7 +30,7 @@ constexpr double kWarmUp = 0.3;  // s
 constexpr std::uint32_t kUnlimited = 0;
 constexpr std::chrono::seconds kPatience(20);  // for a connection
 constexpr std::chrono::seconds kSilence(1);    // after the last answer; the others are lost
-constexpr std::size_t kPoses = 64;             // messages made beforehand, used in turn
+constexpr std::size_t kSwingPoses = 64;        // messages made beforehand, used in turn
 
 /// When each message went and when its answer came; numbers are those of the messages.
 class Times {
@@ -114,7 +114,7 @@ class Stopwatch {
         count_(first_ + static_cast<std::size_t>(task.seconds * task.hz)),
         times_(count_),
         start_(ros::Time::now()),
-        messages_(swing(task.robot, kPoses)),
+        messages_(swing(task.robot, kSwingPoses)),
         publisher_(node_.advertise<tf2_msgs::TFMessage>(task.name_space + "/tf", kUnlimited)) {
     const std::string topic = task.name_space + "/node/boxes";
     if (task.is_markers) {
@@ -168,7 +168,7 @@ class Stopwatch {
   }
 
   void send(std::size_t number) {
-    tf2_msgs::TFMessage& message = messages_[number % kPoses];
+    tf2_msgs::TFMessage& message = messages_[number % kSwingPoses];
     for (auto& transform : message.transforms)
       transform.header.stamp = stampOf(number);
     times_.send(number);

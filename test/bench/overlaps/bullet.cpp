@@ -11,11 +11,11 @@
 namespace link_bounds::bench {
 namespace {
 
-struct BulletBox {
+struct BulletAabb {
   btVector3 min, max;
 };
 
-BulletBox toBullet(const Aabb& box) {
+BulletAabb toBullet(const Aabb& box) {
   const Eigen::Vector3d& a = box.min();
   const Eigen::Vector3d& b = box.max();
   return {{floatDown(a.x()), floatDown(a.y()), floatDown(a.z())},
@@ -35,7 +35,7 @@ class BulletOverlaps : public OverlapMethod {
     numbers_.resize(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       numbers_[i] = i;
-      const BulletBox box = toBullet(boxes[i]);
+      const BulletAabb box = toBullet(boxes[i]);
       proxies_.push_back(broadphase_.createProxy(box.min, box.max, 0, &numbers_[i], 1, 1, nullptr));
     }
   }
@@ -66,7 +66,7 @@ class BulletOverlaps : public OverlapMethod {
   btDbvtBroadphase broadphase_;
   std::vector<btBroadphaseProxy*> proxies_;
   std::vector<std::size_t> numbers_;
-  std::vector<BulletBox> next_;
+  std::vector<BulletAabb> next_;
 };
 
 void add(const std::string& name, const BulletSetting& bullet,

@@ -13,7 +13,6 @@ namespace link_bounds::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::size_t kHistory = 10000;  // messages: 10 s at 1 kHz, so that memory is reused
 
 /// Appends to `times` how long each stage takes [ns].
 void measure(NodeUpdate& update, Bytes& bytes, ros::Time now,
@@ -35,10 +34,10 @@ void forUpdates(const TfRobot& robot, const MeasuredMeshes& meshes, std::size_t 
                 const std::function<void(NodeUpdate&, Bytes&, ros::Time)>& run) {
   NodeUpdate update(modelOf(robot, meshes));
   TfTraffic traffic(robot, true);
-  for (std::size_t i = 0; i < kHistory + updates; ++i) {
+  for (std::size_t i = 0; i < TfTraffic::kHistory + updates; ++i) {
     const std::size_t k = i % TfTraffic::kMessages;
     if (k == 0) traffic.prepare();
-    if (i < kHistory) {
+    if (i < TfTraffic::kHistory) {
       update.receive(traffic.bytes(k), traffic.stamp(k));
     } else {
       run(update, traffic.bytes(k), traffic.stamp(k));

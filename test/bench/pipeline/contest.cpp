@@ -15,15 +15,14 @@
 namespace link_bounds::bench {
 namespace {
 
-constexpr std::size_t kHistory = 10000;  // messages
-constexpr double kTurn = 0.02;           // seconds
+constexpr double kTurn = 0.02;  // seconds
 
 /// One method and the messages it is fed with.
-class Contender {
+class Competitor {
  public:
-  Contender(NamedPipeline named, const TfRobot& robot, Caches caches)
+  Competitor(NamedPipeline named, const TfRobot& robot, Caches caches)
       : named_(std::move(named)), traffic_(robot, named_.moves), caches_(caches) {
-    for (std::size_t i = 0; i < kHistory; i += TfTraffic::kMessages) {
+    for (std::size_t i = 0; i < TfTraffic::kHistory; i += TfTraffic::kMessages) {
       traffic_.prepare();
       for (std::size_t k = 0; k < TfTraffic::kMessages; ++k)
         named_.pipeline->receive(traffic_.bytes(k), traffic_.stamp(k));
@@ -110,14 +109,14 @@ Contest contest(std::size_t links, std::size_t depth, const MeasuredMeshes& mesh
                 Caches caches) {
   const TfRobot robot = tfRobot(links, depth);
   compareBoxes(robot, meshes);
-  std::vector<Contender> contenders;
+  std::vector<Competitor> contenders;
   for (NamedPipeline& pipeline : makePipelines(robot, meshes))
     contenders.emplace_back(std::move(pipeline), robot, caches);
   Contest result{links, depth, {}};
   std::mt19937 engine(1);
   for (int i = 0; i < repetitions; ++i) {
     std::shuffle(contenders.begin(), contenders.end(), engine);
-    for (Contender& contender : contenders) {
+    for (Competitor& contender : contenders) {
       const double seconds = contender.turn();
       result.ns_per_link[contender.method()].push_back(1e9 * seconds / static_cast<double>(links));
     }

@@ -8,7 +8,7 @@
 namespace link_bounds::bench {
 namespace {
 
-const ros::Duration kPeriod(0.001);
+const ros::Duration kBetweenMessages(0.001);
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 constexpr std::size_t kNumbers = 7 * sizeof(double);
 
@@ -41,7 +41,7 @@ TfTraffic::TfTraffic(const TfRobot& robot, bool moves) : stamps_(kMessages) {
 
 void TfTraffic::prepare() {
   for (std::size_t i = 0; i < kMessages; ++i) {
-    now_ += kPeriod;
+    now_ += kBetweenMessages;
     stamps_[i] = now_;
     for (const std::size_t offset : stamp_offsets_) {
       std::memcpy(&bytes_[i][offset], &now_.sec, kWord);

@@ -15,6 +15,9 @@ class TfTraffic {
   /// Makes the next messages, each a millisecond after the one before.
   void prepare();
 
+  /// Ten seconds of messages: after as many, memory is reused.
+  static constexpr std::size_t kHistory = 10000;
+
   /// The messages that were prepared, in order, and their stamps.
   static constexpr std::size_t kMessages = 16;
   Bytes& bytes(std::size_t i) { return bytes_[i]; }

@@ -11,10 +11,10 @@ namespace {
 constexpr std::int64_t kPeriod = 10000000;            // ns
 constexpr std::int64_t kBegin = 1700000000000000000;  // ns
 constexpr std::size_t kDepth = 10;
-constexpr std::size_t kPoses = 1000;
+constexpr std::size_t kBagPoses = 1000;
 
 void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds) {
-  std::vector<tf2_msgs::TFMessage> messages = swing(robot, kPoses);
+  std::vector<tf2_msgs::TFMessage> messages = swing(robot, kBagPoses);
   BagWriter writer(file);
   const std::uint32_t topic =
       writer.addTopic({"/tf", ros::message_traits::datatype<tf2_msgs::TFMessage>(),
@@ -22,7 +22,7 @@ void writeTf(const TfRobot& robot, const std::string& file, std::int64_t seconds
                        ros::message_traits::definition<tf2_msgs::TFMessage>(), "/bench", false});
   for (std::int64_t i = 0; i < seconds * 1000000000 / kPeriod; ++i) {
     const std::int64_t time = kBegin + i * kPeriod;
-    tf2_msgs::TFMessage& message = messages[static_cast<std::size_t>(i) % kPoses];
+    tf2_msgs::TFMessage& message = messages[static_cast<std::size_t>(i) % kBagPoses];
     for (geometry_msgs::TransformStamped& transform : message.transforms)
       transform.header.stamp.fromNSec(static_cast<std::uint64_t>(time));
     const std::string data = recorded("/tf", time, message).data;
