@@ -29,11 +29,6 @@ struct Climb {
   std::string problem;  ///< why it does not go on; "" where a tree of tf ends
 };
 
-std::int64_t oldestKept(const EdgeHistory& history) {
-  const SampleRing& samples = history.samples();
-  return samples[samples.countUntil(history.oldestKept() - 1)].stamp;
-}
-
 class Climber {
  public:
   Climber(const TransformBuffer& tf, MotionSpan span, double timeout)
@@ -63,7 +58,7 @@ class Climber {
 
  private:
   std::string notCovered(Frame frame, const EdgeHistory& history) const {
-    const std::int64_t oldest = oldestKept(history);
+    const std::int64_t oldest = history.oldestStamp();
     // An excerpt of tf may end soon after the span.
     const std::string known = oldest > span_.begin
                                   ? "from " + seconds(oldest) + " on"
@@ -97,6 +92,18 @@ class Climber {
   MotionSpan span_;
   double timeout_;
 };
+
+/// Of the stamps that the edges between both give, by their present parents.
+std::int64_t newestOf(const TransformBuffer& tf, Frame target, Frame source,
+                      std::int64_t (EdgeHistory::*stamp)() const) {
+  std::int64_t newest = 0;
+  for (const Frame frame : edgesBetween(tf, target, source)) {
+    const EdgeHistory* history = tf.history(frame);
+    if (history && !tf.isStatic(frame) && !history->samples().isEmpty())
+      newest = std::max(newest, (history->*stamp)());
+  }
+  return newest;
+}
 
 }  // namespace
 
@@ -162,13 +169,11 @@ MotionPath pathBetween(const TransformBuffer& tf, Frame target, Frame source, Mo
 }
 
 std::int64_t oldestKnown(const TransformBuffer& tf, Frame target, Frame source) {
-  std::int64_t oldest = 0;
-  for (const Frame frame : edgesBetween(tf, target, source)) {
-    const EdgeHistory* history = tf.history(frame);
-    if (history && !tf.isStatic(frame) && !history->samples().isEmpty())
-      oldest = std::max(oldest, oldestKept(*history));
-  }
-  return oldest;
+  return newestOf(tf, target, source, &EdgeHistory::oldestStamp);
+}
+
+std::int64_t oldestTaken(const TransformBuffer& tf, Frame target, Frame source) {
+  return newestOf(tf, target, source, &EdgeHistory::oldestKept);
 }
 
 }  // namespace link_bounds

@@ -47,6 +47,9 @@ class EdgeHistory {
     return samples_.isEmpty() ? 0 : samples_.newest().stamp - kLength;
   }
 
+  /// The stamp of the oldest sample that counts. There must be one.
+  std::int64_t oldestStamp() const { return samples_[samples_.countUntil(oldestKept() - 1)].stamp; }
+
   /// The transform at that time; at time 0 the newest. Between two samples of one parent it is
   /// interpolated, between two parents it is the older sample. Null if the history does not reach
   /// the time. The result may be in `scratch`.

@@ -82,14 +82,14 @@ void TfExcerpt::copyHead(const TransformBuffer& tf, Frame child) {
   edge.parent = parent;
   edge.has_parent = original.has_parent;
   edge.is_static = original.is_static;
+  edge.is_in_doubt = original.is_in_doubt;
   edge.newest = original.newest;
   edge.received = original.received;
   const bool moves = original.has_parent && !original.is_static;
   oldest_.push_back(0);
   if (original.history) edge.history.emplace(original.is_static, memory_);
   if (!moves) return;
-  const EdgeHistory& history = *original.history;
-  oldest_.back() = std::max(history.samples()[0].stamp, history.oldestKept());
+  oldest_.back() = original.history->oldestStamp();
   if (!begin_ && original.received >= stale_before_) common_ = std::min(common_, original.newest);
 }
 

@@ -309,6 +309,13 @@ TEST_F(WhyNoPoseTest, SaysHowFarTheHistoryOfThePathReaches) {
   EXPECT_NE(why(12.2).find("at 12.2; tf's history"), std::string::npos) << why(12.2);
 }
 
+TEST_F(WhyNoPoseTest, DoesNotCountWhatTfForgotDuringAPause) {
+  for (const double stamp : {10.0, 11.0, 22.0})
+    send("map", "tip", stamp);
+  const std::string reason = why(15);
+  EXPECT_NE(reason.find("reaches from 22.0 to 22.0"), std::string::npos) << reason;
+}
+
 TEST_F(WhyNoPoseTest, KnowsPathsThatAreNeverCompleteAndOtherParents) {
   send("map", "base", 10);
   send("base", "tip", 30);
