@@ -17,6 +17,7 @@ from a x p by at most the length of q.
 Of links in contact, a box names a point near each body. The points of the bodies nearest to these
 are moved as above, and stay within the distance that is claimed. Inside of a solid, a point is the
 centre of a ball in it, whose radius adds to that distance."""
+import heapq
 import itertools
 import math
 import random
@@ -67,12 +68,12 @@ class Pair:
         first, second = ([a * b for a, b in zip(chords, levers)] for levers in self.levers)
         self.moves = first, second
         sums = [sum(first[:cut]) + sum(second[cut:]) for cut in range(len(chords) + 1)]
-        self.cut = int(np.argmin(sums))
-        self.motion = sums[self.cut] * (1 + 1e-13)
+        self.cuts = sorted(range(len(sums)), key=sums.__getitem__)
+        self.motion = min(sums) * (1 + 1e-13)
 
-    def farthest(self, shapes, side, n):
+    def farthest(self, shapes, side, n, cut):
         """The largest coordinate along n of a point of the shapes in the box, to second order."""
-        joints = range(self.cut)[::-1] if side == 0 else range(self.cut, len(self.axes))
+        joints = range(cut)[::-1] if side == 0 else range(cut, len(self.axes))
         tilts, slides, remainder, beyond = [], exact(0), exact(0), exact(0)
         for k in reversed(joints):
             is_straight, place, axis, half = self.axes[k]
@@ -102,9 +103,9 @@ class Pair:
         n = Interval(n)
         if n.lo.shape != (3,) or not 0.5 < length(n).lo < 2:
             raise Refused('%s is no direction' % n.lo)
-        return apart(n, shapes, clearance + self.motion) or (
-            self.farthest(shapes[0], 0, n) + self.farthest(shapes[1], 1, -n)
-            + exact(clearance) * length(n)).hi <= 0
+        return apart(n, shapes, clearance + self.motion) or any(
+            (self.farthest(shapes[0], 0, n, cut) + self.farthest(shapes[1], 1, -n, cut)
+             + exact(clearance) * length(n)).hi <= 0 for cut in self.cuts)
 
     def touches(self, leaf, box, distance):
         """Whether those points and the balls around them stay so near to each other."""
@@ -187,26 +188,36 @@ def searched(first, second, least):
 
 
 def leaves(entry, ranges):
-    """What closes each box of the tree, and the box."""
+    """What closes each box of the tree, the box, and how many halvings have led to it."""
     names = [name for name, (lower, upper) in ranges.items() if lower < upper]
     if sorted(names) != sorted(entry['variables']):
         raise Refused('other joints move them: %s' % ', '.join(names))
-    todo = [ranges]
+    todo = [(ranges, 0)]
     for token in entry['tree']:
         if not todo:
             raise Refused('the tree is too long')
-        box = todo.pop()
+        box, halvings = todo.pop()
         if not isinstance(token, int):
-            yield token, box
+            yield token, box, halvings
             continue
         name = entry['variables'][token]
         lower, upper = box[name]
         middle = (lower + upper) / 2
         if not (token >= 0 and lower < middle < upper):
             raise Refused('a box cannot be halved')
-        todo += [{**box, name: [middle, upper]}, {**box, name: [lower, middle]}]
+        todo += [({**box, name: ends}, halvings + 1)
+                 for ends in ([middle, upper], [lower, middle])]
     if todo:
         raise Refused('the tree is too short')
+
+
+def drawn(boxes, options):
+    """Some boxes, or all; the last member of each says how many halvings have led to it. One box
+    after the other, each as likely as its share of the ranges of the joints, which each halving
+    halves: by times that are exponential with these shares as rates, the first ones."""
+    def time(box):
+        return math.log(random.expovariate(1) or sys.float_info.min) + box[-1] * math.log(2)
+    return boxes if options.all else heapq.nsmallest(options.sample, boxes, key=time)
 
 
 def check_pair(robot, entry, head, kinds, options):
@@ -219,8 +230,8 @@ def check_pair(robot, entry, head, kinds, options):
         raise Refused('%g m is not %s' % (distance, entry['verdict']))
     pair = Pair(robot, entry, kinds)
     boxes = list(leaves(entry, pair.ranges))
-    chosen = boxes if options.all else random.sample(boxes, min(len(boxes), options.sample))
-    for leaf, box in chosen:
+    chosen = drawn(boxes, options)
+    for leaf, box, _ in chosen:
         if not (pair.check if is_never else pair.touches)(leaf, box, distance):
             raise Refused('not proven around %s' % {k: sum(v) / 2 for k, v in box.items()})
     return len(boxes), len(chosen)

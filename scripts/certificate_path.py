@@ -11,22 +11,29 @@ import csv
 import functools
 import itertools
 import math
-import random
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import numpy as np
 from certificate_intervals import Interval, Pose, dot, exact, rounded
-from certificate_pairs import Pair, leaves
-from certificate_robot import NotCovered, Refused, shape
+from certificate_pairs import Pair, drawn, leaves
+from certificate_robot import NotCovered, Refused, shape, solid_of
+
+
+def cells(line, file):
+    """Of one line of a table: each stands by itself, whatever the quotes in it."""
+    try:
+        return next(csv.reader([line.rstrip('\r')], skipinitialspace=True, strict=True))
+    except csv.Error as reason:
+        raise Refused('%s is no table: %s' % (file, reason)) from reason
 
 
 class Path:
     """A csv file whose first line names its columns; other joints stay where `given` says."""
     def __init__(self, file, robot, given):
         with open(file, encoding='utf-8-sig', newline='') as text:
-            lines = [line for line in csv.reader(text, skipinitialspace=True)
-                     if ''.join(line).strip() and not line[0].startswith('#')]
+            lines = [cells(line, file) for line in text.read().split('\n')
+                     if line.strip(' \t\r') and not line.strip(' \t\r').startswith('#')]
         names = [name.strip() for name in lines[0]]
         if len(set(names)) != len(names) or any(len(line) != len(names) for line in lines):
             raise Refused('%s is no table' % file)
@@ -108,7 +115,7 @@ def placed(fields, robot):
     if kind == 'MESH_RESOURCE':
         if not fields['mesh_resource'].startswith(('file:///', 'package://')):
             raise NotCovered('the mesh of an object has a relative name')
-        element.find('geometry')[0].set('filename', fields['mesh_resource'])
+        solid_of(element).set('filename', fields['mesh_resource'])
     position = [float(pose.get('position', {}).get(key, 0)) for key in 'xyz']
     turn = pose.get('orientation', {'w': 1})
     frame = quaternion([float(turn.get(key, 0)) for key in 'wxyz'])
@@ -135,10 +142,10 @@ def quaternion(values):
 def disabled(file, links):
     """The pairs of links that a SRDF exempts."""
     root = ElementTree.parse(file).getroot()
-    off, on = ({frozenset((each.get('link1'), each.get('link2'))) for each in root.iter(tag)}
+    off, on = ({frozenset((each.get('link1'), each.get('link2'))) for each in root.findall(tag)}
                for tag in ('disable_collisions', 'enable_collisions'))
     return off | {frozenset((each.get('link'), other)) for other in links
-                  for each in root.iter('disable_default_collisions')} - on
+                  for each in root.findall('disable_default_collisions')} - on
 
 
 def pairs(robot, objects, kinds):
@@ -146,8 +153,7 @@ def pairs(robot, objects, kinds):
     bodies = [link for link in robot.links if robot.body(link, kinds)]
     found = set()
     for first, second in itertools.combinations(bodies, 2):
-        moving = len({joint.get('part_of', joint.get('name'))
-                      for joint, _ in robot.way(first, second) if joint.get('type') != 'fixed'})
+        moving = len(robot.moving(first, second))
         resting = len(objects & {first, second})
         if resting < 2 and moving + resting >= 2 and moving > 0:
             found.add(frozenset((first, second)))
@@ -185,10 +191,10 @@ class Segments:
         boxes = []
         for each in entry['pairs']:
             tree = {'variables': ['share'], 'tree': each['tree']}
-            boxes += [(each, leaf, box['share'])
-                      for leaf, box in leaves(tree, {'share': [0.0, 1.0]})]
-        chosen = boxes if options.all else random.sample(boxes, min(len(boxes), options.sample))
-        for each, leaf, share in chosen:
+            boxes += [(each, leaf, box['share'], halvings)
+                      for leaf, box, halvings in leaves(tree, {'share': [0.0, 1.0]})]
+        chosen = drawn(boxes, options)
+        for each, leaf, share, _ in chosen:
             box = self.path.box(number, *share)
             if not self.pair(each).check(leaf, box, entry['distance']):
                 raise Refused('%s and %s: not proven from %g to %g' % (

@@ -67,32 +67,32 @@ class Reach:
         start = dot(d, before.place).hi
         if is_straight:
             ends = np.maximum((along * exact(lower)).hi, (along * exact(upper)).hi)
-            return start + ends + above(table, turned) + ROUNDING * (1 + np.abs(table).max())
+            return start + ends + table.above(turned) + ROUNDING * (1 + table.largest)
         if upper - lower >= 2 * math.pi - 1e-12:
             lower, upper = -math.pi, math.pi
-        pieces = max(1, math.ceil((upper - lower) / (2 / (table.shape[1] - 1))))
+        pieces = max(1, math.ceil((upper - lower) / (2 / table.cells)))
         angles = np.append(lower + (upper - lower) * (np.arange(pieces) / pieces), upper)
         sine, cosine = (rounded(values, values, 4)[None, :, None] for values in (
             np.array([f(angle) for angle in angles]) for f in (math.sin, math.cos)))
         constant = axis * along[:, None]
         e = (constant[:, None] + (turned - constant)[:, None] * cosine
              + cross(turned, axis)[:, None] * sine)
-        against = above(table, -constant)
-        b = above(table, e) + against[:, None]
+        against = table.above(-constant)
+        b = table.above(e) + against[:, None]
         half_piece = (upper - lower) / pieces / 2 * (1 + ROUNDING)
         cosine2, sine2 = math.cos(half_piece) ** 2, math.sin(half_piece) ** 2
         mean, half = (b[:, :-1] + b[:, 1:]) / 2, (b[:, 1:] - b[:, :-1]) / 2
         top = np.where(np.abs(half) * cosine2 < mean * sine2,
                        np.sqrt(mean ** 2 / cosine2 + half ** 2 / sine2), -math.inf)
         best = np.maximum(b.max(1), top.max(1)) - against
-        return start + best + ROUNDING * (1 + np.abs(table).max())
+        return start + best + ROUNDING * (1 + table.largest)
 
     def check(self, entry, options):
-        """How many supports there are, and how many were checked. The box always is."""
+        """How many supports there are, and how many were checked. The box always is, and so is
+        what it rests on in the first table."""
         cells, step = entry['cells'], entry['step']
         if not (isinstance(cells, int) and 2 <= cells <= 1024 and 0 < step < math.inf):
             raise Refused('%s cells of step %s' % (cells, step))
-        shape = (6, cells + 1, cells + 1)
         tables = [np.array(table, float) * step for table in entry['tables']]
         grid = directions(cells)
         if len(tables) != len(self.joints) or not all(
@@ -101,13 +101,14 @@ class Reach:
         largest, smallest = (np.array(entry[end], float) for end in ('max', 'min'))
         claims = [(np.concatenate((np.eye(3), -np.eye(3))), np.concatenate((largest, -smallest)))]
         claims += [(grid, table) for table in tables]
+        tables = [Table(table, cells) for table in tables]
         total = checked = 0
         for i, (d, claim) in enumerate(claims):
-            chosen = np.arange(len(d))
-            if i > 0 and not options.all:
-                chosen = np.array(random.sample(range(len(d)), min(len(d), options.sample)), int)
+            always = np.ones(len(d), bool) if i == 0 or options.all else (
+                tables[0].used.reshape(-1) if i == 1 else np.zeros(len(d), bool))
+            chosen = with_sample(always, options.sample)
             total, checked = total + len(d), checked + len(chosen)
-            table = tables[i].reshape(shape) if i < len(tables) else None
+            table = tables[i] if i < len(tables) else None
             size = max(len(p.lo) for p, *_ in self.shapes) if table is None else 4 * cells
             for part in np.array_split(chosen, len(chosen) * size // CHUNK + 1):
                 holds = self.support(i, Interval(d[part]), table) <= claim[part] if len(part) else []
@@ -128,18 +129,37 @@ def directions(cells):
     return faces.reshape(-1, 3)
 
 
-def above(table, vectors):
-    """No less than the support along each vector: the mean of the corners of its cell, and the
-    largest support times what the vector may differ from that mean of directions."""
-    middle = (vectors.lo + vectors.hi).reshape(-1, 3) / 2
-    row, axis, cells = np.arange(len(middle)), np.abs(middle).argmax(1), table.shape[1] - 1
-    size = np.abs(middle[row, axis])
-    face = 2 * axis + (middle[row, axis] < 0)
-    scale = cells / 2 / np.maximum(size, 1e-300)
-    places = [middle[row, (axis + k) % 3] * scale + cells / 2 for k in (1, 2)]
-    i, j = (np.clip(place.astype(int), 0, cells - 1) for place in places)
-    s, t = places[0] - i, places[1] - j
-    mean = ((1 - s) * ((1 - t) * table[face, i, j] + t * table[face, i, j + 1])
-            + s * ((1 - t) * table[face, i + 1, j] + t * table[face, i + 1, j + 1]))
-    rest = (vectors.hi - vectors.lo).sum(-1).reshape(-1) + ROUNDING / 10 * size
-    return (size * mean + rest * np.abs(table).max()).reshape(vectors.lo.shape[:-1])
+def with_sample(always, count):
+    """The indices of these entries, and of so many of the others."""
+    others = np.flatnonzero(~always)
+    some = random.sample(range(len(others)), min(len(others), count))
+    return np.concatenate((np.flatnonzero(always), others[some]))
+
+
+class Table:
+    """Supports along the directions of a grid, and which of them were used."""
+    def __init__(self, supports, cells):
+        self.cells, self.values = cells, supports.reshape(6, cells + 1, cells + 1)
+        self.largest = np.abs(supports).max()
+        self.used = np.zeros(self.values.shape, bool)
+
+    def above(self, vectors):
+        """No less than the support along each vector: the mean of the corners of its cell, and the
+        largest support times what the vector may differ from that mean of directions."""
+        middle = (vectors.lo + vectors.hi).reshape(-1, 3) / 2
+        row, axis, cells = np.arange(len(middle)), np.abs(middle).argmax(1), self.cells
+        size = np.abs(middle[row, axis])
+        face = 2 * axis + (middle[row, axis] < 0)
+        scale = cells / 2 / np.maximum(size, 1e-300)
+        places = [middle[row, (axis + k) % 3] * scale + cells / 2 for k in (1, 2)]
+        i, j = (np.clip(place.astype(int), 0, cells - 1) for place in places)
+        s, t = places[0] - i, places[1] - j
+        table = self.values
+        mean = ((1 - s) * ((1 - t) * table[face, i, j] + t * table[face, i, j + 1])
+                + s * ((1 - t) * table[face, i + 1, j] + t * table[face, i + 1, j + 1]))
+        for a, b, weight in ((i, j, (1 - s) * (1 - t)), (i, j + 1, (1 - s) * t),
+                             (i + 1, j, s * (1 - t)), (i + 1, j + 1, s * t)):
+            counts = weight != 0
+            self.used[face[counts], a[counts], b[counts]] = True
+        rest = (vectors.hi - vectors.lo).sum(-1).reshape(-1) + ROUNDING / 10 * size
+        return (size * mean + rest * self.largest).reshape(vectors.lo.shape[:-1])

@@ -62,9 +62,17 @@ def triangles(path):
     return np.array(words, np.float32).astype(float)
 
 
+def solid_of(element):
+    """The box, ball, cylinder or mesh of a <visual>, a <collision> or an object."""
+    geometry = element.find('geometry')
+    if geometry is None or len(geometry) != 1:
+        raise NotCovered('a <%s> has not one shape' % element.tag)
+    return geometry[0]
+
+
 def shape(element, file_of):
     """Balls of one radius around points of the link, and of which points each part is the hull."""
-    solid = element.find('geometry')[0]
+    solid = solid_of(element)
     radius = 0.0
     if solid.tag == 'box':
         corners = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
@@ -108,7 +116,7 @@ def nearest(points, parts, hint):
 
 def inside(element, body, hint):
     """A point of the shape near there, and the radius of a ball around it that is in the shape."""
-    solid, (points, _, parts) = element.find('geometry')[0], body
+    solid, (points, _, parts) = solid_of(element), body
     if solid.tag == 'mesh':
         return nearest(points, parts, hint), 0.0
     place, rooms = origin(element), []
@@ -214,8 +222,8 @@ class Robot:
     def cylinders(self, link, kinds):
         """Of each shape of body(): its pose, radius and length if it is a cylinder, or None."""
         for element in (element for element in self.links[link] if element.tag in kinds):
-            solid = element.find('geometry').find('cylinder')
-            yield None if solid is None else (
+            solid = solid_of(element)
+            yield None if solid.tag != 'cylinder' else (
                 origin(element), *(float(solid.get(name)) for name in ('radius', 'length')))
 
     def motion(self, joint):
@@ -228,8 +236,11 @@ class Robot:
 
     def lead(self, name):
         """Which joint this one follows, with factor and offset."""
-        factor, offset = 1.0, 0.0
+        factor, offset, passed = 1.0, 0.0, set()
         while self.joints[name].find('mimic') is not None:
+            if name in passed:
+                raise NotCovered('joint %s follows itself' % name)
+            passed.add(name)
             mimic = self.joints[name].find('mimic')
             offset += factor * float(mimic.get('offset', 0))
             factor *= float(mimic.get('multiplier', 1))
@@ -273,3 +284,8 @@ class Robot:
         while ways[0] and ways[1] and ways[0][-1] is ways[1][-1]:
             ways = [ways[0][:-1], ways[1][:-1]]
         return [(joint, True) for joint in ways[0]] + [(joint, False) for joint in ways[1][::-1]]
+
+    def moving(self, first, second):
+        """The joints between two links that are not fixed; one with parts is one."""
+        return {joint.get('part_of', joint.get('name')) for joint, _ in self.way(first, second)
+                if joint.get('type') != 'fixed'}

@@ -108,6 +108,16 @@ def turned(leaf):
     return [turned(n) for n in leaf] if isinstance(leaf[0], list) else [-x for x in leaf]
 
 
+def halved(times, leaf):
+    """A tree whose only variable is halved so many times in a row, everywhere."""
+    return [leaf] if times == 0 else [0] + 2 * halved(times - 1, leaf)
+
+
+# How a file is damaged by a last line that urdf_bounds does not write: by what it counts there.
+NOT_COUNTED = [{'never': 1}, {'NEVER ': 1}, {'': 1}, {'NEVER': 0}, {'NEVER': -1}, {'NEVER': 1.0},
+               {'NEVER': True}, {'NEVER': '1'}, {'NEVER': None}, ['NEVER'], 'NEVER', None, 1]
+
+
 def is_leaf(token):
     return not isinstance(token, int)
 

@@ -9,9 +9,12 @@ Run as: certificate_path_test.py PATH_OF_wrong_urdf_bounds PATH_OF_urdf_bounds
 import json
 import os
 
-from certificate_testing import (ARM, MOBILE, REFUSED, check, is_leaf, lines_of, main, turned,
-                                 write_lines, write_wrong)
+from certificate_testing import (ARM, INCOMPLETE, MOBILE, NOT_COUNTED, REFUSED, box, check, halved,
+                                 is_leaf, lines_of, main, turned, write_lines, write_wrong)
+from urdf_bounds_pairs_test import joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
+
+import certificate_path  # of scripts, which certificate_testing adds to the path
 
 
 def split_pair(lines):
@@ -55,6 +58,18 @@ class PathTest(UrdfBoundsTest):
         table = '# a remark\nshoulder,label,elbow,push\n0,a,0,0.1\n \n1,b,0.2,0.2\n0.8,,-0.4,0\n'
         self.write_certificate(table)
         self.check_table(table, 0)
+
+    def test_a_quote_in_a_remark_hides_no_row(self):
+        remark = '# then, "home\n'
+        self.write_certificate(self.LINEAR)
+        self.assertIn('3 segments', self.check_table(self.LINEAR + remark + '2.2,0.2,0.2\n', REFUSED))
+        first, rest = self.LINEAR.split('\n', 1)
+        self.check_table(first + '\n' + remark + rest, 0)
+
+    def test_what_an_srdf_exempts(self):
+        file = self.write('arm.srdf', '<robot name="arm"><old><disable_collisions link1="a" link2="b"/></old>'
+                          '<disable_collisions link1="c" link2="d"/></robot>')
+        self.assertEqual(certificate_path.disabled(file, set()), {frozenset('cd')})
 
     def test_interpolations(self):
         for table, (old, new) in self.FAST.items():
@@ -119,6 +134,36 @@ class PathTest(UrdfBoundsTest):
         self.assertIn('segments that are not in the file: COLLIDES 1', self.check_table(table, 0))
         self.check_table(self.LINEAR, REFUSED)
         self.assertEqual(check(self.file, self.urdf)[0], REFUSED)
+        *lines, end = lines_of(self.file)
+        for counted in (*NOT_COUNTED, {'NEVER': 1}, {'none': 1}, {'COLLIDES': 2}, {}):
+            write_lines(self.file, [*lines, dict(end, not_covered=counted)])
+            self.check_table(table, REFUSED)
+        write_lines(self.file, [*lines, dict(end, not_covered={'UNDECIDED': 1})])
+        self.check_table(table, INCOMPLETE)
+
+    def test_boxes_are_drawn_by_their_size(self):
+        """One that covers half of the time is seen, among a thousand others."""
+        urdf = self.write('slide.urdf', '<robot name="slide">%s</robot>' % ''.join([
+            link('base'), link('box', box('0.1 0.1 0.1')),
+            joint('slide', 'prismatic', 'base', 'box')]))
+        self.objects = self.write('block.yaml', 'block: {type: CUBE, pose: {position: {z: 1}}, '
+                                  'scale: {x: 0.1, y: 0.1, z: 0.1}}\n')
+        above = [0, 0, 1]
+        for end, tree, code in ((1, [0, *halved(10, above), above], REFUSED),
+                                (0, halved(10, above), 0)):
+            write_lines(self.file, [
+                {'certificate': 1, 'of': 'path', 'robot': 'slide', 'geometry': 'visual',
+                 'clearance': 0, 'touching': 1e-4, 'base': 'free', 'given': {}},
+                {'from': 1, 'to': 2, 'distance': 1e-6, 'pairs': [
+                    {'first': 'box', 'second': 'block', 'tree': tree}]},
+                {'segments': 1, 'not_covered': {}}])
+            table = self.write('slide.csv', 'slide\n-1\n%d\n' % end)
+            for seed in range(4):
+                found, text = check(self.file, urdf, '--poses', table, '--objects', self.objects,
+                                    '--seed', str(seed))
+                self.assertEqual(found, code, text)
+        self.assertIn('slide, visual geometry, clearance 0 m: 1 segments; 20 of 1024 boxes were '
+                      'checked (--all checks the others), and all of these hold\n', text)
 
 
 if __name__ == '__main__':

@@ -11,9 +11,13 @@ import os
 import random
 from unittest import mock
 
-from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, MOBILE, PUBLIC,
-                                 REFUSED, box, check, lines_of, main, write_lines, write_wrong)
+from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, MOBILE, NOT_COUNTED,
+                                 PUBLIC, REFUSED, box, check, lines_of, main, write_lines,
+                                 write_wrong)
+from urdf_bounds_pairs_test import joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
+
+import certificate_robot  # of scripts, which certificate_testing adds to the path
 
 REACH = ('--reach', '--accuracy', '0.05', '--budget', '1000', '--format', 'json')
 
@@ -34,8 +38,9 @@ class ReachTest(UrdfBoundsTest):
         file, result = self.certificate(self.urdf)
         code, text = check(file, self.urdf, '--all')
         self.assertEqual(code, 0, text)
-        self.assertRegex(text, r'arm: 5 links; (\d+) of \1 supports were checked')
-        self.assertRegex(check(file, self.urdf, '--sample', '1')[1], ' 5 links; 37 of [0-9]+ supp')
+        self.assertRegex(text, r'^arm, visual geometry: 5 links; (\d+) of \1 supports were checked')
+        self.assertRegex(check(file, self.urdf, '--sample', '1')[1],
+                         r' 5 links; \d+ of \d+ supports were checked \(--all checks the others\)')
         for entry in lines_of(file)[1:-1]:
             proven = result['reach'][entry['link']]
             for i in range(3):
@@ -44,6 +49,26 @@ class ReachTest(UrdfBoundsTest):
                     self.assertGreaterEqual(inner, outer)
                     self.assertLessEqual(inner - outer, entry['slack'] + 1e-9)
             self.assertLessEqual(entry['slack'], float(REACH[2]))
+
+    def test_a_link_without_a_part_of_its_geometry(self):
+        part = link('tip', box('0.1 0.1 0.1') +
+                    '</visual><visual><geometry><mesh filename="gone.stl"/></geometry>')
+        urdf = self.write('part.urdf', '<robot name="part"><link name="root"/>' + part +
+                          joint('turn', 'revolute', 'root', 'tip') + '</robot>')
+        file = os.path.join(self.folder, 'part.cert')
+        self.assertEqual(run(urdf, *REACH, '--certificate', file)[0], INCOMPLETE)
+        code, text = check(file, urdf, '--all')
+        self.assertEqual(code, INCOMPLETE, text)
+        self.assertIn('links that are not in the file: 1', text)
+
+    def test_a_joint_that_follows_itself(self):
+        joints = [joint(name, 'revolute', parent, child).replace(
+            '<axis', '<mimic joint="%s"/><axis' % other)
+                  for name, parent, child, other in (('one', 'a', 'b', 'two'), ('two', 'b', 'c', 'one'))]
+        urdf = self.write('circle.urdf', '<robot name="circle"><link name="a"/><link name="b"/>'
+                          '<link name="c"/>%s</robot>' % ''.join(joints))
+        with self.assertRaisesRegex(certificate_robot.NotCovered, 'follows itself'):
+            certificate_robot.Robot(urdf, {}).lead('one')
 
     def test_ranges_that_the_user_gave(self):
         given = ('elbow:=0..0.5', 'push:=0.1')
@@ -63,6 +88,51 @@ class ReachTest(UrdfBoundsTest):
                 part['min'][2] += 1e-3
                 write_lines(file, lines)
                 self.assertEqual(check(file, MOBILE, *given)[0], REFUSED)
+
+    def test_what_the_box_rests_on_is_checked(self):
+        """The box and the first table are too small along +x alone, by 0.3 m. A joint that slides
+        along x needs one entry for that, one that turns about z those around it."""
+        for first, axis, second in (('prismatic', '1 0 0', 'revolute'),
+                                    ('revolute', '0 0 1', 'prismatic')):
+            urdf = self.write('gantry.urdf', '<robot name="gantry">%s</robot>' % ''.join([
+                link('base'), link('car'), link('arm', box('1 0.1 0.1', '0.5 0 0')),
+                joint('first', first, 'base', 'car').replace('0 0 1', axis),
+                joint('second', second, 'car', 'arm')]))
+            file, _ = self.certificate(urdf)
+            self.assertEqual(check(file, urdf)[0], 0)
+            lines = lines_of(file)
+            side, table = lines[1]['cells'] + 1, lines[1]['tables'][0]
+            middle = side // 2
+            for j in range(middle - 1, middle + 2):  # of the first face
+                table[j * side + middle] -= round(0.3 / lines[1]['step'])
+            lines[1]['max'][0] -= 0.29 if first == 'prismatic' else 0
+            write_lines(file, lines)
+            for seed in range(5):
+                code, text = check(file, urdf, '--seed', str(seed))
+                self.assertEqual((code, 'before joint 1' in text), (REFUSED, True), text)
+
+    def test_an_element_with_two_shapes_or_none(self):
+        """urdf_bounds takes the first shape, and this program none of both."""
+        def urdf(shapes):
+            return self.write('two.urdf', '<robot name="two">%s</robot>' % ''.join([
+                link('base', box('1 1 1')), link('arm', shapes),
+                joint('turn', 'revolute', 'base', 'arm')]))
+        cylinder, large = '<cylinder radius="0.1" length="0.2"/>', '<box size="1 1 1"/>'
+        file, _ = self.certificate(urdf('<geometry>%s</geometry>' % cylinder))
+        self.assertEqual(check(file, urdf('<geometry>%s</geometry>' % cylinder), '--all')[0], 0)
+        for shapes in ('<geometry>%s%s</geometry>' % (large, cylinder), '<geometry/>', '<origin/>',
+                       '<geometry>%s%s</geometry>' % (cylinder, large)):
+            code, text = check(file, urdf(shapes), '--all')
+            self.assertEqual((code, 'not checked: arm: ' in text), (INCOMPLETE, True), text)
+
+    def test_a_count_that_is_no_number_of_links(self):
+        file, _ = self.certificate(self.urdf)
+        *lines, end = lines_of(file)
+        for counted in (*NOT_COUNTED, -1, 1, 0.0, False, '0', {}):
+            write_lines(file, [*lines, dict(end, not_covered=counted)])
+            self.assertEqual(check(file, self.urdf)[0], REFUSED, counted)
+        write_lines(file, [*lines[:-1], dict(end, links=4, not_covered=1)])
+        self.assertEqual(check(file, self.urdf)[0], INCOMPLETE)
 
     def test_demo(self):
         file, _ = self.certificate(DEMO)

@@ -14,8 +14,8 @@ from unittest import mock
 
 from bad_inputs import SANITIZED
 from certificate_testing import (ARM, BASE_RANGES, COARSE, DAMAGES, DEMO, INCOMPLETE, MOBILE,
-                                 PUBLIC, REFUSED, box, check, cube_at, is_leaf, lines_of, main,
-                                 mesh, turned, write_lines, write_wrong)
+                                 NOT_COUNTED, PUBLIC, REFUSED, box, check, cube_at, halved, is_leaf,
+                                 lines_of, main, mesh, turned, write_lines, write_wrong)
 from urdf_bounds_pairs_test import ball, joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
 
@@ -46,8 +46,8 @@ class CertificateTest(UrdfBoundsTest):
 
     def test_all_kinds_of_joints_and_shapes(self):
         text = self.accept(self.urdf, '--all')
-        self.assertRegex(text, r'arm: [1-9]\d* NEVER; (\d+) of \1 boxes were checked, and all of '
-                               r'these hold\n')
+        self.assertRegex(text, r'^arm, visual geometry, clearance 0 m: [1-9]\d* NEVER; (\d+) of \1 '
+                               r'boxes were checked, and all of these hold\n')
         self.assertRegex(self.accept(self.urdf, '--sample', '1'), r' 6 NEVER; 6 of [1-9]\d+ boxes')
 
     def test_a_joint_that_mimics_with_a_factor_of_zero(self):
@@ -93,6 +93,81 @@ class CertificateTest(UrdfBoundsTest):
             for line in (head, alone, *others, end):
                 out.write(json.dumps(line) + '\n')
         self.assertEqual(check(file, self.urdf, '--all')[0], REFUSED)
+
+    def test_pairs_that_nothing_counts(self):
+        """A NEVER that is taken out is neither adjacent nor any other word."""
+        file, _ = self.certificate(self.urdf)
+        head, _, *others, end = lines_of(file)
+        self.assertEqual(end['not_covered'], {'ADJACENT': 4})
+        for counted in ({'ADJACENT': 5}, {'ADJACENT': 4}, {'ADJACENT': 4, 'SOMETIMES': 2},
+                        {'ADJACENT': 4, 'SAFE': 1}, {'ADJACENT': 4, 'COLLIDES': 1}, *NOT_COUNTED,
+                        *(dict(each, ADJACENT=4) for each in NOT_COUNTED[:8])):
+            with self.subTest(counted):
+                write_lines(file, [head, *others, dict(end, pairs=end['pairs'] - 1,
+                                                       not_covered=counted)])
+                code, text = check(file, self.urdf, '--all')
+                self.assertEqual(code, REFUSED, text)
+        write_lines(file, [head, *others, dict(end, pairs=end['pairs'] - 1, not_covered={
+            'ADJACENT': 4, 'NEVER': 1})])
+        self.assertEqual(check(file, self.urdf, '--all')[0], INCOMPLETE)
+
+    def test_which_pairs_are_adjacent(self):
+        """A link without geometry is looked through, and a fixed joint at it; no other link is."""
+        for shape, pairs in (('', 1), (ball(0.05), 3)):
+            urdf = self.write('bare.urdf', '<robot name="bare">%s</robot>' % ''.join([
+                link('base', ball(0.1)), link('bare', shape), link('arm', ball(0.1, 2.0)),
+                link('hand', ball(0.1)), joint('weld', 'fixed', 'base', 'bare', '0 0 0.5'),
+                joint('turn', 'revolute', 'bare', 'arm'),
+                joint('bend', 'revolute', 'arm', 'hand', '3 0 0')]))
+            self.assertIn('pairs that are not in the file: ADJACENT 2\n', self.accept(urdf))
+            file = os.path.join(self.folder, 'file.cert')
+            head, *others, end = lines_of(file)
+            self.assertEqual(len(others), pairs)
+            for which in range(pairs):  # is not adjacent
+                write_lines(file, [head, *others[:which], *others[which + 1:], dict(
+                    end, pairs=pairs - 1, not_covered={'ADJACENT': 3})])
+                code, text = check(file, urdf)
+                self.assertEqual(code, REFUSED, text)
+                self.assertIn('refused: only 2 of the pairs', text)
+
+    def write_slide(self, limits, tree):
+        """A box slides toward another one, and meets it 1 m from where its joint is at 0."""
+        file = os.path.join(self.folder, 'slide.cert')
+        write_lines(file, [
+            {'certificate': 1, 'of': 'pairs', 'robot': 'slide', 'geometry': 'visual',
+             'clearance': 0, 'touching': 1e-4, 'base': 'free', 'given': {}},
+            {'first': 'base', 'second': 'box', 'verdict': 'NEVER', 'distance': 1e-6,
+             'variables': ['slide'], 'tree': tree}, {'pairs': 1, 'not_covered': {}}])
+        return file, self.write('slide.urdf', '<robot name="slide">%s</robot>' % ''.join([
+            link('base', box('0.1 0.1 0.1', '0 0 1')), link('box', box('0.1 0.1 0.1')),
+            joint('slide', 'prismatic', 'base', 'box', limits=limits)]))
+
+    def test_boxes_are_drawn_by_their_size(self):
+        """One that covers half of the range is seen, among a thousand others."""
+        below = [0, 0, -1]
+        paths = self.write_slide((-1, 1), [0, *halved(10, below), below])
+        for seed in range(10):
+            code, text = check(*paths, '--seed', str(seed))
+            self.assertEqual((code, "around {'slide': 0.5}" in text), (REFUSED, True), text)
+        code, text = check(*self.write_slide((-1, 0), halved(10, below)))
+        self.assertEqual(code, 0, text)
+        self.assertIn(': 1 NEVER; 20 of 1024 boxes were checked (--all checks the others), and all '
+                      'of these hold\n', text)
+        self.assertIn('; 1024 of 1024 boxes were checked, and', check(*paths, '--all')[1])
+        with self.assertRaises(SystemExit):
+            check(*paths, '--sample', '-1')
+
+    def test_what_the_file_is_about_is_said(self):
+        both = self.write('both.urdf', re.sub(
+            '<visual>(.*?)</visual>', r'\g<0><collision>\1</collision>', ARM))
+        for geometry, said in (('collision', 'collision'), ('both', 'visual and collision')):
+            file, _ = self.certificate(both, '--geometry', geometry, '--clearance', '0.015625')
+            text = check(file, both)[1]
+            self.assertIn('arm, %s geometry, clearance 0.015625 m: ' % said, text)
+        lines = lines_of(file)
+        for geometry in ('inertial', 'none', '', None, ['visual']):
+            write_lines(file, [dict(lines[0], geometry=geometry), *lines[1:]])
+            self.assertEqual(check(file, both, '--allow-incomplete')[0], REFUSED)
 
     def test_ranges_that_the_user_gave(self):
         given = ('elbow:=0..0.5', 'push:=0.1')
@@ -145,7 +220,10 @@ class CertificateTest(UrdfBoundsTest):
         code, text = check(os.path.join(self.folder, 'file.cert'), MOBILE)
         self.assertEqual(code, REFUSED)
         self.assertIn('see --base', text)
-        # What floats behind a joint is no base, so three pairs are open.
+        # What floats behind a joint is no base, so three pairs are open; the hand is adjacent.
+        lines = lines_of(os.path.join(self.folder, 'file.cert'))
+        write_lines(os.path.join(self.folder, 'file.cert'), lines[:-1] + [
+            dict(lines[-1], not_covered={'ADJACENT': 3, 'SOMETIMES': 1})])
         with open(MOBILE, encoding='utf-8') as file:
             carried = file.read().replace('<parent link="world"/><child link="part"/>',
                                           '<parent link="hand"/><child link="part"/>')

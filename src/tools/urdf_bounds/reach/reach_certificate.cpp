@@ -108,7 +108,8 @@ std::size_t writeReachCertificate(const UrdfBoundsOptions& options, const Robot&
   std::size_t covered = 0;
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < reaches.size(); ++i) {
-    const bool is_covered = reaches[i] && certificate.write(i, *reaches[i], out);
+    const bool is_covered =
+        reaches[i] && bounded.links[i].isWhole() && certificate.write(i, *reaches[i], out);
     ++(is_covered ? covered : left_out);
   }
   endCertificate(options, "links", covered, std::to_string(left_out), out);
