@@ -5,31 +5,35 @@
 
 #include <pybind11/pybind11.h>
 
-#include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
+
+#include "python/end_of_python.h"
 
 namespace link_bounds {
 
-using StopFlag = std::atomic<bool>;
-
 /// Calls `work` on a thread of its own, without the GIL, and returns what it returns or throws. If
 /// a signal of Python throws, as KeyboardInterrupt does, the flag is set; `work` should then end,
-/// and that exception is thrown. Call it with the GIL.
+/// and that exception is thrown. The end of Python sets the flag, too. Call it with the GIL.
 template <class Work>
 auto interruptible(const Work& work) {
   constexpr std::chrono::milliseconds kBetweenSignals(20);
   StopFlag stop{false};
-  auto result = std::async(std::launch::async, [&] { return work(stop); });
+  auto run = [&work, &stop, running = std::make_unique<RunningWork>(stop)]() mutable {
+    const auto until_the_end = std::move(running);
+    return work(stop);
+  };
+  auto result = std::async(std::launch::async, std::move(run));
   for (;;) {
     {
-      const pybind11::gil_scoped_release others;
+      const Unlocked others;
       if (result.wait_for(kBetweenSignals) == std::future_status::ready) break;
     }
     if (PyErr_CheckSignals() == 0) continue;
     stop = true;
     {
-      const pybind11::gil_scoped_release others;
+      const Unlocked others;
       result.wait();
     }
     throw pybind11::error_already_set();

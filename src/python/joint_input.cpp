@@ -113,15 +113,7 @@ bool isMasked(const py::handle& q, int levels = 2) {
 }
 
 JointRows rowsOfArray(const SharedRobot& shared, const py::handle& q, const std::string& name) {
-  refuseMasked(q, name, kWhatRows);
-  const py::array any = py::array::ensure(q);
-  if (!any) {
-    PyErr_Clear();
-    throw py::value_error(name + kWhatRows + ", but it is " + reprOf(q));
-  }
-  if (std::string("fiu").find(any.dtype().kind()) == std::string::npos)
-    throw py::value_error(name + kWhatRows + ", but its values are of the type " +
-                          py::cast<std::string>(py::str(any.dtype())));
+  const py::array any = numbersOf(q, name, kWhatRows);
   const std::size_t columns = shared.joints().size();
   const bool has_columns = (any.ndim() == 1 || any.ndim() == 2) &&
                            any.shape(any.ndim() - 1) == static_cast<Py_ssize_t>(columns);
@@ -157,10 +149,19 @@ Limits rangeOf(const py::handle& value, const std::string& joint) {
 
 }  // namespace
 
-void refuseMasked(const py::handle& given, const std::string& name, const std::string& what) {
+py::array numbersOf(const py::handle& given, const std::string& name, const std::string& what) {
   if (isMasked(given))
     throw py::value_error(name + what +
                           ", but it is a masked array; fill it, or leave out what is masked");
+  py::array any = py::array::ensure(given);
+  if (!any) {
+    PyErr_Clear();
+    throw py::value_error(name + what + ", but it is " + reprOf(given));
+  }
+  if (std::string("fiu").find(any.dtype().kind()) == std::string::npos)
+    throw py::value_error(name + what + ", but its values are of the type " +
+                          py::cast<std::string>(py::str(any.dtype())));
+  return any;
 }
 
 JointRows jointRows(const SharedRobot& shared, const py::handle& q, const std::string& name) {

@@ -38,8 +38,11 @@ GivenRanges givenRanges(const SharedRobot& shared, const pybind11::object& range
 /// Throws ValueError for more threads than any machine has. 0: one per core.
 void checkJobs(unsigned jobs);
 
-/// Throws ValueError for a masked array: the values below the mask are none. `what` it must be.
-void refuseMasked(const pybind11::handle& given, const std::string& name, const std::string& what);
+/// An array of real numbers. Throws ValueError for values of another type, which would be converted
+/// without their unit, and for a masked array: the values below the mask are none. `what` it must
+/// be.
+pybind11::array numbersOf(const pybind11::handle& given, const std::string& name,
+                          const std::string& what);
 
 void checkLength(const char* name, double metres);
 

@@ -8,6 +8,7 @@
 #include "python/proof_calls.h"
 #include "python/text.h"
 #include "tools/command_line/text_file.h"
+#include "tools/formats/safe_text.h"
 
 namespace py = pybind11;
 
@@ -38,7 +39,8 @@ computed by `jobs` threads (0: one per core) without the GIL; Ctrl-C ends that.
 Several threads may use one robot.
 
 Raises RobotError, in the words of urdf_bounds, for a URDF or a mesh that cannot be used, and
-ValueError for arguments that cannot be used. A RuntimeWarning says what urdf_bounds warns of.
+ValueError for arguments that cannot be used. A RuntimeWarning says what urdf_bounds warns of, and
+at the first distances or proof which links have geometry of the other kind only.
 )";
 
 constexpr char kBoxesDoc[] = R"(The exact axis-aligned bounding boxes of all links.
@@ -109,7 +111,7 @@ constexpr char kPathDoc[] =
   velocities     like q [rad/s, m/s], with times: the motion is cubic, as joint_trajectory_controller
                  interpolates; without them it is linear in the joints
   accelerations  like q [rad/s^2, m/s^2], with velocities: the motion is of fifth order
-  times          [rows], growing [s]
+  times          [rows], growing [s]; numbers, no datetime64 or timedelta64
   objects        the path of a YAML file of objects around the robot, as for urdf_bounds --objects
   srdf           the path of a SRDF; pairs that it disables are left out
   budget         the search ends after this [s], > 0; what is open by then is UNDECIDED
@@ -271,8 +273,9 @@ void addSegment(py::module& module) {
       "pose", [](const Segment& self) { return poseOf(self.pose); },
       "{joint: value}: a pose that collides, or the nearest one that was found.");
   segment.def("__repr__", [](const Segment& self) {
-    const std::string pair =
-        self.first.empty() ? "" : ", nearest " + self.first + " and " + self.second;
+    const std::string pair = self.first.empty() ? ""
+                                                : ", nearest " + validUtf8(self.first) + " and " +
+                                                      validUtf8(self.second);
     return "<Segment " + std::to_string(self.start) + ": " + toText(self.proof.verdict) + pair +
            ">";
   });
@@ -322,7 +325,8 @@ void addPair(py::module& module) {
       "reason", [](const NamedProof& self) { return toPython(self.proof.reason); },
       "Why nothing is known of the pair; mostly ''.");
   pair.def("__repr__", [](const NamedProof& self) {
-    return "<Pair " + self.first + ", " + self.second + ": " + toText(self.proof.verdict) + ">";
+    return "<Pair " + validUtf8(self.first) + ", " + validUtf8(self.second) + ": " +
+           toText(self.proof.verdict) + ">";
   });
 }
 
@@ -343,6 +347,7 @@ void addErrors(py::module& module) {
 PYBIND11_MODULE(_robot, module) {
   using namespace link_bounds;
   module.doc() = "The exact boxes of a robot's links, proven distances, and proofs.";
+  watchEndOfPython();
   registerPairRow();
   addErrors(module);
   addReach(module);

@@ -168,6 +168,7 @@ py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, un
   checkLength("limit", limit);
   checkJobs(jobs);
   const JointRows rows = jointRows(shared, q);
+  shared.warnOfLeftOut();
   std::vector<std::vector<PairRow>> found(rows.count);
   const auto measure = [&](PosedRobot& posed, std::size_t row) {
     refuseUnboxed(shared, posed);
@@ -177,8 +178,7 @@ py::array distancesOf(SharedRobot& shared, const py::object& q, double limit, un
       found[row].push_back(rowOf(pair, row));
   };
   if (rows.is_single) {
-    const py::gil_scoped_release others;
-    forOne(shared, rows, measure);
+    unlocked([&] { forOne(shared, rows, measure); });
   } else {
     forMany(shared, rows, jobs, measure);
   }

@@ -75,8 +75,8 @@ py::array_t<double> facesOf(const Reach& reach, double (*number)(const ReachFace
 JointRows rowsOf(const SharedRobot& shared, const py::object& given, const char* name) {
   JointRows rows = jointRows(shared, given, name);
   if (rows.is_single || rows.count < 2)
-    throw py::value_error(std::string(name) +
-                          " has one row; a path needs two or more, as an array [rows, joints] or a "
+    throw py::value_error(std::string(name) + " has " + (rows.count == 0 ? "no" : "one") +
+                          " row; a path needs two or more, as an array [rows, joints] or a "
                           "list of dicts");
   return rows;
 }
@@ -93,10 +93,8 @@ std::optional<JointRows> optionalRows(const SharedRobot& shared, const py::objec
 
 std::vector<double> timesOf(const py::object& given, std::size_t count) {
   if (given.is_none()) return {};
-  refuseMasked(given, "times", " must be an array [rows]");
-  const auto times = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
-  if (!times) PyErr_Clear();
-  if (!times || times.ndim() != 1 || times.shape(0) != static_cast<Py_ssize_t>(count))
+  const RowArray times(numbersOf(given, "times", " must be an array [rows] of seconds"));
+  if (times.ndim() != 1 || times.shape(0) != static_cast<Py_ssize_t>(count))
     throw py::value_error("times must be an array [rows] of " + std::to_string(count) + " numbers");
   std::vector<double> result(times.data(), times.data() + count);
   for (std::size_t row = 0; row < count; ++row) {
@@ -194,6 +192,7 @@ py::array gapOf(const Reach& reach) {
 
 py::dict reachOfRobot(const SharedRobot& shared, const ProofRequest& request) {
   const std::vector<JointRange> ranges = rangesOf(shared, request);
+  shared.warnOfLeftOut();
   const auto reaches = interruptible([&](const StopFlag& stop) {
     ReachGoal goal{request.accuracy};
     goal.stop = overAfter(request.budget, [&stop] { return stop.load(); });
@@ -221,6 +220,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
   checkLength("touching", touching);
   checkJobs(jobs);
   const std::vector<JointRange> ranges = rangesOf(shared, request);
+  shared.warnOfLeftOut();
   const std::vector<PairProof> proofs = interruptible([&](const StopFlag& stop) {
     ProofControl control;
     control.is_over = overAfter(request.budget, [&stop] { return stop.load(); });
@@ -252,6 +252,7 @@ std::vector<Segment> checkPath(const SharedRobot& shared, const PathRequest& req
   const BoundedRobot objects = objectsOf(shared, request.objects);
   const PathBodies bodies =
       pathBodies(shared.described(), shared.bounded(), objects, Exemptions(disabled));
+  shared.warnOfLeftOut();
   if (bodies.pairs.empty()) warnInPython(kNothingCompared);
   const auto proofs = interruptible([&](const StopFlag& stop) {
     PathControl control{overAfter(request.budget, [&stop] { return stop.load(); }),

@@ -7,6 +7,7 @@
 #include "python/text.h"
 #include "robot/urdf/simple_joints.h"
 #include "text/joined.h"
+#include "tools/urdf_bounds/request/left_out.h"
 
 namespace link_bounds {
 namespace {
@@ -51,6 +52,7 @@ SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
       simple_(withSimpleJoints(robot_)),
       joints_(settableJoints(simple_)),
       allow_incomplete_(request.allow_incomplete),
+      left_out_(leftOutNote(robot_, selectionOf(request))),
       packages_(request.packages),
       bounded_(
           load(robot_, selectionOf(request), packagePath(packages_), request.base_folder, stop)) {
@@ -63,6 +65,12 @@ BoundedRobot SharedRobot::loadObjects(const Robot& objects, const std::string& b
   BoundedRobot bounded = load(objects, {}, packagePath(packages_), base_folder, stop);
   if (!allow_incomplete_ || stop) refuseLosses(bounded.problems);
   return bounded;
+}
+
+void SharedRobot::warnOfLeftOut() const {
+  if (left_out_.empty() || said_left_out_) return;
+  warnInPython(left_out_ + "; geometry='both' takes them, too");
+  said_left_out_ = true;
 }
 
 std::vector<std::string> SharedRobot::warnings() const {

@@ -40,6 +40,10 @@ class SharedRobot {
   const BoundedRobot& bounded() const { return bounded_; }
   bool allowsIncomplete() const { return allow_incomplete_; }
 
+  /// Emits a RuntimeWarning of links that have geometry of the other kind only, until the user has
+  /// it. Call it with the GIL.
+  void warnOfLeftOut() const;
+
   /// Indices of the joints that can be set: they move, and mimic no other one.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
@@ -59,6 +63,8 @@ class SharedRobot {
   Robot simple_;
   std::vector<std::size_t> joints_;
   bool allow_incomplete_;
+  std::string left_out_;
+  mutable bool said_left_out_ = false;  ///< guarded by the GIL
   std::map<std::string, std::string> packages_;
   BoundedRobot bounded_;
   std::mutex mutex_;

@@ -4,6 +4,7 @@
 """link_bounds.Robot refuses what is wrong in words, ends at Ctrl-C, and keeps no memory."""
 import os
 import pathlib
+import re
 import shutil
 import signal
 import struct
@@ -12,6 +13,7 @@ import sys
 import threading
 import tracemalloc
 import unittest
+import warnings
 
 import numpy as np
 
@@ -30,6 +32,25 @@ try:
     %s
 except KeyboardInterrupt:
     print('interrupted', robot.boxes({}).shape)
+'''
+# Rospy calls callbacks on such threads. What was registered first is called last.
+ENDING = '''
+import atexit
+atexit.register(lambda: print(robot.boxes(rows).shape))
+import os, signal, sys, threading, time, numpy, link_bounds
+robot = link_bounds.Robot(sys.argv[1])
+rows = numpy.zeros((10**4, len(robot.joints)))
+def callback():
+    while True:
+        %s
+threading.Thread(target=callback, daemon=True).start()
+time.sleep(0.5)
+'''
+FORKED = '''
+child = os.fork()
+if child:
+    os._exit(os.waitpid(child, 0)[1] % 255)
+signal.setitimer(signal.ITIMER_REAL, float(sys.argv[2]))
 '''
 
 
@@ -85,6 +106,37 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check('range of joint "t\ufffd" is', robot.reach, {'t\udcff': (2, 1)})
         self.check('joint "t\ufffd" in q is nan', robot.boxes, [np.nan, 0])
 
+    def test_links_that_are_not_utf8(self):
+        """What is printed of them can be printed anywhere."""
+        urdf = tree(solid('a'), solid('b'), solid('c')).replace('"fixed"', '"continuous"')
+        path = self.write('l.urdf', urdf.encode().replace(b'"b"', b'"b\xff"'))
+        robot = link_bounds.Robot(pathlib.Path(path))
+        self.assertIn('b\udcff', robot.links)
+        self.assertRegex(repr(robot.pairs(budget=0.1)), '<Pair b\ufffd, c: [A-Z]+>')
+        self.assertEqual(repr(robot.check_path([[0, 0], [0, 1]])[0]),
+                         '<Segment 0: COLLIDES, nearest b\ufffd and c>')
+
+    def test_links_that_are_left_out(self):
+        """One of ARM has collision geometry only; each robot says so once."""
+        reason = 'left out are links with collision geometry only: "slide"; geometry=.both. takes'
+        for call in (lambda robot: robot.distances([0, 0], 1),
+                     lambda robot: robot.distances([[0, 0]], 1),
+                     lambda robot: robot.reach(budget=0.1),
+                     lambda robot: robot.pairs(budget=0.1),
+                     lambda robot: robot.check_path([[0, 0], [1, 0]])):
+            robot = link_bounds.Robot(ARM)
+            for times in (1, 0):
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter('always')
+                    robot.boxes([0, 0])
+                    call(robot)
+                found = [str(warning.message) for warning in caught
+                         if re.match(reason, str(warning.message))]
+                self.assertEqual(len(found), times, [str(warning) for warning in caught])
+        with warnings.catch_warnings():
+            warnings.simplefilter('error')
+            link_bounds.Robot(ARM, geometry='both').distances([0, 0], 1)
+
     def test_numbers(self):
         robot = link_bounds.Robot(ARM)
         for limit in (-1, float('nan'), float('inf')):
@@ -109,6 +161,7 @@ class RobotFaultsTest(UrdfBoundsTest):
         call, rows = robot.check_path, [[0, 0], [1, 0]]
         for poses in ([0, 0], {}, [[0, 0]], [{}]):
             self.check('q has one row; a path needs two or more', call, poses)
+        self.check('q has no row; a path needs two or more', call, np.zeros((0, 2)))
         self.check(r'joint "push" in q\[1\] is nan', call, [[0, 0], [0, np.nan]])
         self.check('"elbow" is no movable joint', call, [{}, {'elbow': 1}])
         self.check('velocities has 3 rows, but q has 2', call, rows, velocities=np.zeros((3, 2)),
@@ -122,6 +175,13 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check(r'times\[1\] .* times must grow', call, rows, times=[0, 0])
         self.check(r'times must be an array \[rows\] of 2', call, rows, times=[0, 1, 2])
         self.check('times must be an array', call, rows, times='ab')
+        for times in (np.array([0, 2000], 'timedelta64[ms]'), ['0', '2'], [False, True],
+                      np.array(['2026-01-01T00:00', '2026-01-01T00:02'], 'datetime64[ms]'),
+                      np.array([0, 2 + 7j]), np.array([0, 2], object)):
+            self.check('times must .* of seconds, but its values are of the type '
+                       + re.escape(str(np.asarray(times).dtype)), call, rows, times=times)
+        for times in ([0, 2], (0.0, 2.5), np.array([0, 2], 'u1'), np.array([0, 2], 'f4')):
+            self.assertEqual(len(call(rows, times=times)), 1)
         masked = np.ma.array(rows, mask=[[False, True], [False, False]])
         self.check('times must .* masked array; fill it', call, rows,
                    times=np.ma.array([0, 1], mask=[False, True]))
@@ -209,6 +269,29 @@ class RobotFaultsTest(UrdfBoundsTest):
                 late.cancel()
                 process.kill()
             self.assertRegex(out, r'interrupted \(\d+, 2, 3\)', call)
+
+    def ending(self, code):
+        limit = 20 * PATIENCE
+        done = subprocess.run([sys.executable, '-c', code, DEMO, str(limit)], check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding='utf-8',
+                              timeout=2 * limit)
+        self.assertEqual(done.returncode, 0, (code, done.stderr))
+        self.assertRegex(done.stdout, r'^\(10000, \d+, 2, 3\)\n$', code)
+        return done.stderr
+
+    def test_python_ends_while_another_thread_calls(self):
+        for call in ('robot.boxes(rows[0])', 'robot.boxes(rows)', 'robot.distances(rows[0], 1)',
+                     'robot.distances(rows, 1)', 'robot.pairs(accuracy=1e-9, budget=1000)',
+                     'robot.reach(accuracy=1e-12, budget=1000)',
+                     'robot.check_path(rows + numpy.arange(10**4)[:, None] / 1e3, budget=1000)',
+                     'link_bounds.Robot(sys.argv[1])'):
+            err = self.ending(ENDING % call)
+            self.assertNotIn('Exception', err, call)
+            self.assertNotIn('terminate', err, call)
+
+    def test_a_forked_process_ends(self):
+        """It has none of the threads that call."""
+        self.ending(ENDING % 'robot.pairs(accuracy=1e-9, budget=1000)' + FORKED)
 
     def test_large_arrays_are_not_copied(self):
         robot = link_bounds.Robot(ARM)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From a URDF file and joint values to boxes, or other volumes, on standard output.
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -19,6 +18,7 @@
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/request/input.h"
+#include "tools/urdf_bounds/request/left_out.h"
 #include "tools/urdf_bounds/request/objects.h"
 
 namespace link_bounds {
@@ -31,10 +31,15 @@ void checkOutputs(const UrdfBoundsOptions& options, const std::vector<std::strin
   checkOutput("--certificate", options.certificate.value_or(""), inputs);
 }
 
-BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
+Selection selectionOf(const UrdfBoundsOptions& options) {
   Selection selection;
   selection.visual = options.geometry != "collision";
   selection.collision = options.geometry != "visual";
+  return selection;
+}
+
+BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
+  Selection selection = selectionOf(options);
   selection.triangles =
       options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
@@ -46,26 +51,10 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
   return bounded;
 }
 
-bool hasGeometry(const Link& link, Purpose purpose) {
-  const auto is_it = [purpose](const auto& element) { return element.purpose == purpose; };
-  return std::any_of(link.elements.begin(), link.elements.end(), is_it) ||
-         std::any_of(link.lost.begin(), link.lost.end(), is_it);
-}
-
 /// Names the links that no verdict is about, although they have geometry.
-void sayLeftOut(const Robot& robot, const std::string& geometry) {
-  if (geometry == "both") return;
-  const bool is_visual = geometry == "visual";
-  const Purpose chosen = is_visual ? Purpose::kVisual : Purpose::kCollision;
-  const Purpose other = is_visual ? Purpose::kCollision : Purpose::kVisual;
-  std::string names;
-  for (const Link& link : robot.links) {
-    if (!hasGeometry(link, chosen) && hasGeometry(link, other))
-      names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
-  }
-  if (!names.empty())
-    say("note: left out are links with " + std::string(toText(other)) + " geometry only: " + names +
-        "; --geometry both takes them, too");
+void sayLeftOut(const Robot& robot, const UrdfBoundsOptions& options) {
+  const std::string note = leftOutNote(robot, selectionOf(options));
+  if (!note.empty()) say("note: " + note + "; --geometry both takes them, too");
 }
 
 /// Of this program alone: the peak that getrusage gives includes the process that started it.
@@ -227,7 +216,7 @@ int run(const UrdfBoundsOptions& options) {
   checkOutputs(options, meshFiles(robot, rosPackages(), folderOf(options.file)));
   const bool has_verdict = options.report != Report::kPose || options.distances;
   Outcome outcome = runReport(options, robot);
-  if (has_verdict) sayLeftOut(robot, options.geometry);
+  if (has_verdict) sayLeftOut(robot, options);
   // What they are about was left out, or may have been.
   outcome.lost_geometry = outcome.lost_geometry || !robot.warnings.empty();
   if (has_verdict) outcome.addOpen("warnings of the URDF", robot.warnings.size());

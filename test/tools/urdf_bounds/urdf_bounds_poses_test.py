@@ -7,10 +7,15 @@ import math
 import os
 import pathlib
 import random
+import signal
+import subprocess
+import time
 import unittest
 from xml.etree import ElementTree
 
+import urdf_bounds_testing
 from bad_inputs import SANITIZED
+from patience import PATIENCE
 from urdf_bounds_testing import ARM, UrdfBoundsTest, main, run
 
 ROWS = 60 if SANITIZED else 300
@@ -110,7 +115,7 @@ class PosesTest(UrdfBoundsTest):
         self.assertEqual({(pair['first'], pair['second']): (pair['distance'], pair['row'])
                           for pair in summary['pairs']}, nearest)
         self.assertEqual(summary['rows'], {
-            'count': ROWS, 'with_contact': len(contacts), 'first': min(contacts),
+            'count': ROWS, 'left_out': 0, 'with_contact': len(contacts), 'first': min(contacts),
             'worst': min(nearest.values())[1]})
 
     def test_results_do_not_depend_on_the_number_of_jobs(self):
@@ -129,19 +134,63 @@ class PosesTest(UrdfBoundsTest):
     def test_contacts_are_counted(self):
         table = 'time,push,lift\n0,0,0\n0.5,1.5,0\n1,2,0\n1.5,2.25,0.5\n2,1.75,0\n'
         summary, err = self.summary(table, '--distances', '0.3', code=3)
-        self.assertEqual(summary['rows'], {'count': 5, 'with_contact': 2, 'first': 3, 'worst': 3})
+        self.assertEqual(summary['rows'], {'count': 5, 'left_out': 0, 'with_contact': 2, 'first': 3,
+                                           'worst': 3})
         pair, = summary['pairs']
         self.assertEqual((pair['first'], pair['second'], pair['distance'], pair['row'],
                           pair['contacts']), ('base', 'block', 0, 3, 2))
         self.assertEqual(err, '')
         summary, _ = self.summary('push,lift\n0,0\n1.75,0\n', '--distances', '0.3')
         self.assertEqual(summary['rows'],
-                         {'count': 2, 'with_contact': 0, 'first': None, 'worst': 2})
+                         {'count': 2, 'left_out': 0, 'with_contact': 0, 'first': None, 'worst': 2})
         code, out, _ = run('-', '--poses', self.write('t.csv', table), '--distances', '0.3',
                            urdf=SLIDE)
         self.assertEqual(code, 3)
         self.assertIn('rows: 5    with contact: 2    first: row 3 (1 s)    worst: row 3 (1 s)',
                       out.splitlines()[0])
+        self.assertIn('in all rows', out)
+
+    def test_rows_that_are_left_out_are_not_in_the_count(self):
+        table = 'push,lift\n0,0\n0,nan\n2,0\nx,0\n1,0\n'
+        for arguments, code in ((['--distances', '0.3'], 3), ([], 4)):
+            summary, _ = self.summary(table, *arguments, code=code)
+            self.assertEqual((summary['rows']['count'], summary['rows']['left_out']), (5, 2))
+            _, out, _ = run('-', '--poses', self.write('t.csv', table), *arguments, urdf=SLIDE)
+            self.assertIn('rows: 3 of 5', out.splitlines()[0])
+            self.assertRegex(out, r'\nin 3 of 5 rows +min x')
+
+    def interrupted(self, table, *arguments):
+        """The exit code and what is printed where Ctrl-C comes after the first rows."""
+        series = os.path.join(self.folder, 'series.csv')
+        process = subprocess.Popen(
+            [urdf_bounds_testing.URDF_BOUNDS, str(DEMO), '--poses', table, '--distances', '0.1',
+             '--series', series, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            encoding='utf-8')
+        try:
+            while process.poll() is None and not (
+                    os.path.exists(series) and os.path.getsize(series) > 1000):
+                time.sleep(0.001)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=60 * PATIENCE)
+        finally:
+            process.kill()
+            process.communicate()
+        os.remove(series)
+        return process.returncode, out, err
+
+    def test_rows_after_ctrl_c_are_not_in_the_count(self):
+        names, rows = demo_rows(ROWS, share=1.3)
+        count = ROWS * 100
+        table = self.write('table.csv', csv(names, rows * 100))
+        code, out, err = self.interrupted(table, '--format', 'json')
+        found = json.loads(out)['rows']
+        self.assertEqual((code, found['count'], (count - found['left_out']) % 1024), (3, count, 0))
+        self.assertGreater(found['left_out'], 0)
+        self.assertIn('rows after the interrupt were not looked at: %d\n' % found['left_out'], err)
+        code, out, _ = self.interrupted(table)
+        self.assertEqual(code, 3)
+        self.assertRegex(out.splitlines()[0], r'rows: \d+ of %d    with contact: ' % count)
+        self.assertNotIn('in all rows', out)
 
     def test_boxes_are_around_all_rows(self):
         summary, _ = self.summary('push,lift\n0,-0.5\n1,0.5\n')

@@ -79,6 +79,14 @@ struct RowWorker {
   bool has_compared = false;
 };
 
+/// Of the first `end` ones.
+std::size_t faultyRows(const JointTable& table, std::size_t end) {
+  const auto is_faulty = [](const std::string& fault) { return !fault.empty(); };
+  const auto begin = table.faults.begin();
+  return static_cast<std::size_t>(
+      std::count_if(begin, begin + static_cast<std::ptrdiff_t>(end), is_faulty));
+}
+
 class RowsRun {
  public:
   RowsRun(const UrdfBoundsOptions& options, const Robot& robot, const BoundedRobot& bounded,
@@ -118,10 +126,12 @@ class RowsRun {
     return done;
   }
 
-  RowsTable result(const std::string& frame) {
+  /// Of the first `done` rows.
+  RowsTable result(const std::string& frame, std::size_t done) {
     RowsTable table;
     table.frame = frame;
     table.count = table_.rows();
+    table.left_out = faultyRows(table_, done) + table_.rows() - done;
     table.times = table_.times;
     table.limit = options_.distances;
     RowWorker& all = workers_.front();
@@ -267,7 +277,7 @@ Outcome writeRows(const UrdfBoundsOptions& options, const Robot& robot, const Bo
                   const JointTable& table, const JointValues& given) {
   RowsRun run(options, robot, bounded, table, given);
   const std::size_t done = run.run();
-  const RowsTable summary = run.result(robot.links[robot.root].name);
+  const RowsTable summary = run.result(robot.links[robot.root].name, done);
   write(summary, options.format, std::cout);
   Outcome outcome;
   outcome.has_finding = summary.with_contact > 0;
@@ -278,11 +288,10 @@ Outcome writeRows(const UrdfBoundsOptions& options, const Robot& robot, const Bo
   outcome.addOpen("incomplete names", summary.incomplete.size());
   outcome.addOpen("distances less accurate than " + shortLength(DistanceGoal().accuracy),
                   roughPairs(summary));
-  outcome.addOpen("rows that were left out",
-                  static_cast<std::size_t>(
-                      std::count_if(table.faults.begin(), table.faults.end(),
-                                    [](const std::string& fault) { return !fault.empty(); })));
+  outcome.addOpen("rows that were left out", faultyRows(table, done));
   outcome.addOpen("rows after the interrupt", table.rows() - done);
+  if (outcome.has_finding && done < table.rows())  // the exit code says what was found, not this
+    warn("rows after the interrupt were not looked at: " + std::to_string(table.rows() - done));
   return outcome;
 }
 

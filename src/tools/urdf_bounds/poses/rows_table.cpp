@@ -60,15 +60,23 @@ void writePairs(const RowsTable& table, std::ostream& out) {
   writeAligned(rows, out << '\n', 2);
 }
 
+/// "5", or "3 of 5" where some were left out.
+std::string countText(const RowsTable& table) {
+  const std::string all = std::to_string(table.count);
+  return table.left_out == 0 ? all : std::to_string(table.count - table.left_out) + " of " + all;
+}
+
 void writeTable(const RowsTable& table, std::ostream& out) {
-  out << "frame: " << printable(table.frame) << "    unit: m    rows: " << table.count;
+  out << "frame: " << printable(table.frame) << "    unit: m    rows: " << countText(table);
   if (table.limit) {
     out << "    with contact: " << table.with_contact
         << "    first: " << rowText(table, table.first)
         << "    worst: " << rowText(table, table.worst);
   }
   out << "\n\n";
-  std::vector<Row> rows{{"in all rows", "min x", "min y", "min z", "max x", "max y", "max z"}};
+  const std::string which = table.left_out == 0 ? "all" : countText(table);
+  std::vector<Row> rows{
+      {"in " + which + " rows", "min x", "min y", "min z", "max x", "max y", "max z"}};
   for (const auto& [name, box] : linkBoxes(table))
     rows.push_back(shortRow(printable(name), numbersOf(box)));
   for (const auto& [name, box] : groupBoxes(table))
@@ -105,7 +113,7 @@ std::string boxJson(const Aabb& box) {
 
 void writeJson(const RowsTable& table, std::ostream& out) {
   out << "{\"frame\": " << jsonString(table.frame) << ",\n \"rows\": {\"count\": " << table.count
-      << ", \"with_contact\": "
+      << ", \"left_out\": " << table.left_out << ", \"with_contact\": "
       << (table.limit ? std::to_string(table.with_contact) : std::string("null"))
       << ", \"first\": " << jsonRow(table.first) << ", \"worst\": " << jsonRow(table.worst) << "}"
       << ",\n \"boxes\": " << jsonObject(linkBoxes(table), boxJson)

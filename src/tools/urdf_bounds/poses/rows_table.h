@@ -27,13 +27,14 @@ struct NearestRow {
 struct RowsTable {
   std::string frame;
   std::size_t count = 0;             ///< of all rows
+  std::size_t left_out = 0;          ///< rows that nobody looked at; all else is of the others
   std::vector<double> times;         ///< of rows [s]; may be empty
   std::optional<double> limit;       ///< of distances [m]; none: there are none
   std::size_t with_contact = 0;      ///< rows
   std::optional<std::size_t> first;  ///< row with a contact
   std::optional<std::size_t> worst;  ///< row of the smallest distance
   std::vector<std::string> links;    ///< names
-  std::vector<Aabb> boxes;           ///< of links, around all rows; empty without one
+  std::vector<Aabb> boxes;           ///< of links, around these rows; empty without one
   std::map<std::pair<std::size_t, std::size_t>, NearestRow> pairs;  ///< links that were near
   Reasons incomplete;
 };

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/urdf_bounds/request/left_out.h"
+
+#include <algorithm>
+
+namespace link_bounds {
+namespace {
+
+bool hasGeometry(const Link& link, Purpose purpose) {
+  const auto is_it = [purpose](const auto& element) { return element.purpose == purpose; };
+  return std::any_of(link.elements.begin(), link.elements.end(), is_it) ||
+         std::any_of(link.lost.begin(), link.lost.end(), is_it);
+}
+
+}  // namespace
+
+std::string leftOutNote(const Robot& robot, const Selection& selection) {
+  if (selection.visual && selection.collision) return "";
+  const Purpose chosen = selection.visual ? Purpose::kVisual : Purpose::kCollision;
+  const Purpose other = selection.visual ? Purpose::kCollision : Purpose::kVisual;
+  std::string names;
+  for (const Link& link : robot.links) {
+    if (!hasGeometry(link, chosen) && hasGeometry(link, other))
+      names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+  }
+  if (names.empty()) return "";
+  return "left out are links with " + std::string(toText(other)) + " geometry only: " + names;
+}
+
+}  // namespace link_bounds
