@@ -38,7 +38,7 @@ MARKS = 4096  # as many as the switch has
 # Not run: tests of texts and packages; those that measure time or memory or make a load; and those
 # that need networks of their own.
 NOT_RUN = re.compile(r'house_|_meshes$|node_load_|_load\.test|sanitizers|soak|_memory|heap_test'
-                     r'|three_hosts|cloud_burst|few_threads|rosrun')
+                     r'|three_hosts|cloud_(burst|turns)|few_threads|rosrun')
 AT_ONCE = 2 * os.cpu_count()  # tests, of which many wait most of the time
 MEGABYTES = 8000  # of addresses for each process, as a mutant may take all the memory there is
 

@@ -47,20 +47,24 @@ std::vector<std::uint32_t> weldedVertices(const TriangleTree& tree) {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// The vertices of each triangle by their new numbers, ascending.
+/// The vertices of each triangle by their new numbers.
 std::vector<Corners> weldedTriangles(const TriangleTree& tree) {
   const std::vector<std::uint32_t> welded = weldedVertices(tree);
   std::vector<Corners> result;
   result.reserve(tree.triangles.size());
-  for (const auto& [a, b, c] : tree.triangles) {
+  for (const auto& [a, b, c] : tree.triangles)
     result.push_back({welded[a], welded[b], welded[c]});
-    std::sort(result.back().begin(), result.back().end());
-  }
   return result;
 }
 
-/// How often each triangle is there: at the first one of equal ones, 0 at the others. 0 also for
-/// one that is a line or a point, which no ray crosses.
+std::vector<Corners> inOrder(std::vector<Corners> triangles) {
+  for (Corners& corners : triangles)
+    std::sort(corners.begin(), corners.end());
+  return triangles;
+}
+
+/// How often each triangle is there, of which the vertices are in order: at the first one of equal
+/// ones, 0 at the others. 0 also for one that is a line or a point, which no ray crosses.
 std::vector<std::uint32_t> copiesOf(const std::vector<Corners>& triangles) {
   std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -80,6 +84,7 @@ std::vector<std::uint32_t> copiesOf(const std::vector<Corners>& triangles) {
 /// An edge of a triangle, with the smaller vertex first.
 struct Edge {
   std::uint32_t first, second, triangle;
+  int way;  ///< 1 or -1: whether the triangle has them in that order
   bool operator<(const Edge& other) const {
     return std::tie(first, second) < std::tie(other.first, other.second);
   }
@@ -92,8 +97,10 @@ std::vector<Edge> sortedEdges(const std::vector<Corners>& triangles,
   edges.reserve(3 * triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     if (copies[i] == 0) continue;
-    const auto& [a, b, c] = triangles[i];
-    edges.insert(edges.end(), {{a, b, i}, {b, c, i}, {a, c, i}});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
+      edges.push_back({std::min(from, to), std::max(from, to), i, from < to ? 1 : -1});
+    }
   }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -143,7 +150,7 @@ bool mayHit(const TreeNode& node, const Eigen::Vector3d& from, const Eigen::Vect
 MeshInside::MeshInside(const TriangleTree& tree)
     : tree_(tree), parts_(tree.triangles.size(), kOpen) {
   const std::vector<Corners> triangles = weldedTriangles(tree);
-  const std::vector<std::uint32_t> copies = copiesOf(triangles);
+  const std::vector<std::uint32_t> copies = copiesOf(inOrder(triangles));
   const std::vector<Edge> edges = sortedEdges(triangles, copies);
   Parts parts(triangles.size());
   for (std::size_t i = 1; i < edges.size(); ++i) {
@@ -151,6 +158,7 @@ MeshInside::MeshInside(const TriangleTree& tree)
   }
   const auto is_odd = [&](std::uint32_t triangle) { return copies[triangle] % 2 != 0; };
   std::vector<bool> has_odd(triangles.size(), false), is_odd_open = has_odd, is_open = has_odd;
+  is_oriented_.assign(triangles.size(), true);
   for (auto edge = edges.begin(); edge != edges.end();) {
     const auto end = std::upper_bound(edge, edges.end(), *edge);
     const auto odd = std::count_if(edge, end, [&](const Edge& e) { return is_odd(e.triangle); });
@@ -158,7 +166,12 @@ MeshInside::MeshInside(const TriangleTree& tree)
     has_odd[part] = has_odd[part] || odd > 0;
     is_odd_open[part] = is_odd_open[part] || odd % 2 != 0;
     is_open[part] = is_open[part] || (end - edge) % 2 != 0;
-    edge = end;
+    int way = 0;
+    for (; edge != end; ++edge) {
+      way += edge->way;
+      is_oriented_[part] = is_oriented_[part] && copies[edge->triangle] == 1;
+    }
+    is_oriented_[part] = is_oriented_[part] && way == 0;
   }
   for (std::uint32_t i = 0; i < parts_.size(); ++i) {
     const std::uint32_t part = parts.find(i);
@@ -171,15 +184,18 @@ MeshInside::MeshInside(const TriangleTree& tree)
 
 std::optional<bool> MeshInside::contains(const Eigen::Vector3d& point) const {
   if (!hasInside()) return false;
-  std::vector<std::uint32_t> crossed;
+  std::vector<Crossed> crossed;
   for (const Eigen::Vector3d& direction : kDirections) {
     crossed.clear();
     if (!cast(point, direction, crossed)) continue;
-    std::sort(crossed.begin(), crossed.end());
-    for (auto part = crossed.begin(); part != crossed.end();) {
-      const auto end = std::upper_bound(part, crossed.end(), *part);
-      if ((end - part) % 2 != 0) return true;
-      part = end;
+    std::sort(crossed.begin(), crossed.end(),
+              [](const Crossed& a, const Crossed& b) { return a.part < b.part; });
+    for (auto at = crossed.begin(); at != crossed.end();) {
+      const std::uint32_t part = at->part;
+      int count = 0, winding = 0;
+      for (; at != crossed.end() && at->part == part; ++at, ++count)
+        winding += at->side;
+      if (count % 2 != 0 || (is_oriented_[part] && winding != 0)) return true;
     }
     return false;
   }
@@ -190,19 +206,19 @@ bool MeshInside::crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
   const Eigen::Vector3d way = to - from;
   bool is_crossed = false;
   visitAlong(from, way, [&](std::uint32_t triangle) {
-    is_crossed =
-        cross(triangle, from, way) == Crossing::kYes && cross(triangle, to, -way) == Crossing::kYes;
+    is_crossed = isCrossed(cross(triangle, from, way)) && isCrossed(cross(triangle, to, -way));
     return !is_crossed;
   });
   return is_crossed;
 }
 
 bool MeshInside::cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
-                      std::vector<std::uint32_t>& crossed) const {
+                      std::vector<Crossed>& crossed) const {
   return visitAlong(from, direction, [&](std::uint32_t triangle) {
     if (parts_[triangle] == kOpen) return true;
     const Crossing crossing = cross(triangle, from, direction);
-    if (crossing == Crossing::kYes) crossed.push_back(parts_[triangle]);
+    if (isCrossed(crossing))
+      crossed.push_back({parts_[triangle], crossing == Crossing::kLeft ? 1 : -1});
     return crossing != Crossing::kUnsure;
   });
 }
@@ -256,7 +272,8 @@ MeshInside::Crossing MeshInside::cross(std::size_t triangle, const Eigen::Vector
   const double length = corners[0].norm() + corners[1].norm() + corners[2].norm();
   if (std::abs(height) <= (kProductError * length + rounding) * length * length)
     return Crossing::kUnsure;
-  return (height > 0) == has_left ? Crossing::kYes : Crossing::kNo;
+  if ((height > 0) != has_left) return Crossing::kNo;
+  return has_left ? Crossing::kLeft : Crossing::kRight;
 }
 
 }  // namespace link_bounds

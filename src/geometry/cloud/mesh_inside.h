@@ -5,7 +5,9 @@
 // Triangles that share an edge belong to one part; vertices of equal coordinates are one. A part is
 // closed if an even number of its triangles meets at each edge. Then any ray from a point that
 // passes through no edge crosses the part an even or an odd number of times, whatever its
-// direction: odd is inside. A part that is not closed has no inside.
+// direction: odd is inside. A part that is not closed has no inside. Two solids that share an edge
+// are one part: if all its triangles have the same side outside, what the part winds around is
+// inside, too, so also what both have in common.
 //
 // A triangle may be there twice: as the wall between two boxes, of which no ray needs to know, or
 // because an exporter wrote each face for both of its sides. So triangles of which there is an even
@@ -36,19 +38,29 @@ class MeshInside {
   bool crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
  private:
-  enum class Crossing { kNo, kYes, kUnsure };
+  enum class Crossing { kNo, kLeft, kRight, kUnsure };  ///< from which side of the triangle
 
-  /// Appends the part of each triangle that the ray crosses; false if one of them is unsure.
+  /// A triangle that a ray crosses.
+  struct Crossed {
+    std::uint32_t part;
+    int side;  ///< 1 or -1
+  };
+
+  /// Appends the triangles of closed parts that the ray crosses; false if one of them is unsure.
   bool cast(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
-            std::vector<std::uint32_t>& crossed) const;
+            std::vector<Crossed>& crossed) const;
   template <class Visit>
   bool visitAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                   const Visit& visit) const;
+  static bool isCrossed(Crossing crossing) {
+    return crossing == Crossing::kLeft || crossing == Crossing::kRight;
+  }
   Crossing cross(std::size_t triangle, const Eigen::Vector3d& from,
                  const Eigen::Vector3d& direction) const;
 
   const TriangleTree& tree_;
   std::vector<std::uint32_t> parts_;  ///< by triangle; kOpen: of no closed part, or left out
+  std::vector<bool> is_oriented_;     ///< by part: its triangles agree on what is inside
   bool has_inside_ = false;
 };
 

@@ -24,6 +24,7 @@ constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
+constexpr double kLateTurn = 250;  // ms, beyond max_wait
 constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
 const ros::WallDuration kStatusPeriod(1.0);
@@ -63,7 +64,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
           const auto cloud = event.getMessage();
           ++clouds_taken_;
           if (isComplete(*cloud, kCloudTopic.name, event.getPublisherName()))
-            add({cloud, nullptr, ros::SteadyTime::now()});
+            add({cloud, nullptr, queue_.arrival()});
         });
       },
       {}, no_delay);
@@ -74,7 +75,7 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
           const auto scan = event.getMessage();
           ++scans_taken_;
           if (isComplete(*scan, kScanTopic.name, event.getPublisherName()))
-            add({nullptr, scan, ros::SteadyTime::now()});
+            add({nullptr, scan, queue_.arrival()});
         });
       },
       {}, no_delay);
@@ -106,7 +107,7 @@ void CloudFilterNode::spin() {
     has_more = false;
     guarded([&] {
       completed([&] { observeClock(); });
-      has_more = filterFirst();
+      has_more = filterNext();
     });
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (now >= next_expiry) {
@@ -123,7 +124,8 @@ void CloudFilterNode::spin() {
     guarded([&] {
       tf_receiver_.freeSpareMemory();
       const std::size_t most_waiting = queue_.takeMostWaiting();
-      health_.publish(robot_.get(), heldProblems(), waiting_.size(), most_waiting);
+      health_.publish(robot_.get(), heldProblems(), clouds_.waiting.size() + scans_.waiting.size(),
+                      most_waiting);
     });
   }
 }
@@ -204,10 +206,11 @@ void CloudFilterNode::observeClock() {
   tf_.clear();
   tf_input_.forgetLog();
   held_->restart(now);
-  for (const Waiting& waiting : waiting_)
-    giveUp(waiting, "the clock jumped back", false);
-  waiting_.clear();
-  waits_for_.clear();
+  for (Input* input : {&clouds_, &scans_}) {
+    for (const Waiting& waiting : input->waiting)
+      giveUp(waiting, "the clock jumped back", false);
+    *input = {};
+  }
 }
 
 template <class Message>
@@ -231,48 +234,68 @@ std::string CloudFilterNode::Waiting::fault() const {
   return cloud ? layoutOf(*cloud).problem : problemOf(*scan);
 }
 
-/// While the first one waits for tf, all do.
+/// While the first one of an input waits for tf, all of that input do.
 void CloudFilterNode::add(Waiting waiting) {
   completed([&] { observeClock(); });  // what is of after a jump must not be dropped with the rest
-  std::size_t bytes = waiting.bytes();
+  const std::size_t bytes = waiting.bytes();
   if (bytes > kMaxWaitingBytes) {
     giveUp(waiting, "it is larger than 256 MB, which is all that may wait", false);
     return;
   }
-  for (const Waiting& other : waiting_)
-    bytes += other.bytes();
-  while (!waiting_.empty() &&
-         (waiting_.size() >= FilterHealth::kMaxWaiting || bytes > kMaxWaitingBytes)) {
-    const bool is_late = !waits_for_.empty();
-    giveUp(waiting_.front(), is_late ? waits_for_ : "more clouds came than could be filtered",
-           is_late);
-    bytes -= waiting_.front().bytes();
-    waiting_.pop_front();
-  }
-  waiting_.push_back(std::move(waiting));
+  Input& input = inputOf(waiting);
+  Input& other = &input == &clouds_ ? scans_ : clouds_;
+  if (input.waiting.size() >= FilterHealth::kMaxWaiting) giveUpOldest(input);
+  while (waitingBytes() + bytes > kMaxWaitingBytes)
+    giveUpOldest(input.waiting.empty() ? other : input);
+  input.waiting.push_back(std::move(waiting));
 }
 
-/// In the order of arrival, so that an output keeps the order of its input. Only one, so that what
-/// arrives in the meantime is taken from roscpp, whose queues drop messages without a word. False
-/// if the first one has to wait, or if there is none.
-bool CloudFilterNode::filterFirst() {
-  if (waiting_.empty()) return false;
+std::size_t CloudFilterNode::waitingBytes() const {
+  std::size_t sum = 0;
+  for (const Input* input : {&clouds_, &scans_}) {
+    for (const Waiting& waiting : input->waiting)
+      sum += waiting.bytes();
+  }
+  return sum;
+}
+
+void CloudFilterNode::giveUpOldest(Input& input) {
+  const bool is_late = !input.waits_for.empty();
+  giveUp(input.waiting.front(),
+         is_late ? input.waits_for : "more clouds came than could be filtered", is_late);
+  input.waiting.pop_front();
+}
+
+/// Only one, so that what arrives in the meantime is taken from roscpp, whose queues drop messages
+/// without a word. False if there is none that does not have to wait.
+bool CloudFilterNode::filterNext() {
+  const bool is_scan_first =
+      !scans_.waiting.empty() &&
+      (clouds_.waiting.empty() || scans_.waiting.front().since < clouds_.waiting.front().since);
+  return filterFirst(is_scan_first ? scans_ : clouds_) ||
+         filterFirst(is_scan_first ? clouds_ : scans_);
+}
+
+/// In the order of arrival, so that an output keeps the order of its input. False if the first one
+/// has to wait, or if there is none.
+bool CloudFilterNode::filterFirst(Input& input) {
+  if (input.waiting.empty()) return false;
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
-  Waiting& waiting = waiting_.front();
+  Waiting& waiting = input.waiting.front();
   Outcome outcome;
   try {
     outcome = filter(waiting);
   } catch (const std::exception& error) {  // it would wait for ever, and all others behind it
     outcome.reason = error.what();
   }
-  waits_for_ = outcome.may_come ? outcome.reason : "";
+  input.waits_for = outcome.may_come ? outcome.reason : "";
   if (!outcome.is_done) {
     const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
     if (outcome.may_come && waited < max_wait) return false;
     giveUp(waiting, outcome.reason, outcome.may_come);
   }
-  waiting_.pop_front();
-  if (waiting_.empty()) waits_for_.clear();  // what comes next may find its transforms
+  input.waiting.pop_front();
+  if (input.waiting.empty()) input.waits_for.clear();  // what comes next may find its transforms
   return true;
 }
 
@@ -327,6 +350,7 @@ CloudFilterNode::Outcome CloudFilterNode::filter(Waiting& waiting, const CloudPo
   send(waiting, removed);
   health_.addFiltered(count, removed.size(), waited,
                       milliseconds(std::chrono::steady_clock::now() - begin));
+  if (waited > robot_->parameters.max_wait * 1e3 + kLateTurn) health_.addLateTurn();
   return {true, false, ""};
 }
 

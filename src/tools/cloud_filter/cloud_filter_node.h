@@ -63,6 +63,12 @@ class CloudFilterNode {
     const char* topic() const { return cloud ? kCloudTopic.name : kScanTopic.name; }
   };
 
+  /// Of one topic, the oldest first.
+  struct Input {
+    std::deque<Waiting> waiting;
+    std::string waits_for = "";  ///< what of tf the first one lacked, or the last that was first
+  };
+
   /// What could be done with a message now.
   struct Outcome {
     bool is_done = false;
@@ -74,7 +80,11 @@ class CloudFilterNode {
   template <class Message>
   bool isComplete(const Message& message, const char* topic, const std::string& sender);
   void add(Waiting waiting);
-  bool filterFirst();
+  Input& inputOf(const Waiting& waiting) { return waiting.cloud ? clouds_ : scans_; }
+  std::size_t waitingBytes() const;
+  void giveUpOldest(Input& input);
+  bool filterNext();
+  bool filterFirst(Input& input);
   void giveUp(const Waiting& waiting, const std::string& reason, bool is_late);
   Outcome filter(Waiting& waiting);
   Outcome filter(Waiting& waiting, const CloudPoints& points);
@@ -96,8 +106,7 @@ class CloudFilterNode {
   TransformBuffer tf_;
   TransformInput tf_input_;
   ClockWatch clock_;
-  std::deque<Waiting> waiting_;
-  std::string waits_for_;  ///< what of tf the first of them lacked, or the last one that was first
+  Input clouds_, scans_;  // a scan that waits for tf delays no cloud, and no cloud a scan
   std::size_t clouds_taken_ = 0, scans_taken_ = 0;  ///< by takeAll()
   std::shared_ptr<const FilteredRobot> robot_;      ///< null until it is loaded
   // Links, then held objects:

@@ -86,6 +86,9 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   if (new_full_ > 0)
     raise(status, DiagnosticStatus::WARN,
           "clouds or scans may have been lost, because filtering took too long");
+  if (late_turns_ > 0)
+    raise(status, DiagnosticStatus::WARN,
+          "clouds or scans are sent late, because filtering takes longer than they take to come");
   if (most_waiting >= TfReceiver::kQueue)
     raise(status, DiagnosticStatus::WARN,
           "transforms may have been lost, because filtering took too long");
@@ -101,7 +104,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   if (!filter_ms_.empty()) {
     add(status, "per cloud, median [ms]", text(filter_ms_[filter_ms_.size() / 2], 2));
     add(status, "per cloud, max [ms]", text(filter_ms_.back(), 2));
-    add(status, "wait for tf, max [ms]", text(max_waited_ms_, 1));
+    add(status, "wait for tf and turn, max [ms]", text(max_waited_ms_, 1));
   }
   add(status, "waiting", std::to_string(waiting));
   add(status, "filtered", std::to_string(filtered_));
@@ -125,7 +128,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   max_waited_ms_ = 0;
   new_reasons_.clear();
   without_nearest_.clear();
-  new_full_ = 0;
+  new_full_ = late_turns_ = 0;
 }
 
 }  // namespace link_bounds

@@ -21,17 +21,20 @@ class FilterHealth {
   FilterHealth(ros::NodeHandle& node, std::string name);
 
   /// roscpp drops messages without a word when a queue is full. The queue of an input therefore
-  /// holds one message more than may wait for tf: whenever it was full, the filter drops at least
+  /// holds one message more than may wait: whenever it was full, the filter drops at least
   /// one itself, and says so.
-  static constexpr std::uint32_t kMaxWaiting = 32;  // messages that wait for tf
+  static constexpr std::uint32_t kMaxWaiting = 32;  // messages of an input that wait
   static constexpr std::uint32_t kQueue = kMaxWaiting + 1;
 
   /// The queue of an input was full, so roscpp may have dropped messages of it.
   void addFullQueue() { ++new_full_, ++full_; }
 
-  /// A cloud or scan was filtered: it waited for tf, then took so long.
+  /// A cloud or scan was filtered: it waited for tf and its turn, then took so long.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                    double filter_ms);
+
+  /// One that was filtered had waited for others for long.
+  void addLateTurn() { ++late_turns_; }
 
   /// One was dropped or, if `is_passed`, sent on with the robot's points. Logs that, at a limited
   /// rate.
@@ -42,8 +45,8 @@ class FilterHealth {
 
   /// One status named "<node name>: cloud filter". ERROR: there is no robot, or none of its links
   /// is filtered. WARN: geometry or held objects are missing, or since the last status clouds were
-  /// not filtered or lacked nearest points, or none was filtered. Else OK. `robot` may be null.
-  /// `problems` are those of held objects; `waiting` messages wait for tf. `most_waiting` callbacks
+  /// not filtered, late or lacked nearest points, or none was filtered. Else OK. `robot` may be
+  /// null. `problems` are those of held objects; `waiting` messages wait. `most_waiting` callbacks
   /// waited at once since the last status: if that are as many as fit into the queue of /tf,
   /// transforms may have been lost.
   void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
@@ -61,7 +64,7 @@ class FilterHealth {
   std::size_t points_ = 0, robot_points_ = 0;
   std::vector<double> filter_ms_;
   double max_waited_ms_ = 0;
-  std::uint64_t new_full_ = 0;
+  std::uint64_t new_full_ = 0, late_turns_ = 0;
   Reasons new_reasons_;      ///< why clouds were not filtered
   Reasons without_nearest_;  ///< why filtered ones have no nearest points
   // Since the start:

@@ -8,9 +8,8 @@
 //   time                  float32  seconds after the header's stamp, or before it: Velodyne
 //   timestamp             float64  seconds of ROS time: Hesai, RoboSense; nanoseconds: Livox
 //
-// So whole numbers are nanoseconds after the header's stamp. Of floating-point numbers, those up to
-// 1e7 are seconds after the header's stamp, those up to 1e14 seconds of ROS time, and larger ones
-// nanoseconds of ROS time.
+// So whole numbers are nanoseconds after the header's stamp. A floating-point number is seconds
+// after it, or seconds or nanoseconds of ROS time: what is nearest to the stamp.
 #pragma once
 
 #include <sensor_msgs/LaserScan.h>

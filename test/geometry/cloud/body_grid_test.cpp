@@ -212,6 +212,34 @@ TEST(BodyGrid, BoxesThatShareAWallAreBothFilled) {
   EXPECT_FALSE(grid.isBody({0.32, 0.02, 0.03}));
 }
 
+TEST(BodyGrid, WhatBoxesHaveInCommonThatShareAnEdgeIsFilled) {
+  TriangleMesh mesh = boxMesh({0.2, 0.2, 0.2});
+  const TriangleMesh other = mesh;
+  for (Eigen::Vector3f vertex : other.vertices) {
+    if (vertex.y() > 0) vertex.y() = 0.02f;
+    if (vertex.z() > 0) vertex.z() = 0.3f;
+    mesh.vertices.push_back(vertex);
+  }
+  for (const auto& [a, b, c] : other.triangles)
+    mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  const BodySurface surface(bodyOf(mesh).body);
+  EXPECT_EQ(surface.contains({0.01, -0.04, 0.02}), true);  // of both
+  EXPECT_EQ(surface.contains({0.01, 0.05, 0.02}), true);
+  EXPECT_EQ(surface.contains({0.01, -0.04, 0.2}), true);
+  EXPECT_EQ(surface.contains({0.01, 0.05, 0.2}), false);
+}
+
+TEST(BodyGrid, ATurnedTriangleDoesNotMakeOutsideInside) {
+  TriangleMesh box = boxMesh({0.2, 0.2, 0.2});
+  for (auto& [a, b, c] : box.triangles) {
+    std::swap(b, c);
+    const BodySurface surface(bodyOf(box).body);
+    EXPECT_EQ(surface.contains({0.01, 0.02, 0.03}), true);
+    EXPECT_EQ(surface.contains({-0.22, -0.15, -0.29}), false);  // the ray passes through the box
+    EXPECT_EQ(surface.contains({0.3, 0, 0}), false);
+  }
+}
+
 TEST(BodyGrid, ATriangleThatIsALineLeavesNoDoubtWhatIsInside) {
   TriangleMesh box = boxMesh({0.2, 0.2, 0.2});
   box.triangles.push_back({0, 0, 7});  // the diagonal

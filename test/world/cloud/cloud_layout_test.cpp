@@ -152,6 +152,26 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
   EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, 1e13), 0);
 }
 
+TEST(CloudLayout, KnowsTimesThatAreSimulated) {
+  PointCloud2 cloud;
+  addPlaces(cloud, PointField::FLOAT32, 4);
+  addField(cloud, "timestamp", 16, PointField::FLOAT64);
+  cloud.width = cloud.height = 1;
+  cloud.point_step = cloud.row_step = 24;
+  cloud.data.resize(24, 0);
+  for (const double stamp : {0.5, 9.0, 3600.0, 1e5, 1e6}) {
+    cloud.header.stamp = ros::Time(stamp);
+    for (const double after : {-0.1, -0.01, 0.0, 0.01, 0.1}) {
+      for (const double number : {after, stamp + after, (stamp + after) * 1e9}) {
+        std::memcpy(cloud.data.data() + 16, &number, 8);
+        const CloudLayout layout = layoutOf(cloud);
+        const auto time = static_cast<double>(layout.points.timeOf(layout.points.point(0)));
+        EXPECT_NEAR(time * 1e-9 - stamp, after, 1e-6) << stamp << ": " << number;
+      }
+    }
+  }
+}
+
 /// In the order of doc/clouds.md.
 TEST(CloudLayout, TheFirstOfSeveralTimesCounts) {
   PointCloud2 cloud;
