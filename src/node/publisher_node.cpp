@@ -28,11 +28,16 @@ constexpr std::chrono::milliseconds kMaxWait(100);  // until a shutdown is notic
 
 /// Messages that wait for longer than this, or more of them, are taken together.
 constexpr std::chrono::milliseconds kMaxAge(20);
+
 constexpr std::size_t kMaxWaiting = 64;
 
 /// Of those that are taken together, /tf is skipped after this time but for the newest kMaxWaiting
 /// messages, so that boxes are not old where even taking it is too slow.
 constexpr std::chrono::milliseconds kMaxTaking(15);
+
+double seconds(std::chrono::nanoseconds duration) {
+  return std::chrono::duration<double>(duration).count();
+}
 
 /// On the node's own queue.
 ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& queue) {
@@ -307,6 +312,9 @@ void PublisherNode::publishDiagnostics() {
   health.footprint = output_.footprintState();
   health.stopping = stopping_output_.problem();
   health.earliest = earliest_output_.problem();
+  health.behind = {{"stopping", seconds(stopping_output_.takeLongest())},
+                   {"earliest", seconds(earliest_output_.takeLongest())},
+                   {"swept", seconds(swept_output_.takeLongest())}};
   health.intake = feed_.tf().intake();
   health.late_publishers = feed_.takeLatePublishers();
   health.distances = output_.distances().takeHealth();

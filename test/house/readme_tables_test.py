@@ -179,6 +179,7 @@ class DiagnosticsTest(unittest.TestCase):
         code = code.replace('ageText(age_ms, health.delay_ms)',
                             '"boxes were up to N ms old when they were sent; '
                             'the longest delay in this node was N ms"')
+        code = code.replace('behindText(topic, seconds)', '"~TOPIC was up to N ms behind ~boxes"')
         raised = re.findall(r'raise\(status, DiagnosticStatus::(\w+),\s*(.*?)\);', code, re.DOTALL)
         self.assertGreater(len(raised), 5)
         in_code = {(level, re.sub(r'std::to_string\(\w+\) \+ "', '"N', text).strip('"'))

@@ -79,9 +79,9 @@ constexpr TopicName kStoppingOverlapsTopic{
     "while somebody listens"};
 constexpr TopicName kEarliestTopic{
     "~earliest", "link_bounds/EarliestContactArray",
-    "how soon links and objects can touch, whatever the controllers do; with each ~boxes, or the "
-    "newest one where computing takes longer; only while somebody listens; sent at once when "
-    "somebody subscribes"};
+    "how soon links and objects that stand can touch, whatever the controllers do; with each "
+    "~boxes, or the newest one where computing takes longer; only while somebody listens; sent at "
+    "once when somebody subscribes"};
 constexpr TopicName kDiagnosticsTopic{"/diagnostics", "diagnostic_msgs/DiagnosticArray",
                                       "every second of wall time"};
 constexpr TopicName kObjectsTopic{"~objects", "visualization_msgs/MarkerArray",

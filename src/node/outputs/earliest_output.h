@@ -38,6 +38,9 @@ class EarliestOutput {
   /// Trees are not requested any more afterwards.
   void stop() { worker_.stop(); }
 
+  /// How long ~boxes have waited longest for this since the last call.
+  std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
+
   /// Why the first of its incomplete bodies is that, and how many more are; "" if all are complete
   /// or nobody listens. For any thread.
   std::string problem() const { return scenes_.problem(); }

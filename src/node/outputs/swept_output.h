@@ -32,6 +32,9 @@ class SweptOutput {
   /// To be called with each ~boxes.
   void request();
 
+  /// How long ~boxes have waited longest for this since the last call.
+  std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
+
  private:
   void requestMarkers();
   void postBoxes();

@@ -5,6 +5,7 @@
 
 #include <ros/init.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -80,6 +81,7 @@ void callPiece(const std::shared_ptr<Awaited>& awaited, ros::CallbackQueueInterf
 struct Worker::Posted {
   std::string key;
   Work work;
+  Clock::time_point since;
 };
 
 struct Worker::Urgent {
@@ -97,6 +99,8 @@ struct Worker::Inbox {
   std::vector<std::shared_ptr<const void>> discarded;
   std::thread::id thread;
   std::string running_key;
+  Clock::time_point running_since;
+  Clock::duration longest{0};  ///< of posted work that is done
   std::uint64_t running_owner = 0;
   bool is_urgent_running = false;
   bool is_urgent_removed = false;  ///< the one that runs
@@ -137,7 +141,7 @@ void Worker::post(const std::string& key, Work work) {
     if (found != inbox_->by_key.end()) {
       std::swap(found->second->work, work);  // the older one is freed without the lock
     } else {
-      inbox_->posted.push_back({key, std::move(work)});
+      inbox_->posted.push_back({key, std::move(work), Clock::now()});
       inbox_->by_key[key] = std::prev(inbox_->posted.end());
     }
   }
@@ -150,6 +154,16 @@ void Worker::cancel(const std::string& key) {
   if (inbox_->running_key == key) inbox_->is_running_cancelled = true;
   const auto found = inbox_->by_key.find(key);
   if (found != inbox_->by_key.end()) cancelled = inbox_->take(found->second);
+}
+
+std::chrono::nanoseconds Worker::takeLongest() {
+  const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  const Clock::time_point now = Clock::now();
+  Clock::duration longest = std::exchange(inbox_->longest, Clock::duration(0));
+  if (!inbox_->running_key.empty()) longest = std::max(longest, now - inbox_->running_since);
+  for (const Posted& item : inbox_->posted)
+    longest = std::max(longest, now - item.since);
+  return longest;
 }
 
 bool Worker::isCancelled() const {
@@ -283,6 +297,7 @@ Worker::Next Worker::next() {
     Posted item = inbox_->take(inbox_->posted.begin());
     todo.work = std::move(item.work);
     inbox_->running_key = std::move(item.key);
+    inbox_->running_since = item.since;
     inbox_->is_running_cancelled = false;
   }
   return todo;
@@ -309,6 +324,7 @@ void Worker::doUrgent(Urgent urgent) {
 void Worker::doPosted(const Work& work) {
   guarded(work);
   const std::lock_guard<std::mutex> lock(inbox_->mutex);
+  inbox_->longest = std::max(inbox_->longest, Clock::now() - inbox_->running_since);
   inbox_->running_key.clear();
   inbox_->is_running_cancelled = false;
 }

@@ -44,6 +44,10 @@ class Worker : public ros::CallbackQueueInterface {
   /// none.
   void post(const std::string& key, Work work);
 
+  /// How long the work that took longest since the last call took from its post() to its end, also
+  /// of what runs or waits now. Work that replaced other work has waited since that was posted.
+  std::chrono::nanoseconds takeLongest();
+
   /// Forgets the work that waits under the key, and tells the one that runs: see isCancelled().
   void cancel(const std::string& key);
 

@@ -25,8 +25,9 @@ using diagnostic_msgs::DiagnosticStatus;
 
 constexpr std::size_t kMaxObjectLines = 100;  // all are counted
 constexpr std::size_t kMaxPublisherLines = 100;
-constexpr double kMaxAge = 100;   // of boxes when they are sent [ms]
-constexpr double kMaxBehind = 2;  // of distances, behind boxes [s]
+constexpr double kMaxAge = 100;           // of boxes when they are sent [ms]
+constexpr double kMaxBehind = 2;          // of distances, behind boxes [s]
+constexpr double kMaxOtherBehind = 0.25;  // of other topics, behind boxes [s]
 
 struct BodyCounts {
   std::size_t boxes = 0;
@@ -170,6 +171,18 @@ void warnOfAge(const Health& health, double max_rate, DiagnosticStatus& status) 
     raise(status, DiagnosticStatus::WARN, ageText(age_ms, health.delay_ms));
 }
 
+std::string behindText(const std::string& topic, double seconds) {
+  return "~" + topic + " was up to " + std::to_string(std::lround(seconds * 1e3)) +
+         " ms behind ~boxes";
+}
+
+void warnOfBehind(const std::map<std::string, double>& behind, DiagnosticStatus& status) {
+  for (const auto& [topic, seconds] : behind) {
+    if (seconds > kMaxOtherBehind)
+      raise(status, DiagnosticStatus::WARN, behindText(topic, seconds));
+  }
+}
+
 std::string nodeName() {
   const std::string name = ros::this_node::getName();
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
@@ -187,6 +200,7 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (scene.model())
     warnOfDistance(health.distances, scene.model()->parameters.distance_warning, status);
   if (scene.model()) warnOfAge(health, scene.model()->parameters.max_rate, status);
+  warnOfBehind(health.behind, status);
   if (health.skipped > 0)
     raise(status, DiagnosticStatus::WARN, "tf comes faster than it can be read");
   if (health.most_waiting >= TfReceiver::kQueue)
@@ -229,6 +243,8 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "footprint", health.footprint);
   if (!health.stopping.empty()) add(status, "stopping", "incomplete: " + health.stopping);
   if (!health.earliest.empty()) add(status, "earliest", "incomplete: " + health.earliest);
+  for (const auto& [topic, behind] : health.behind)
+    add(status, topic + " behind boxes, maximum of the last second [s]", std::to_string(behind));
   addDistances(health.distances, seconds, status);
   addTimes(times, status);
   publisher_.publish(array);

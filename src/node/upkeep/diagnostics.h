@@ -7,6 +7,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,8 @@ struct Health {
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   std::string stopping;            ///< why boxes of ~stopping are missing; "": none is
   std::string earliest;            ///< likewise, bodies of ~earliest
+  std::map<std::string, double> behind;  ///< by topic without ~: for how long its computation was
+                                         ///< behind ~boxes [s], the maximum since the last status
   TfIntake intake;
   LatePublishers::Texts late_publishers;
   DistanceHealth distances;

@@ -227,7 +227,7 @@ std::string BodyWays::whyRootMoves() const {
 
 /// A fixed joint must not move in tf.
 bool BodyWays::isRigid(Frame child) const {
-  if (tf_.isStatic(child)) return true;
+  if (tf_.isStatic(child)) return !tf_.isStaticInDoubt(child);
   const auto link = rules_.linkOf(tf_.name(child));
   const auto above = link ? rules_.jointAbove(*link) : std::nullopt;
   return above && rules_.rule(*above).joint->motion == Motion::kNone && isStillInTf(child);
@@ -279,7 +279,9 @@ BodyWays::EdgeMotion BodyWays::findMotion(Frame child, std::int64_t stamp) {
   }
   const std::optional<std::size_t> link = rules_.linkOf(tf_.name(child));
   const std::optional<std::size_t> joint = link ? rules_.jointAbove(*link) : std::nullopt;
-  if (joint) {
+  if (tf_.isStaticInDoubt(child)) {
+    result.problem = edgeSamples(tf_, child, stamp, window_).problem;
+  } else if (joint) {
     addJoint(child, *joint, stamp, result);
   } else if (!tf_.isStatic(child)) {
     const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);

@@ -30,8 +30,10 @@ double leverOf(const MovingJoint& joint, const Aabb& box) {
 
 /// Without a speed it may have its limit at once. Between two transforms a joint may have left the
 /// line between their values by what it can move there and back.
-ContactReach::ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules)
-    : stamp_(way.stamp) {
+/// What is known already is not of the future, so a stamp ahead of the clock counts as `now`.
+ContactReach::ContactReach(const BodyWay& way, std::int64_t now, const Aabb& box,
+                           const StopRules& rules)
+    : stamp_(way.stamp), begin_(std::min(way.stamp, now)) {
   for (const WayJoint& joint : way.joints) {
     const JointRule& rule = rules.rule(*joint.joint);
     Step step{&rule, *joint.joint, joint.state, {}, rule.braking, 0, leverOf(joint.place, box)};
@@ -53,7 +55,7 @@ double ContactReach::offsetOf(const Step& step, double time) const {
 }
 
 double ContactReach::until(std::int64_t time, std::size_t first) const {
-  const double seconds = static_cast<double>(std::max<std::int64_t>(time - stamp_, 0)) / kSecond;
+  const double seconds = static_cast<double>(std::max<std::int64_t>(time - begin_, 0)) / kSecond;
   double path = 0;
   for (std::size_t i = steps_.size(); i-- > first;) {
     const Step& step = steps_[i];
@@ -87,7 +89,7 @@ std::optional<std::int64_t> earliestContact(const ContactReach& a, const Contact
   const bool a_moves = a.steps_.size() > shared;
   const bool b_moves = b.steps_.size() > shared;
   if (!canMeet(a, b) || !can_touch(end)) return std::nullopt;
-  std::int64_t before = std::min(a_moves ? a.stamp_ : end, b_moves ? b.stamp_ : end);
+  std::int64_t before = std::min(a_moves ? a.begin_ : end, b_moves ? b.begin_ : end);
   std::int64_t after = end;
   while (after - before > kResolution) {
     const std::int64_t middle = before + (after - before) / 2;

@@ -20,6 +20,12 @@ EdgeSamples edgeSamples(const TransformBuffer& tf, TransformBuffer::Frame child,
   EdgeSamples result;
   result.is_static = tf.isStatic(child);
   const std::string frame = "frame \"" + tf.name(child) + "\"";
+  if (tf.isStaticInDoubt(child)) {
+    result.problem = frame +
+                     " is on /tf_static, and elsewhere on /tf, so its speed is not known; " +
+                     "end one of the publishers";
+    return result;
+  }
   const EdgeHistory* const history = tf.history(child);
   const auto samples =
       history ? history->between(stamp - window, stamp) : std::vector<const EdgeSample*>();

@@ -23,6 +23,8 @@ constexpr double kMaxReportError = 1e-3;  // rad or m
 constexpr double kMaxSpeedNoise = 0.05;
 constexpr double kPositionNoise = 1e-4;  // rad or m, of encoders
 
+constexpr double kSpeedRounding = 1e-12;  // relative
+
 /// Two values and the time between them.
 void widen(SpeedRange& speed, bool is_first, double difference, std::int64_t nanoseconds) {
   const double time = static_cast<double>(nanoseconds) / kSecond;
@@ -65,12 +67,18 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
     gap = std::min(gap, std::abs(stamp - report.stamp));
   }
   state.piece = 2 * static_cast<double>(gap) / kSecond;
+  const bool are_zeros = std::all_of(reports.begin(), reports.end(), [](const JointReport& report) {
+    return *report.velocity == 0;
+  });
+  if (are_zeros) state.unseen = kPositionNoise;
   const double beyond = std::max(state.speed.lower - of_positions.speed.lower,
                                  of_positions.speed.upper - state.speed.upper);
   if (of_positions.piece == 0 || beyond <= 0) return;
   const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
-  if (beyond > kMaxSpeedNoise * fastest && beyond * of_positions.piece > kPositionNoise)
+  if (beyond > kMaxSpeedNoise * fastest && beyond * of_positions.piece > kPositionNoise) {
     state.piece += of_positions.piece;
+    state.unseen = 0;
+  }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
@@ -215,9 +223,12 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
 }
 
 SpeedRange speedAtStamp(const JointState& state, std::optional<double> acceleration) {
-  if (!acceleration || state.piece == 0) return state.speed;
+  if (!acceleration) return state.speed;
+  const double from_rest = std::sqrt(2 * *acceleration * state.unseen) * (1 + kSpeedRounding);
+  if (state.piece == 0) return {state.speed.lower - from_rest, state.speed.upper + from_rest};
   const double gain = *acceleration * (state.piece + kStampRounding);
-  return {-fastest(-state.speed.lower, gain), fastest(state.speed.upper, gain)};
+  return {-fastest(-state.speed.lower, gain) - from_rest,
+          fastest(state.speed.upper, gain) + from_rest};
 }
 
 Limits withinLimits(Limits offsets, const JointRule& rule, const JointState& state) {

@@ -22,6 +22,9 @@ constexpr const char* kOwnParent = "the frame is its own parent; correct one of 
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
+constexpr const char* kInDoubt =
+    "it is on /tf_static, too, with another pose, so nobody knows how it moves; end one of the "
+    "publishers";
 constexpr const char* kLate =
     "its stamp is older than the newest one of the frame, so it does not move the frame; "
     "synchronise the clocks";
@@ -97,13 +100,19 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   }
   if (!edge.history) edge.history.emplace(edge.is_static = is_static);
   const std::int64_t stamp = nanoseconds(transform.stamp);
-  if (edge.is_static && edge.has_parent &&
-      !edge.history->holds({transform.parent_from_child, parent, stamp}))
-    count(&TfIntake::replaced, edge.needs > 0);
+  const bool is_replaced = edge.is_static && edge.has_parent &&
+                           !edge.history->holds({transform.parent_from_child, parent, stamp});
+  if (is_replaced) count(&TfIntake::replaced, edge.needs > 0);
+  edge.is_in_doubt = edge.is_static && !is_static && (edge.is_in_doubt || is_replaced);
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
-  if (is_accepted ? record(edge, parent, stamp, now)
-                  : refuse(edge, {transform.parent_from_child, parent, stamp}))
-    return true;
+  const bool is_well = is_accepted ? record(edge, parent, stamp, now)
+                                   : refuse(edge, {transform.parent_from_child, parent, stamp});
+  if (edge.is_in_doubt) {
+    refusal.reason = kInDoubt;
+    refusal.is_accepted = true;
+    return false;
+  }
+  if (is_well) return true;
   if (now - edge.received <= kTolerance && edge.newest - stamp <= kTolerance) return true;
   refusal.reason = is_accepted ? kLate : kTooOld;
   refusal.is_accepted = is_accepted;

@@ -25,12 +25,12 @@
 
 namespace link_bounds {
 
-/// A transform that was not accepted, or that came late.
+/// A transform that was not accepted, that came late, or whose edge is in doubt.
 struct Refusal {
   std::size_t index;               ///< its place in the message
   const char* reason;              ///< with the remedy
   std::optional<double> behind{};  ///< the newest stamp of its frame [s], if that is the reason
-  bool is_accepted = false;        ///< into the history; the newest transform stays
+  bool is_accepted = false;        ///< into the history; of a late one, the newest transform stays
 };
 
 /// How many transforms were accepted and refused since the start.
@@ -177,6 +177,10 @@ class TransformBuffer {
   /// Decided by the first transform, as in tf2.
   bool isStatic(Frame child) const { return edges_[child].is_static; }
 
+  /// A static edge that has come on /tf with another pose since it last came on /tf_static. tf2
+  /// says that it is at its newest pose at all times, but it may well move.
+  bool isStaticInDoubt(Frame child) const { return edges_[child].is_in_doubt; }
+
   /// The newest stamp; 0 if the edge is static or has no transform.
   std::int64_t newest(Frame child) const { return edges_[child].newest; }
 
@@ -224,6 +228,7 @@ class TransformBuffer {
     bool is_met = false;  ///< see isMet()
     bool has_parent = false;
     bool is_static = false;
+    bool is_in_doubt = false;            ///< see isStaticInDoubt()
     bool is_kept = false;                ///< static, and never forgotten
     bool is_distrusted = false;          ///< see distrustStampsAhead()
     bool had_others = false;             ///< the history may have other parents, too

@@ -53,7 +53,7 @@ void TransformInput::report(const std::vector<Refusal>& refusals,
   const Refusal* late = nullptr;
   for (const Refusal& refusal : refusals) {
     if (refusal.behind) late = &refusal;
-    RefusalLog& log = refusal.is_accepted ? late_log_ : log_;
+    RefusalLog& log = !refusal.is_accepted ? log_ : refusal.behind ? late_log_ : doubt_log_;
     const std::string_view frame = transforms[refusal.index].child;
     if (log.isQuiet(frame, now)) continue;
     if (const auto line = log.line(std::string(frame), reasonOf(refusal), publisher, now))
@@ -65,6 +65,7 @@ void TransformInput::report(const std::vector<Refusal>& refusals,
 void TransformInput::forgetLog() {
   log_.forget();
   late_log_.forget();
+  doubt_log_.forget();
   late_publishers_.clear();
 }
 

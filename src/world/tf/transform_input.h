@@ -42,6 +42,7 @@ class TransformInput {
 
   RefusalLog log_{"a transform of", "transforms of further frames"};
   RefusalLog late_log_{"a transform of", "transforms of further frames", "late"};
+  RefusalLog doubt_log_{"a transform of", "transforms of further frames", "in doubt"};
   LatePublishers late_publishers_;
 };
 

@@ -41,6 +41,26 @@ TEST(Worker, DoesTheNewestOfEachKeyInTheOrderOfTheFirst) {
   EXPECT_EQ(done, (std::vector<std::string>{"a3", "b2", "c1"}));
 }
 
+/// What replaces other work has waited since that was posted.
+TEST(Worker, TellsForHowLongWorkWaits) {
+  Worker worker({"test"});
+  drain(worker);
+  worker.takeLongest();
+  const auto begin = std::chrono::steady_clock::now();
+  const auto passed = [&] { return std::chrono::steady_clock::now() - begin; };
+  Gate gate(worker);
+  worker.post("a", [] {});
+  ASSERT_TRUE(becomesTrue([&] { return passed() > std::chrono::milliseconds(20); }));
+  worker.post("a", [] {});
+  EXPECT_GE(worker.takeLongest(), std::chrono::milliseconds(15)) << "while it waits";
+  gate.open();
+  drain(worker);
+  const auto longest = worker.takeLongest();
+  EXPECT_GE(longest, std::chrono::milliseconds(15)) << "after it is done";
+  EXPECT_LE(longest, passed());
+  EXPECT_EQ(worker.takeLongest().count(), 0) << "it is told once";
+}
+
 TEST(Worker, DoesUrgentWorkFirst) {
   Worker worker({"test"});
   Gate gate(worker);

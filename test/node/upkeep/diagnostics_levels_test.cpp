@@ -75,6 +75,11 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   });
   EXPECT_EQ(behind.level, DiagnosticStatus::WARN);
   EXPECT_EQ(behind.message, "60 s without new distances");
+  const DiagnosticStatus late = statusWith([](Health& health) {
+    health.behind = {{"earliest", 0.2}, {"stopping", 0.3}};
+  });
+  EXPECT_EQ(late.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(late.message, "~stopping was up to 300 ms behind ~boxes");
 }
 
 }  // namespace

@@ -39,6 +39,35 @@ TEST(ContactTimes, AreExactForSlides) {
   EXPECT_TRUE(array.incomplete.empty());
 }
 
+/// tf2 has such an edge at its newest pose at all times, as if it stood.
+TEST(ContactTimes, AStaticJointThatMovesOnTfIsIncomplete) {
+  MovingRobot latched(carts(), parametersOf("rail", 2));
+  const auto place = [&](double x, bool is_static) {
+    latched.tf().add({edge("rail", "left", kStamp, Eigen::Quaterniond::Identity(), {x, 0, 0})},
+                     is_static, ros::Time(kStamp));
+  };
+  place(0, true);
+  stand(latched, {0, 1.2});
+  EXPECT_TRUE(latched.earliest().incomplete.empty()) << "the same pose on /tf";
+  place(0.1, false);
+  EXPECT_EQ(latched.earliest().incomplete, std::vector<std::string>{"left"});
+  EXPECT_EQ(latched.incomplete(), (std::vector<std::string>{"left", "right"}))
+      << "right has no deceleration";
+  place(0.1, true);
+  EXPECT_TRUE(latched.earliest().incomplete.empty()) << "/tf_static decides again";
+}
+
+/// A pose that is known is not of the future.
+TEST(ContactTimes, AStampAheadOfTheClockDelaysNothing) {
+  MovingRobot robot(carts(), parametersOf("rail", 2));
+  stand(robot, {0, 1.2});
+  for (const double ahead : {0.3, 5.0}) {
+    const EarliestContactArray array = robot.earliest(kStamp - ahead);
+    EXPECT_LE(untilOf(array), kStamp - ahead + 1.0);
+    EXPECT_GE(untilOf(array), kStamp - ahead + 0.99);
+  }
+}
+
 /// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both
 /// spheres take.
 TEST(ContactTimes, AreNearTheTruthForATurn) {

@@ -161,6 +161,29 @@ TEST(JointState, TurnsAndRestAreNoDisagreement) {
   }
 }
 
+/// The last two positions differ by less than their noise, but it speeds up.
+TEST(JointState, ZeroVelocitiesHideABeginFromRest) {
+  constexpr double kAcceleration = 100;
+  Random random(10);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  for (const double way : {0.0, 2e-5, 9.9e-5}) {
+    Reports reports = reportsOf(0, 0, true);
+    reports.back().position = way;
+    const Eigen::Isometry3d pose = joint.parent_from_joint * jointMotion(joint, way);
+    const JointState state = jointState(joint, pose, reports, kEnd, kWindow);
+    const SpeedRange speed = speedAtStamp(state, kAcceleration);
+    const double fastest = std::sqrt(2 * kAcceleration * way);
+    EXPECT_GE(speed.upper, fastest);
+    EXPECT_LE(speed.lower, -fastest);
+    EXPECT_LE(speed.upper, 0.16) << "as after 0.1 mrad";
+    for (JointReport& report : reports)
+      report.velocity = 1e-3;
+    EXPECT_LT(speedAtStamp(jointState(joint, pose, reports, kEnd, kWindow), kAcceleration).upper,
+              0.02)
+        << "measured velocities are believed";
+  }
+}
+
 TEST(JointState, OfReportsMustAgreeWithTf) {
   Random random(5);
   const Joint joint = randomJoint(Motion::kTranslation, random);
