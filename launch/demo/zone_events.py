@@ -28,7 +28,7 @@ QUIET = 10  # PERIODs without a message: then both topics have sent what they kn
 APART = 30  # PERIODs after which the stamps of both topics must have gone back equally often
 KEPT = 200  # messages of a topic, for those of the other one that come late
 NEVER = -1  # ns, before each stamp
-OBJECT = re.compile(r'.*/-?\d+', re.DOTALL)  # a link of such a name counts as an object
+OBJECT = re.compile(r'([^/].*)?/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
 
 def printable(text):

@@ -16,7 +16,7 @@ from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap,
 from std_msgs.msg import Header
 
 sys.path.append(os.path.join(roslib.packages.get_pkg_dir("link_bounds"), "launch", "demo"))
-from zone_events import QUIET, Watch  # noqa: E402
+from zone_events import QUIET, Watch, kind  # noqa: E402
 
 ZONE = "zones/1"
 LINKS = ("base", "elbow", "hand")
@@ -135,6 +135,13 @@ class ZoneEventsRandom(unittest.TestCase):
 
     def test_both_do_not_last(self):
         self.check(back=0.1, lost=0.1)
+
+    def test_boxes_of_neighbours_are_no_objects(self):
+        """What is an object has left where it has no box any more."""
+        for name in "ball/1", "a/b/-2", "/5":
+            self.assertEqual(kind(name), "object " + name)
+        for name in "/robot_b/7", "/robot_b/ball/1", "elbow", "ball/":
+            self.assertEqual(kind(name), "link " + name)
 
 
 if __name__ == "__main__":
