@@ -410,7 +410,7 @@ class CheckPathTest(unittest.TestCase):
             daemon=True)
         thread.start()
         brief = rospy.ServiceProxy(NODE + "/check_path", CheckPath)
-        for _ in range(20):  # the long one gets turns in between
+        for _ in range(4):  # the long one, which takes 10 s, gets turns in between
             brief(CheckPathRequest(trajectory=turned(0, 90)))
         self.objects.send(deletion("lost/1"))
         self.boxes.wait_newest(lambda m: "lost/1" not in names_of(m), "none")
