@@ -15,14 +15,14 @@ namespace link_bounds {
 
 using StopFlag = std::atomic<bool>;
 
-/// From now on the end of Python stops all work and waits for it. Once, at the import.
+/// From now on the process stops all work and waits for it when Python has ended. Once, at the
+/// import.
 void watchEndOfPython();
 
-/// Work that uses no Python, from now on until this is destroyed, on whatever thread. The end of
-/// Python sets the flag and waits.
+/// Work that uses no Python, from now on until this is destroyed, on whatever thread. After the end
+/// of Python the flag is set, and the process waits.
 class RunningWork {
  public:
-  /// Call it with the lock. If Python ends on another thread, this one stops here for ever.
   explicit RunningWork(StopFlag& stop);
   RunningWork(const RunningWork&) = delete;
   RunningWork& operator=(const RunningWork&) = delete;

@@ -289,6 +289,48 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.assertNotIn('Exception', err, call)
             self.assertNotIn('terminate', err, call)
 
+    def test_python_waits_for_a_thread_that_calls(self):
+        """As rospy does for its own when Python ends."""
+        self.ending('''
+import atexit, threading, time, sys
+ends = threading.Event()
+def end():
+    ends.set()
+    thread.join(float(sys.argv[2]))
+    print(robot.boxes(rows).shape)
+    if thread.is_alive():
+        raise SystemExit('it is still there')
+atexit.register(end)
+import numpy, link_bounds
+robot = link_bounds.Robot(sys.argv[1])
+rows = numpy.zeros((10**4, len(robot.joints)))
+def calls():
+    while not ends.is_set():
+        robot.boxes(rows)
+thread = threading.Thread(target=calls, daemon=True)
+thread.start()
+time.sleep(0.2)
+''')
+
+    def test_forks_while_another_thread_calls(self):
+        """Other modules call Python after a fork, too."""
+        self.ending('''
+import concurrent.futures.thread, logging, os, sys, threading, numpy, link_bounds
+robot = link_bounds.Robot(sys.argv[1])
+rows = numpy.zeros((10**4, len(robot.joints)))
+def calls():
+    while True:
+        robot.boxes(rows[0])
+        robot.distances(rows[0], 1)
+threading.Thread(target=calls, daemon=True).start()
+for _ in range(500):
+    child = os.fork()
+    if not child:
+        os._exit(0)
+    os.waitpid(child, 0)
+print(robot.boxes(rows).shape)
+''')
+
     def test_a_forked_process_ends(self):
         """It has none of the threads that call."""
         self.ending(ENDING % 'robot.pairs(accuracy=1e-9, budget=1000)' + FORKED)

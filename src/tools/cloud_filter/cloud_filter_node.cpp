@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "tools/cloud_filter/nearest_message.h"
 #include "world/cloud/cloud_layout.h"
@@ -25,6 +26,7 @@ constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 constexpr double kLateTurn = 250;  // ms, beyond max_wait
+const std::string kTooLong = "it waited too long for its turn, and now ";
 constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
 const ros::WallDuration kStatusPeriod(1.0);
@@ -282,6 +284,9 @@ bool CloudFilterNode::filterFirst(Input& input) {
   if (input.waiting.empty()) return false;
   const double max_wait = robot_ ? robot_->parameters.max_wait : FilterParameters().max_wait;
   Waiting& waiting = input.waiting.front();
+  const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
+  const bool is_late_turn =
+      !std::exchange(waiting.was_first, true) && waited > max_wait + kLateTurn / 1e3;
   Outcome outcome;
   try {
     outcome = filter(waiting);
@@ -290,9 +295,9 @@ bool CloudFilterNode::filterFirst(Input& input) {
   }
   input.waits_for = outcome.may_come ? outcome.reason : "";
   if (!outcome.is_done) {
-    const double waited = (ros::SteadyTime::now() - waiting.since).toSec();
     if (outcome.may_come && waited < max_wait) return false;
-    giveUp(waiting, outcome.reason, outcome.may_come);
+    giveUp(waiting, is_late_turn ? kTooLong + outcome.reason : outcome.reason,
+           outcome.may_come && !is_late_turn);
   }
   input.waiting.pop_front();
   if (input.waiting.empty()) input.waits_for.clear();  // what comes next may find its transforms

@@ -56,6 +56,7 @@ class CloudFilterNode {
     boost::shared_ptr<Scan> scan;
     ros::SteadyTime since;
     std::optional<TimeSpan> span = std::nullopt;  ///< of its points, once it is known
+    bool was_first = false;                       ///< its turn has come
 
     std::size_t bytes() const;  ///< of all that has no fixed size
     std::string fault() const;  ///< why it cannot be read; "" if it can

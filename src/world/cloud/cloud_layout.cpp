@@ -15,7 +15,7 @@ namespace {
 using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
-constexpr double kMaxFromStamp = 1e7;  // s
+constexpr double kMaxNanoseconds = 9e18;  // of 64 bits
 
 /// The first of these that there is counts.
 constexpr std::array<const char*, 4> kTimeFields{"t", "offset_time", "time", "timestamp"};
@@ -113,21 +113,21 @@ std::string readTime(const PointCloud2& cloud, CloudPoints& points) {
   return "";
 }
 
-/// Seconds after the stamp, or seconds or nanoseconds of ROS time: what is nearest to the stamp.
-/// The stamp for a number that is no time.
+/// Seconds after the stamp, or seconds or nanoseconds of ROS time: what is nearest to the stamp,
+/// however far that is, so that tf refuses what is no time. The stamp for what is not finite.
 std::int64_t fromNumber(double value, std::int64_t stamp) {
   const double stamp_seconds = static_cast<double>(stamp) * 1e-9;
   const double as_relative = std::abs(value);
   const double as_seconds = std::abs(value - stamp_seconds);
   const double as_nanoseconds = std::abs(value * 1e-9 - stamp_seconds);
-  if (!(std::min({as_relative, as_seconds, as_nanoseconds}) <= kMaxFromStamp)) return stamp;
+  if (!std::isfinite(value)) return stamp;
   if (as_relative <= std::min(as_seconds, as_nanoseconds)) return stamp + std::llround(value * 1e9);
   if (as_seconds <= as_nanoseconds) {
     // Seconds and their fraction apart: in nanoseconds, the product would lose digits.
     const double seconds = std::floor(value);
     return static_cast<std::int64_t>(seconds) * 1000000000 + std::llround((value - seconds) * 1e9);
   }
-  return static_cast<std::int64_t>(value);
+  return static_cast<std::int64_t>(std::clamp(value, 0.0, kMaxNanoseconds));
 }
 
 /// The smallest and the largest of the times that `read` gives, of points whose coordinates are

@@ -129,8 +129,8 @@ class Scan {
       MotionPath path =
           pathBetween(tf_, links[i].frame, sensor_, {span_.begin, span_.end}, timeout_);
       if (!path.problem.empty()) {
-        result_.may_come = span_.begin >= oldestTaken(tf_, links[i].frame, sensor_);
-        result_.problem = path.problem + (result_.may_come ? "" : "; tf keeps 10 s");
+        result_.problem = path.problem;
+        result_.may_come = true;
         return false;
       }
       movers_.emplace_back(links[i].frame, std::move(path), links[i].box);

@@ -93,18 +93,6 @@ class Climber {
   double timeout_;
 };
 
-/// Of the stamps that the edges between both give, by their present parents.
-std::int64_t newestOf(const TransformBuffer& tf, Frame target, Frame source,
-                      std::int64_t (EdgeHistory::*stamp)() const) {
-  std::int64_t newest = 0;
-  for (const Frame frame : edgesBetween(tf, target, source)) {
-    const EdgeHistory* history = tf.history(frame);
-    if (history && !tf.isStatic(frame) && !history->samples().isEmpty())
-      newest = std::max(newest, (history->*stamp)());
-  }
-  return newest;
-}
-
 }  // namespace
 
 void MotionPath::addSampleTimes(MotionSpan span, std::vector<std::int64_t>& times) const {
@@ -169,11 +157,13 @@ MotionPath pathBetween(const TransformBuffer& tf, Frame target, Frame source, Mo
 }
 
 std::int64_t oldestKnown(const TransformBuffer& tf, Frame target, Frame source) {
-  return newestOf(tf, target, source, &EdgeHistory::oldestStamp);
-}
-
-std::int64_t oldestTaken(const TransformBuffer& tf, Frame target, Frame source) {
-  return newestOf(tf, target, source, &EdgeHistory::oldestKept);
+  std::int64_t oldest = 0;
+  for (const Frame frame : edgesBetween(tf, target, source)) {
+    const EdgeHistory* history = tf.history(frame);
+    if (history && !tf.isStatic(frame) && !history->samples().isEmpty())
+      oldest = std::max(oldest, history->oldestStamp());
+  }
+  return oldest;
 }
 
 }  // namespace link_bounds

@@ -73,8 +73,4 @@ MotionPath pathBetween(const TransformBuffer& tf, TransformBuffer::Frame target,
 std::int64_t oldestKnown(const TransformBuffer& tf, TransformBuffer::Frame target,
                          TransformBuffer::Frame source);
 
-/// Older transforms of an edge between both, by their present parents, are refused.
-std::int64_t oldestTaken(const TransformBuffer& tf, TransformBuffer::Frame target,
-                         TransformBuffer::Frame source);
-
 }  // namespace link_bounds

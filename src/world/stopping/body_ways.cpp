@@ -102,13 +102,14 @@ BodyWay BodyWays::find(const PastBody& body) {
     return way;
   }
   way.has_pose = true;
+  way.known = std::min(knownSince(*body.frame, way.stamp), knownSince(*mover, way.stamp));
   way.problem = whyNotHeld(body, *mover, start, way);
   if (!way.problem.empty()) {
     way.is_placed = !isContact();
     return way;
   }
   bool is_carried = false;
-  if (isContact() || start.stamp != 0 || *mover == scene_.target)
+  if (isContact() || start.stamp != 0 || *mover == scene_.target || edgeInDoubt(*mover))
     is_carried = climb(*mover, start, way);
   if (!way.problem.empty() && is_carried) return way;
   // It was placed once, so it does not move with a fixed frame on the robot.
@@ -118,6 +119,23 @@ BodyWay BodyWays::find(const PastBody& body) {
     way.problem = "it belongs to another node, and nothing is known of how fast it moves";
   way.is_placed = !isContact() || way.problem.empty();
   return way;
+}
+
+/// The stamp, or when the transforms of the way came, if that was earlier.
+std::int64_t BodyWays::knownSince(Frame frame, std::int64_t stamp) const {
+  std::int64_t known = std::min(stamp, static_cast<std::int64_t>(scene_.now.toNSec()));
+  for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
+    if (tf_.hasParent(edge) && !tf_.isStatic(edge)) known = std::min(known, tf_.received(edge));
+  }
+  return known;
+}
+
+/// One on the way to the fixed frame, if there is any.
+std::optional<TransformBuffer::Frame> BodyWays::edgeInDoubt(Frame frame) const {
+  for (const Frame edge : edgesBetween(tf_, scene_.target, frame)) {
+    if (tf_.isStaticInDoubt(edge)) return edge;
+  }
+  return std::nullopt;
 }
 
 /// Up to the fixed frame, or to the root and from there on its motion as a base; for contacts, up
@@ -180,7 +198,9 @@ void BodyWays::moveInto(const Eigen::Isometry3d& root, BodyWay& way) {
 /// Of what no link carries, nothing is known but where it is.
 std::string BodyWays::whyStrangerMoves(Frame frame, std::int64_t stamp) {
   const std::string& ground = groundProblem();
-  if (!ground.empty() || frame == scene_.target || stamp == 0) return ground;
+  if (!ground.empty() || frame == scene_.target) return ground;
+  if (const auto edge = edgeInDoubt(frame)) return edgeSamples(tf_, *edge, stamp, window_).problem;
+  if (stamp == 0) return "";
   const std::string what = "its frame \"" + tf_.name(frame) + "\" moves, and nothing is known of ";
   if (isContact()) return what + "how fast";
   const EdgeSamples samples = pathSamples(tf_, scene_.target, frame, stamp, window_);

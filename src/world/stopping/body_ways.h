@@ -34,6 +34,9 @@ struct WayJoint {
 /// How a body moves.
 struct BodyWay {
   std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
+  /// The stamp, or an earlier time by which the pose had been received or is used here: nothing
+  /// that is known is of the future [ns].
+  std::int64_t known = 0;
   bool has_pose = false;
   bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands
   /// In the frame of the boxes; for contacts in that of the root, if the root may move in it.
@@ -71,6 +74,8 @@ class BodyWays {
   bool climb(Frame frame, const FramePose& start, BodyWay& way);
   const std::string& groundProblem();
   static void moveInto(const Eigen::Isometry3d& root, BodyWay& way);
+  std::int64_t knownSince(Frame frame, std::int64_t stamp) const;
+  std::optional<Frame> edgeInDoubt(Frame frame) const;
   std::string whyStrangerMoves(Frame frame, std::int64_t stamp);
   std::string whyGroundMoves() const;
   std::string whyRootMoves() const;

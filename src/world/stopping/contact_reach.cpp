@@ -30,10 +30,8 @@ double leverOf(const MovingJoint& joint, const Aabb& box) {
 
 /// Without a speed it may have its limit at once. Between two transforms a joint may have left the
 /// line between their values by what it can move there and back.
-/// What is known already is not of the future, so a stamp ahead of the clock counts as `now`.
-ContactReach::ContactReach(const BodyWay& way, std::int64_t now, const Aabb& box,
-                           const StopRules& rules)
-    : stamp_(way.stamp), begin_(std::min(way.stamp, now)) {
+ContactReach::ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules)
+    : stamp_(way.stamp), begin_(way.known) {
   for (const WayJoint& joint : way.joints) {
     const JointRule& rule = rules.rule(*joint.joint);
     Step step{&rule, *joint.joint, joint.state, {}, rule.braking, 0, leverOf(joint.place, box)};

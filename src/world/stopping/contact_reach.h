@@ -25,8 +25,8 @@ namespace link_bounds {
 
 class ContactReach {
  public:
-  /// `now` is the time of the clock [ns]. The rules must outlive this.
-  ContactReach(const BodyWay& way, std::int64_t now, const Aabb& box, const StopRules& rules);
+  /// The rules must outlive this.
+  ContactReach(const BodyWay& way, const Aabb& box, const StopRules& rules);
 
   /// How far a point of the body may be from where it is, at any moment until that time [ns], while
   /// the joints from that one on move [m].
@@ -53,7 +53,7 @@ class ContactReach {
   double offsetOf(const Step& step, double time) const;
 
   std::int64_t stamp_;
-  std::int64_t begin_;       ///< the stamp, or the time of the clock where the stamp is ahead of it
+  std::int64_t begin_;       ///< BodyWay::known
   std::vector<Step> steps_;  ///< the one nearest to the root first
 };
 

@@ -24,10 +24,10 @@ ros::Time toTime(std::int64_t nanoseconds) {
 
 class Contacts {
  public:
-  Contacts(const WayBoxes& boxes, std::int64_t now, const StopRules& rules, std::int64_t end)
+  Contacts(const WayBoxes& boxes, const StopRules& rules, std::int64_t end)
       : moment_(*boxes.moment), end_(end), first_(end) {
     for (std::size_t i = 0; i < boxes.ways.size(); ++i) {
-      reaches_.emplace_back(boxes.ways[i], now, moment_.bodies[i].box, rules);
+      reaches_.emplace_back(boxes.ways[i], moment_.bodies[i].box, rules);
     }
   }
 
@@ -136,7 +136,7 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
   const auto clock = static_cast<std::int64_t>(scene.now.toNSec());
   const std::int64_t start =
       stamp.isZero() ? clock : std::min(static_cast<std::int64_t>(stamp.toNSec()), clock);
-  Contacts contacts(boxes, clock, rules, start + kHorizon);
+  Contacts contacts(boxes, rules, start + kHorizon);
   const auto can_meet = [&contacts](std::size_t a, std::size_t b) {
     return contacts.canMeet(a, b);
   };

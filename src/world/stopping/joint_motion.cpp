@@ -57,7 +57,8 @@ void addSpeeds(const TimedValues& samples, std::int64_t window, JointState& stat
 
 /// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
 /// send zeros for what it does not measure, so the speeds of the positions count, too.
-void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp,
+/// `spread`: how far the positions are apart.
+void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp, double spread,
                        const JointState& of_positions, JointState& state) {
   state.speed = {*reports.front().velocity, *reports.front().velocity};
   std::int64_t gap = std::abs(stamp - reports.front().stamp);
@@ -70,15 +71,16 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
   const bool are_zeros = std::all_of(reports.begin(), reports.end(), [](const JointReport& report) {
     return *report.velocity == 0;
   });
-  if (are_zeros) state.unseen = kPositionNoise;
+  const bool is_moving = are_zeros && spread > kPositionNoise;
+  if (are_zeros && !is_moving) state.unseen = kPositionNoise;
   const double beyond = std::max(state.speed.lower - of_positions.speed.lower,
                                  of_positions.speed.upper - state.speed.upper);
+  if (is_moving) state.piece += of_positions.piece;
   if (of_positions.piece == 0 || beyond <= 0) return;
   const double fastest = std::max(-of_positions.speed.lower, of_positions.speed.upper);
-  if (beyond > kMaxSpeedNoise * fastest && beyond * of_positions.piece > kPositionNoise) {
+  if (!is_moving && beyond > kMaxSpeedNoise * fastest &&
+      beyond * of_positions.piece > kPositionNoise)
     state.piece += of_positions.piece;
-    state.unseen = 0;
-  }
   state.speed.lower = std::min(state.speed.lower, of_positions.speed.lower);
   state.speed.upper = std::max(state.speed.upper, of_positions.speed.upper);
 }
@@ -196,7 +198,8 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
       found.values[i] = found.values[i - 1] + told + more;
     }
     if (reports.size() > 1) addSpeeds(found, window, of_positions);
-    addReportedSpeeds(reports, stamp, of_positions, state);
+    const auto [least, most] = std::minmax_element(found.values.begin(), found.values.end());
+    addReportedSpeeds(reports, stamp, *most - *least, of_positions, state);
   } else {
     addSpeeds(found, window, state);
     // Since the last report it may have become faster, as by twice the time in a piece.

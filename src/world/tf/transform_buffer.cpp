@@ -22,6 +22,7 @@ constexpr const char* kOwnParent = "the frame is its own parent; correct one of 
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
+constexpr std::int64_t kDoubt = 10'000'000'000;  // ns
 constexpr const char* kInDoubt =
     "it is on /tf_static, too, with another pose, so nobody knows how it moves; end one of the "
     "publishers";
@@ -103,11 +104,16 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   const bool is_replaced = edge.is_static && edge.has_parent &&
                            !edge.history->holds({transform.parent_from_child, parent, stamp});
   if (is_replaced) count(&TfIntake::replaced, edge.needs > 0);
-  edge.is_in_doubt = edge.is_static && !is_static && (edge.is_in_doubt || is_replaced);
+  if (is_replaced && !is_static) {
+    edge.is_in_doubt = true;
+    edge.doubted = now;
+  } else if (is_static && now - edge.doubted > kDoubt) {
+    edge.is_in_doubt = false;
+  }
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
   const bool is_well = is_accepted ? record(edge, parent, stamp, now)
                                    : refuse(edge, {transform.parent_from_child, parent, stamp});
-  if (edge.is_in_doubt) {
+  if (edge.is_in_doubt && !is_static) {
     refusal.reason = kInDoubt;
     refusal.is_accepted = true;
     return false;

@@ -177,8 +177,8 @@ class TransformBuffer {
   /// Decided by the first transform, as in tf2.
   bool isStatic(Frame child) const { return edges_[child].is_static; }
 
-  /// A static edge that has come on /tf with another pose since it last came on /tf_static. tf2
-  /// says that it is at its newest pose at all times, but it may well move.
+  /// A static edge that has come on /tf with another pose, up to a /tf_static that comes 10 s or
+  /// more after the last such pose. tf2 has it at its newest pose at all times, but it may move.
   bool isStaticInDoubt(Frame child) const { return edges_[child].is_in_doubt; }
 
   /// The newest stamp; 0 if the edge is static or has no transform.
@@ -229,6 +229,7 @@ class TransformBuffer {
     bool has_parent = false;
     bool is_static = false;
     bool is_in_doubt = false;            ///< see isStaticInDoubt()
+    std::int64_t doubted = 0;            ///< when it last came on /tf with another pose
     bool is_kept = false;                ///< static, and never forgotten
     bool is_distrusted = false;          ///< see distrustStampsAhead()
     bool had_others = false;             ///< the history may have other parents, too

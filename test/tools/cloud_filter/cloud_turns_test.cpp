@@ -6,18 +6,27 @@
 namespace link_bounds {
 namespace {
 
-TEST_F(FilterInProcess, ACloudThatWaitsLongForItsTurnIsLate) {
+class PassingFilter : public FilterInProcess {
+ protected:
+  PassingFilter() : FilterInProcess(0, "pass") {}
+};
+
+TEST_F(PassingFilter, ACloudThatWaitsLongForItsTurnIsLateAndNeverPassed) {
   ASSERT_TRUE(isServed([this] { return message_.find("no cloud or scan") == 0; }));
+  send("cube", ros::Time());
+  ASSERT_TRUE(becomesTrue([this] { return gate_.isReached(); })) << "it has no stamp";
   send("cube");
-  ASSERT_TRUE(isServed([this] { return values_["filtered"] == "1"; }));
-  send();
-  ASSERT_TRUE(becomesTrue([this] { return gate_.isReached(); }));
-  send("cube");
+  send("nowhere");
   ASSERT_TRUE(isServed([this] { return heard_ == sent_; }));
   const ros::SteadyTime heard = ros::SteadyTime::now();
   ASSERT_TRUE(becomesTrue([&] { return (ros::SteadyTime::now() - heard).toSec() > 0.3; }));
   gate_.open();
   ASSERT_TRUE(isServed([this] { return message_.find("are sent late") != std::string::npos; }));
+  ASSERT_TRUE(isServed([this] { return values_["dropped"] == "2"; }));
+  EXPECT_EQ(values_["filtered"], "1");
+  EXPECT_EQ(values_["passed unfiltered"], "0");
+  send("nowhere");
+  EXPECT_TRUE(isServed([this] { return values_["passed unfiltered"] == "1"; })) << "it is in time";
 }
 
 }  // namespace

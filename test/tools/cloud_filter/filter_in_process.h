@@ -65,9 +65,10 @@ class LogGate : public ros::console::LogAppender {
 /// One per process, because a process has one master.
 class FilterInProcess : public testing::Test {
  protected:
-  explicit FilterInProcess(double max_wait = 0) {
+  explicit FilterInProcess(double max_wait = 0, const std::string& late = "drop") {
     ros::param::set("/robot_description", kCubeRobot);
     ros::param::set("~max_wait", max_wait);
+    ros::param::set("~late", late);
     filter_ = std::make_unique<CloudFilterNode>(node_, ros::NodeHandle("~"), [] {});
     // Later than the filter's subscription, so the filter has what came here.
     witness_ = node_.subscribe<sensor_msgs::PointCloud2>(
@@ -100,9 +101,9 @@ class FilterInProcess : public testing::Test {
   }
 
   /// By default, of a frame that tf does not know.
-  void send(const std::string& frame = "nowhere") {
+  void send(const std::string& frame = "nowhere", ros::Time stamp = ros::Time(1)) {
     sensor_msgs::PointCloud2 cloud;
-    cloud.header.stamp = ros::Time(1);
+    cloud.header.stamp = stamp;
     cloud.header.frame_id = frame;
     for (const char* const name : {"x", "y", "z"}) {
       sensor_msgs::PointField& field = cloud.fields.emplace_back();

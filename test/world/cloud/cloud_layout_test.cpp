@@ -148,8 +148,6 @@ TEST(CloudLayout, KnowsTheTimesOfCommonDrivers) {
               1e7, 256);
   EXPECT_EQ(timeOf<std::int32_t>("t", PointField::INT32, -5), -5);
   EXPECT_EQ(timeOf<float>("time", PointField::FLOAT32, kNan), 0);
-  EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, 1e300), 0);
-  EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, 1e13), 0);
 }
 
 TEST(CloudLayout, KnowsTimesThatAreSimulated) {
@@ -196,8 +194,13 @@ TEST(CloudLayout, TheFirstOfSeveralTimesCounts) {
 
 TEST(CloudLayout, NumbersThatAreNoTimeGiveTheStamp) {
   const double nan = kNan, infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {nan, infinity, -infinity, 1e300, -1e300, 1e19, -1e18, -1.7e9, 9e9 + 1.0})
+  for (const double bad : {nan, infinity, -infinity})
     EXPECT_EQ(timeOf<double>("timestamp", PointField::FLOAT64, bad), 0) << bad;
+  // As of a clock that was not set: nobody takes these for times at the stamp.
+  for (const double bad : {1e300, -1e300, 1e19, -1e18, -1.7e9, 9e9 + 1.0, 1e13, 8e8, 9e8})
+    EXPECT_GT(std::abs(timeOf<double>("timestamp", PointField::FLOAT64, bad)),
+              100'000'000'000'000'000)
+        << bad;
   // The latest and the earliest time that there is are not too far apart for 64 bits.
   PointCloud2 cloud;
   cloud.header.stamp = ros::Time(1);

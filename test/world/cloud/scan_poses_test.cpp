@@ -80,26 +80,5 @@ TEST(ScanPoses, AreAsNearToThoseOfTfAsTheySay) {
   EXPECT_GT(count, 900);
 }
 
-TEST(ScanPoses, WhatTfHasForgottenDoesNotCome) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  TransformBuffer tf;
-  const auto sensor = tf.frame("sensor"), link = tf.frame("link");
-  for (const std::uint32_t stamp : {20, 31}) {
-    std::vector<TransformView> views{TransformView("sensor", "link", "", ros::Time(stamp))};
-    tf.add(views, false, views[0].stamp);
-  }
-  const auto may_come = [&](std::int64_t time) {
-    const ScanPoses poses = scanPoses(
-        tf, sensor, {{link, Aabb(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones())}}, {time, time});
-    EXPECT_NE(poses.problem, "");
-    EXPECT_EQ(poses.problem.find("tf keeps 10 s") == std::string::npos, poses.may_come);
-    return poses.may_come;
-  };
-  EXPECT_FALSE(may_come(20 * kSecond));
-  EXPECT_FALSE(may_come(21 * kSecond - 1));
-  EXPECT_TRUE(may_come(21 * kSecond));
-  EXPECT_TRUE(may_come(32 * kSecond));
-}
-
 }  // namespace
 }  // namespace link_bounds

@@ -42,9 +42,9 @@ TEST(ContactTimes, AreExactForSlides) {
 /// tf2 has such an edge at its newest pose at all times, as if it stood.
 TEST(ContactTimes, AStaticJointThatMovesOnTfIsIncomplete) {
   MovingRobot latched(carts(), parametersOf("rail", 2));
-  const auto place = [&](double x, bool is_static) {
+  const auto place = [&](double x, bool is_static, double now = kStamp) {
     latched.tf().add({edge("rail", "left", kStamp, Eigen::Quaterniond::Identity(), {x, 0, 0})},
-                     is_static, ros::Time(kStamp));
+                     is_static, ros::Time(now));
   };
   place(0, true);
   stand(latched, {0, 1.2});
@@ -53,7 +53,20 @@ TEST(ContactTimes, AStaticJointThatMovesOnTfIsIncomplete) {
   EXPECT_EQ(latched.earliest().incomplete, std::vector<std::string>{"left"});
   EXPECT_EQ(latched.incomplete(), (std::vector<std::string>{"left", "right"}))
       << "right has no deceleration";
-  place(0.1, true);
+  MovingRobot still(carts(), [] {
+    Parameters parameters = parametersOf("rail", 2);
+    parameters.deceleration = {{"to_left", 1.0}, {"to_right", 1.0}};
+    return parameters;
+  }());
+  for (const double x : {0.0, 0.1}) {
+    still.tf().add({edge("rail", "left", kStamp, Eigen::Quaterniond::Identity(), {x, 0, 0})},
+                   x == 0, ros::Time(kStamp));
+  }
+  stand(still, {0.1, 1.2});
+  EXPECT_EQ(still.incomplete(), std::vector<std::string>{"left"}) << "all of its way is static";
+  place(0.1, true, kStamp + 9);
+  EXPECT_EQ(latched.earliest().incomplete, std::vector<std::string>{"left"}) << "/tf may go on";
+  place(0.1, true, kStamp + 11);
   EXPECT_TRUE(latched.earliest().incomplete.empty()) << "/tf_static decides again";
 }
 
@@ -66,6 +79,12 @@ TEST(ContactTimes, AStampAheadOfTheClockDelaysNothing) {
     EXPECT_LE(untilOf(array), kStamp - ahead + 1.0);
     EXPECT_GE(untilOf(array), kStamp - ahead + 0.99);
   }
+  // What came at kStamp is not of later.
+  for (const char* cart : {"left", "right"})
+    robot.add("rail", cart, kStamp + 0.9,
+              Eigen::Isometry3d(Eigen::Translation3d(cart == std::string("left") ? 0 : 1.2, 0, 0)));
+  EXPECT_LE(untilOf(robot.earliest(kStamp + 1)), kStamp + 1.0);
+  EXPECT_GE(untilOf(robot.earliest(kStamp + 1)), kStamp + 0.99);
 }
 
 /// A sphere on an arm of 1 m turns by a quarter at 0.5 rad/s until it touches, less what both

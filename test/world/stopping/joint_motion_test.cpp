@@ -161,6 +161,17 @@ TEST(JointState, TurnsAndRestAreNoDisagreement) {
   }
 }
 
+/// It goes there and back within a window, so the positions at its ends are equal.
+TEST(JointState, ZeroVelocitiesHideNoTurnBack) {
+  Random random(11);
+  const Joint joint = randomJoint(Motion::kRotation, random);
+  Reports reports = reportsOf(0, 0, true);
+  for (std::size_t i = 1; i + 1 < reports.size(); ++i)
+    reports[i].position = 5e-3;
+  const JointState state = jointState(joint, joint.parent_from_joint, reports, kEnd, kWindow);
+  EXPECT_GE(state.piece, static_cast<double>(kWindow) / 5e9);
+}
+
 /// The last two positions differ by less than their noise, but it speeds up.
 TEST(JointState, ZeroVelocitiesHideABeginFromRest) {
   constexpr double kAcceleration = 100;
