@@ -40,11 +40,14 @@ atexit.register(lambda: print(robot.boxes(rows).shape))
 import os, signal, sys, threading, time, numpy, link_bounds
 robot = link_bounds.Robot(sys.argv[1])
 rows = numpy.zeros((10**4, len(robot.joints)))
+begun = threading.Event()
 def callback():
     while True:
+        begun.set()
         %s
 threading.Thread(target=callback, daemon=True).start()
-time.sleep(0.5)
+begun.wait(float(sys.argv[2]))
+time.sleep(0.05)  # whether it is within the call, nobody can ask
 '''
 FORKED = '''
 child = os.fork()
@@ -292,8 +295,8 @@ class RobotFaultsTest(UrdfBoundsTest):
     def test_python_waits_for_a_thread_that_calls(self):
         """As rospy does for its own when Python ends."""
         self.ending('''
-import atexit, threading, time, sys
-ends = threading.Event()
+import atexit, threading, sys
+begun, ends = threading.Event(), threading.Event()
 def end():
     ends.set()
     thread.join(float(sys.argv[2]))
@@ -306,10 +309,11 @@ robot = link_bounds.Robot(sys.argv[1])
 rows = numpy.zeros((10**4, len(robot.joints)))
 def calls():
     while not ends.is_set():
+        begun.set()
         robot.boxes(rows)
 thread = threading.Thread(target=calls, daemon=True)
 thread.start()
-time.sleep(0.2)
+begun.wait(float(sys.argv[2]))
 ''')
 
     def test_forks_while_another_thread_calls(self):

@@ -38,7 +38,7 @@ class EarliestOutput {
   /// Trees are not requested any more afterwards.
   void stop() { worker_.stop(); }
 
-  /// How long ~boxes have waited longest for this since the last call.
+  /// The longest time that a ~boxes waited for this since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
   /// Why the first of its incomplete bodies is that, and how many more are; "" if all are complete

@@ -39,7 +39,7 @@ class StoppingOutput {
   /// To be called every tick: ~boxes may have ended with the last listener.
   void restIfUnheard();
 
-  /// How long ~boxes have waited longest for this since the last call.
+  /// The longest time that a ~boxes waited for this since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
   /// Why the first of its incomplete bodies is that, and how many more are; of the last boxes, ""

@@ -32,7 +32,7 @@ class SweptOutput {
   /// To be called with each ~boxes.
   void request();
 
-  /// How long ~boxes have waited longest for this since the last call.
+  /// The longest time that a ~boxes waited for this since the last call.
   std::chrono::nanoseconds takeLongest() { return worker_.takeLongest(); }
 
  private:

@@ -26,7 +26,7 @@ constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
 constexpr double kLateTurn = 250;  // ms, beyond max_wait
-const std::string kTooLong = "it waited too long for its turn, and now ";
+constexpr char kTooLong[] = "it waited too long for its turn, and now ";
 constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
 const ros::WallDuration kStatusPeriod(1.0);

@@ -34,8 +34,8 @@ struct WayJoint {
 /// How a body moves.
 struct BodyWay {
   std::int64_t stamp = 0;  ///< of its pose [ns]; 0: all is static
-  /// The stamp, or an earlier time by which the pose had been received or is used here: nothing
-  /// that is known is of the future [ns].
+  /// When the pose was true at the latest [ns]: the stamp, or where that is ahead of the clock,
+  /// when the transforms came.
   std::int64_t known = 0;
   bool has_pose = false;
   bool is_placed = false;  ///< there is a box: how the body moves is known, or where it stands

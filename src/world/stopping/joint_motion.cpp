@@ -198,8 +198,8 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
       found.values[i] = found.values[i - 1] + told + more;
     }
     if (reports.size() > 1) addSpeeds(found, window, of_positions);
-    const auto [least, most] = std::minmax_element(found.values.begin(), found.values.end());
-    addReportedSpeeds(reports, stamp, *most - *least, of_positions, state);
+    const auto [lower, upper] = std::minmax_element(found.values.begin(), found.values.end());
+    addReportedSpeeds(reports, stamp, *upper - *lower, of_positions, state);
   } else {
     addSpeeds(found, window, state);
     // Since the last report it may have become faster, as by twice the time in a piece.

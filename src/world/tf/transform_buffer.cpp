@@ -22,7 +22,8 @@ constexpr const char* kOwnParent = "the frame is its own parent; correct one of 
 constexpr const char* kTooOld =
     "its stamp is more than 10 s older than the newest one of the frame; synchronise the clocks; "
     "if that newest one is wrong, ~reload makes the node forget it";
-constexpr std::int64_t kDoubt = 10'000'000'000;  // ns
+/// For how long after the last contradiction a static edge is in doubt [ns].
+constexpr std::int64_t kDoubt = 10'000'000'000;
 constexpr const char* kInDoubt =
     "it is on /tf_static, too, with another pose, so nobody knows how it moves; end one of the "
     "publishers";
@@ -107,18 +108,18 @@ bool TransformBuffer::insert(const TransformView& transform, bool is_static, std
   if (is_replaced && !is_static) {
     edge.is_in_doubt = true;
     edge.doubted = now;
-  } else if (is_static && now - edge.doubted > kDoubt) {
+  } else if (is_static && std::abs(now - edge.doubted) > kDoubt) {
     edge.is_in_doubt = false;
   }
   const bool is_accepted = insert(edge, stamp, parent, transform.parent_from_child);
-  const bool is_well = is_accepted ? record(edge, parent, stamp, now)
-                                   : refuse(edge, {transform.parent_from_child, parent, stamp});
+  const bool is_in_order = is_accepted ? record(edge, parent, stamp, now)
+                                       : refuse(edge, {transform.parent_from_child, parent, stamp});
   if (edge.is_in_doubt && !is_static) {
     refusal.reason = kInDoubt;
     refusal.is_accepted = true;
     return false;
   }
-  if (is_well) return true;
+  if (is_in_order) return true;
   if (now - edge.received <= kTolerance && edge.newest - stamp <= kTolerance) return true;
   refusal.reason = is_accepted ? kLate : kTooOld;
   refusal.is_accepted = is_accepted;
@@ -161,6 +162,7 @@ bool TransformBuffer::record(Edge& edge, Frame parent, std::int64_t stamp, std::
 
 /// Static edges stay.
 void TransformBuffer::Edge::clear() {
+  is_in_doubt = false;
   if (!history || is_static) return;
   history->clear();
   newest = 0;
@@ -218,8 +220,10 @@ void TransformBuffer::clear() {
 }
 
 void TransformBuffer::distrustStampsAhead(ros::Time now) {
-  for (Frame child = 0; child < edges_.size(); ++child)
-    edges_[child].is_distrusted = newest(child) > nanoseconds(now) + EdgeHistory::kLength;
+  for (Edge& edge : edges_) {
+    edge.is_distrusted = edge.newest > nanoseconds(now) + EdgeHistory::kLength;
+    edge.is_in_doubt = false;
+  }
 }
 
 void TransformBuffer::startClock(ros::Time now) {

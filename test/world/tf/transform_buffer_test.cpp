@@ -334,6 +334,33 @@ TEST_F(LateTest, BesideAHealthyPublisherIsReportedWithItsLag) {
   }
 }
 
+/// What contradicts /tf_static is told, and remembered until something ends it.
+TEST(StaticInDoubt, EndsTenSecondsLaterWithAReloadOrAJump) {
+  TransformBuffer tf;
+  const auto send = [&tf](double x, bool is_static, double now) {
+    return !tf.add({edge("base", "arm", now, kNoTurn, {x, 0, 0})}, is_static, ros::Time(now))
+                .empty();
+  };
+  const auto is_in_doubt = [&tf] { return tf.isStaticInDoubt(tf.frame("arm")); };
+  EXPECT_FALSE(send(1, true, 100));
+  EXPECT_FALSE(send(1, false, 101)) << "the same pose";
+  EXPECT_FALSE(is_in_doubt());
+  EXPECT_FALSE(send(2, true, 102)) << "/tf_static may have another one";
+  EXPECT_FALSE(is_in_doubt());
+  EXPECT_TRUE(send(3, false, 103));
+  EXPECT_FALSE(send(2, true, 104));
+  EXPECT_TRUE(is_in_doubt()) << "/tf may go on";
+  EXPECT_FALSE(send(2, true, 114));
+  EXPECT_FALSE(is_in_doubt());
+  EXPECT_TRUE(send(3, false, 115));
+  tf.distrustStampsAhead(ros::Time(116));
+  EXPECT_FALSE(is_in_doubt()) << "~reload";
+  EXPECT_TRUE(send(4, false, 117));
+  EXPECT_TRUE(is_in_doubt());
+  tf.clear();
+  EXPECT_FALSE(is_in_doubt()) << "a jump of the clock back";
+}
+
 class AheadTest : public testing::Test {
  protected:
   static constexpr double kNow = 1000;
