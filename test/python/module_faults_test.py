@@ -327,6 +327,7 @@ def calls():
         robot.boxes(rows[0])
         robot.distances(rows[0], 1)
 threading.Thread(target=calls, daemon=True).start()
+sys.setswitchinterval(1e-6)  # other threads get the lock of Python in every hook
 for _ in range(500):
     child = os.fork()
     if not child:
