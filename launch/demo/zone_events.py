@@ -6,7 +6,8 @@
 Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
 ~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete, and
 a link that has no box any more, is reported as not watched and leaves no zone meanwhile; the header
-stamps say what belongs together.
+stamps say what belongs together. Where nobody publishes one of the topics for ALONE PERIODs: "no zone
+is watched".
 Parameter: ~zones (default zones).
 """
 
@@ -27,6 +28,7 @@ PERIOD = 0.1  # s of wall time for which a link must be gone
 QUIET = 10  # PERIODs without a message: then both topics have sent what they know
 APART = 30  # PERIODs after which the stamps of both topics must have gone back equally often
 KEPT = 200  # messages of a topic, for those of the other one that come late
+ALONE = 20  # PERIODs for which nobody publishes a topic
 NEVER = -1  # ns, before each stamp
 OBJECT = re.compile(r'([^/].*)?/-?\d+', re.DOTALL)  # a link of such a name counts as an object
 
@@ -94,6 +96,7 @@ class Watch:
         self._settled = set()  # of those outside, who was so a PERIOD ago
         self._quiet = 0  # PERIODs since the last message
         self._apart = 0  # PERIODs for which one topic is behind
+        self._alone = 0  # PERIODs for which nobody publishes a topic
 
     def take_overlaps(self, message):
         """Reports who enters, at once."""
@@ -139,6 +142,14 @@ class Watch:
                     self._tell('%s is not watched: it has no box any more' % kind(name))
                 del self._inside[name, zone]
             self._settled = outside & set(self._outside)
+
+    def look_for(self, missing):
+        """Reports that nobody publishes these topics; to be called every PERIOD."""
+        was_alone, self._alone = self._alone, self._alone + 1 if missing else 0
+        if self._alone == ALONE:
+            self._tell('no zone is watched: nobody publishes %s' % ' and '.join(missing))
+        elif was_alone >= ALONE and not missing:
+            self._tell('zones are watched again')
 
     def _begin_anew(self):
         if not self._boxes.by_time or not self._overlaps.by_time:
@@ -186,12 +197,13 @@ def main():
         publisher.publish(text)
 
     watch = Watch(rospy.get_param('~zones', 'zones'), tell)
-    rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
-                     tcp_nodelay=True)
-    rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, watch.take_overlaps,
-                     tcp_nodelay=True)
+    topics = [rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
+                               tcp_nodelay=True),
+              rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, watch.take_overlaps,
+                               tcp_nodelay=True)]
     while not ended.wait(PERIOD):
         watch.settle()
+        watch.look_for([topic.name for topic in topics if not topic.get_num_connections()])
 
 
 if __name__ == '__main__':

@@ -14,6 +14,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,6 +26,7 @@ namespace {
 
 constexpr double kTolerance = 5e-7;  ///< of the radius; half of what the header promises
 constexpr int kMaxSteps = 1000;      ///< typical are some tens
+constexpr double kFlat = 1e-12;  ///< of an edge: a point so near to the plane of others has none
 
 /// Against rounding, relative to the link's magnitude. Each step of the computation is exact to
 /// some tens of roundoffs (1e-16). Points that a point set leaves out are outside by at most 2e-14.
@@ -132,16 +134,32 @@ Farthest farthestFrom(const Eigen::Vector3d& center, const std::vector<SweptPoin
   return result;
 }
 
-/// The smallest sphere through up to four points, if there is one.
+/// The smallest sphere through up to four points, if there is one. Its centre lies in their plane,
+/// and is found along perpendicular directions: to the point that is farthest from the first one,
+/// to the one that is farthest from that line, and to the last one. Twice projected, directions are
+/// perpendicular up to rounding.
 BoundingSphere throughPoints(const std::vector<Eigen::Vector3d>& points) {
-  if (points.size() == 1) return {points[0], 0};
-  const Eigen::Index count = static_cast<Eigen::Index>(points.size()) - 1;
-  Eigen::MatrixXd edges(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i)
-    edges.row(i) = points[static_cast<std::size_t>(i) + 1] - points[0];
-  // The solution of least norm lies in the plane of the points.
-  const Eigen::Vector3d center = edges.completeOrthogonalDecomposition().solve(
-      Eigen::VectorXd(edges.rowwise().squaredNorm() / 2));
+  std::array<Eigen::Vector3d, 3> edges, directions;
+  const std::size_t count = points.size() - 1;
+  for (std::size_t i = 0; i < count; ++i)
+    edges[i] = points[i + 1] - points[0];
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (std::size_t done = 0; done < count; ++done) {
+    double farthest = -1;
+    for (std::size_t i = done; i < count; ++i) {
+      Eigen::Vector3d rest = edges[i];
+      for (std::size_t pass = 0; pass < 2 * done; ++pass)
+        rest -= rest.dot(directions[pass % done]) * directions[pass % done];
+      if (rest.norm() <= farthest) continue;
+      farthest = rest.norm();
+      directions[done] = rest.normalized();
+      std::swap(edges[done], edges[i]);
+    }
+    const Eigen::Vector3d& edge = edges[done];
+    const double along = edge.dot(directions[done]);
+    if (!(along > kFlat * edge.norm())) break;
+    center += (edge.squaredNorm() / 2 - edge.dot(center)) / along * directions[done];
+  }
   return {points[0] + center, center.norm()};
 }
 

@@ -88,11 +88,15 @@ void keepBetter(const Candidate& candidate, Candidate& best) {
   if (candidate.volume < best.volume) best = candidate;
 }
 
-/// Tries the axes of each shape.
+/// Tries the axes of each shape, also where a scale has changed their lengths.
 void tryShapes(const BoundedLink& link, Search& search, Candidate& best) {
   for (const Shape& shape : link.shapes) {
-    const Eigen::Quaterniond axes(shape.link_from_shape.rotation());
-    if (axes.coeffs().allFinite()) keepBetter(search.candidate(axes.normalized()), best);
+    Eigen::Matrix3d axes = shape.link_from_shape.linear().colwise().normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1)).normalized();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    const Eigen::Quaterniond orientation(axes);
+    if (orientation.coeffs().allFinite())
+      keepBetter(search.candidate(orientation.normalized()), best);
   }
 }
 
@@ -102,8 +106,9 @@ void tryGrid(Search& search, Candidate& best) {
   for (int i = 0; i < kDirections * kDirections; ++i) {
     const double s = (2 * (i % kDirections) + 1.0) / kDirections - 1;
     const double t = (2 * (i / kDirections) + 1.0) / kDirections - 1;
-    const auto third = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                                          directionAt(s, t, faceAt(s, t)));
+    const Eigen::Vector3d d = directionAt(s, t, faceAt(s, t)).normalized();
+    const auto third =
+        Eigen::Quaterniond(1 + d.z(), -d.y(), d.x(), 0).normalized();  // z to d, d.z() >= 0
     for (int spin = 0; spin < kSpins; ++spin) {
       const Eigen::AngleAxisd turn(M_PI / 2 * spin / kSpins, Eigen::Vector3d::UnitZ());
       keepBetter(search.candidate((third * turn).normalized()), best);

@@ -176,6 +176,27 @@ class SafetyZone(unittest.TestCase):
                                                latencies[ENTRIES * 99 // 100]), flush=True)
 
 
+class Publishers(unittest.TestCase):
+    """Of a zone_events.py that listens to topics of its own."""
+
+    def test_it_reports_that_nobody_publishes(self):
+        events = Recorder("/zone_events_alone/events", String)
+        wait_for(lambda: events.subscriber.get_num_connections() > 0, "connected")
+
+        def expect(event):
+            events.wait(lambda m: m.data == event, event)
+
+        for _ in range(2):
+            boxes = rospy.Publisher("/alone/boxes", AxisAlignedBoxArray, queue_size=1)
+            overlaps = rospy.Publisher("/alone/overlaps", BoxOverlapArray, queue_size=1)
+            expect("zones are watched again")
+            events.clear()
+            overlaps.unregister()
+            expect("no zone is watched: nobody publishes /alone/overlaps")
+            boxes.unregister()
+        self.assertEqual(len(events.messages), 1)
+
+
 ENTERED, LEFT = "link hand entered zone zones/1", "link hand left zone zones/1"
 
 
@@ -305,6 +326,18 @@ class LateBoxes(unittest.TestCase):
         self.overlaps(6)
         self.assertFalse(self.has_left())
         self.assertIn("link hand is not watched: it has no box any more", self.told)
+
+    def test_a_publisher_that_is_missing_is_reported_once_it_stays_away(self):
+        def look(periods, *missing):
+            for _ in range(periods):
+                self.watch.look_for(missing)
+            return self.told
+        self.assertEqual(look(50) + look(5, "/boxes") + look(50), [])
+        alone = ["no zone is watched: nobody publishes /boxes"]
+        self.assertEqual(look(50, "/boxes"), alone)
+        self.assertEqual(look(50, "/boxes", "/overlaps"), alone)
+        self.assertEqual(look(50), alone + ["zones are watched again"])
+        self.assertEqual(look(50, "/boxes"), alone + ["zones are watched again"] + alone)
 
     def test_boxes_that_are_ahead_after_a_jump_stay_known(self):
         self.enter(1000)
