@@ -3,11 +3,11 @@
 // Starts the node.
 #include <ros/ros.h>
 
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 
 #include "node/interface/command_line.h"
+#include "node/interface/end_signals.h"
 #include "node/interface/usage.h"
 #include "node/master/master_uri.h"
 #include "node/publisher_node.h"
@@ -25,9 +25,8 @@ int run(int argc, char** argv) {
     return 0;
   }
   link_bounds::checkMasterUri(argc, argv);
-  ros::init(argc, argv, "link_bounds_publisher");
-  // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
-  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  ros::init(argc, argv, "link_bounds_publisher", ros::init_options::NoSigintHandler);
+  link_bounds::endOnSignals();
   for (const std::string& warning : line.warnings)
     ROS_WARN("%s", link_bounds::logText(warning).c_str());
   link_bounds::PublisherNode node;

@@ -27,7 +27,7 @@ const ros::WallDuration kDiagnosticsPeriod(1.0);
 constexpr std::chrono::milliseconds kMaxWait(100);  // until a shutdown is noticed
 
 /// Messages that wait for longer than this, or more of them, are taken together.
-constexpr std::chrono::milliseconds kMaxAge(20);
+constexpr std::chrono::milliseconds kMaxBacklogAge(20);
 
 constexpr std::size_t kMaxWaiting = 64;
 
@@ -64,7 +64,8 @@ void PublisherNode::guardMessage(const std::function<void()>& body) {
 PublisherNode::PublisherNode()
     : node_(nodeHandle("", queue_)),
       private_node_(nodeHandle("~", queue_)),
-      feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); }}),
+      feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); },
+             [this](const std::string& node) { return master_watch_->hasLeft(node); }}),
       output_(periodic_, private_node_, scene_, guard_, treeRequests()),
       diagnostics_(node_),
       tf_receiver_(node_,
@@ -100,7 +101,8 @@ PublisherNode::PublisherNode()
   };
   handlers.on_tree = [this](const auto& request, const auto& tree) { onTree(request, tree); };
   loader_ = std::make_unique<ModelLoader>(node_, private_node_, queue_, std::move(handlers));
-  master_watch_ = std::make_unique<MasterWatch>();
+  master_watch_ =
+      std::make_unique<MasterWatch>(private_node_.resolveName(privateName(kNeighboursTopic)));
 }
 
 /// Distances and paths request trees from the loader.
@@ -178,7 +180,7 @@ void PublisherNode::spin() {
 void PublisherNode::callWaiting() {
   const auto begin = std::chrono::steady_clock::now();
   const TimedQueue::Backlog backlog = queue_.backlog();
-  const bool is_behind = backlog.count > kMaxWaiting || backlog.oldest > kMaxAge;
+  const bool is_behind = backlog.count > kMaxWaiting || backlog.oldest > kMaxBacklogAge;
   feed_.setJoining(is_behind);
   queue_.callOne();
   for (std::size_t i = 1; is_behind && i < backlog.count && queue_.callOne(); ++i) {

@@ -129,8 +129,10 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
   const py::object encode = py::module::import("os").attr("fsencode");
   const std::string given = py::cast<std::string>(encode(urdf));
   if (given.empty()) throw py::value_error("the name of the URDF file is empty");
-  const std::size_t begin = given.find_first_not_of(" \t\r\n");
+  const std::size_t begin = given.find_first_not_of(" \t\r\n\xEF\xBB\xBF");  // the last: a BOM
   const bool is_text = begin != std::string::npos && given[begin] == '<';
+  if (!is_text && given.find('\0') != std::string::npos)
+    throw py::value_error("the name of the URDF file has a null byte");
   request.text = is_text ? given : textOfFile(given, "a URDF");
   request.base_folder = is_text ? "." : folderOf(given);
   if (geometry != "visual" && geometry != "collision" && geometry != "both")

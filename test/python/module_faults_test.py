@@ -216,6 +216,11 @@ class RobotFaultsTest(UrdfBoundsTest):
         circle = ARM.replace(turn, turn + '<mimic joint="follow"/>')
         self.check('mimics in a circle', link_bounds.Robot, circle, error=link_bounds.RobotError)
 
+    def test_names_of_files_and_texts(self):
+        self.check('file has a null byte', link_bounds.Robot, DEMO + '\0.urdf')
+        marked = link_bounds.Robot('\ufeff' + ARM)  # a BOM
+        self.assertEqual(marked.links, link_bounds.Robot(ARM).links)
+
     def test_a_build_without_pybind11(self):
         """Has the messages' package alone, and says so where a robot is asked for."""
         folder = os.path.dirname(self.write('link_bounds/__init__.py', INIT.read_text('utf-8')))

@@ -3,11 +3,26 @@
 // Conversions of single values.
 #include "node/interface/parameter_reader.h"
 
+#include <cstdlib>
+
 #include "node/interface/parameter_text.h"
 
 namespace link_bounds {
 
 using XmlRpc::XmlRpcValue;
+
+namespace {
+
+/// A text that is one, such as 1e-2.
+bool isNumber(XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeString) return false;
+  const std::string& text = static_cast<std::string&>(value);
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && end == text.c_str() + text.size();
+}
+
+}  // namespace
 
 std::string fromXml(XmlRpcValue& value, std::string& out) {
   if (value.getType() != XmlRpcValue::TypeString) return "a string";
@@ -33,7 +48,8 @@ std::string fromXml(XmlRpcValue& value, double& out) {
   } else if (value.getType() == XmlRpcValue::TypeDouble) {
     out = static_cast<double&>(value);
   } else {
-    return "a number";
+    return isNumber(value) ? "a number; YAML takes one with e, but without a point, for text"
+                           : "a number";
   }
   return "";
 }

@@ -46,7 +46,7 @@ std::string fromXml(XmlRpc::XmlRpcValue& value, std::map<std::string, T>& out) {
   out.clear();
   for (auto& [key, entry] : value) {
     std::string expected = fromXml(entry, out[key]);
-    if (!expected.empty()) return expected;
+    if (!expected.empty()) return "a map of which \"" + key + "\" is " + expected;
   }
   return "";
 }

@@ -15,7 +15,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 const ros::WallDuration kTimeout(10.0);
-const ros::WallDuration kPause(0.1);
+const ros::WallDuration kRetryPause(0.1);
 
 std::string remapped(const std::string& name) {
   const auto& remappings = ros::names::getUnresolvedRemappings();
@@ -53,7 +53,7 @@ std::optional<XmlRpcValue> ParameterServer::call(const std::string& method,
     const auto answer = callXmlRpc(rosMaster(), method, arguments, is_cancelled_, left);
     if (answer) return answer->isSuccess() ? std::optional(answer->value) : std::nullopt;
     if (is_cancelled_()) break;
-    kPause.sleep();
+    kRetryPause.sleep();
   }
   throw NoMaster("the ROS master does not answer " + method + " of " + name);
 }

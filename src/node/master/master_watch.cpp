@@ -9,19 +9,22 @@
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
+#include <algorithm>
 #include <utility>
-
-#include "node/master/registration.h"
 
 namespace link_bounds {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod(1000);  // how late a new master is noticed
+constexpr int kSettled =
+    10;  // ticks; link_bounds nodes register with a new master within half of that
 
 }  // namespace
 
-MasterWatch::MasterWatch()
-    : worker_({"master watch", false, [this] { return onTick(); }, kPeriod}) {}
+MasterWatch::MasterWatch(std::string topic)
+    : topic_(std::move(topic)),
+      known_for_(kSettled),
+      worker_({"master watch", false, [this] { return onTick(); }, kPeriod}) {}
 
 bool MasterWatch::onTick() {
   try {
@@ -43,6 +46,7 @@ void MasterWatch::poll() {
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
   if (worker_.isStopping()) return;
+  known_for_ = registration == Registration::kKnown ? std::min(known_for_ + 1, kSettled) : 0;
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) {
     // A new one may know the node by what else the process registers, before it is asked.
@@ -63,6 +67,31 @@ void MasterWatch::poll() {
     must_register_ = !registerAgain(master, caller({"localhost", port}));
   }
   if (!must_register_) reportBack();
+  lookForPublishers(master);
+}
+
+bool MasterWatch::hasLeft(const std::string& node) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  asked_.insert(node);
+  return left_.erase(node) > 0;
+}
+
+void MasterWatch::lookForPublishers(const XmlRpcCall& master) {
+  std::set<std::string> left;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::swap(left, asked_);
+    left_.clear();
+  }
+  if (known_for_ < kSettled) left.clear();
+  if (!left.empty()) {
+    const auto publishers = publishersOf(master, topic_);
+    if (!publishers) return;
+    for (const std::string& node : *publishers)
+      left.erase(node);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  left_ = std::move(left);
 }
 
 void MasterWatch::reportLost(const char* reason) {

@@ -3,6 +3,11 @@
 // A thread that keeps the node known to the ROS master, also to one that was restarted.
 #pragma once
 
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "node/master/registration.h"
 #include "node/threads/worker.h"
 
 namespace link_bounds {
@@ -12,21 +17,33 @@ namespace link_bounds {
 /// Has its own thread, because a call to a master that is gone may take seconds to fail.
 class MasterWatch {
  public:
-  MasterWatch();
+  /// `topic`, by its full name, is that of which hasLeft() speaks.
+  explicit MasterWatch(std::string topic = "");
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
+
+  /// Whether no node of that name published the topic any more, as the master said at the newest
+  /// tick, if that was asked before it. False for kSettled ticks after the master was lost: a new
+  /// one does not know all nodes at once. From any thread.
+  bool hasLeft(const std::string& node);
 
  private:
   bool onTick();
   void poll();
+  void lookForPublishers(const XmlRpcCall& master);
   void reportLost(const char* reason);
   void reportNameTaken();
   void reportBack();
 
+  const std::string topic_;
   bool is_lost_ = false;
   bool is_name_told_ = false;  ///< that another node has the name, since it was lost
   bool name_is_taken_ = false;
   bool must_register_ = false;
+  int known_for_;     ///< ticks since it was lost, at most
+  std::mutex mutex_;  ///< of the next two
+  std::set<std::string> asked_;
+  std::set<std::string> left_;
   Worker worker_;  ///< last: its thread ends before the rest goes
 };
 

@@ -97,6 +97,20 @@ Registration queryRegistration(const XmlRpcCall& master) {
   return answer->value == XmlRpcValue(ownUri()) ? Registration::kKnown : Registration::kNameTaken;
 }
 
+std::optional<std::set<std::string>> publishersOf(const XmlRpcCall& master,
+                                                  const std::string& topic) {
+  auto state = request(master, "getSystemState", arguments());
+  if (!state) return std::nullopt;
+  std::set<std::string> result;
+  XmlRpcValue& topics = (*state)[0];
+  for (int i = 0; i < topics.size(); ++i) {
+    if (static_cast<std::string>(topics[i][0]) != topic) continue;
+    for (int node = 0; node < topics[i][1].size(); ++node)
+      result.insert(topics[i][1][node]);
+  }
+  return result;
+}
+
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node) {
   return registerPublishers(master, node) && registerSubscribers(master, node) &&
          registerServices(master);

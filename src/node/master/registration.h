@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "node/interface/xmlrpc_call.h"
@@ -21,6 +22,10 @@ using XmlRpcCall = std::function<std::optional<XmlRpcAnswer>(const std::string& 
 
 /// kNameTaken: another node has registered under the name of this one.
 Registration queryRegistration(const XmlRpcCall& master);
+
+/// The nodes that publish the topic; nothing if the master does not answer.
+std::optional<std::set<std::string>> publishersOf(const XmlRpcCall& master,
+                                                  const std::string& topic);
 
 /// Registers all publishers, subscribers and services of this node; no connection is lost. `node`
 /// calls this node itself, which lists its topics. False if a call fails.

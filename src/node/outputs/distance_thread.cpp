@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 /// How late it may request the tree of a mesh that has settled, or notice that nobody listens.
 constexpr std::chrono::milliseconds kLookEvery(50);
-constexpr std::chrono::seconds kPause(1);  ///< after an exception
+constexpr std::chrono::seconds kPauseAfterException(1);  ///< after an exception
 
 }  // namespace
 
@@ -75,7 +75,7 @@ bool DistanceThread::onTick() {
   } catch (...) {
     is_whole_ = false;
     has_news_ = true;
-    not_before_ = Clock::now() + kPause;
+    not_before_ = Clock::now() + kPauseAfterException;
     if (!callbacks_.is_wanted()) drop();
     throw;
   }

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxCornerJoints = 6;
 constexpr double kShare = LINK_BOUNDS_SHARE_OF_MOTION;
 
 /// Of a point at distance 1 from the axis.
-double chordOf(double half_width) {
+double chordOfTurn(double half_width) {
   return 2 * std::sin(std::min(half_width, M_PI) / 2);
 }
 
@@ -60,7 +60,7 @@ void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
 
 void MotionBound::measure(Side& side, std::size_t joint) {
   double move = half_widths_[joint];
-  if (path_.joints[joint].motion == Motion::kRotation) move = chordOf(move) * lever(side, joint);
+  if (path_.joints[joint].motion == Motion::kRotation) move = chordOfTurn(move) * lever(side, joint);
   side.joints.push_back(joint);
   side.moves.push_back(kShare * move);
 }
@@ -157,7 +157,7 @@ double MotionBound::remainder(const Side& side) const {
     const double width = half_widths_[inner];
     double speed = 1;
     if (path_.joints[inner].motion == Motion::kRotation) {
-      const double chord = chordOf(width);
+      const double chord = chordOfTurn(width);
       speed = (chord > 0 ? side.moves[i] / chord : 0) + beyond;
       sum += width * width * speed / 2;
     }

@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 import rosgraph
 import rospkg
 import rospy
-from sign_of_life import MAX_AGE
+from sign_of_life import MAX_AGE, publisher_of
 
 PERIOD = 0.01  # wall s between two looks at the deadline
 REQUIRED = None  # the default of a parameter that has none
@@ -164,6 +164,29 @@ class Hold:
                 f'at most for {self.longest(now):.3g} s,')
 
 
+class Losses:
+    """Counts messages that were published and did not come, by their sequence numbers. A publisher that
+    starts anew begins with a lower one; 0 says nothing, as some publishers have no numbers."""
+
+    def __init__(self):
+        self.count = 0
+        self._numbers = {}  # the last one of each publisher
+
+    def see(self, message):
+        """How many were lost before that one."""
+        publisher, number = publisher_of(message), message.header.seq
+        before = self._numbers.get(publisher, 0)
+        self._numbers[publisher] = number
+        lost = max(0, number - before - 1) if before else 0
+        self.count += lost
+        return lost
+
+    def told(self):
+        """For the report of a failure."""
+        return [f'{self.count} messages of the topic were lost on the way, and nobody knows what they '
+                'said: the machine is too busy, or a relay leaves some out'] if self.count else []
+
+
 class Topic(NamedTuple):
     """What a watch listens to."""
     name: str
@@ -198,13 +221,17 @@ class Watch:
         self.life = life
         self._assertion = assertion
         self._hold = Hold(assertion.hold)
+        self._losses = Losses()
         self._last = None
+        self._last_time = 0.0
         self._is_kept = False  # by the last message
         self._has_lost_publisher = False
 
     def see(self, message, now):
         self.life.see(message, now)
-        self._last = message
+        if self._losses.see(message):
+            self._hold.update(False, self._last_time)
+        self._last, self._last_time = message, now
         self._has_lost_publisher = False
         self._is_kept = self.is_kept_by(message)
         self.look(now)
@@ -233,7 +260,7 @@ class Watch:
         if self._last is None:
             return "no message came; is the topic's name right?"
         lost = ['nobody publishes this topic any more'] if self._has_lost_publisher else []
-        return '\n'.join(self.told() + lost + self.life.told())
+        return '\n'.join(self.told() + lost + self._losses.told() + self.life.told())
 
 
 class TopicTest(unittest.TestCase):

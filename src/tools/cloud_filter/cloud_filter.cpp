@@ -3,13 +3,13 @@
 // Starts the program.
 #include <ros/ros.h>
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
 
 #include "node/interface/command_line.h"
+#include "node/interface/end_signals.h"
 #include "node/interface/usage.h"
 #include "node/master/master_uri.h"
 #include "node/master/master_watch.h"
@@ -47,9 +47,8 @@ int run(int argc, char** argv) {
     return 0;
   }
   link_bounds::checkMasterUri(argc, argv);
-  ros::init(argc, argv, "cloud_filter");
-  // roscpp handles SIGINT only; roslaunch and service managers also send SIGTERM.
-  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  ros::init(argc, argv, "cloud_filter", ros::init_options::NoSigintHandler);
+  link_bounds::endOnSignals();
   for (const std::string& warning : line.warnings)
     ROS_WARN("%s", link_bounds::logText(warning).c_str());
   link_bounds::CloudFilterNode node(ros::NodeHandle(), ros::NodeHandle("~"), ros::requestShutdown);

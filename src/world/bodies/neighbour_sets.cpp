@@ -31,6 +31,8 @@ bool NeighbourSets::take(const AxisAlignedBoxArray& array, const NeighbourSender
                          ros::Time now) {
   NeighbourBoxes boxes = neighbourBoxes(array, sender.name);
   Sender& from = senders_[sender.name];
+  const bool is_anew = from.has_connection && from.connection.lock() != sender.connection;
+  if (is_anew && boxes.contents.empty()) return false;
   from.connection = sender.connection;
   from.has_connection = sender.connection != nullptr;
   from.lost_since.reset();
@@ -130,10 +132,10 @@ bool NeighbourSets::removeAll(const Set& set) {
   return is_changed;
 }
 
-bool NeighbourSets::removeEnded(ros::SteadyTime now) {
+bool NeighbourSets::removeEnded(ros::SteadyTime now, const HasLeft& has_left) {
   bool is_changed = false;
   for (auto sender = senders_.begin(); sender != senders_.end();) {
-    if (hasEnded(sender->second, now)) {
+    if (isLost(sender->second, now) && has_left(sender->first)) {
       for (const Set& set : sender->second.sets)
         is_changed |= removeAll(set);
       sender->second.sets.clear();
@@ -144,7 +146,7 @@ bool NeighbourSets::removeEnded(ros::SteadyTime now) {
   return is_changed;
 }
 
-bool NeighbourSets::hasEnded(Sender& sender, ros::SteadyTime now) const {
+bool NeighbourSets::isLost(Sender& sender, ros::SteadyTime now) const {
   if (!sender.has_connection || !sender.connection.expired()) return false;
   if (!sender.lost_since) sender.lost_since = now;
   return now - *sender.lost_since >= ros::WallDuration(kFarewell);

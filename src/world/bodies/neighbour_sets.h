@@ -5,6 +5,7 @@
 
 #include <boost/shared_ptr.hpp>
 #include <boost/weak_ptr.hpp>
+#include <functional>
 #include <list>
 #include <optional>
 
@@ -21,9 +22,15 @@ struct NeighbourSender {
   boost::shared_ptr<const void> connection = nullptr;
 };
 
+/// Whether the node of that name has ended in order. A connection also ends where a node was killed
+/// and started again, and where a new master does not know all nodes yet. Asked at each tick until
+/// it says yes, or the node sends.
+using HasLeft = std::function<bool(const std::string& node)>;
+
 /// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender
 /// says in one frame of links of which at least one is the same in each message. Messages without
-/// links are one more set of their sender and frame. Functions return true if a box, a stamp or an
+/// links are one more set of their sender and frame. An empty message of a sender that was started again
+/// does not end what it had before: it may not know its robot yet. Functions return true if a box, a stamp or an
 /// incomplete name changed.
 class NeighbourSets {
  public:
@@ -39,8 +46,9 @@ class NeighbourSets {
   /// to another object has the frame in its name; if that name is taken, too, it is refused.
   bool take(const AxisAlignedBoxArray& array, const NeighbourSender& sender, ros::Time now);
 
-  /// Removes the boxes of senders that have ended, and forgets sets without boxes.
-  bool removeEnded(ros::SteadyTime now);
+  /// Removes the boxes of senders that have ended in order, and forgets sets without boxes. Others
+  /// whose connection has ended are silent.
+  bool removeEnded(ros::SteadyTime now, const HasLeft& has_left);
 
   /// What was logged may be logged again.
   void forgetLog() { log_.forget(); }
@@ -69,7 +77,7 @@ class NeighbourSets {
   ObjectKey freeKey(const std::vector<std::string>& names, const Set& set,
                     const std::map<ObjectKey, ObjectContent>& taken) const;
   bool removeAll(const Set& set);
-  bool hasEnded(Sender& sender, ros::SteadyTime now) const;
+  bool isLost(Sender& sender, ros::SteadyTime now) const;
   void forgetEmptySets(Sender& sender) const;
 
   LiveObjects& objects_;

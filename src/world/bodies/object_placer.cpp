@@ -7,7 +7,7 @@ namespace link_bounds {
 namespace {
 
 /// How long to wait for a transform if nothing ever becomes stale [ROS s].
-constexpr double kPatience = 10;
+constexpr double kUnknownTimeout = 10;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ std::optional<Eigen::Affine3d> ObjectPlacer::poseAt(std::int64_t stamp, Frame fr
 }
 
 bool ObjectPlacer::hasWaitedLong(std::int64_t since, ros::Time now) const {
-  const double patience = frames_.timeout() > 0 ? frames_.timeout() : kPatience;
+  const double patience = frames_.timeout() > 0 ? frames_.timeout() : kUnknownTimeout;
   const auto waited = static_cast<std::int64_t>(now.toNSec()) - since;
   return static_cast<double>(waited) > patience * 1e9;
 }

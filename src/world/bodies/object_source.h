@@ -38,7 +38,9 @@ class ObjectSource {
   }
 
   /// To be called now and then: removes the boxes of nodes that have ended.
-  bool removeEndedNeighbours(ros::SteadyTime now) { return neighbours_.removeEnded(now); }
+  bool removeEndedNeighbours(ros::SteadyTime now, const HasLeft& has_left) {
+    return neighbours_.removeEnded(now, has_left);
+  }
 
   bool fillMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time now);
 

@@ -72,7 +72,8 @@ void SceneFeed::onMesh(const std::string& uri, const LoadedMesh& mesh, ros::Time
 void SceneFeed::onTick(ros::Time now) {
   observeClock(now);
   update(now);
-  const bool has_ended = object_source_.removeEndedNeighbours(ros::SteadyTime::now());
+  const bool has_ended =
+      object_source_.removeEndedNeighbours(ros::SteadyTime::now(), handlers_.has_left);
   const bool is_changed = scene_.expire(now) || has_ended;
   object_source_.warnOfGivenUp(now);
   if (is_changed) onNews();

@@ -28,6 +28,7 @@ class SceneFeed {
     /// A box, a stamp or an incomplete name changed. Called only if there is a model, and at most
     /// once for each update, tick and jump of the clock.
     std::function<void()> on_news;
+    HasLeft has_left = [](const std::string&) { return false; };  ///< of neighbours
   };
 
   /// See ClockWatch of `steady_now`.

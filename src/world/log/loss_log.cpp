@@ -6,17 +6,17 @@
 namespace link_bounds {
 namespace {
 
-const ros::WallDuration kPatience(5.0);
+const ros::WallDuration kReportAfter(5.0);
 
 }  // namespace
 
 std::vector<std::size_t> LossLog::due(const std::vector<std::string>& lost, ros::SteadyTime now) {
   observe(lost, now);
   std::vector<std::size_t> result;
-  if (!last_report_.isZero() && now - last_report_ < kPatience) return result;
+  if (!last_report_.isZero() && now - last_report_ < kReportAfter) return result;
   for (std::size_t i = 0; i < lost.size(); ++i) {
     Loss& loss = losses_.at(lost[i]);
-    if (loss.is_reported || now - loss.since < kPatience) continue;
+    if (loss.is_reported || now - loss.since < kReportAfter) continue;
     loss.is_reported = true;
     last_report_ = now;
     result.push_back(i);

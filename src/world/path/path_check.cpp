@@ -66,10 +66,12 @@ void PathCheck::proveNext(const std::function<bool()>& is_over) {
   if (segment.verdict == PathSegment::UNDECIDED && undecided_++ == 0) {
     response_.message =
         "the segment from points[" + std::to_string(segment.start) + "] on is not decided: ";
-    response_.message += scene_.pairs.empty()         ? "the trajectory moves no pair of bodies"
-                         : !scene_.incomplete.empty() ? scene_.problem
-                         : is_over() ? "the 10 s of a request were over; send fewer points"
-                                     : "a contact grazes, or triangles are missing";
+    response_.message +=
+        scene_.pairs.empty()         ? "the trajectory moves no pair of bodies"
+        : !scene_.incomplete.empty() ? scene_.problem
+        : is_over()
+            ? "the 10 s of a request were over; send fewer points"
+            : "a contact grazes, triangles are missing, or it is too long; send points between";
   }
   response_.segments.push_back(std::move(segment));
 }

@@ -11,7 +11,7 @@ namespace link_bounds {
 namespace {
 
 constexpr std::size_t kFilesAtOnce = 8;
-constexpr const char* kLate = "its triangles were not loaded in time; ask again";
+constexpr const char* kNotLoaded = "its triangles were not loaded in time; ask again";
 
 /// Ends the making of a tree.
 struct Over {};
@@ -54,7 +54,7 @@ void PathTrees::loadMeshes(const Meshes& meshes, const IsOver& is_over) {
     points.clear();
   };
   for (const auto& [uri, of_mesh] : meshes) {
-    if (is_over()) return complain(uri + ": " + kLate);
+    if (is_over()) return complain(uri + ": " + kNotLoaded);
     uris.push_back(uri);
     points.push_back(of_mesh);
     if (uris.size() == kFilesAtOnce) load();
@@ -74,7 +74,7 @@ void PathTrees::makeList(const ObjectContent& content, const IsOver& is_over) {
     else
       complain(made.error);
   } catch (const Over&) {
-    complain(content.bounded.name + ": " + kLate);
+    complain(content.bounded.name + ": " + kNotLoaded);
   }
 }
 

@@ -153,7 +153,10 @@ std::optional<ComputedContacts> ContactTimes::compute(PastScene& scene, const St
   result.array.header = boxes.moment->header;
   result.array.incomplete = computed->array.incomplete;
   contacts.write(result.array);
-  if (!boxes.have_poses) result.array.valid_until = ros::Time();
+  const std::vector<Moment::Body>& bodies = boxes.moment->bodies;
+  const bool has_link =
+      std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.link; });
+  if (!boxes.have_poses || !has_link) result.array.valid_until = ros::Time();
   result.problem = boxes.problem;
   is_whole_ = true;
   return result;

@@ -161,9 +161,12 @@ TEST(BodyDistances, ARelativeAccuracyTakesFewerSteps) {
     return bodyDistance(shell.body, rest, ball.body, inside, goal).value();
   };
   const auto stepsNeeded = [&](DistanceGoal goal) {
-    for (goal.max_steps = 1; !reaches(goal, distance(goal)) && goal.max_steps < 10'000;)
-      ++goal.max_steps;
-    return goal.max_steps;
+    std::size_t too_few = 0, enough = 10'000;
+    while (enough - too_few > 1) {
+      goal.max_steps = (too_few + enough) / 2;
+      (reaches(goal, distance(goal)) ? enough : too_few) = goal.max_steps;
+    }
+    return enough;
   };
   const BodyDistance exact = distance({1e-9});
   std::size_t steps = stepsNeeded({1e-9});

@@ -20,8 +20,8 @@ STOP, SLOW = 0.03, 0.1  # m, as in the example
 RATE = 50  # Hz, of tf
 TOLERANCE = 2e-3  # distance_accuracy, divided by SLOW - STOP
 MESSAGES = 20  # in a row
-TWO_BLOCKS = robot([box_link("base", (0.2, 0.2, 0.2)), box_link("tool", (0.2, 0.2, 0.2))],
-                   [("base", "tool")])
+BLOCKS = robot([box_link("base", (0.2, 0.2, 0.2)), box_link("post", (0.1, 0.1, 0.1)),
+                box_link("tool", (0.2, 0.2, 0.2))], [("base", "post"), ("post", "tool")])
 
 
 class SpeedScaling(unittest.TestCase):
@@ -38,7 +38,7 @@ class SpeedScaling(unittest.TestCase):
         consumer = subprocess.Popen([sys.executable, self.script.name], env=os.environ)
         self.addCleanup(consumer.wait)
         self.addCleanup(consumer.kill)
-        rospy.set_param("/robot_description", TWO_BLOCKS)
+        rospy.set_param("/robot_description", BLOCKS)
         rospy.set_param(NODE + "/timeout", 0.2)
         self.node = NodeProcess("link_bounds_publisher")
         self.addCleanup(self.node.end)
@@ -47,7 +47,8 @@ class SpeedScaling(unittest.TestCase):
 
     def start_tf(self):
         sender = Repeater(RATE, lambda: self.tf.send(
-            transform("base", "tool", rospy.Time.now(), (0, 0, 1), (0, 0, 0, 1))))
+            transform("base", "post", rospy.Time.now(), (0, 0, 0.5), (0, 0, 0, 1)),
+            transform("post", "tool", rospy.Time.now(), (0, 0, 0.5), (0, 0, 0, 1))))
         self.addCleanup(sender.stop)
         return sender
 
@@ -92,6 +93,15 @@ class SpeedScaling(unittest.TestCase):
         self.node.end()
         self.wait_for_stop("no motion without the node")
 
+    def test_without_its_links_the_speed_is_zero(self):
+        """An object stands near nothing, so no distance is listed, and nothing is incomplete."""
+        self.start_tf()
+        self.wait_for_factor(1, "full speed while nothing is near")
+        load(NODE, BLOCKS, links=["base"])
+        self.wait_for_stop("no motion while the tool is not watched")
+        load(NODE, BLOCKS)
+        self.wait_for_factor(1, "full speed once it is")
+
     def test_what_the_arm_holds_does_not_stop_it(self):
         """The two recipes together: what is held touches the tool, as it does the gripper."""
         self.start_tf()
@@ -99,7 +109,7 @@ class SpeedScaling(unittest.TestCase):
         self.objects.send(marker("held/1", 1, (0.1, 0.1, 0.2), Pose((0, 0, 0.2)), frame="tool",
                                  frame_locked=True))
         self.wait_for_stop("no motion while something touches the tool")
-        load(NODE, TWO_BLOCKS, attached={"tool": ["held/*"]})
+        load(NODE, BLOCKS, attached={"tool": ["held/*"]})
         self.wait_for_factor(1, "full speed with what is held")
         self.objects.send(marker("ball/0", 2, (0.1, 0.1, 0.1), Pose((0.15, 0, 1.2))))
         self.wait_for_factor((0.05 - STOP) / (SLOW - STOP), "slow near what is held")

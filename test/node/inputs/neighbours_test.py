@@ -122,6 +122,18 @@ class Neighbours(unittest.TestCase):
         self.boxes.wait(lambda m: not m.boxes and m.incomplete == names, "it is silent")
         self.expect_nothing()
 
+    def test_one_that_is_killed_and_started_again_is_silent_until_it_sends(self):
+        """What it sends first is empty, as it does not know its robot yet."""
+        self.start(4.0)
+        player = self.play(self.bag_of(self.topic, [array_of(LINKS)] * COUNT), "again", "-l")
+        names = ["/again/" + link for link in LINKS]
+        self.boxes.wait(lambda m: names_of(m) == names and not m.incomplete, "boxes")
+        self.end(player, signal.SIGKILL)
+        self.boxes.clear()
+        self.play(self.bag_of(self.topic, [array_of([])] * COUNT), "again", "-l")
+        message = self.boxes.wait(lambda m: not m.boxes, "no boxes")
+        self.assertEqual(message.incomplete, names)
+
     def test_a_bag_player_with_two_robots(self):
         self.start(FOREVER)
         self.play(self.two_robots(self.topic), "player")

@@ -77,6 +77,14 @@ class StartUp(unittest.TestCase):
                     self.check_refused(node, "parameter ~%s is " % name)
                     self.assertIn(" is %s, but must" % QUOTED.get(repr(value), value), node.output)
 
+    def test_what_is_wrong_within_a_value_is_told(self):
+        for name, value, text in (
+                ("groups", {"arm": "base"}, 'must be a map of which "arm" is a list of strings'),
+                ("link_padding", {"base": "2cm"}, 'must be a map of which "base" is a number'),
+                ("padding", "1e-2", "a number; YAML takes one with e, but without a point, for text")):
+            with self.subTest(name=name):
+                self.check_refused(self.start(ARMS, **{name: value}), text)
+
     def test_a_list_on_the_command_line_is_told_where_lists_belong(self):
         rospy.set_param("/robot_description", ARMS)
         for argument in ("_links:=[base]", "_groups:={arm: [left]}", "_marker_color:=[1, 0, 0, 1]"):

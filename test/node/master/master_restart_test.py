@@ -170,6 +170,16 @@ class MasterRestart(unittest.TestCase):
         self.assertLess(time.monotonic() - start, PROMPT)
 
 
+    def test_a_node_ends_though_the_master_hangs(self):
+        """By SIGALRM: it cannot unregister."""
+        self.addCleanup(self.master.start)
+        self.addCleanup(self.master.kill)
+        self.master.signal(signal.SIGSTOP)
+        for number in signal.SIGTERM, signal.SIGINT, signal.SIGTERM:
+            self.node.interrupt(number)
+        self.assertEqual(self.node.wait(), -signal.SIGALRM)
+
+
 def send_tf_for_ever():
     """A node that the first master never saw."""
     rospy.init_node(STRANGER)

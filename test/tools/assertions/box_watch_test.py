@@ -47,9 +47,9 @@ def assertion(check, wanted=WANTED):
     return assert_box.Assertion('/boxes', 'palm', check, wanted, TOLERANCE, 10.0, 0.0)
 
 
-def message_of(name, box=CUBE, incomplete=()):
+def message_of(name, box=CUBE, incomplete=(), seq=0):
     return AxisAlignedBoxArray(
-        header=Header(frame_id='world'), incomplete=list(incomplete),
+        header=Header(frame_id='world', seq=seq), incomplete=list(incomplete),
         boxes=[AxisAlignedBox(name=name, min=Point(*box.min), max=Point(*box.max))])
 
 
@@ -228,6 +228,27 @@ class Watch(unittest.TestCase):
         self.watch.see(message_of('palm'), 1.0)
         self.watch.lose_publisher("~boxes", 1.5)
         self.check_failure('nobody publishes')
+
+    def see_numbers(self, *numbers):
+        """A message every 0.3 s from 1 s on."""
+        for place, seq in enumerate(numbers):
+            self.watch.see(message_of('palm', seq=seq), 1 + 0.3 * place)
+
+    def test_a_lost_message_is_a_break(self):
+        self.see_numbers(7, 8, 9, 12)
+        self.assertFalse(self.watch.is_passed(2.8))
+        self.watch.see(message_of('thumb', seq=13), 2.8)
+        self.check_failure('2 messages of the topic were lost', 'at most for 0.9 s')
+        self.setUp()
+        self.see_numbers(7, 8, 9, 12)
+        self.assertTrue(self.watch.is_passed(2.9))  # a second after the newest one
+
+    def test_a_publisher_without_numbers_or_that_begins_anew_has_lost_none(self):
+        for numbers in (7, 8, 9, 10), (0, 0, 0, 0), (0, 9, 10, 11), (9, 0, 1, 2), (9, 9, 9, 10):
+            with self.subTest(numbers):
+                self.setUp()
+                self.see_numbers(*numbers)
+                self.assertTrue(self.watch.is_passed(2.0))
 
     def test_silence_is_a_break(self):
         self.watch = assert_box.BoxWatch(assert_box.assertion_from(dict(PALM_INSIDE, hold=4)))

@@ -128,8 +128,12 @@ class NeighbourSequencesTest : public NeighboursTest {
         !are_static.empty() && std::count(are_static.begin(), are_static.end(), false) == 0;
     for (auto& [box, thing] : things)
       thing.stays = thing.x ? thing.is_static : is_still;
-    if (ModelSet* const set = setOf(sender, frame, links, things.empty())) fill(*set, things);
+    const bool is_known = !things.empty() || !restarted_.count(sender);
+    ModelSet* const set = is_known ? setOf(sender, frame, links, things.empty()) : nullptr;
+    if (set) fill(*set, things);
+    if (is_known) restarted_.erase(sender);
     std::shuffle(array.boxes.begin(), array.boxes.end(), random_);
+    left_.erase(sender);
     connections_.try_emplace(sender, boost::make_shared<int>());
     source_.takeNeighbour(array, {sender, connections_[sender]}, now_);
   }
@@ -181,13 +185,20 @@ class NeighbourSequencesTest : public NeighboursTest {
 
   void endSenders(double seconds) {
     wall_ += ros::WallDuration(seconds);
-    source_.removeEndedNeighbours(wall_);
+    source_.removeEndedNeighbours(
+        wall_, [this](const std::string& name) { return left_.count(name) > 0; });
   }
 
   void endOne() {
     if (connections_.empty()) return;
     const auto ended = std::next(connections_.begin(), pick(static_cast<int>(connections_.size())));
-    sets_.remove_if([&](const ModelSet& set) { return set.sender == ended->first; });
+    if (pick(2) == 0) {  // else it was started again, and is silent until it sends
+      left_.insert(ended->first);
+      restarted_.erase(ended->first);
+      sets_.remove_if([&](const ModelSet& set) { return set.sender == ended->first; });
+    } else {
+      restarted_.insert(ended->first);
+    }
     connections_.erase(ended);
     endSenders(0);
     endSenders(0.6);
@@ -226,6 +237,8 @@ class NeighbourSequencesTest : public NeighboursTest {
   std::map<std::string, std::string> publishers_;  ///< the last one of a marker, by name
   std::list<ModelSet> sets_;
   std::map<std::string, boost::shared_ptr<int>> connections_;
+  std::set<std::string> restarted_;  ///< who has not sent a box since it was started again
+  std::set<std::string> left_;       ///< who has ended in order since it sent
   ros::SteadyTime wall_{1000};
 };
 

@@ -37,8 +37,11 @@ class NeighbourSetsTest : public NeighboursTest {
 
   /// After so much wall time [s].
   bool removeEnded(double seconds) {
-    return source_.removeEndedNeighbours(ros::SteadyTime(1000 + seconds));
+    const auto has_left = [this](const std::string&) { return has_left_; };
+    return source_.removeEndedNeighbours(ros::SteadyTime(1000 + seconds), has_left);
   }
+
+  bool has_left_ = true;  ///< in order, who has lost its connection
 };
 
 TEST_F(NeighbourSetsTest, ARelayMayCarryTwoRobots) {
@@ -242,6 +245,24 @@ TEST_F(NeighbourSetsTest, ASenderThatEndsLeavesNothing) {
   EXPECT_FALSE(removeEnded(100.4));
   EXPECT_TRUE(removeEnded(100.6));
   EXPECT_EQ(names(), Names{"/left/arm"});
+}
+
+TEST_F(NeighbourSetsTest, ASenderThatHasNotLeftIsSilent) {
+  auto connection = boost::make_shared<int>();
+  takeFrom(connection, boxesOf({"arm"}));
+  connection.reset();
+  has_left_ = false;
+  EXPECT_FALSE(removeEnded(0));
+  EXPECT_FALSE(removeEnded(100));
+  EXPECT_EQ(names(), Names{"/right/bounds/arm"});
+  pass(3);
+  EXPECT_FALSE(removeEnded(103));
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/arm"});
+  takeFrom(boost::make_shared<int>(), boxesOf({}));  // started again, without a robot yet
+  EXPECT_EQ(incomplete(), Names{"/right/bounds/arm"});
+  has_left_ = true;
+  EXPECT_TRUE(removeEnded(104));
+  EXPECT_EQ(names(), Names{});
 }
 
 TEST_F(NeighbourSetsTest, ASenderThatConnectsAgainKeepsItsBoxes) {

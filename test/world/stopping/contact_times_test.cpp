@@ -174,6 +174,14 @@ TEST(ContactTimes, WhatHasNoPoseEndsAllValidity) {
   EXPECT_TRUE(robot.earliest(kStamp + 3).valid_until.isZero());  // stale
 }
 
+TEST(ContactTimes, WithoutALinkNothingIsValid) {
+  Parameters parameters = parametersOf("rail", 2);
+  parameters.links = {"no_such_link"};
+  MovingRobot robot(carts(), parameters);
+  stand(robot, {0, 1.2});
+  EXPECT_TRUE(robot.earliest().valid_until.isZero());
+}
+
 using Names = std::vector<std::string>;
 
 /// A box that reaches from x = 1.5 m on, in front of the right cart.
