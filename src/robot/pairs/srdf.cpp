@@ -27,6 +27,22 @@ bool isOfPairs(const tinyxml2::XMLElement& element) {
                   (line > 0 ? ", line " + std::to_string(line) : std::string()) + ": " + reason);
 }
 
+/// A URDF has the same root, and a misspelled element would disable nothing.
+void refuseOther(const tinyxml2::XMLElement& element, const std::string& file) {
+  const std::string name = element.Name();
+  const bool is_of_urdf = element.FirstChildElement("visual") ||
+                          element.FirstChildElement("collision") ||
+                          element.FirstChildElement("parent");
+  if (is_of_urdf && (name == "link" || name == "joint")) {
+    refuse(file, element.GetLineNum(),
+           "it is a URDF, with a <" + name + "> that has a shape or a parent; give the SRDF");
+  }
+  if (!isOfPairs(element) && element.Attribute("link1") && element.Attribute("link2")) {
+    refuse(file, element.GetLineNum(),
+           "<" + name + "> is no element of a SRDF; write <disable_collisions>");
+  }
+}
+
 std::string linkOf(const tinyxml2::XMLElement& element, const char* attribute, const Robot& robot,
                    const std::string& file) {
   const char* name = element.Attribute(attribute);
@@ -81,6 +97,11 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
            std::string("the root element is ") + (root ? root->Name() : "missing") +
                ", not <robot>; give a SRDF");
   }
+  if (const auto* const second = root->NextSiblingElement()) {
+    refuse(file, second->GetLineNum(),
+           std::string("a second root, <") + second->Name() +
+               ">, is left out by all who read it; put its elements into the first");
+  }
   std::vector<DisabledPair> pairs;
   std::set<std::pair<std::string, std::string>> enabled;
   std::vector<std::string> by_default;
@@ -91,6 +112,7 @@ std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
              "it is a xacro file, with an element <" + name +
                  ">; expand it by xacro FILE > robot.srdf");
     }
+    refuseOther(*child, file);
     if (name == kOfLink) by_default.push_back(linkOf(*child, "link", robot, file));
     if (name != kElement && name != kException) continue;
     const std::string first = linkOf(*child, "link1", robot, file);
@@ -121,7 +143,7 @@ std::string otherRobotWarning(const std::string& text, const Robot& robot,
 Exemptions::Exemptions(const std::vector<DisabledPair>& pairs) {
   for (const DisabledPair& pair : pairs) {
     const auto [entry, is_new] = reasons_.try_emplace(sorted(pair.first, pair.second), pair.reason);
-    if (!is_new && pair.reason == kAlways) entry->second = kAlways;
+    if (!is_new && pair.reason == kAlwaysReason) entry->second = kAlwaysReason;
   }
 }
 

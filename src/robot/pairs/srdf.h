@@ -28,15 +28,15 @@ struct DisabledPair {
 };
 
 /// The reason of links that always collide.
-constexpr char kAlways[] = "Always";
+constexpr char kAlwaysReason[] = "Always";
 
 /// The reason of the pairs of a link with <disable_default_collisions>: those with all other links,
 /// but for the pairs of <enable_collisions>.
 constexpr char kByDefault[] = "Default";
 
 /// In the order of the text, then those by default; all other elements are left out. `file` is
-/// named in errors. Throws SrdfError for a text that is no SRDF, and for names that are no link of
-/// the robot.
+/// named in errors. Throws SrdfError for a text that is no SRDF, such as a URDF, for a second root,
+/// for elements of two links with another name, and for names that are no link of the robot.
 std::vector<DisabledPair> parseSrdf(const std::string& text, const Robot& robot,
                                     const std::string& file);
 

@@ -12,6 +12,7 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "link_bounds/geometry/box/length.h"
 #include "robot/mesh/weld.h"
 #include "robot/worker/confined_files.h"
+#include "robot/worker/mesh_text.h"
 #include "robot/worker/misread_files.h"
 #include "robot/worker/polygon.h"
 
@@ -94,7 +96,9 @@ constexpr std::array kLosses = {
     "'endsolid' keyword was expected", "not yet complete", "resulted in overflow",
     "unable to find geometry", "dropped", "unable to parse", "vertex index", "invalid index",
     "face index is out of range", "only triangles are supported", "ignoring unrecognized geometry",
-    "dxf: ", "surf token", "invalid vertex reference", "number of kids",
+    "dxf: ", "surf token", "invalid vertex reference", "number of kids", "face record",
+    "index overflow", "<meshref> index", "chunk (metaball", "unknown polygon type",
+    "duplicate object id", "meter parameter",
     // Of errors that may have one of the words below, as in a name.
     "to instanced node", "unresolved reference format", "unexpected eof"};
 
@@ -113,12 +117,6 @@ template <class Parts>
 bool hasAny(const Parts& parts, const std::string& text) {
   return std::any_of(parts.begin(), parts.end(),
                      [&](const char* part) { return text.find(part) != std::string::npos; });
-}
-
-std::string inSmallLetters(std::string text) {
-  for (char& c : text)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 /// Some readers only log what they leave out: an index that is out of range, a number that is too
@@ -151,6 +149,12 @@ class LossLog : public Assimp::Logger {
 
   std::string first_loss_;
 };
+
+/// Assimp finds out most formats by the name; that of a symbolic link does not count.
+std::string hintFor(const Assimp::Importer& importer, const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return importer.IsExtensionSupported(extension) ? "" : "; name it with its extension";
+}
 
 /// A loop, because nodes may be nested more deeply than the stack allows.
 TriangleMesh collectTriangles(const aiScene& scene) {
@@ -188,7 +192,8 @@ TriangleMesh importMesh(const MeshFile& file, std::uint64_t max_bytes,
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     const std::string& too_large = files->tooLarge();
-    if (too_large.empty()) throw MeshError("assimp cannot read it (" + reason + ")");
+    if (too_large.empty())
+      throw MeshError("assimp cannot read it (" + reason + ")" + hintFor(importer, file.path));
     throw MeshError("assimp cannot read it (" + reason + "); " + too_large, MeshFault::kTooLarge);
   }
   checkIndices(*scene);

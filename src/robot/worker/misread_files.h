@@ -9,9 +9,10 @@
 
 namespace link_bounds {
 
-/// Throws MeshError for what assimp leaves out: triangle strips of PLY, faces of many corners of
-/// OFF, extensions of glTF that move vertices; for Collada that reads beyond an array; and for a
-/// text in PLY or OFF that has fewer lines than its header says, or fewer corners than a face says.
+/// Throws MeshError for what assimp leaves out or misreads: numbers that are none to their end,
+/// vertices and faces of OBJ that it skips, wrong indices, triangle strips of PLY, faces of many
+/// corners of OFF, extensions of glTF that move vertices, units and accessors of Collada; and for
+/// texts, and PLY, that hold less or more than their header says.
 void refuseMisread(ConfinedFiles& files, const std::string& path);
 
 }  // namespace link_bounds

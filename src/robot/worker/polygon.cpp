@@ -3,6 +3,7 @@
 // In two dimensions: without the axis along which the polygon is thinnest.
 #include "robot/worker/polygon.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 

@@ -41,7 +41,8 @@ std::size_t characterCount(const std::string& text) {
   return count;
 }
 
-std::string csvField(const std::string& text) {
+std::string csvField(const std::string& field) {
+  const std::string text = validUtf8(field);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text)

@@ -16,8 +16,8 @@ std::string printable(const std::string& text);
 /// The number of characters in valid UTF-8.
 std::size_t characterCount(const std::string& text);
 
-/// By RFC 4180: in quotes if it contains a comma, a quote or a line break.
-std::string csvField(const std::string& text);
+/// By RFC 4180, in valid UTF-8: in quotes if it contains a comma, a quote or a line break.
+std::string csvField(const std::string& field);
 
 /// With its quotes.
 std::string jsonString(const std::string& text);

@@ -56,6 +56,20 @@ TEST(Srdf, ErrorsNameTheFileTheLineAndTheRemedy) {
               "it is a xacro file, with an element <xacro:include>; expand it");
 }
 
+TEST(Srdf, WhatWouldDisableNothingIsRefused) {
+  const std::string good = "<disable_collisions link1='a' link2='b'/>";
+  expectError("<robot>\n<disable_collision link1='a' link2='b'/></robot>",
+              "line 2: <disable_collision> is no element of a SRDF; write <disable_collisions>");
+  expectError("<robot name='r'/>\n<robot>" + good + "</robot>", "line 2: a second root, <robot>");
+  expectError("<robot><link name='a'/>\n<link name='b'><visual/></link></robot>",
+              "line 2: it is a URDF, with a <link> that has a shape or a parent; give the SRDF");
+  expectError("<robot><joint name='j'><parent link='a'/></joint></robot>", "it is a URDF");
+  EXPECT_EQ(errorOf("<?xml version='1.0'?><!-- a --><robot><virtual_joint name='v' child_link='a' "
+                    "parent_frame='world'/>" +
+                    good + "</robot><!-- z -->"),
+            "");
+}
+
 TEST(Srdf, WhatIsWrittenIsReadBack) {
   const std::string line = toSrdf({DisabledPair{"a", "c & \"d\"", "Always"}, ""});
   EXPECT_EQ(line,

@@ -193,6 +193,86 @@ TEST(ImportDae, AnAccessorThatReachesBeyondItsArrayIsRefused) {
   expectRefused("count='5' stride='3'", "count='5' stride='4'");
   expectRefused("count='5' stride='3'", "count='5' stride='3' offset='1'");
   expectRefused("count='5' stride='3'", "count='5' stride='4000000000'");
+  expectRefused("count='5' stride='3'", "count='&#54;' stride='3'");
+  expectRefused("source='#f' count='5'", "source='#&#102;' count='6'");
+  const std::string names =
+      "<extra><Name_array id='a&amp;b' count='1'>c</Name_array><accessor source='#a&amp;b' "
+      "count='1'/></extra>";
+  std::string other = good;
+  other.insert(other.find("</COLLADA>"), names);
+  EXPECT_EQ(importDae(other).triangles.size(), 4u);
+  expectRefused("id='f' count='15'", "count = \"14\"\nid=\"f\"");
+}
+
+/// The plain file with other text in one place.
+std::string daeWith(const std::string& from, const std::string& to) {
+  std::string text = dae(kMetres, node(kInstance));
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+void expectRefusedDae(const std::string& text, const std::string& reason,
+                      const std::string& name = "a.dae") {
+  try {
+    importDae(text, name);
+    ADD_FAILURE() << name << " was accepted, not " << reason;
+  } catch (const MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+  }
+}
+
+TEST(ImportDae, WhatIsNoNumberToItsEndIsRefused) {
+  for (const char* const number : {"1.#INF", "-1.#IND", "9D5", "0x9", "9,999.5"})
+    expectRefusedDae(
+        daeWith("99 99 99", std::string("99 99 ") + number),
+        std::string("\"") + number + "\" is no real number, in the <float_array> of line 1");
+  expectRefusedDae(dae(kMetres, node("<translate>0 0 9D5</translate>" + kInstance)),
+                   "in the <translate> of line 1");
+  for (const char* const number : {"nan", "-INF", "1.e-3", "-.5", "+1", "1E+05", "0,5"})
+    EXPECT_EQ(
+        importDae(daeWith("99 99 99", std::string("99 \n") + number + "\t9 ")).triangles.size(), 4u)
+        << number;
+}
+
+TEST(ImportDae, ANegativeIndexIsRefused) {
+  EXPECT_EQ(importDae(daeWith("0 2 1 0 1 3", "<!-- -1 -->0 2 1 0 1 3")).triangles.size(), 4u);
+  expectRefusedDae(daeWith("0 2 1 0 1 3", "<![CDATA[0 2 1 0 1 -1 ]]>"), "\"-1\" is no index");
+  EXPECT_EQ(importDae(daeWith("0 2 1 0 1 3", "0 2 1 0 1 &#51;")).triangles.size(), 4u);
+  expectRefusedDae(daeWith("0 2 1 0 1 3", "0 2 1 0 1 &#x2d;1"), "\"-1\" is no index");
+  expectRefusedDae(daeWith("0 2 1 0 1 3", "0 2 1 0 1 -1"), "\"-1\" is no index of a vertex");
+}
+
+TEST(ImportDae, AUnitThatIsNoNumberIsRefused) {
+  for (const char* const meter : {"", "abc", "1/1000", " 0.001"})
+    EXPECT_THROW(importDae(dae(std::string("<unit meter='") + meter + "'/>", node(kInstance))),
+                 MeshError)
+        << meter;
+  expectBounds(importDae(dae("<unit name='cm' meter='1.0e-2 '/>", node(kInstance))),
+               posed(Eigen::Affine3d(Eigen::Scaling(0.01))));
+}
+
+/// Assimp knows Collada by its content.
+TEST(ImportDae, AnAccessorIsCheckedWhateverTheNameOfTheFile) {
+  const std::string bad = daeWith("count='5' stride='3'", "count='6' stride='3'");
+  for (const char* const name : {"a.xml", "a", "a.collada", "a.DAE"}) {
+    expectRefusedDae(bad, "reaches beyond its float_array", name);
+    EXPECT_EQ(importDae(dae(kMetres, node(kInstance)), name).triangles.size(), 4u) << name;
+  }
+}
+
+TEST(ImportDae, AnAccessorIsCheckedWhateverElseIsInTheFile) {
+  const std::string bad = daeWith("count='5' stride='3'", "count='6' stride='3'");
+  const auto with = [&](const std::string& extra) {
+    std::string text = bad;
+    return text.insert(text.find("</COLLADA>"), "<extra>" + extra + "</extra>");
+  };
+  expectRefusedDae(with("<float_array id='f' count='999'/>"), "reaches beyond its float_array");
+  std::string deep;
+  for (int i = 0; i < 600; ++i)
+    deep = "<a>" + deep + "</a>";
+  expectRefusedDae(with(deep), "reaches beyond its float_array");
+  expectRefusedDae(with("<!DOCTYPE a [<!ENTITY b 'c'>]><![CDATA[<p>]]><!-- <p> --><a b='>'/>"),
+                   "reaches beyond its float_array");
 }
 
 }  // namespace

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "robot/worker/mesh_import.h"
 #include "testing/mesh_texts.h"
@@ -208,6 +212,189 @@ TEST_F(ImportRefusals, ButNotWhatIsOnlyLooks) {
   EXPECT_EQ(import("a.obj", obj).triangles.size(), 1u);
 }
 
+/// What some compilers print for NaN and infinity, Fortran's exponent, and others of which a reader
+/// may take the beginning.
+constexpr std::array kNoNumbers{"1.#INF", "-1.#IND", "1.#QNAN", "9D5", "0x99", "9,999.5", "9_9"};
+constexpr std::array kNumbers{"9",    "+9",   "-0",  "9.",     "09.5",   "9,5",
+                              "1.e1", "1E+1", "9e0", "0.9e-2", "-9.0E0", "99999.123456789012345"};
+
+std::string stlText(const std::string& number, const std::string& name = "a b") {
+  return "solid " + name +
+         "\n  facet normal 0 0 1\n\touter loop\nvertex 0 0 0\r\nvertex\t1  0 0\n" + " vertex 0 1 " +
+         number + " \nendloop\nendfacet\nendsolid vertex\n";
+}
+
+std::string ac3d(const std::string& number, const std::string& corner, int kids, int surfaces,
+                 const std::string& rest) {
+  return "AC3Db\nMATERIAL \"\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\n"
+         "OBJECT world\nkids " +
+         std::to_string(kids) + "\nOBJECT poly\nname \"1.#INF\"\ndata 3\n9_9\nloc 0 0 0\n" +
+         "numvert 3\n0 0 0\n1 0 0\n0 1 " + number + "\nnumsurf " + std::to_string(surfaces) +
+         "\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n" + corner + " 0 0\n" + rest;
+}
+
+std::string ase(const std::string& number, const std::string& corner) {
+  return "*3DSMAX_ASCIIEXPORT 200\n*GEOMOBJECT {\n*NODE_NAME \"a\"\n*MESH {\n*MESH_NUMVERTEX 3\n"
+         "*MESH_NUMFACES 1\n*MESH_VERTEX_LIST {\n*MESH_VERTEX 0 0 0 0\n*MESH_VERTEX 1 1 0 0\n"
+         "*MESH_VERTEX 2 0 1 " +
+         number + "\n}\n*MESH_FACE_LIST {\n*MESH_FACE 0: A: 0 B: 1 C: " + corner +
+         " AB: 1 BC: 1 CA: 1\n}\n}\n}\n";
+}
+
+std::string dxf(const std::string& number) {
+  std::string text = "999\n1.#INF\n0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n\n";
+  const std::array<std::array<const char*, 3>, 4> corners{
+      {{"0", "0", "0"}, {"1", "0", "0"}, {"0", "1", number.c_str()}, {"0", "1", number.c_str()}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      text += std::to_string(10 * (k + 1) + i) + "\n" + corners[i][k] + "\n";
+  }
+  return text + "0\nENDSEC\n0\nEOF\n";
+}
+
+std::string plyText(const std::string& number) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\r\n1 0 0\r\n0 1 " +
+         number + "\r\n3 0 1 2\r\n";
+}
+
+/// Each with one number to choose.
+std::vector<std::pair<std::string, std::string>> textsWith(const std::string& number) {
+  return {{"a.stl", stlText(number)},
+          {"stl", stlText(number)},
+          {"obj", "# by hand\nv 0 0 0\nv 1 0 0\nv 0 1 " + number + "\nf 1 2 3\n"},
+          {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 " + number + "\nf 1 2 3\n"},
+          {"a.ply", plyText(number)},
+          {"a.off", "OFF\n3 1 0\n0 0 0 # 9_9\n1 0 0\n0 1 " + number + "\n3 0 1 2 0.5 0 0\n"},
+          {"a.ac", ac3d(number, "2", 1, 1, "kids 0\n")},
+          {"a.ase", ase(number, "2")},
+          {"a.dxf", dxf(number)},
+          {"a.raw", "name\n0 0 0 1 0 0 0 1 " + number + " texture.png\n"}};
+}
+
+TEST_F(ImportRefusals, WhatIsNoNumberToItsEnd) {
+  for (const char* const number : kNumbers) {
+    for (const auto& [name, text] : textsWith(number)) {
+      SCOPED_TRACE(name + " with " + number);
+      EXPECT_EQ(import(name, text).triangles.size(), 1u);
+    }
+  }
+  for (const char* const number : kNoNumbers) {
+    for (const auto& [name, text] : textsWith(number))
+      expectRefused(name, text, name == "a.raw" ? "9 or 12 numbers, not 8, in line 2" : number);
+  }
+  expectRefused("a.stl", stlText("1.#INF"), "\"1.#INF\" is no real number, in line 6");
+  expectRefused("a.obj", "v 0 0 0\nv 1.#IND 0 0\nv 0 1 0\nf 1 2 3\n", "in line 2");
+}
+
+TEST_F(ImportRefusals, ButNotWhatExportersWrite) {
+  EXPECT_EQ(import("a.stl", stlText("1", "vertex model") + stlText("1", "")).triangles.size(), 2u);
+  const std::string obj =
+      "# Blender 3.6 \\ C:\\\n\n\tg none\nmtllib a.mtl\no 1.#INF\nv 0 -.5 0 0.1 0.2 0.3\r\n"
+      "v\t1\t0\t0\nv  0 1 0 1.0 # \nv 0 0 \\\n1\nvn 0 0 1\nvt 0.5 0.5\ng a b\ns off\nf 1 2 \\\n 3\n"
+      "f -1 -2 -3\nl 1 2\n# end\\\n\n";
+  EXPECT_EQ(import("a.obj", obj).triangles.size(), 2u);
+}
+
+TEST_F(ImportRefusals, LinesOfObjThatAreLeftOut) {
+  const auto expectLost = [&](const std::string& line, const std::string& reason) {
+    expectRefused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + line + "\nf 1 3 2\n", reason);
+  };
+  expectLost("v 0 .5 9", "number that begins with \".\", in line 5; write 0 before it");
+  expectLost("v 0 0 9 1 1 0 0", "a vertex of 7 numbers, in line 5; write 3, 4 or 6");
+  expectLost("v 0 9", "a vertex of 2 numbers");
+  expectLost("v 0 0 0 \\\n9 9", "a vertex of 5 numbers, in line 6");
+  expectLost(" v 0 0 9", "leaves out line 5, because it begins with a blank");
+  expectLost("\tf 1 3 2", "leaves out line 5, because it begins with a blank");
+  for (const char* const line : {"# C:\\meshes\\", "g a\\", "usemtl a\\"})
+    expectLost(line, "leaves out line 6, because the one before it ends in a backslash");
+}
+
+TEST_F(ImportRefusals, AWrongIndexThatIsNotInTheMesh) {
+  expectRefused("a.off", kOffVertices + "3 0 1 -1\n", "\"-1\" is no index of a vertex, in line 0");
+  expectRefused("a.ac", ac3d("0", "-1", 1, 1, "kids 0\n"), "\"-1\" is no index of a vertex");
+  expectRefused("a.ase", ase("0", "3"), "names vertex 3 of 3, in line 13");
+  expectRefused("a.ase", ase("0", "-1"), "\"-1\" is no index of a vertex");
+  expectRefused("a.x",
+                "xof 0303txt 0032\nMesh m {\n3;\n0;0;0;,\n1;0;0;,\n0;1;0;;\n1;\n3;0,1,2;;\n}\n",
+                "does not check the indices");
+}
+
+/// A layer of LWO2 with two triangles, the last corner of which is given.
+std::string lwo(char corner) {
+  const auto bigEndian = [](std::string bytes) {
+    return std::string(bytes.rbegin(), bytes.rend());
+  };
+  const auto chunk = [&](const std::string& name, const std::string& content) {
+    return name + bigEndian(bytesOf(static_cast<std::uint32_t>(content.size()))) + content;
+  };
+  std::string points;
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 7.f})
+    points += bigEndian(bytesOf(number));
+  const std::string faces({0, 3, 0, 0, 0, 1, 0, 2, 0, 3, 0, 0, 0, 1, 0, corner});
+  const std::string layers = "LWO2" + chunk("TAGS", std::string("def\0", 4)) +
+                             chunk("LAYR", std::string(18, '\0')) + chunk("PNTS", points) +
+                             chunk("POLS", "FACE" + faces) +
+                             chunk("PTAG", "SURF" + std::string({0, 0, 0, 0, 0, 1, 0, 0})) +
+                             chunk("SURF", std::string("def\0\0\0", 6));
+  return chunk("FORM", layers);
+}
+
+TEST_F(ImportRefusals, AWrongIndexThatIsOnlyLogged) {
+  EXPECT_EQ(import("a.lwo", lwo(3)).triangles.size(), 2u);
+  expectRefused("a.lwo", lwo(99), "face record, index is out of range");
+}
+
+TEST_F(ImportRefusals, AFileWithMoreThanItSays) {
+  const std::string reason = "more data than its header says";
+  expectRefused("a.ply", ply("3 0 1 2\n3 0 2 1"), reason);
+  expectRefused("a.off", kOffWithGoodIndex + "3 0 2 1\n", reason);
+  const std::string surface = "SURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\n";
+  expectRefused("a.ac", ac3d("0", "2", 1, 1, surface + "kids 0\n"), "announces 2 and 1");
+  const std::string object = "kids 0\nOBJECT poly\nnumvert 1\n0 0 9\nnumsurf 0\nkids 0\n";
+  EXPECT_EQ(import("a.ac", ac3d("0", "2", 2, 1, object)).triangles.size(), 1u);
+  expectRefused("a.ac", ac3d("0", "2", 1, 1, object), "3 objects and 1 surfaces");
+}
+
+/// Vertices, then faces with a colour, which are four and two.
+std::string binaryPly(bool is_big_endian, int vertices, int faces) {
+  const auto bytes = [&](auto value) {
+    std::string result = bytesOf(value);
+    if (is_big_endian) std::reverse(result.begin(), result.end());
+    return result;
+  };
+  std::string text = std::string("ply\r\nformat binary_") + (is_big_endian ? "big" : "little") +
+                     "_endian 1.0\r\nelement vertex " + std::to_string(vertices) +
+                     "\r\nproperty float x\r\nproperty float y\r\nproperty float z\r\n" +
+                     "element face " + std::to_string(faces) +
+                     "\r\nproperty list uint8 int32 vertex_indices\r\nproperty uchar red\r\n" +
+                     "end_header\r\n";
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 7.f})
+    text += bytes(number);
+  for (const std::int32_t last : {2, 3})
+    text += '\3' + bytes(std::int32_t{0}) + bytes(std::int32_t{1}) + bytes(last) + '\n';
+  return text;
+}
+
+TEST_F(ImportRefusals, ABinaryPlyOfAnotherSizeThanItSays) {
+  for (const bool is_big_endian : {false, true}) {
+    const std::string whole = binaryPly(is_big_endian, 4, 2);
+    EXPECT_EQ(import("a.ply", whole).triangles.size(), 2u);
+    EXPECT_EQ(import("a.ply", whole + "\r\n").triangles.size(), 2u);
+    expectRefused("a.ply", binaryPly(is_big_endian, 4, 1), "more data than its header says");
+    for (const auto& [vertices, faces] : {std::pair(4, 3), {3, 2}, {5, 2}, {6, 2}, {1000000000, 2}})
+      expectRefused("a.ply", binaryPly(is_big_endian, vertices, faces));
+    expectRefused("a.ply", whole.substr(0, whole.size() - 1), "too few bytes");
+  }
+}
+
+TEST_F(ImportRefusals, AFileWhoseNameHidesItsFormat) {
+  expectRefused("3f2a77", binaryStl(tetrahedronCorners()), "; name it with its extension");
+  EXPECT_EQ(import("3f2a78", asciiStl(tetrahedronCorners())).triangles.size(), 4u);
+  expectRefused("a.zae", "PK\3\4", "it is an archive; unpack it");
+}
+
 TEST_F(ImportRefusals, AFormatThatNobodyKnows) {
   expectRefused("a.txt", "what is this", "assimp cannot read it");
 }
@@ -251,6 +438,23 @@ TEST_F(ImportRefusals, AnExtensionThatMovesVertices) {
   expectRefused("a.gltf", used + gltf("data.bin").substr(1), "KHR_mesh_quantization");
   const std::string harmless = R"({"extensionsUsed":["KHR_materials_unlit"],)";
   EXPECT_EQ(import("a.gltf", harmless + gltf("data.bin").substr(1)).triangles.size(), 1u);
+}
+
+TEST_F(ImportRefusals, AnExtensionThatIsRequiredAndUnknown) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const auto required = [](const std::string& name) {
+    return R"({"extensionsRequired":[")" + name + R"("],)" + gltf("data.bin").substr(1);
+  };
+  EXPECT_EQ(import("a.gltf", required("KHR_materials_unlit")).triangles.size(), 1u);
+  expectRefused("a.gltf", required("FOO_bar"), "the extension FOO_bar, which assimp does not know");
+  expectRefused("a.gltf", required("KHR\\u005fmesh_quantization"), "KHR_mesh_quantization");
+}
+
+TEST_F(ImportRefusals, PositionsThatAreNoFloats) {
+  folder_.write("meshes/data.bin", threeVertices());
+  std::string text = gltf("data.bin");
+  text.replace(text.find("5126"), 4, "5122");
+  expectRefused("a.gltf", text, "positions of mesh 0 are no floats");
 }
 
 TEST_F(ImportRefusals, ABufferAboveTheLimitIsNot) {

@@ -25,5 +25,12 @@ TEST(TableText, CsvAndJsonHaveNoMinusZero) {
   EXPECT_EQ(jsonNumbers(Eigen::Vector2d(-0.0, -0.5)), "[0, -0.5]");
 }
 
+TEST(TableText, NamesAreTheSameUtf8InAllFormats) {
+  const std::string name = "k\xf6rper";
+  EXPECT_EQ(csvField(name), "k\xef\xbf\xbdrper");
+  EXPECT_EQ(jsonString(name), '"' + csvField(name) + '"');
+  EXPECT_EQ(printable(name), csvField(name));
+}
+
 }  // namespace
 }  // namespace link_bounds

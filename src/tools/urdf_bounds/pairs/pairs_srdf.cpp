@@ -105,7 +105,7 @@ class SrdfWriter {
 }  // namespace
 
 Exemption judged(const PairProof& proof, const std::string& reason) {
-  const bool is_always = reason == kAlways;
+  const bool is_always = reason == kAlwaysReason;
   if (proof.verdict == Verdict::kUndecided) return Exemption::kUndecided;
   if (proof.verdict == Verdict::kContactSampled && !is_always) return Exemption::kWrong;
   if (proof.verdict != Verdict::kSometimes) return Exemption::kRight;
@@ -147,7 +147,11 @@ void writeCheck(const SrdfCheck& check, const std::vector<std::string>& links, b
                                                  : "always touch")
         << (is_merged ? "; now disabled" : "") << '\n';
   }
-  if (check.wrong.empty()) out << file << " disables no pair that was seen to collide sometimes\n";
+  if (check.exempt.pairs().empty()) {
+    out << file << " disables no pair\n";
+  } else if (check.wrong.empty()) {
+    out << file << " disables no pair that was seen to collide sometimes\n";
+  }
 }
 
 void writeSrdf(const PairsTable& table, bool accept_sampled, std::ostream& out) {

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is no JSON is left to assimp, which refuses it.
+#include "robot/worker/json_text.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "link_bounds/robot/worker/mesh_process.h"
+
+namespace link_bounds {
+namespace {
+
+constexpr int kMaxDepth = 500;
+
+class JsonReader {
+ public:
+  explicit JsonReader(std::string_view text) : text_(text) {}
+
+  Json value(int depth = 0) {
+    if (depth > kMaxDepth) throw MeshError("its JSON is nested too deeply");
+    Json result;
+    skipBlanks();
+    if (peek() == '"') {
+      result.text = string();
+    } else if (peek() == '{' || peek() == '[') {
+      result.members = members(depth);
+    } else {
+      const std::size_t end = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
+      result.text = text_.substr(at_, end - at_);
+      at_ = end;
+    }
+    return result;
+  }
+
+ private:
+  std::vector<std::pair<std::string, Json>> members(int depth) {
+    const bool is_object = take() == '{';
+    std::vector<std::pair<std::string, Json>> result;
+    for (skipBlanks(); peek() != '}' && peek() != ']'; skipBlanks()) {
+      std::string name = is_object ? string() : std::to_string(result.size());
+      skipBlanks();
+      if (is_object && peek() == ':') take();
+      result.emplace_back(std::move(name), value(depth + 1));
+      skipBlanks();
+      if (peek() == ',') take();
+    }
+    take();
+    return result;
+  }
+
+  /// Characters that are no ASCII become others: no name that counts has one.
+  std::string string() {
+    std::string result;
+    take();
+    for (char c = take(); c != '"'; c = take()) {
+      if (c == '\\') c = take();
+      if (c == 'u' && text_[at_ - 2] == '\\') {
+        const std::string digits(text_.substr(at_, 4));
+        for (int i = 0; i < 4; ++i)
+          take();
+        c = static_cast<char>(std::strtoul(digits.c_str(), nullptr, 16));
+      }
+      result += c;
+    }
+    return result;
+  }
+
+  void skipBlanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+
+  char peek() const {
+    if (at_ >= text_.size()) throw MeshError("its JSON does not end, as if it was cut off");
+    return text_[at_];
+  }
+
+  char take() {
+    const char c = peek();
+    ++at_;
+    return c;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+const Json& Json::operator[](std::string_view name) const {
+  static const Json none;
+  for (const auto& [known, value] : members)
+    if (known == name) return value;
+  return none;
+}
+
+Json parseJson(std::string_view text) {
+  return JsonReader(text).value();
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Formats of text whose lines say by their first word what they are.
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "robot/worker/misread_formats.h"
+
+namespace link_bounds {
+namespace {
+
+bool startsWith(std::string_view text, std::string_view prefix) {
+  return text.substr(0, prefix.size()) == prefix;
+}
+
+/// As assimp looks at it: any other file is a text.
+bool isBinaryStl(Lines& lines) {
+  constexpr std::size_t kHeader = 80;
+  const std::string text = lines.beginning(kHeader + sizeof(std::uint32_t));
+  std::uint32_t count = 0;
+  if (text.size() < kHeader + sizeof(count)) return false;
+  std::memcpy(&count, text.data() + kHeader, sizeof(count));
+  return count * 50 + static_cast<std::uint32_t>(text.size()) == lines.fileSize();
+}
+
+bool isSignOrDigit(char c) {
+  return ('0' <= c && c <= '9') || c == '-' || c == '+';
+}
+
+/// Assimp leaves out a vertex with another count of numbers, or with one that begins with its
+/// point.
+constexpr std::array<std::size_t, 3> kNumbersOfObjVertex{3, 4, 6};
+
+std::size_t countObjNumbers(std::string_view text, const std::string& place) {
+  Words words(text);
+  std::size_t count = 0;
+  for (auto word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) {
+    requireNumber(word, place);
+    if (word[0] == '.' || word[0] == ',')
+      throw MeshError("assimp leaves out a vertex with a number that begins with \"" +
+                      std::string(1, word[0]) + "\", in " + place + "; write 0 before it");
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+/// By words, which may stand in any line.
+void checkStl(Lines& lines) {
+  if (isBinaryStl(lines)) return;
+  while (const auto line = lines.next()) {
+    Words words(*line);
+    std::string_view word = words.next();
+    if (word == "solid") words.next();  // its name
+    for (; !word.empty() && !startsWith(word, "endsolid"); word = words.next()) {
+      if (word != "vertex") continue;
+      const std::string place = lines.place();
+      for (int i = 0; i < 3; ++i)
+        requireNumber(words.next(), place);
+    }
+  }
+}
+
+void checkObj(Lines& lines) {
+  lines.keepBlankLines();
+  bool goes_on = false, is_data = false, is_vertex = false;
+  std::size_t count = 0;
+  while (const auto found = lines.next()) {
+    std::string_view line = *found;
+    const bool is_first = !goes_on;
+    goes_on = !line.empty() && line.back() == '\\';
+    if (goes_on) line.remove_suffix(1);
+    Words words(line);
+    const std::string_view first = words.next();
+    const bool is_geometry = first == "v" || first == "f";
+    if (is_geometry && !is_first && !is_data)
+      throw MeshError("assimp leaves out " + lines.place() +
+                      ", because the one before it ends in a backslash; remove that");
+    if (is_geometry && is_first && (line[0] == ' ' || line[0] == '\t'))
+      throw MeshError("assimp leaves out " + lines.place() +
+                      ", because it begins with a blank; remove that");
+    if (is_first) {
+      is_data = !line.empty() && std::strchr("vflp", line[0]) != nullptr;
+      is_vertex = first == "v";
+      count = 0;
+    }
+    if (!is_vertex) continue;
+    count += countObjNumbers(is_first ? line.substr(1) : line, lines.place());
+    const auto& counts = kNumbersOfObjVertex;
+    if (!goes_on && std::find(counts.begin(), counts.end(), count) == counts.end())
+      throw MeshError("assimp leaves out a vertex of " + std::to_string(count) + " numbers, in " +
+                      lines.place() + "; write 3, 4 or 6");
+  }
+}
+
+/// Without objects and surfaces that are not announced, which assimp leaves out.
+void checkAc3d(Lines& lines) {
+  std::size_t objects = 0, announced_objects = 1, surfaces = 0, announced_surfaces = 0;
+  std::size_t corners = 0;  // that are still to come
+  while (const auto line = lines.next()) {
+    Words words(*line);
+    const std::string_view first = words.next();
+    if (corners > 0) requireIndex(first, lines.place());
+    if (corners > 0) --corners;
+    if (isSignOrDigit(first.front())) requireNumber(first, lines.place());
+    if (isSignOrDigit(first.front()) || first == "loc" || first == "rot")
+      words.countNumbers(lines.place());
+    if (first == "OBJECT") ++objects;
+    if (first == "SURF") ++surfaces;
+    if (first == "kids") announced_objects += countOf(words.next());
+    if (first == "numsurf") announced_surfaces += countOf(words.next());
+    if (first == "refs") corners = countOf(words.next());
+    if (first == "data") lines.next();
+  }
+  if (objects > announced_objects || surfaces > announced_surfaces)
+    throw MeshError("it has " + std::to_string(objects) + " objects and " +
+                    std::to_string(surfaces) + " surfaces, and announces " +
+                    std::to_string(announced_objects) + " and " +
+                    std::to_string(announced_surfaces) + " by kids and numsurf");
+}
+
+/// Assimp reads what is behind the vertices where a corner is beyond them.
+void checkAse(Lines& lines) {
+  std::size_t vertices = 0;
+  while (const auto line = lines.next()) {
+    std::string text(*line);
+    std::replace(text.begin(), text.end(), ':', ' ');
+    Words words(text);
+    const std::string_view first = words.next();
+    if (first == "*MESH_NUMVERTEX") vertices = countOf(words.next());
+    if (first == "*MESH_VERTEX" || startsWith(first, "*TM_ROW")) words.countNumbers(lines.place());
+    if (first != "*MESH_FACE") continue;
+    words.next();  // its number
+    for (int i = 0; i < 3; ++i) {
+      words.next();  // A, B or C
+      const std::string_view corner = words.next();
+      requireIndex(corner, lines.place());
+      if (countOf(corner) >= vertices)
+        throw MeshError("a face names vertex " + std::string(corner) + " of " +
+                        std::to_string(vertices) + ", in " + lines.place());
+    }
+  }
+}
+
+/// Each value stands in the line after its group code; those of 10 to 59 are numbers.
+void checkDxf(Lines& lines) {
+  lines.keepBlankLines();
+  while (const auto line = lines.next()) {
+    const std::size_t code = countOf(Words(*line).next());
+    const auto value = lines.next();
+    if (value && 10 <= code && code < 60) requireNumber(Words(*value).next(), lines.place());
+  }
+}
+
+/// A line has 9 numbers, or 12, and then at most the name of a texture. All others are names.
+void checkRaw(Lines& lines) {
+  while (const auto line = lines.next()) {
+    Words words(*line);
+    std::string_view word = words.next();
+    std::size_t numbers = 0, all = 0;
+    const bool is_triangle = isSignOrDigit(word.front());
+    for (; !word.empty(); word = words.next()) {
+      if (numbers == all && numbers < 12 && isSignOrDigit(word.front()) && isNumber(word))
+        ++numbers;
+      ++all;
+    }
+    if ((is_triangle || all >= 9) && numbers != 9 && numbers != 12)
+      throw MeshError("a triangle has 9 or 12 numbers, not " + std::to_string(numbers) + ", in " +
+                      lines.place());
+  }
+}
+
+}  // namespace link_bounds

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Formats of which assimp reads other parts than are there.
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "robot/worker/json_text.h"
+#include "robot/worker/misread_formats.h"
+#include "robot/worker/xml_tags.h"
+
+namespace link_bounds {
+namespace {
+
+/// Extensions of glTF that change where vertices are, and that assimp leaves out.
+constexpr std::array<const char*, 4> kUnknownToAssimp{
+    "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+    "KHR_meshopt_compression"};
+
+/// Beginnings of those that may be required, and change no vertex or are known to assimp.
+constexpr std::array<const char*, 11> kHarmless{
+    "KHR_materials_",  "KHR_texture_",    "EXT_texture_", "MSFT_texture_",
+    "KHR_lights_",     "EXT_lights_",     "KHR_xmp",      "KHR_draco_mesh_compression",
+    "KHR_techniques_", "KHR_binary_glTF", "VRM"};
+
+/// The componentType of a glTF that assimp reads as a position.
+constexpr char kFloat[] = "5126";
+
+/// Elements of Collada that hold numbers.
+constexpr std::array<const char*, 6> kElementsOfNumbers{"float_array", "matrix", "translate",
+                                                        "rotate",      "scale",  "lookat"};
+
+/// Assimp reads what is behind an array where an accessor reaches beyond it, and takes the index -1
+/// for 0.
+class ColladaCheck {
+ public:
+  void run(XmlTags tags) {
+    while (tags.next()) {
+      if (tags.isText()) {
+        checkText(tags);
+      } else {
+        checkTag(tags);
+      }
+    }
+    for (const auto& [source, end] : ends_)
+      checkEnd(source, end);
+  }
+
+ private:
+  void checkTag(const XmlTags& tags) {
+    const std::string_view name = tags.name();
+    if (tags.isBegin()) {
+      const auto meter = name == "unit" ? tags.attribute("meter") : std::nullopt;
+      if (meter) requireNumber(Words(*meter).next(), "the meter of its <unit>");
+      if (name == "float_array") noteArray(tags);
+      if (name == "accessor") noteAccessor(tags);
+      if (name == "param") ++params_;
+    }
+    if (tags.isEnd() && name == "accessor" && !ends_.empty() && has_items_)
+      ends_.back().second += params_;
+  }
+
+  void noteArray(const XmlTags& tags) {
+    const auto id = tags.attribute("id");
+    if (!id) return;
+    const double size = numberOf(tags, "count", 0);
+    const auto [entry, is_new] = sizes_.try_emplace(std::string(*id), size);
+    if (!is_new) entry->second = std::min(entry->second, size);
+  }
+
+  void noteAccessor(const XmlTags& tags) {
+    const auto source = tags.attribute("source");
+    const double last = numberOf(tags, "count", 0) - 1;
+    params_ = 0;
+    has_items_ = source && last >= 0;
+    if (!has_items_) return;
+    const double begin = numberOf(tags, "offset", 0) + last * numberOf(tags, "stride", 1);
+    ends_.emplace_back(source->substr(source->find('#') + 1), begin);
+  }
+
+  static void checkText(const XmlTags& tags) {
+    const auto& names = kElementsOfNumbers;
+    const bool has_numbers = std::find(names.begin(), names.end(), tags.name()) != names.end();
+    if (!has_numbers && tags.name() != "p") return;
+    const std::string text = tags.text();
+    Words words(text);
+    const std::string place = "the <" + std::string(tags.name()) + "> of " + tags.place();
+    if (has_numbers) words.countNumbers(place);
+    for (auto word = words.next(); !word.empty(); word = words.next())
+      requireIndex(word, place);
+  }
+
+  void checkEnd(const std::string& source, double end) const {
+    const auto size = sizes_.find(source);
+    if (size != sizes_.end() && !(end <= size->second))
+      throw MeshError("an accessor reaches beyond its float_array \"" + source + "\"");
+  }
+
+  /// As a double, which does not overflow.
+  static double numberOf(const XmlTags& tags, std::string_view name, double missing) {
+    const auto text = tags.attribute(name);
+    if (!text) return missing;
+    const std::string word(Words(*text).next());
+    requireNumber(word, "the " + std::string(name) + " of " + tags.place());
+    return std::strtod(word.c_str(), nullptr);
+  }
+
+  std::map<std::string, double> sizes_;               ///< of arrays, by id; the smallest counts
+  std::vector<std::pair<std::string, double>> ends_;  ///< of accessors
+  double params_ = 0;                                 ///< of the last accessor
+  bool has_items_ = false;                            ///< it has
+};
+
+[[noreturn]] void refuseExtension(const std::string& name) {
+  throw MeshError("it uses the extension " + name +
+                  ", which assimp does not know; export it without");
+}
+
+/// The name of an extension that is used stands as a name or string.
+void refuseUnknown(const Json& value) {
+  for (const char* const unknown : kUnknownToAssimp)
+    if (value.text == unknown) refuseExtension(unknown);
+  for (const auto& [name, member] : value.members) {
+    for (const char* const unknown : kUnknownToAssimp)
+      if (name == unknown) refuseExtension(unknown);
+    refuseUnknown(member);
+  }
+}
+
+bool isHarmless(const std::string& extension) {
+  return std::any_of(kHarmless.begin(), kHarmless.end(),
+                     [&](const char* beginning) { return extension.rfind(beginning, 0) == 0; });
+}
+
+/// A binary file has its size before it.
+std::string_view jsonOf(const std::string& file) {
+  constexpr std::size_t kAtSize = 12, kBegin = 20;
+  const std::string_view text = file;
+  if (text.substr(0, 4) != "glTF" || text.size() < kBegin) return text;
+  std::uint32_t size = 0;
+  std::memcpy(&size, file.data() + kAtSize, sizeof(size));
+  return text.substr(kBegin, size);
+}
+
+}  // namespace
+
+void checkCollada(Lines& lines) {
+  const std::string text = lines.all();
+  ColladaCheck().run(XmlTags(text));
+}
+
+void checkGltf(Lines& lines) {
+  const std::string file = lines.all();
+  const Json document = parseJson(jsonOf(file));
+  refuseUnknown(document);
+  for (const auto& [number, name] : document["extensionsRequired"].members) {
+    if (!isHarmless(name.text)) refuseExtension(name.text);
+  }
+  std::set<std::string> others;
+  for (const auto& [number, accessor] : document["accessors"].members)
+    if (accessor["componentType"].text != kFloat) others.insert(number);
+  for (const auto& [number, mesh] : document["meshes"].members) {
+    for (const auto& [part, primitive] : mesh["primitives"].members) {
+      if (others.count(primitive["attributes"]["POSITION"].text) > 0)
+        throw MeshError("positions of mesh " + number +
+                        " are no floats, which assimp misreads; store floats");
+    }
+  }
+}
+
+}  // namespace link_bounds
