@@ -60,7 +60,8 @@ void MotionBound::set(const JointBox& box, const PlacedPath& placed) {
 
 void MotionBound::measure(Side& side, std::size_t joint) {
   double move = half_widths_[joint];
-  if (path_.joints[joint].motion == Motion::kRotation) move = chordOfTurn(move) * lever(side, joint);
+  if (path_.joints[joint].motion == Motion::kRotation)
+    move = chordOfTurn(move) * lever(side, joint);
   side.joints.push_back(joint);
   side.moves.push_back(kShare * move);
 }
