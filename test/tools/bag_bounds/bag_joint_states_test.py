@@ -8,8 +8,8 @@ Run as: bag_joint_states_test.py PATH_OF_bag_bounds
 import math
 import re
 
-from bag_bounds_testing import (BEGIN, INCOMPLETE, PERIOD, UNDERCUT, BagBoundsTest, arms, main, run,
-                                time_of)
+from bag_bounds_testing import (BEGIN, ENTERED, INCOMPLETE, PERIOD, UNDERCUT, BagBoundsTest, arms,
+                                main, run, time_of, zone_text)
 from page_testing import PACKAGE
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
@@ -58,6 +58,33 @@ class JointStatesTest(BagBoundsTest):
 
     def test_the_boxes_are_those_of_tf(self):
         self.check_same(*self.both([self.state(i, self.leaders) for i in range(60)]))
+
+    def test_more_than_half_a_turn(self):
+        """A joint passes all positions between two messages, unless its driver may have begun a
+        turn anew."""
+        joint = ('<joint name="a" type="%s"><parent link="base"/><child link="tip"/>'
+                 '<axis xyz="0 0 1"/>%s</joint>')
+        limit = '<limit lower="-9" upper="9" effort="1" velocity="9"/>'
+        zones = self.write('zones.yaml', zone_text('door', [-.02, .9, -1], [.02, 1.1, 1]))
+        for kind, begin, end, code in (
+                ('revolute', 0, .9, ENTERED), ('revolute', 0, 1.2, ENTERED),
+                ('revolute', 0, 2, ENTERED), ('revolute', 0, -1.2, 0), ('revolute', 2, -1, ENTERED),
+                ('continuous', 0, 1.2, INCOMPLETE), ('continuous', 1, 3, ENTERED),
+                ('continuous', 2, 3.2, ENTERED), ('continuous', .95, -.95, 0),
+                ('continuous', 0, 1e9, INCOMPLETE)):
+            self.urdf = self.write('arm.urdf', '<robot name="r"><link name="base"/>'
+                                   '<link name="tip"><visual><origin xyz="1 0 0"/><geometry><box size=".1 .1 .1"/>'
+                                   '</geometry></visual></link>%s</robot>' %
+                                   joint % (kind, limit if kind == 'revolute' else ''))
+            messages = []
+            for i in range(20):
+                stamp = time_of(BEGIN + i / 10)
+                state = JointState(name=['a'], position=[math.pi * (begin if i < 9 else end)])
+                state.header.stamp = stamp
+                messages.append(('/joint_states', state, stamp))
+            with self.subTest(kind=kind, begin=begin, end=end):
+                self.report(self.bag(messages), '--zones', zones, '--joint-states', '/joint_states',
+                            code=code, err='more than half a turn' if code == INCOMPLETE else '')
 
     def test_joints_in_messages_of_their_own(self):
         """And without a stamp, where that of the recording serves."""

@@ -54,6 +54,53 @@ class ObjectsTest(BagBoundsTest):
                              err='no message on /objects')
         self.assertLess(difference(self.box(found, 'part/1'), [-.5] * 3 + [.5] * 3), 1e-9)
 
+    def test_objects_of_two_topics(self):
+        """They do not replace or delete each other. Of two that have one name, one is a loss."""
+        near, far = (marker('part/1', scale=(.1, .1, .1), pose=Pose((x, 5, 0))) for x in (5, 9))
+        all_of = Marker(action=Marker.DELETEALL)
+        zones = self.write('zones.yaml', zone_text('cell', [4, 4, -1], [6, 6, 1]))
+        text = marker('part/1')
+        text.type = Marker.TEXT_VIEW_FACING
+        for other, losses in (far, 1), (deletion('part/1'), 0), (all_of, 0), (text, 0):
+            for topics in ('/objects', '/more'), ('/more', '/objects'):
+                messages = arms(10) + [recorded(2, near, topic=topics[0]),
+                                       recorded(4, other, topic=topics[1])]
+                with self.subTest(action=other.action, type=other.type, topics=topics):
+                    found = self.objects(messages, '--objects', '/more', '--zones', zones,
+                                         code=ENTERED, err='left out' if losses else '')
+                    self.assertEqual(len(found['losses']), losses)
+                    self.assertEqual(found['zones'][0]['stays'][0]['how'], 'report_ended')
+                    self.objects(messages, '--objects', '/more', code=INCOMPLETE if losses else 0,
+                                 err='"part/1" on %s: an object of %s has that name' % topics[::-1]
+                                 if losses else '')
+        found = self.objects(arms(20) + [
+            recorded(2, near), recorded(3, marker('part/2'), topic='/more'),
+            recorded(5, all_of), recorded(7, far, topic='/more')], '--objects', '/more',
+            '--at', '0.25')
+        self.assertEqual([box['name'] for box in found['boxes']][-2:], ['part/1', 'part/2'])
+
+    def test_boxes_of_one_node_on_two_topics(self):
+        def boxes(topic, index, name, x):
+            message = AxisAlignedBoxArray(Header(frame_id='base'), [AxisAlignedBox(
+                name, rospy.Time(), Point(x, 5, 0), Point(x + 1, 6, 1))] if name else [], [])
+            return topic, message, time_of(BEGIN + PERIOD * index)
+        zones = self.write('zones.yaml', zone_text('cell', [4, 4, -1], [6, 6, 1]))
+        for name, losses in ('arm', 1), ('hand', 0), ('', 0):
+            messages = arms(10) + [boxes('/objects', 2, 'arm', 5), boxes('/more', 4, name, 20)]
+            with self.subTest(name=name):
+                found = self.objects(messages, '--objects', '/more', '--zones', zones, code=ENTERED,
+                                     err='"//arm" on /more: an object of /objects has that name'
+                                     if losses else '')
+                self.assertEqual(len(found['losses']), losses)
+                self.assertEqual([stay['how'] for stay in found['zones'][0]['stays']],
+                                 ['report_ended'])
+
+    def test_a_topic_of_which_all_is_ignored(self):
+        drawing = marker('link_bounds/base/1')
+        for others, code in ([], INCOMPLETE), ([recorded(3, marker('part/1'))], 0):
+            self.objects(arms(5) + [recorded(2, drawing)] + others, code=code,
+                         err='/objects has only what a node of link_bounds draws' if code else '')
+
     def test_boxes_of_another_node(self):
         """Such as its ~stopping. Names begin with that of the node, which this bag does not have."""
         def boxes(index, names):

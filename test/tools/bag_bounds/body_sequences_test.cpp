@@ -142,12 +142,8 @@ class RandomBodies {
   void followView() {
     const std::int64_t stamp = view_ ? view_->fixedStamp() : 0;
     if (stamp == 0 || stamp == view_stamp_) return;
-    if (view_stamp_ == 0 || !isMotion(view_stamp_, stamp)) view_since_ = stamp;
+    if (view_stamp_ == 0 || stamp < view_stamp_) view_since_ = stamp;
     view_stamp_ = stamp;
-  }
-
-  static bool isMotion(std::int64_t begin, std::int64_t end) {
-    return end >= begin && static_cast<double>(end - begin) <= kBodyTimeout * 1e9;
   }
 
   FrameView::Placed placed(const SceneBody& body) {
@@ -169,8 +165,7 @@ class RandomBodies {
     if (found != tracks_.end() && source.object != found->second.object)
       noteReplaced(body.name, found->second, *source.object);
     Track track = is_known ? found->second : Track();
-    if (is_known && track.stamp != 0 && !(now.state.box && isMotion(track.stamp, now.pose_stamp)))
-      compareRest(body.name, track);
+    if (is_known && track.stamp != 0 && !now.state.box) compareRest(body.name, track);
     if (!now.state.box) {
       track.ahead = 0;
       if (is_known) next.emplace(body.name, track);
@@ -180,17 +175,19 @@ class RandomBodies {
     track.object = source.object;
     track.frame = source.frame;
     if (source.frame_from_body) track.place = *source.frame_from_body;
-    const std::int64_t begin = is_known ? track.stamp : sinceOf(source);
+    const bool is_first = body.link && track.stamp == 0;
+    const std::int64_t begin = is_known && !is_first ? track.stamp : sinceOf(source);
     track.stamp = now.pose_stamp;
     track.ahead = view_ && !source.frame_from_body ? body.state.stamp : 0;
-    if (begin != 0 && begin < track.stamp && (!is_known || isMotion(begin, track.stamp)))
+    if (begin != 0 && begin < track.stamp)
       compareMotion(body.name, track, {begin, track.stamp}, counts_.motions);
     next.emplace(body.name, track);
   }
 
-  /// One that is placed once was there since its stamp.
+  /// One that is placed once was there since its stamp, a link since tf knows it.
   std::int64_t sinceOf(const BoxSource& source) {
-    if (!source.object || source.object->follows() || view_stamp_ == 0) return 0;
+    if (!source.object) return oldestKnown(tf(), target_, source.frame);
+    if (source.object->follows() || view_stamp_ == 0) return 0;
     return std::max({source.object->stamp, view_since_, oldestKnown(tf(), target_, source.frame)});
   }
 

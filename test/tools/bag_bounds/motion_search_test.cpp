@@ -99,7 +99,7 @@ TEST(MotionSearch, WhatIsProvenOfAZoneHolds) {
     const double nearest = *std::min_element(distances.begin(), distances.end());
     const double wanted = seed % 2 == 0 ? 0 : 1e9;
     const ZoneSearch found =
-        searchZone(sampled.tf, sampled.body(0), zone, wanted, 0, [] { return false; });
+        searchZone(sampled.tf, sampled.body(0), zone, wanted, [] { return false; });
     EXPECT_LE(found.clearance, std::max(nearest, 0.0));
     EXPECT_TRUE(nearest > 0 || !found.crossings.empty() || !found.undecided.empty());
     if (!found.crossings.empty()) {
@@ -134,9 +134,8 @@ TEST(MotionSearch, AMotionThatTfDoesNotKnowIsUndecided) {
   BodyMotion motion = sampled.body(0);
   motion.span.end += 1'000'000'000'000;
   const Aabb zone(Eigen::Vector3d(1e3, 1e3, 1e3), Eigen::Vector3d(2e3, 2e3, 2e3));
-  EXPECT_NE(searchZone(sampled.tf, motion, zone, 0, 0, [] { return false; }).undecided, "");
-  EXPECT_NE(searchZone(sampled.tf, sampled.body(0), zone, 1e9, 0, [] { return true; }).clearance,
-            1e9);
+  EXPECT_NE(searchZone(sampled.tf, motion, zone, 0, [] { return false; }).undecided, "");
+  EXPECT_NE(searchZone(sampled.tf, sampled.body(0), zone, 1e9, [] { return true; }).clearance, 1e9);
 }
 
 }  // namespace

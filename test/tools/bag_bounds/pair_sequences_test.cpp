@@ -57,7 +57,8 @@ class PairScene {
       counts_.walks += motion.nearest.has_value();
       counts_.undecided += !motion.undecided.empty();
       const BodyKey first(moment.bodies[motion.first]), second(moment.bodies[motion.second]);
-      calls_[{is_rest_, first, second}] = motion;
+      PairMotion& call = calls_.try_emplace({is_rest_, first, second}, motion).first->second;
+      if (motion.clearance < call.clearance) call = motion;
       if (is_rest_) onRest(moment, motion);
     };
     handlers_.on_forgotten = [this](const std::string&, const std::string&) {
@@ -163,18 +164,37 @@ class RandomPairs : public PairScene {
  public:
   RandomPairs(std::uint64_t seed, double timeout, double pause)
       : PairScene(seed % 3 == 0 ? "base" : "world", randomLinks(seed), timeout),
-        carriers_(seed, pause, seed % 7 < 4 ? 0.6 : 2) {}
+        carriers_(seed, pause, seed % 7 < 4 ? 0.6 : 2) {
+    if (seed % 5 == 0) receiveTogether(30);
+  }
 
   void receive() { take(carriers_.next()); }
 
  private:
-  /// At rest, until it was deleted or replaced.
+  /// Until it was deleted or replaced, it is at rest, but moved until its stamp.
   struct GoneObject {
     BodyKey key;
     std::string name;
-    Eigen::Affine3d pose;
+    Moment::Body seen;
+    std::int64_t stamp;
     std::int64_t until;
   };
+
+  /// So that the first message of some frames has several transforms.
+  void receiveTogether(int messages) {
+    CarrierMessage all;
+    for (int i = 0; i < messages; ++i) {
+      const CarrierMessage message = carriers_.next();
+      if (message.transforms.empty() || message.is_static) {
+        take(message);
+        continue;
+      }
+      all.time = message.time;
+      all.transforms.insert(all.transforms.end(), message.transforms.begin(),
+                            message.transforms.end());
+    }
+    if (!all.transforms.empty()) take(all);
+  }
 
   static std::vector<BoundedLink> randomLinks(std::uint64_t seed) {
     brute_force::Random random(seed);
@@ -205,7 +225,7 @@ class RandomPairs : public PairScene {
 
   void onStep() override {
     for (const Moment::Body& body : moment_->bodies)
-      bodies_[BodyKey(body)].add(*moment_, body, counts_.steps);
+      add(bodies_[BodyKey(body)], body);
     if (last_) {
       compareRests();
       findGone();
@@ -217,6 +237,18 @@ class RandomPairs : public PairScene {
       const bool is_here = motion.second < moment_->bodies.size();
       if (!std::get<0>(call) && is_here && motion.nearest) compareNearest(motion);
     }
+  }
+
+  /// A motion may last for any time. That of a link begins where tf knows it first.
+  void add(BodyHistory& history, const Moment::Body& body) {
+    const bool is_first = history.entries.empty();
+    history.add(*moment_, body, counts_.steps);
+    history.timeout = std::numeric_limits<std::int64_t>::max();
+    if (!is_first || !body.link || body.stamp == 0) return;
+    const TransformBuffer& tf = scene_.tf();
+    const auto fixed = tf.find(moment_->model->fixed_frame), frame = tf.find(*history.frame);
+    const std::int64_t oldest = std::min(oldestKnown(tf, *fixed, *frame), body.stamp);
+    history.entries.insert(history.entries.begin(), {counts_.steps - 1, oldest});
   }
 
   /// The bodies and the stamp of the older one, which stands.
@@ -286,16 +318,15 @@ class RandomPairs : public PairScene {
     });
   }
 
-  /// Before anything moves it does not matter.
   void findGone() {
-    const bool has_motion = std::any_of(bodies_.begin(), bodies_.end(), [this](const auto& body) {
-      return !body.second.isStatic() && body.second.entries.front().step < counts_.steps;
-    });
-    if (!has_motion) return;
     for (const Moment::Body& body : last_->bodies) {
       const BodyHistory& history = bodies_.at(BodyKey(body));
-      if (body.object && history.isStatic() && history.entries.back().step != counts_.steps)
-        gone_.push_back({BodyKey(body), last_->name(body), body.frame_from_body, scene_.now()});
+      const std::int64_t stamp = history.entries.back().stamp;
+      const auto& lost = moment_->incomplete;
+      const bool is_lost =
+          stamp != 0 && std::count(lost.begin(), lost.end(), last_->name(body)) > 0;
+      if (body.object && !is_lost && history.entries.back().step != counts_.steps)
+        gone_.push_back({BodyKey(body), last_->name(body), body, stamp, scene_.now()});
     }
   }
 
@@ -308,10 +339,14 @@ class RandomPairs : public PairScene {
       const PairMember member{&gone.name, std::nullopt};
       if (!span || !is_other || !isPair(*moment_->model, moment_->member(i), member)) continue;
       forEachSample(*span, [&](std::int64_t stamp) {
-        if (stamp > gone.until) return;
+        if (stamp > std::max(gone.until, gone.stamp)) return;
+        const bool moved = stamp < gone.stamp;
+        if (moved && !history.isKnownAt(stamp, counts_.steps)) return;
         const auto pose = poseAt(body, historyOf(*moment_, i), stamp);
-        if (!pose) return;
-        const auto found = distance(historyOf(*moment_, i), *pose, history, gone.pose);
+        const auto gone_pose =
+            moved ? poseAt(gone.seen, history, stamp) : std::optional(gone.seen.frame_from_body);
+        if (!pose || !gone_pose) return;
+        const auto found = distance(historyOf(*moment_, i), *pose, history, *gone_pose);
         counts_.gone_dips += found && *found < kPairLimit;
         EXPECT_TRUE(!found || isSeen({false, BodyKey(body), gone.key}, *found))
             << moment_->name(body) << " came within " << *found << " m of " << gone.name

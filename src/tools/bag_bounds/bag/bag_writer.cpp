@@ -48,8 +48,11 @@ void BagWriter::writeChunk() {
   ChunkInfo info{position_, index_.begin()->second.front().time, 0, {}};
   put(chunkHeader("none", countOf(chunk_)));
   put(withSize(chunk_));
-  for (const auto& [topic, entries] : index_) {
+  for (auto& [topic, entries] : index_) {
     const std::uint32_t count = countOf(entries);
+    // Readers search it for a time. Where the clock went back, messages are not in its order.
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.time < b.time; });
     std::string data;
     for (const IndexEntry& entry : entries) {
       data += timeBytes(entry.time) + bytesOf(entry.offset);

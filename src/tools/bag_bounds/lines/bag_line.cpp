@@ -36,7 +36,7 @@ std::string start(const BagIdentity& bag, const std::string& question, const std
 BagLine lineWithout(const BagIdentity& bag, const std::string& question, const char* verdict,
                     const std::string& reason) {
   return {start(bag, question, verdict, kUnusable) + ", \"reason\": " + jsonString(reason) + "}\n",
-          kUnusable};
+          kUnusable, kUnusable};
 }
 
 /// No string has these characters: it would have its quotes escaped.
@@ -201,16 +201,18 @@ BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun
   const Outcome outcome = run.outcome(report);
   const std::string useless = run.whyUseless(report);
   if (outcome.is_unusable) return unusableLine(bag, question, useless);
-  const int code = exitCode(outcome, demand);
   Demand complete = demand;
   complete.allow_incomplete = true;
+  Demand strict = demand;
+  strict.allow_incomplete = false;
+  const int code = exitCode(outcome, strict);
+  const int complete_code = exitCode(outcome, complete);
   const std::string rest =
-      code == kOpen ? "\"complete_exit\": " + std::to_string(exitCode(outcome, complete)) + ", "
-                    : "";
+      code == kOpen ? "\"complete_exit\": " + std::to_string(complete_code) + ", " : "";
   const std::string reason = useless.empty() ? "" : "\"reason\": " + jsonString(useless) + ", ";
   return {start(bag, question, verdictOf(code), code) + ", " + rest + reason + summaryJson(report) +
               ", \"open\": [" + joined(outcome.open, ", ", jsonString) + "]}\n",
-          code};
+          code, complete_code};
 }
 
 BagLine unusableLine(const BagIdentity& bag, const std::string& question,

@@ -26,7 +26,12 @@ BagIdentity identityOf(const std::string& bag);
 /// A line, with its line break.
 struct BagLine {
   std::string text;
-  int exit_code;
+  int exit_code;      ///< of its verdict, which says INCOMPLETE also with --allow-incomplete
+  int complete_code;  ///< with --allow-incomplete
+
+  int exitCode(const Demand& demand) const {
+    return demand.allow_incomplete ? complete_code : exit_code;
+  }
 };
 
 /// `question` is BagQuestion::fingerprint(), here and below.

@@ -35,6 +35,7 @@ using Clock = std::chrono::steady_clock;
 using Shares = std::atomic<double>;  // of a bag that has been read, 0 to 1
 
 constexpr int kPollPause = 100;  // ms between looks at interrupts and progress
+constexpr int kCodeBits = 3;     // of an exit code; a process of a bag has two
 constexpr int kInterrupted = 5;  // exit code of a process that was to end; no line is of it
 
 [[noreturn]] void failed(const char* what) {
@@ -123,7 +124,9 @@ class EachBag {
  private:
   void resume();
   void checkAppends(const std::string& file) const;
-  std::optional<int> knownCode(const BagIdentity& bag, const std::vector<LineFile>& files) const;
+  void add(const BagLine& line);
+  std::optional<BagLine> knownLine(const BagIdentity& bag,
+                                   const std::vector<LineFile>& files) const;
   void start();
   [[noreturn]] void read(std::size_t bag, int pipe);
   BagLine lineOfBag(std::size_t bag);
@@ -144,6 +147,7 @@ class EachBag {
   std::size_t resumed_ = 0;
   std::size_t done_ = 0;
   std::map<int, std::size_t> exit_codes_;  ///< how many bags have which, lines of --resume included
+  int worst_ = 0;                          ///< of these, as the user demands
   const Clock::time_point begin_ = Clock::now();
 };
 
@@ -166,11 +170,11 @@ void EachBag::resume() {
   for (const std::string& place : placesOfCut(files))
     warn(place + " was cut; its bag is read again");
   for (std::size_t i = 0; i < bags_.size(); ++i) {
-    const std::optional<int> code = knownCode(bags_[i], files);
-    bytes_.push_back(code ? 0 : static_cast<double>(bags_[i].size.value_or(0)));
-    if (code) {
+    const std::optional<BagLine> line = knownLine(bags_[i], files);
+    bytes_.push_back(line ? 0 : static_cast<double>(bags_[i].size.value_or(0)));
+    if (line) {
       ++resumed_;
-      ++exit_codes_[*code];
+      add(*line);
     } else {
       waiting_.push_back(i);
     }
@@ -180,15 +184,21 @@ void EachBag::resume() {
         " bags have a line already");
 }
 
-/// The exit code of its line; nothing if it has none, or is to be read again.
-std::optional<int> EachBag::knownCode(const BagIdentity& bag,
-                                      const std::vector<LineFile>& files) const {
+void EachBag::add(const BagLine& line) {
+  ++exit_codes_[line.exit_code];
+  worst_ = worseCode(worst_, line.exitCode(options_.demand));
+}
+
+/// Nothing if it has none, or is to be read again.
+std::optional<BagLine> EachBag::knownLine(const BagIdentity& bag,
+                                          const std::vector<LineFile>& files) const {
   for (const LineFile& file : files) {
     const auto found = file.lines.find(bag.name);
     if (found == file.lines.end() || !bag.size) continue;
     const ReadLine& line = found->second;
     const bool is_same = line.bag.size == bag.size && line.bag.head == bag.head;
-    if (is_same && line.question == fingerprint_ && !line.hasDied()) return line.exit_code;
+    if (is_same && line.question == fingerprint_ && !line.hasDied())
+      return BagLine{line.text, line.exit_code, line.complete_code};
   }
   return std::nullopt;
 }
@@ -219,7 +229,8 @@ void EachBag::read(std::size_t bag, int pipe) {
   dup2(null, STDIN_FILENO);
   dup2(null, STDERR_FILENO);
   const BagLine line = lineOfBag(bag);
-  _exit(writeAll(pipe, line.text) ? line.exit_code : kInterrupted);
+  _exit(writeAll(pipe, line.text) ? line.exit_code | line.complete_code << kCodeBits
+                                  : kInterrupted);
 }
 
 BagLine EachBag::lineOfBag(std::size_t bag) {
@@ -265,14 +276,16 @@ void EachBag::close(std::list<Reading>::iterator reading) {
   ::close(reading->pipe);
   const BagIdentity& bag = bags_[reading->bag];
   const bool is_whole = WIFEXITED(status) && !reading->text.empty() && reading->text.back() == '\n';
-  const BagLine line = is_whole ? BagLine{reading->text, WEXITSTATUS(status)}
-                                : diedLine(bag, fingerprint_, whyDied(status));
+  const int codes = WEXITSTATUS(status);
+  const BagLine line = is_whole
+                           ? BagLine{reading->text, codes % (1 << kCodeBits), codes >> kCodeBits}
+                           : diedLine(bag, fingerprint_, whyDied(status));
   shares_[reading->bag] = 1;
   readings_.erase(reading);
   if (!writeAll(STDOUT_FILENO, line.text))
     throw std::runtime_error(std::string("cannot write to standard output: ") + strerror(errno));
   ++done_;
-  ++exit_codes_[line.exit_code];
+  add(line);
 }
 
 std::string timeLeft(double seconds) {
@@ -307,9 +320,7 @@ void EachBag::endAll() {
 }
 
 int EachBag::finish() const {
-  int worst = 0;
-  for (const auto& [code, count] : exit_codes_)
-    worst = worseCode(worst, code);
+  int worst = worst_;
   if (isInterrupted()) {
     say("interrupted: " + std::to_string(done_) + " of " +
         std::to_string(waiting_.size() + readings_.size() + done_) +

@@ -67,9 +67,10 @@ Lengths are metres, times are seconds. Exit code, the first that applies:
   3  a zone was entered, or a distance was less than LIMIT or 0, at a message or between two
   4  without --allow-incomplete: a name is incomplete, such as a link or object that never had a
      box, less than --min-coverage, or not any more at the end, or a zone; a topic of
-     --objects has no message, not all distances are known, a motion between two messages is
-     undecided, a transform came late or a static one replaced another, nothing was compared, or
-     a part of the bags was not read: damage, transforms that were left out, or interrupted
+     --objects has no message, or only ignored ones, not all distances are known, a motion between
+     two messages is undecided, a transform came late or a static one replaced another, nothing was
+     compared, or a part of the bags was not read: damage, transforms or objects that were left
+     out, or interrupted
   2  see --strict
   0  everything was answered, and nothing was found
 With --each and --merge it is the first of these that applies to any bag; a file of lines that ends

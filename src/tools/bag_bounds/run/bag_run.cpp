@@ -141,6 +141,10 @@ void BagRun::read() {
   findOtherTopics();
   for (const std::string& topic : was_interrupted_ ? std::set<std::string>() : unused_topics_)
     warn("no message on " + topic + " was read; see rosbag info for the topics of the bags");
+  for (const std::string& topic : scene_.objectTopics().ignored())
+    warn(topic +
+         " has only what a node of link_bounds draws, which is ignored; give the topic of "
+         "its boxes to --objects");
   if (was_interrupted_) {
     say("interrupted " + shortSeconds(scene_.now(), begin_) + " s after the begin, " +
         std::to_string(static_cast<int>(100 * reader_.progress())) +
@@ -327,6 +331,8 @@ BagReport BagRun::report() const {
                             (scene_.unfit() == 1 ? " message" : " messages") +
                             " of joints left out, with other than one position for each name, "
                             "which robot_state_publisher ignores, too");
+  for (const std::string& loss : {scene_.objectTopics().loss(), joints_ ? joints_->loss() : ""})
+    if (!loss.empty()) report.losses.push_back(loss);
   if (!steps_back_.empty())
     report.losses.push_back(
         "record time goes back " + std::to_string(steps_back_.size()) +
@@ -413,6 +419,7 @@ Outcome BagRun::outcome(const BagReport& report) const {
   outcome.addOpen("losses while reading", report.losses.size());
   outcome.addOpen("incomplete names", incompleteOf(report).size());
   outcome.addOpen("topics without any message", unused_topics_.size());
+  outcome.addOpen("topics whose messages are all ignored", scene_.objectTopics().ignored().size());
   outcome.addOpen("motions beside zones that are not decided", zones_.undecided());
   if (pairs_ || !options_.zones.empty()) {
     const TfIntake& intake = scene_.tf().neededIntake();

@@ -3,12 +3,29 @@
 // One transform per joint, by the kinematics of the URDF.
 #include "tools/bag_bounds/scene/joint_transforms.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMaxStep = kPi / 2;  // tf2 goes the shorter way round
+constexpr double kMaxTurn = 1e3;      // rad, of a motion whose way is made of such steps
+
+/// Drivers may send the angle of a continuous joint as one of a single turn.
+bool isOfOneTurn(double a, double b) {
+  const double rounding = 1e-3;
+  const auto [low, high] = std::minmax(a, b);
+  return (low >= -kPi - rounding && high <= kPi + rounding) ||
+         (low >= -rounding && high <= 2 * kPi + rounding);
+}
+
+}  // namespace
 
 JointTransforms::JointTransforms(Robot robot, const std::string& tf_prefix)
     : robot_(std::move(robot)) {
@@ -42,9 +59,41 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
     is_met |= told.count(name) > 0;
   for (const Joint& joint : robot_.joints) {
     const std::optional<double> value = valueOf(joint, told);
-    if (value) result.push_back(transformOf(joint, *value, stamp));
+    if (!value) continue;
+    if (joint.motion == Motion::kRotation) addTurn(joint, {*value, stamp}, result);
+    result.push_back(transformOf(joint, *value, stamp));
   }
   return result;
+}
+
+/// A turn by more than half a turn goes through all positions between. Where that may be a driver's
+/// step from one end of a turn to the other, the shorter way counts, if it is short.
+void JointTransforms::addTurn(const Joint& joint, const Position& next,
+                              std::vector<TransformView>& result) {
+  const auto [entry, is_new] = last_.try_emplace(&joint, next);
+  const Position last = std::exchange(entry->second, next);
+  const double turn = next.value - last.value;
+  if (is_new || next.stamp <= last.stamp || !(std::abs(turn) > kPi)) return;
+  if (!joint.limits && isOfOneTurn(last.value, next.value)) {
+    if (std::abs(std::remainder(turn, 2 * kPi)) <= kMaxStep) return;
+  } else if (std::abs(turn) <= kMaxTurn) {
+    const double steps = std::ceil(std::abs(turn) / kMaxStep);
+    const ros::Duration passed = next.stamp - last.stamp;
+    for (int i = 1; i < steps; ++i)
+      result.push_back(
+          transformOf(joint, last.value + turn * (i / steps), last.stamp + passed * (i / steps)));
+    return;
+  }
+  if (ambiguous_++ == 0) first_ambiguous_ = joint.name;
+}
+
+std::string JointTransforms::loss() const {
+  if (ambiguous_ == 0) return "";
+  return std::to_string(ambiguous_) + (ambiguous_ == 1 ? " motion" : " motions") +
+         " of joints by more than half a turn between two messages, the first of \"" +
+         first_ambiguous_ +
+         "\": which way round is not known, the shorter one was looked at; record joint states at "
+         "a higher rate";
 }
 
 /// By the way from a joint to the one that it names, and on, until the message has a position.

@@ -5,6 +5,7 @@
 
 #include <sensor_msgs/JointState.h>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,8 +31,12 @@ class JointTransforms {
 
   /// Of the joints whose positions the message has, one per name, and of those that mimic them and
   /// have none of their own. Other names are those of other robots, or of joints that the URDF does
-  /// not have.
+  /// not have. Where a joint turned by more than tf2 can interpolate, transforms on its way come
+  /// before the last one.
   std::vector<TransformView> of(const sensor_msgs::JointState& message, ros::Time stamp);
+
+  /// Turns of which it is not known which way round they went, in words; "" if there are none.
+  std::string loss() const;
 
   /// Joints with a value that no message had so far.
   std::vector<std::string> missing() const;
@@ -39,6 +44,13 @@ class JointTransforms {
  private:
   using Values = std::map<std::string, double>;  // by the name of the joint
 
+  /// Of a joint, in a message.
+  struct Position {
+    double value;
+    ros::Time stamp;
+  };
+
+  void addTurn(const Joint& joint, const Position& next, std::vector<TransformView>& result);
   std::optional<double> valueOf(const Joint& joint, const Values& told) const;
   TransformView transformOf(const Joint& joint, double value, ros::Time stamp) const;
 
@@ -46,6 +58,9 @@ class JointTransforms {
   std::vector<std::string> frames_;  ///< of the links
   std::map<std::string, const Joint*> joints_;
   std::map<std::string, bool> is_met_;  ///< leaders
+  std::map<const Joint*, Position> last_;
+  std::uint64_t ambiguous_ = 0;  ///< turns
+  std::string first_ambiguous_;  ///< the joint of the first one
 };
 
 }  // namespace link_bounds

@@ -161,7 +161,8 @@ bool RecordedScene::takeObjects(const BagMessage& message) {
   if (*message.type == kBoxArray) {
     AxisAlignedBoxArray boxes;
     deserialize(message, boxes);
-    feed_.onNeighbour(boxes, {*message.publisher}, toRosTime(now_));
+    if (object_topics_.isOwn(boxes, *message.topic, *message.publisher))
+      feed_.onNeighbour(boxes, {*message.publisher}, toRosTime(now_));
     return true;
   }
   const bool is_array = *message.type == kMarkerArray;
@@ -171,6 +172,7 @@ bool RecordedScene::takeObjects(const BagMessage& message) {
   } else {
     deserialize(message, array.markers.emplace_back());
   }
+  object_topics_.keepOwn(array.markers, *message.topic, *message.publisher);
   return feedMarkers(array.markers, *message.publisher) && loadMeshes();
 }
 

@@ -11,6 +11,7 @@
 
 #include "tools/bag_bounds/bag/bag_reader.h"
 #include "tools/bag_bounds/scene/joint_transforms.h"
+#include "tools/bag_bounds/scene/object_topics.h"
 #include "tools/bag_bounds/scene/record_time.h"
 #include "world/bodies/scene_feed.h"
 #include "world/model/model.h"
@@ -65,6 +66,8 @@ class RecordedScene {
   /// Messages that could not be read.
   std::uint64_t damaged() const { return damaged_; }
 
+  const ObjectTopics& objectTopics() const { return object_topics_; }
+
   /// Messages of joints with another number of positions than of names.
   std::uint64_t unfit() const { return unfit_; }
 
@@ -88,6 +91,7 @@ class RecordedScene {
   std::int64_t next_tick_ = 0;  ///< likewise
   std::int64_t passed_ = 0;     ///< time that has passed, where record time goes forward [ns]
   SceneFeed feed_;
+  ObjectTopics object_topics_{feed_.scene().objects};
   TfMessage tf_message_;
   std::vector<std::string> wanted_meshes_;
   std::uint64_t transforms_ = 0;

@@ -81,7 +81,6 @@ BodyMotions::BodyMotions(Scene& scene, EdgeWays& edges, FrameView* view)
       ways_(edges, view ? view->frame() : *scene.frames.fixedFrame()),
       scene_ways_(edges, *scene.frames.fixedFrame()),
       target_(view ? view->frame() : *scene.frames.fixedFrame()),
-      timeout_(scene.model()->parameters.timeout * 1e9),
       last_links_(scene.model()->links.size()),
       last_number_(last_links_.size()) {
   for (std::size_t i = 0; i < last_links_.size(); ++i) {
@@ -126,29 +125,28 @@ BodyMotions::Last& BodyMotions::lastOf(const SceneBody& body) {
   return entry->second;
 }
 
-/// From the last stamp to this one.
-bool BodyMotions::isMotion(const Last& last, std::int64_t stamp) const {
-  return timeout_ == 0 || static_cast<double>(stamp - last.stamp) <= timeout_;
-}
-
 void BodyMotions::followView() {
   const std::int64_t stamp = view_ ? view_->fixedStamp() : 0;
   if (stamp == 0 || stamp == view_stamp_) return;
-  Last last;
-  last.stamp = std::exchange(view_stamp_, stamp);
-  if (last.stamp == 0 || stamp < last.stamp || !isMotion(last, stamp)) view_since_ = stamp;
+  const std::int64_t last = std::exchange(view_stamp_, stamp);
+  if (last == 0 || stamp < last) view_since_ = stamp;
 }
 
-/// In the view, as far as its motion is known.
-void BodyMotions::standSinceStamp(Last& last, const BoxSource& source) const {
+/// In the view, as far as its motion is known: of a link, and of an object that was placed once.
+/// The way of a link from a place that is not known is undecided.
+void BodyMotions::beginKnown(Last& last, const BoxSource& source,
+                             const FrameView::Placed& placed) const {
+  const bool is_link = !source.object;
   last.stamp = 0;
-  if (view_stamp_ == 0 || !source.frame_from_body || source.object->follows()) return;
-  const std::int64_t since = std::max(
-      {source.object->stamp, view_since_, oldestKnown(scene_.frames.tf(), target_, source.frame)});
+  if (!is_link && (view_stamp_ == 0 || !source.frame_from_body || source.object->follows())) return;
+  std::int64_t since = oldestKnown(scene_.frames.tf(), target_, source.frame);
+  if (!is_link) since = std::max({since, source.object->stamp, view_since_});
   const auto pose = scene_.frames.tf().pose(target_, source.frame, since);
-  const auto box = pose
-                       ? linkBox(source.bounded, MatrixPose(*pose).affine * *source.frame_from_body)
-                       : std::nullopt;
+  const Eigen::Affine3d frame_from_body =
+      source.frame_from_body ? *source.frame_from_body : Eigen::Affine3d::Identity();
+  auto box =
+      pose ? linkBox(source.bounded, MatrixPose(*pose).affine * frame_from_body) : std::nullopt;
+  if (!box && is_link) box = placed.state.box;
   if (!box) return;
   last.stamp = since;
   last.box = *box;
@@ -189,12 +187,14 @@ void BodyMotions::forgetFormers(Last& last) const {
                      last.formers.end());
 }
 
-void BodyMotions::noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed) {
-  if (!last.place || !placed.state.box || last.stamp == 0 || last.stamp < view_since_) return;
+/// The view may be lost meanwhile.
+void BodyMotions::noteReplaced(Last& last, const SceneBody& body) const {
+  if (!last.place || !body.state.box || last.stamp == 0 || last.stamp < view_since_) return;
   const BoxSource source = scene_.boxSource(body);
   if (source.object == last.object || source.object->follows()) return;
   if (source.object->stamp > last.stamp)
     last.formers.push_back({last.object, *last.place, last.box, last.stamp, source.object->stamp});
+  last.forget();
 }
 
 /// In the view, as far as it has come. Null if there is no such motion.
@@ -226,11 +226,10 @@ const BodyMotion* BodyMotions::next(Last& last, const SceneBody& body,
                                     const FrameView::Placed& placed) {
   if (!placed.state.box) return nullptr;
   const BoxSource source = scene_.boxSource(body);
-  const bool is_new = body.object && last.object != source.object;
-  if (is_new) standSinceStamp(last, source);
-  const std::int64_t passed = placed.pose_stamp - last.stamp;
-  const bool has_moved = last.object == source.object && last.stamp != 0 && passed > 0 &&
-                         (is_new || isMotion(last, placed.pose_stamp));
+  const bool is_new = body.link ? last.stamp == 0 : last.object != source.object;
+  if (is_new && placed.pose_stamp != 0) beginKnown(last, source, placed);
+  const bool has_moved =
+      last.object == source.object && last.stamp != 0 && last.stamp < placed.pose_stamp;
   if (has_moved) {
     motion_ = {{last.stamp, placed.pose_stamp}, last.box, 0, target_, source.frame, &source.bounded,
                source.frame_from_body};

@@ -79,10 +79,10 @@ using BodyNumber = std::uint64_t;
 /// All points of the shapes are at most so far from the origin of the motion's source [m].
 double radiusOf(const BodyMotion& motion);
 
-/// A body moves while the stamp of its box grows, from one transform to a later one, also where its
-/// box was lost meanwhile: transforms may have been recorded late. It does not move, but is another
-/// one, where a marker came again, where the clock jumped back, and where its stamps are farther
-/// apart than `timeout`. An object that is placed once stands since its stamp.
+/// A body moves while the stamp of its box grows, from one transform to a later one, however long
+/// that takes, and whether or not its box was lost meanwhile; a link, from the first stamp at which
+/// tf knows it. It does not move, but is another one, where a marker came again, and where the
+/// clock jumped back. An object that is placed once stands since its stamp.
 class BodyMotions {
  public:
   /// `view` has the axes of another frame than the scene's fixed one; null: these. All must outlive
@@ -104,9 +104,9 @@ class BodyMotions {
     scene_.forEach([&](const SceneBody& body) {
       const FrameView::Placed placed = placedIn(body);
       Last& last = lastOf(body);
-      const bool goes_on = placed.state.box && isMotion(last, placed.pose_stamp);
-      if (!goes_on && hasRest(last, body)) visit_rest(last.number, body.name, rest(last, body));
-      noteReplaced(last, body, placed);
+      if (!placed.state.box && hasRest(last, body))
+        visit_rest(last.number, body.name, rest(last, body));
+      noteReplaced(last, body);
       visitFormers(last, visit_rest);
       const BodyMotion* motion = next(last, body, placed);
       visit(last.number, body.name, placed.state, motion);
@@ -163,12 +163,11 @@ class BodyMotions {
   FrameView::Placed placedIn(const SceneBody& body);
   FrameView::Placed placedInScene(const SceneBody& body) const;
   Last& lastOf(const SceneBody& body);
-  bool isMotion(const Last& last, std::int64_t stamp) const;
   void followView();
-  void standSinceStamp(Last& last, const BoxSource& source) const;
+  void beginKnown(Last& last, const BoxSource& source, const FrameView::Placed& placed) const;
   bool hasRest(const Last& last, const SceneBody& body) const;
   const BodyMotion& rest(Last& last, const SceneBody& body);
-  void noteReplaced(Last& last, const SceneBody& body, const FrameView::Placed& placed);
+  void noteReplaced(Last& last, const SceneBody& body) const;
   void forgetFormers(Last& last) const;
   const BodyMotion* untilReplaced(Former& former);
   const BodyMotion* next(Last& last, const SceneBody& body, const FrameView::Placed& placed);
@@ -204,7 +203,6 @@ class BodyMotions {
   TransformBuffer::Frame target_;
   std::int64_t view_stamp_ = 0;  ///< of the scene's fixed frame in the view; 0: none, or it stands
   std::int64_t view_since_ = 0;  ///< the motions that lead there begin
-  double timeout_;               ///< [ns]; 0: never
   std::vector<double> radii_;    ///< of the links
   std::vector<Last> last_links_;
   std::map<ObjectKey, Last> last_objects_;

@@ -20,9 +20,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// So many objects that are gone are looked at: those of some seconds, where many change often.
 constexpr std::size_t kMaxGone = 10'000;
 
-/// From one stamp to another one, so much later [ns].
-bool isMotion(std::int64_t passed, double timeout) {
-  return passed >= 0 && (timeout <= 0 || static_cast<double>(passed) <= timeout * 1e9);
+/// From this stamp on tf knows where the link is. The box of a link may come later, as where a
+/// message has several transforms of one frame.
+std::int64_t firstStampOf(const Model& model, std::size_t link, const TransformBuffer& tf) {
+  const auto fixed = tf.find(model.fixed_frame), frame = tf.find(model.frames[link]);
+  return fixed && frame ? oldestKnown(tf, *fixed, *frame) : 0;
 }
 
 void stand(MovedBody& body, TransformBuffer::Frame frame, const Eigen::Affine3d& pose) {
@@ -56,7 +58,6 @@ struct RestTimes {
 
 void PairMotions::remember(const Scene& scene, std::int64_t now) {
   if (moment_) return;
-  const double timeout = scene.model()->parameters.timeout;
   scene.forEach([&](const SceneBody& body) {
     const std::int64_t stamp = body.state.stamp;
     if (!body.state.box || stamp == 0) return;
@@ -64,7 +65,7 @@ void PairMotions::remember(const Scene& scene, std::int64_t now) {
     if (object && !object->follows()) return;
     const auto [known, is_new] = known_.try_emplace(BodyKey(body.link, object));
     const Known before = known->second;
-    const bool goes_on = !is_new && isMotion(stamp - before.stamp, timeout);
+    const bool goes_on = !is_new && stamp >= before.stamp;
     known->second = {stamp, goes_on ? before.since : stamp, kNoPass, 0, true, stamp};
     compareClocks(stamp, now);
   });
@@ -80,7 +81,7 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
   std::map<std::string, std::int64_t> stamps;
   for (std::size_t i = 0; i < count; ++i) {
     const Moment::Body& body = moment_->bodies[i];
-    if (!body.object || movers_[i].end != 0) continue;
+    if (!body.object) continue;
     if (i < moment.bodies.size() && moment.bodies[i].object == body.object) continue;
     if (present.empty()) {
       for (const Moment::Body& other : moment.bodies) {
@@ -89,10 +90,21 @@ void PairMotions::findGone(const Moment& moment, std::int64_t now, const Means& 
       }
     }
     if (present.count(body.object.get()) != 0) continue;
-    const std::int64_t until = std::max(stampAt(now), stamps[moment_->name(body)]);
-    gone_.push_back({body, means.bodies.sharedBody(i), until});
+    const auto& lost = moment.incomplete;
+    const std::string& name = moment_->name(body);
+    if (movers_[i].end != 0 && std::find(lost.begin(), lost.end(), name) != lost.end()) continue;
+    addGone(i, std::max(stampAt(now), stamps[name]), means);
   }
   if (gone_.size() > known_gone) forgetGone();
+}
+
+void PairMotions::addGone(std::size_t i, std::int64_t until, const Means& means) {
+  const Moment::Body& body = moment_->bodies[i];
+  const MovedBody& mover = movers_[i];
+  const auto measured = means.bodies.sharedBody(i);
+  const bool moves = mover.end != 0;
+  gone_.push_back({body, measured, moves ? mover.since : 0, moves ? mover.end : until, false});
+  if (moves && mover.end < until) gone_.push_back({body, measured, mover.end, until, true});
 }
 
 void PairMotions::compareClocks(std::int64_t stamp, std::int64_t now) {
@@ -107,16 +119,29 @@ std::int64_t PairMotions::stampAt(std::int64_t recorded) const {
   return delay < 0 || delay > kLongestRest ? recorded - delay : recorded;
 }
 
+/// No motion that is not yet known begins before this stamp. A link that never had a box may come
+/// with all that tf knows of it, which may be later than others are.
+std::int64_t PairMotions::oldestNeeded(std::int64_t newest) const {
+  std::int64_t oldest = MovedBody::kForEver;
+  std::size_t links = 0;
+  for (const auto& [key, known] : known_) {
+    links += key.link != 0;
+    if (known.moves) oldest = std::min(oldest, known.stamp);
+  }
+  const auto has_shapes = [](const BoundedLink& link) { return !link.shapes.empty(); };
+  const auto& all = moment_->model->links;
+  const auto expected = std::count_if(all.begin(), all.end(), has_shapes);
+  const bool lacks_link = links < static_cast<std::size_t>(expected);
+  return lacks_link ? std::min(oldest, newest - 2 * EdgeHistory::kLength) : oldest;
+}
+
 /// When the stamps of all bodies that move have passed the deletion. Who is silent may go on at any
 /// time: tf may have stalled. Until then, of those that are too old or too many the names stay.
 void PairMotions::forgetGone() {
   std::int64_t newest = 0;
-  std::int64_t oldest = MovedBody::kForEver;
-  for (const auto& [key, known] : known_) {
-    if (!known.moves) continue;
-    newest = std::max(newest, known.stamp);
-    oldest = std::min(oldest, known.stamp);
-  }
+  for (const auto& [key, known] : known_)
+    if (known.moves) newest = std::max(newest, known.stamp);
+  const std::int64_t oldest = oldestNeeded(newest);
   const auto is_over = [oldest](const Gone& gone) { return gone.until <= oldest; };
   gone_.erase(std::remove_if(gone_.begin(), gone_.end(), is_over), gone_.end());
   if (forgotten_until_ <= oldest) forgotten_.clear();
@@ -133,14 +158,17 @@ void PairMotions::forgetGone() {
 }
 
 /// With those that were there when a motion began that ends now.
-MomentPtr PairMotions::withGone(const MomentPtr& moment) {
+MomentPtr PairMotions::withGone(const MomentPtr& moment, const TransformBuffer& tf) {
   needed_gone_ = 0;
   if (gone_.empty()) return moment;
   std::int64_t earliest = MovedBody::kForEver;
   for (const Moment::Body& body : moment->bodies) {
     const auto known = known_.find(BodyKey(body));
-    if (known != known_.end() && known->second.moves && known->second.stamp != body.stamp)
+    const bool was_known = known != known_.end() && known->second.stamp != 0;
+    if (was_known && known->second.moves && known->second.stamp != body.stamp)
       earliest = std::min(earliest, known->second.stamp);
+    if (!was_known && body.link && body.stamp != 0)
+      earliest = std::min(earliest, firstStampOf(*moment->model, *body.link, tf));
   }
   const auto others = std::partition(gone_.begin(), gone_.end(),
                                      [=](const Gone& gone) { return earliest < gone.until; });
@@ -159,21 +187,18 @@ void PairMotions::begin(const MomentPtr& present, std::int64_t now, const Means&
     if (moves) compareClocks(body.stamp, now);
   }
   findGone(*present, now, means);
-  const MomentPtr moment = withGone(present);
+  const MomentPtr moment = withGone(present, means.tf);
   last_ = std::exchange(moment_, moment);
   std::vector<MovedBody> before = std::exchange(movers_, {});
-  for (const Moment::Body& body : moment->bodies) {
+  for (const Moment::Body& body : present->bodies) {
     MovedBody mover = moverOf(body, means.tf);
     mover.end = !body.object || body.object->follows() ? body.stamp : 0;
     mover.since = mover.end;
     movers_.push_back(mover);
   }
-  for (std::size_t i = 0; i < needed_gone_; ++i) {
-    MovedBody& mover = movers_[present->bodies.size() + i];
-    mover.body = gone_[i].body.get();
-    mover.until = gone_[i].until;
-  }
-  findBegins(*moment, before);
+  findBegins(*present, means.tf, before);
+  for (std::size_t i = 0; i < needed_gone_; ++i)
+    movers_.push_back(moverOf(gone_[i], moment->bodies[present->bodies.size() + i], means.tf));
   forgetObjects();
   if (!edges_) edges_.emplace(means.tf);
   const auto fixed = means.tf.find(moment->model->fixed_frame);
@@ -221,30 +246,34 @@ std::vector<BoxPair> PairMotions::near(const MomentPtr& moment, double way, cons
 /// Remembers the stamps of this moment for the next ones. Says of the movers of the last moment
 /// which of them go on. A body that does not move always does. What moves on from a stamp was not
 /// looked at beside those at rest since then.
-void PairMotions::findBegins(const Moment& moment, std::vector<MovedBody>& last_movers) {
-  const double timeout = moment.model->parameters.timeout;
+void PairMotions::findBegins(const Moment& moment, const TransformBuffer& tf,
+                             std::vector<MovedBody>& last_movers) {
   const RestTimes rests(last_movers);
   std::int64_t earliest = 0;  // begin of a motion that ends now
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Moment::Body& body = moment.bodies[i];
     MovedBody& mover = movers_[i];
     const auto [known, is_new] = known_.try_emplace(BodyKey(body));
-    const Known before =
+    Known before =
         std::exchange(known->second, {body.stamp, mover.since, pass_, i, mover.end != 0});
     if (is_new && body.object && !body.object->follows()) {
       mover.was_there = true;
       mover.is_placed_now = last_ != nullptr;
       mover.since = body.stamp;  // not later: it may have been there before
     }
-    if (is_new) continue;
+    const bool is_first = body.link && mover.end != 0 && before.stamp == 0;
+    if (is_first)
+      before.stamp = before.since =
+          std::min(firstStampOf(*moment.model, *body.link, tf), mover.end);
+    if (is_new && !is_first) continue;
     mover.begin = mover.end == 0 ? 0 : before.stamp;
     const std::int64_t passed = mover.end - mover.begin;
-    mover.was_there = passed == 0 || (mover.begin != 0 && isMotion(passed, timeout));
+    mover.was_there = passed >= 0;
     if (!mover.was_there) continue;
     mover.since = known->second.since = before.since;
     mover.reported = known->second.reported = before.reported;
     if (passed > 0) earliest = olderStamp(earliest, mover.begin);
-    if (before.pass + 1 != pass_) continue;
+    if (is_new || before.pass + 1 != pass_) continue;
     MovedBody& last = last_movers[before.place];
     last.goes_on = last.end == 0 || !rests.isLong(last);
     if (passed == 0) mover.rested = last.goes_on ? last.rested : rests.end;
@@ -268,16 +297,18 @@ void PairMotions::findWays(const TransformBuffer& tf, Frame fixed) {
   std::int64_t placed = MovedBody::kForEver;  // first stamp of what is placed now
   for (const MovedBody& mover : movers_) {
     if (mover.is_placed_now) placed = std::min(placed, mover.since);
-    if (mover.was_there && mover.begin < mover.end) moved = std::min(moved, mover.begin);
+    if (mover.was_there && mover.begin != 0 && mover.begin < mover.end)
+      moved = std::min(moved, mover.begin);
   }
   if (std::min(moved, placed) == MovedBody::kForEver) return;
   for (MovedBody& mover : movers_) {
-    if (!mover.was_there || mover.end == 0) continue;
-    std::int64_t begin = std::min(moved, mover.begin);
+    const std::int64_t end = std::max(mover.end, mover.moved_until);
+    if (!mover.was_there || end == 0) continue;
+    std::int64_t begin = olderStamp(moved, mover.begin);
     if (placed < begin)
       begin = std::min(begin, std::max(placed, oldestKnown(tf, fixed, mover.frame)));
     begin = std::max(begin, mover.since);
-    if (begin < mover.end) mover.way = ways.of(mover.frame, mover.radius, {begin, mover.end});
+    if (begin < end) mover.way = ways.of(mover.frame, mover.radius, {begin, end});
   }
 }
 
@@ -298,6 +329,20 @@ MovedBody PairMotions::moverOf(const Moment::Body& body, const TransformBuffer& 
   return mover;
 }
 
+/// `body` is that of the moment.
+MovedBody PairMotions::moverOf(const Gone& gone, const Moment::Body& body,
+                               const TransformBuffer& tf) const {
+  MovedBody mover = moverOf(body, tf);
+  if (gone.rests)
+    stand(mover, tf.find(moment_->model->fixed_frame).value_or(0), body.frame_from_body);
+  mover.body = gone.body.get();
+  mover.was_there = true;
+  mover.since = gone.since;
+  mover.until = gone.until;
+  mover.moved_until = gone.since != 0 && !gone.rests ? gone.until : 0;
+  return mover;
+}
+
 /// A motion before one of both was known was that of others. An object may have been placed by an
 /// older stamp than tf still knows.
 void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
@@ -311,7 +356,9 @@ void PairMotions::lookAt(const BoxPair& pair, const Means& means) {
                                  : olderStamp(first.begin, second.begin);
   const MotionSpan span{std::max({begin, first.since, second.since}),
                         std::min({olderStamp(first.end, second.end), first.until, second.until})};
-  if (span.begin == 0 || span.begin >= span.end) return;
+  // A rest may begin with the last pose that is known.
+  const bool is_pose = second.isGone() && first.begin < span.end && span.begin == span.end;
+  if (span.begin == 0 || (span.begin >= span.end && !is_pose)) return;
   const bool is_same_name =
       moment_->name(moment_->bodies[pair.first]) == moment_->name(moment_->bodies[pair.second]);
   if (is_same_name && second.isGone()) return;
@@ -416,7 +463,7 @@ void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSp
   const TransformBuffer& tf = means.tf;
   const Parameters& parameters = moment_->model->parameters;
   const PairSearch found = searchPair(tf, first, second, span, wanted, parameters.distance_limit,
-                                      parameters.timeout, means.handlers.gives_up);
+                                      means.handlers.gives_up);
   motion.clearance = found.clearance;
   motion.undecided = found.undecided;
   if (!found.nearest_stamp) return;

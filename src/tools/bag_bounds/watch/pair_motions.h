@@ -42,10 +42,11 @@ struct MovedBody : FramedBody {
   std::int64_t since = 0;         ///< its motion is known from this stamp on
   std::int64_t reported = 0;      ///< and looked at from here on beside what is placed now
   std::int64_t rested = 0;        ///< beside its last place, others were looked at until then
-  bool was_there = false;         ///< known before, not longer ago than `timeout`; or placed now
+  bool was_there = false;         ///< its motion to `end` is known, or it does not move
   bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
   bool goes_on = false;           ///< in the next moment, likewise
   std::int64_t until = kForEver;  ///< when it was deleted
+  std::int64_t moved_until = 0;   ///< before that; 0: it is there, or does not move
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]
 
   bool isGone() const { return until != kForEver; }
@@ -82,15 +83,16 @@ class PairMotions {
 
   /// To be called with each moment, while the bodies are those of the last one. Where one of these
   /// is lost, or does not go on, others are looked at beside its last place, since its stamp. An
-  /// object at rest that is not in the moment was deleted or replaced at `now`, the record time
-  /// [ns], by the clock of the stamps: until then, others are looked at beside it.
+  /// object that is not in the moment was deleted or replaced at `now`, the record time [ns], by
+  /// the clock of the stamps: until then, others are looked at beside it. Where it moved, it rests
+  /// from its last stamp on.
   void begin(const MomentPtr& moment, std::int64_t now, const Means& means);
 
   /// Looks at all motions from the last moments to this one, of the pairs of the moment's model,
-  /// also of bodies that were not in the last one; and from the stamp of an object that was placed
-  /// once to now, when it is first there. They are over where an object was replaced, and where
-  /// stamps are farther apart than `timeout`. To be called after begin(), when the bodies are
-  /// those of the moment.
+  /// also of bodies that were not in the last one, however long ago they were; of a link that is
+  /// first there, from the first stamp at which tf knows it; and from the stamp of an object that
+  /// was placed once to now, when it is first there. They are over where an object was replaced. To
+  /// be called after begin(), when the bodies are those of the moment.
   void look(const Means& means);
 
   /// All motions are over. The next moment is a first one.
@@ -130,19 +132,26 @@ class PairMotions {
     std::int64_t reported = 0;  ///< as of MovedBody
   };
 
-  /// An object at rest that is gone, while stamps of others are older than that.
+  /// An object that is gone, while stamps of others are older than that. One that moved is there
+  /// twice: until its last stamp it moves, then it rests.
   struct Gone {
     Moment::Body seen;
     std::shared_ptr<const Body> body;
-    std::int64_t until;  ///< when it was deleted, by the clock of stamps
+    std::int64_t since;  ///< its motion, or its rest, is known from this stamp on
+    std::int64_t until;  ///< the end of that; when it was deleted, by the clock of stamps
+    bool rests;          ///< in the fixed frame; else it is where its frame is
   };
 
   void findGone(const Moment& moment, std::int64_t now, const Means& means);
   void compareClocks(std::int64_t stamp, std::int64_t now);
   std::int64_t stampAt(std::int64_t recorded) const;
+  void addGone(std::size_t i, std::int64_t until, const Means& means);
+  std::int64_t oldestNeeded(std::int64_t newest) const;
   void forgetGone();
-  MomentPtr withGone(const MomentPtr& moment);
-  void findBegins(const Moment& moment, std::vector<MovedBody>& last_movers);
+  MomentPtr withGone(const MomentPtr& moment, const TransformBuffer& tf);
+  MovedBody moverOf(const Gone& gone, const Moment::Body& body, const TransformBuffer& tf) const;
+  void findBegins(const Moment& moment, const TransformBuffer& tf,
+                  std::vector<MovedBody>& last_movers);
   void forgetObjects();
   void findWays(const TransformBuffer& tf, Frame fixed);
   MovedBody moverOf(const Moment::Body& body, const TransformBuffer& tf) const;

@@ -95,9 +95,9 @@ std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Aff
 }
 
 PairSearch searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
-                      MotionSpan span, double wanted, double limit, double timeout,
+                      MotionSpan span, double wanted, double limit,
                       const std::function<bool()>& gives_up) {
-  MotionPath path = pathBetween(tf, first.frame, second.frame, span, timeout);
+  MotionPath path = pathBetween(tf, first.frame, second.frame, span, kNoTimeout);
   if (!path.problem.empty()) return {0, std::nullopt, path.problem};
   PairWalker walker(first, second, wanted, limit);
   MotionWalk<PairWalker> walk(path, span, second.radius, walker, gives_up);

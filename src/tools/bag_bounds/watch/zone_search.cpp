@@ -85,8 +85,8 @@ ZoneSearch undecided(const std::string& why) {
 }  // namespace
 
 ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const Aabb& zone,
-                      double wanted, double timeout, const std::function<bool()>& gives_up) {
-  MotionPath path = pathBetween(tf, motion.target, motion.source, motion.span, timeout);
+                      double wanted, const std::function<bool()>& gives_up) {
+  MotionPath path = pathBetween(tf, motion.target, motion.source, motion.span, kNoTimeout);
   if (!path.problem.empty()) return undecided(path.problem);
   StaySearch search(motion, zone, wanted);
   MotionWalk<StaySearch> walk(path, motion.span, radiusOf(motion), search, gives_up);

@@ -16,6 +16,9 @@ namespace link_bounds {
 /// Motions that are known no better than this stay undecided [ns].
 constexpr std::int64_t kTimeResolution = 1'000;
 
+/// Of pathBetween(): a motion is one however far apart its stamps are.
+constexpr double kNoTimeout = 0;
+
 /// What is proven is at most so far from the nearest pose that was looked at [m], where that is
 /// farther away.
 constexpr double kZoneAccuracy = 1e-3;
@@ -38,6 +41,6 @@ struct ZoneSearch {
 /// Of a body outside of the zone at both ends. Where the clearance is above `wanted`, it is not
 /// refined. Such a search is expensive: BodyMotion::way decides most motions.
 ZoneSearch searchZone(const TransformBuffer& tf, const BodyMotion& motion, const Aabb& zone,
-                      double wanted, double timeout, const std::function<bool()>& gives_up);
+                      double wanted, const std::function<bool()>& gives_up);
 
 }  // namespace link_bounds

@@ -36,7 +36,6 @@ void ZoneWatch::watch(Scene& scene, TransformBuffer& tf, ros::Time now) {
   scene_ = &scene;
   tf_ = &tf;
   edges_.emplace(tf);
-  timeout_ = scene.model()->parameters.timeout;
   for (Watched& watched : zones_) {
     std::string& frame = watched.record.zone.frame;
     if (frame.empty()) frame = scene.model()->fixed_frame;
@@ -188,8 +187,7 @@ void ZoneWatch::lookAtRest(Watched& watched, const Seen& body, std::int64_t now)
   if (clearance > wanted) {
     record.clearance = std::min(record.clearance, clearance);
   } else if (body.motion->view_from_target) {
-    take(watched, body,
-         searchZone(*tf_, *body.motion, record.zone.box, wanted, timeout_, gives_up_), now);
+    take(watched, body, searchZone(*tf_, *body.motion, record.zone.box, wanted, gives_up_), now);
   } else {
     ZoneSearch unknown;
     unknown.clearance = 0;
@@ -212,8 +210,7 @@ void ZoneWatch::lookBetween(Watched& watched, const Seen& body, double distance,
   if (clearance > wanted) {
     record.clearance = std::min(record.clearance, clearance);
   } else {
-    take(watched, body,
-         searchZone(*tf_, *body.motion, record.zone.box, wanted, timeout_, gives_up_), now);
+    take(watched, body, searchZone(*tf_, *body.motion, record.zone.box, wanted, gives_up_), now);
   }
 }
 

@@ -151,7 +151,6 @@ class ZoneWatch {
   TransformBuffer* tf_ = nullptr;
   std::optional<EdgeWays> edges_;  ///< which the zones of all frames share
   std::function<bool()> gives_up_;
-  double timeout_ = 0;  ///< [s]
   std::vector<Watched> zones_;
   std::map<std::string, FrameView> views_;  ///< by frame, without the fixed one
   std::map<std::string, Group> groups_;     ///< by frame
