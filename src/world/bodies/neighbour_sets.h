@@ -29,9 +29,9 @@ using HasLeft = std::function<bool(const std::string& node)>;
 
 /// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender
 /// says in one frame of links of which at least one is the same in each message. Messages without
-/// links are one more set of their sender and frame. An empty message of a sender that was started again
-/// does not end what it had before: it may not know its robot yet. Functions return true if a box, a stamp or an
-/// incomplete name changed.
+/// links are one more set of their sender and frame. An empty message of a sender that was started
+/// again does not end what it had before: it may not know its robot yet. Functions return true if a
+/// box, a stamp or an incomplete name changed.
 class NeighbourSets {
  public:
   /// How long after the end of a connection [s] its boxes go, unless a new one brings a message:
