@@ -185,6 +185,11 @@ class Watch:
                 self._tell(text % name)
 
 
+def has_publisher(topic):
+    """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
+    return any(connection.socket is not None for connection in topic.impl.connections or ())
+
+
 def main():
     check_arguments(__doc__)
     rospy.init_node('zone_events')
@@ -203,7 +208,7 @@ def main():
                                tcp_nodelay=True)]
     while not ended.wait(PERIOD):
         watch.settle()
-        watch.look_for([topic.name for topic in topics if not topic.get_num_connections()])
+        watch.look_for([topic.name for topic in topics if not has_publisher(topic)])
 
 
 if __name__ == '__main__':

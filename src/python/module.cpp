@@ -131,8 +131,8 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
   if (given.empty()) throw py::value_error("the name of the URDF file is empty");
   const std::size_t begin = given.find_first_not_of(" \t\r\n\xEF\xBB\xBF");  // the last: a BOM
   const bool is_text = begin != std::string::npos && given[begin] == '<';
-  if (!is_text && given.find('\0') != std::string::npos)
-    throw py::value_error("the name of the URDF file has a null byte");
+  if (given.find('\0') != std::string::npos)
+    throw py::value_error("the URDF, or the name of its file, has a null byte");
   request.text = is_text ? given : textOfFile(given, "a URDF");
   request.base_folder = is_text ? "." : folderOf(given);
   if (geometry != "visual" && geometry != "collision" && geometry != "both")

@@ -21,6 +21,7 @@ constexpr int kSpins = 12;           ///< about each direction, in a quarter tur
 constexpr double kFirstStep = 0.08;  ///< about half the angle between two samples [rad]
 constexpr double kLastStep = 1e-8;   ///< [rad]
 constexpr double kMinGain = 1e-6;    ///< of the volume; the header promises it
+constexpr double kLastGain = 1e-9;   ///< of the volume, by which a step is worth another one
 
 constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
 constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
@@ -126,7 +127,8 @@ std::vector<Eigen::Vector3d> turnAxes() {
   return result;
 }
 
-/// Turns the best box in small steps, and halves the step when none improves it.
+/// Turns the best box in small steps, and halves the step when none improves it by more than
+/// rounding may.
 void refine(Search& search, Candidate& best) {
   const std::vector<Eigen::Vector3d> axes = turnAxes();
   for (double step = kFirstStep; step > kLastStep;) {
@@ -135,7 +137,7 @@ void refine(Search& search, Candidate& best) {
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));
       keepBetter(search.candidate((center.orientation * turn).normalized()), best);
     }
-    if (best.volume == center.volume) step /= 2;
+    if (!(best.volume < (1 - kLastGain) * center.volume)) step /= 2;
   }
 }
 

@@ -17,8 +17,9 @@ inline void endOnSignals() {
   for (const int number : {SIGINT, SIGTERM}) {
     std::signal(number, [](int) {
       ros::requestShutdown();
-      const unsigned left = alarm(10);
-      if (left > 0) alarm(left);  // set by an earlier signal
+      static volatile std::sig_atomic_t is_set = 0;
+      if (!is_set) alarm(10);
+      is_set = 1;
     });
   }
 }

@@ -48,7 +48,8 @@ std::string fromXml(XmlRpcValue& value, double& out) {
   } else if (value.getType() == XmlRpcValue::TypeDouble) {
     out = static_cast<double&>(value);
   } else {
-    return isNumber(value) ? "a number; YAML takes one with e, but without a point, for text"
+    return isNumber(value) ? "a number, and is text: YAML wants a point and a sign in 1.0e-2, and "
+                             ".inf; quotes make text"
                            : "a number";
   }
   return "";

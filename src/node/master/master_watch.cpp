@@ -9,21 +9,18 @@
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace link_bounds {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod(1000);  // how late a new master is noticed
-constexpr int kSettled =
-    10;  // ticks; link_bounds nodes register with a new master within half of that
+constexpr int kForgotten = 10;  // ticks without a question about a node, more than an update takes
 
 }  // namespace
 
 MasterWatch::MasterWatch(std::string topic)
     : topic_(std::move(topic)),
-      known_for_(kSettled),
       worker_({"master watch", false, [this] { return onTick(); }, kPeriod}) {}
 
 bool MasterWatch::onTick() {
@@ -46,7 +43,7 @@ void MasterWatch::poll() {
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
   if (worker_.isStopping()) return;
-  known_for_ = registration == Registration::kKnown ? std::min(known_for_ + 1, kSettled) : 0;
+  takeAsked(registration != Registration::kKnown);
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) {
     // A new one may know the node by what else the process registers, before it is asked.
@@ -73,22 +70,36 @@ void MasterWatch::poll() {
 bool MasterWatch::hasLeft(const std::string& node) {
   const std::lock_guard<std::mutex> lock(mutex_);
   asked_.insert(node);
-  return left_.erase(node) > 0;
+  return left_.count(node) > 0;
+}
+
+void MasterWatch::takeAsked(bool is_master_lost) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::string& node : asked_)
+    senders_[node].unasked = 0;
+  for (auto entry = senders_.begin(); entry != senders_.end();) {
+    entry->second.is_doubted |= is_master_lost;
+    entry = ++entry->second.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
+  }
+  asked_.clear();
+  left_.clear();
 }
 
 void MasterWatch::lookForPublishers(const XmlRpcCall& master) {
+  const auto publishers = senders_.empty() ? std::nullopt : publishersOf(master, topic_);
+  if (!publishers) return;
   std::set<std::string> left;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::swap(left, asked_);
-    left_.clear();
-  }
-  if (known_for_ < kSettled) left.clear();
-  if (!left.empty()) {
-    const auto publishers = publishersOf(master, topic_);
-    if (!publishers) return;
-    for (const std::string& node : *publishers)
-      left.erase(node);
+  for (auto& [node, sender] : senders_) {
+    const bool publishes = publishers->count(node) > 0;
+    if (publishes) sender.is_doubted = false;
+    if (sender.is_doubted || (publishes && !sender.address.empty())) continue;
+    const auto address = addressOf(master, node);
+    if (publishes) {
+      sender.address = address.value_or("");
+    } else if (address &&
+               (address->empty() || sender.address.empty() || *address == sender.address)) {
+      left.insert(node);
+    }
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   left_ = std::move(left);

@@ -3,6 +3,7 @@
 // A thread that keeps the node known to the ROS master, also to one that was restarted.
 #pragma once
 
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -22,14 +23,22 @@ class MasterWatch {
   MasterWatch(const MasterWatch&) = delete;
   MasterWatch& operator=(const MasterWatch&) = delete;
 
-  /// Whether no node of that name published the topic any more, as the master said at the newest
-  /// tick, if that was asked before it. False for kSettled ticks after the master was lost: a new
-  /// one does not know all nodes at once. From any thread.
+  /// Whether the node does not publish the topic any more, as the master says, and has not been
+  /// started again. To be asked of each publisher all the time: a new master says so only of those
+  /// that it has known. From any thread.
   bool hasLeft(const std::string& node);
 
  private:
+  /// A node that published the topic.
+  struct Sender {
+    std::string address;      ///< "" while that is not known
+    bool is_doubted = false;  ///< the master was lost, and has not known it since
+    int unasked = 0;          ///< ticks
+  };
+
   bool onTick();
   void poll();
+  void takeAsked(bool is_master_lost);
   void lookForPublishers(const XmlRpcCall& master);
   void reportLost(const char* reason);
   void reportNameTaken();
@@ -40,7 +49,7 @@ class MasterWatch {
   bool is_name_told_ = false;  ///< that another node has the name, since it was lost
   bool name_is_taken_ = false;
   bool must_register_ = false;
-  int known_for_;     ///< ticks since it was lost, at most
+  std::map<std::string, Sender> senders_;
   std::mutex mutex_;  ///< of the next two
   std::set<std::string> asked_;
   std::set<std::string> left_;

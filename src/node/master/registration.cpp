@@ -111,6 +111,12 @@ std::optional<std::set<std::string>> publishersOf(const XmlRpcCall& master,
   return result;
 }
 
+std::optional<std::string> addressOf(const XmlRpcCall& master, const std::string& node) {
+  auto answer = master("lookupNode", arguments(node));
+  if (!answer) return std::nullopt;
+  return answer->isSuccess() ? static_cast<std::string>(answer->value) : "";
+}
+
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node) {
   return registerPublishers(master, node) && registerSubscribers(master, node) &&
          registerServices(master);

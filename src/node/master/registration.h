@@ -27,6 +27,9 @@ Registration queryRegistration(const XmlRpcCall& master);
 std::optional<std::set<std::string>> publishersOf(const XmlRpcCall& master,
                                                   const std::string& topic);
 
+/// "" if the master knows no such node; nothing if it does not answer.
+std::optional<std::string> addressOf(const XmlRpcCall& master, const std::string& node);
+
 /// Registers all publishers, subscribers and services of this node; no connection is lost. `node`
 /// calls this node itself, which lists its topics. False if a call fails.
 bool registerAgain(const XmlRpcCall& master, const XmlRpcCall& node);

@@ -49,6 +49,11 @@ class SignOfLife:
         self._last_sign = 0.0  # of either
         self._silence = 0.0  # s, the longest of those that were too long
 
+    def is_of_node(self):
+        """Whether the publisher is a link_bounds node, or a player of one: its status has come. Others may
+        not count their messages, as rospy does not where it sends the latched one again."""
+        return bool(self._names)
+
     def topics(self, topic_type, is_time_simulated):
         """What it listens to."""
         clock = [topic_type('/clock', Clock, self.see_clock, is_needed=False)]

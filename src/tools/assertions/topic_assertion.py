@@ -165,26 +165,27 @@ class Hold:
 
 
 class Losses:
-    """Counts messages that were published and did not come, by their sequence numbers. A publisher that
-    starts anew begins with a lower one; 0 says nothing, as some publishers have no numbers."""
+    """Counts messages that were published and did not come, by their sequence numbers. Those of a publisher
+    say nothing more once one went back: it may pass on the messages of several."""
 
     def __init__(self):
         self.count = 0
-        self._numbers = {}  # the last one of each publisher
+        self._next = {}  # the number after the last one of each publisher, or None
 
-    def see(self, message):
-        """How many were lost before that one."""
+    def see(self, message, tells):
+        """How many were lost before that one, if numbers of that publisher tell."""
         publisher, number = publisher_of(message), message.header.seq
-        before = self._numbers.get(publisher, 0)
-        self._numbers[publisher] = number
-        lost = max(0, number - before - 1) if before else 0
+        due = self._next.get(publisher, number)
+        goes_back = due is None or number < due - 1
+        self._next[publisher] = None if goes_back else number + 1
+        lost = 0 if goes_back or not tells else max(0, number - due)
         self.count += lost
         return lost
 
     def told(self):
         """For the report of a failure."""
         return [f'{self.count} messages of the topic were lost on the way, and nobody knows what they '
-                'said: the machine is too busy, or a relay leaves some out'] if self.count else []
+                'said: the machine is too busy'] if self.count else []
 
 
 class Topic(NamedTuple):
@@ -229,7 +230,7 @@ class Watch:
 
     def see(self, message, now):
         self.life.see(message, now)
-        if self._losses.see(message):
+        if self._losses.see(message, tells=self.life.is_of_node()):
             self._hold.update(False, self._last_time)
         self._last, self._last_time = message, now
         self._has_lost_publisher = False

@@ -135,7 +135,8 @@ bool NeighbourSets::removeAll(const Set& set) {
 bool NeighbourSets::removeEnded(ros::SteadyTime now, const HasLeft& has_left) {
   bool is_changed = false;
   for (auto sender = senders_.begin(); sender != senders_.end();) {
-    if (isLost(sender->second, now) && has_left(sender->first)) {
+    const bool may_leave = sender->second.has_connection && has_left(sender->first);
+    if (isLost(sender->second, now) && may_leave) {
       for (const Set& set : sender->second.sets)
         is_changed |= removeAll(set);
       sender->second.sets.clear();

@@ -23,8 +23,8 @@ struct NeighbourSender {
 };
 
 /// Whether the node of that name has ended in order. A connection also ends where a node was killed
-/// and started again, and where a new master does not know all nodes yet. Asked at each tick until
-/// it says yes, or the node sends.
+/// and started again, and where a new master does not know all nodes yet. Asked of each sender at
+/// each tick.
 using HasLeft = std::function<bool(const std::string& node)>;
 
 /// A sender may be a relay that passes on the boxes of several robots. So a set is what a sender

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <limits>
 
 #include "testing/sampled_links.h"
@@ -245,6 +246,21 @@ TEST(OrientedBox, OfNumbersNearTheEndsOfTheRange) {
     const auto box = orientedBox(link);
     ASSERT_TRUE(box);
     expectContains(*box, pointsOf(link), kUnmoved);
+  }
+}
+
+/// Rounding alone makes some turns better than others.
+TEST(OrientedBox, OfATiltedRodIsFoundInTime) {
+  Random random(12);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d along = random.vector(3);
+    std::vector<Eigen::Vector3f> points;
+    for (int point = 0; point < 33; ++point)
+      points.push_back((random.uniform(-1, 1) * along).cast<float>());
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(orientedBox(linkOf({meshShape(points)})));
+    EXPECT_LT(std::chrono::steady_clock::now() - start,
+              std::chrono::seconds(kIsSanitized ? 60 : 5));
   }
 }
 

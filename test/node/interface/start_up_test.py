@@ -81,7 +81,7 @@ class StartUp(unittest.TestCase):
         for name, value, text in (
                 ("groups", {"arm": "base"}, 'must be a map of which "arm" is a list of strings'),
                 ("link_padding", {"base": "2cm"}, 'must be a map of which "base" is a number'),
-                ("padding", "1e-2", "a number; YAML takes one with e, but without a point, for text")):
+                ("padding", "1e-2", "a number, and is text: YAML wants a point and a sign in 1.0e-2")):
             with self.subTest(name=name):
                 self.check_refused(self.start(ARMS, **{name: value}), text)
 

@@ -229,8 +229,9 @@ class Watch(unittest.TestCase):
         self.watch.lose_publisher("~boxes", 1.5)
         self.check_failure('nobody publishes')
 
-    def see_numbers(self, *numbers):
+    def see_numbers(self, *numbers, is_of_node=True):
         """A message every 0.3 s from 1 s on."""
+        self.watch.life.is_of_node = lambda: is_of_node
         for place, seq in enumerate(numbers):
             self.watch.see(message_of('palm', seq=seq), 1 + 0.3 * place)
 
@@ -243,12 +244,15 @@ class Watch(unittest.TestCase):
         self.see_numbers(7, 8, 9, 12)
         self.assertTrue(self.watch.is_passed(2.9))  # a second after the newest one
 
-    def test_a_publisher_without_numbers_or_that_begins_anew_has_lost_none(self):
-        for numbers in (7, 8, 9, 10), (0, 0, 0, 0), (0, 9, 10, 11), (9, 0, 1, 2), (9, 9, 9, 10):
+    def test_a_publisher_without_numbers_or_of_several_robots_has_lost_none(self):
+        for numbers in (7, 8, 9, 10), (0, 0, 0, 0), (9, 0, 1, 2), (9, 9, 9, 10), (500, 12, 501, 13):
             with self.subTest(numbers):
                 self.setUp()
                 self.see_numbers(*numbers)
                 self.assertTrue(self.watch.is_passed(2.0))
+        self.setUp()
+        self.see_numbers(1, 5, 6, 9, is_of_node=False)
+        self.assertTrue(self.watch.is_passed(2.0))
 
     def test_silence_is_a_break(self):
         self.watch = assert_box.BoxWatch(assert_box.assertion_from(dict(PALM_INSIDE, hold=4)))
