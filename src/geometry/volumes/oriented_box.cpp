@@ -21,7 +21,7 @@ constexpr int kSpins = 12;           ///< about each direction, in a quarter tur
 constexpr double kFirstStep = 0.08;  ///< about half the angle between two samples [rad]
 constexpr double kLastStep = 1e-8;   ///< [rad]
 constexpr double kMinGain = 1e-6;    ///< of the volume; the header promises it
-constexpr double kLastGain = 1e-9;   ///< of the volume, by which a step is worth another one
+constexpr int kMaxSteps = 1000;      ///< typical are some tens
 
 constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
 constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
@@ -127,17 +127,18 @@ std::vector<Eigen::Vector3d> turnAxes() {
   return result;
 }
 
-/// Turns the best box in small steps, and halves the step when none improves it by more than
-/// rounding may.
+/// Turns the best box in small steps, and halves the step when none improves it. A rod gains a
+/// little by each of very many steps.
 void refine(Search& search, Candidate& best) {
   const std::vector<Eigen::Vector3d> axes = turnAxes();
-  for (double step = kFirstStep; step > kLastStep;) {
+  double step = kFirstStep;
+  for (int i = 0; i < kMaxSteps && step > kLastStep; ++i) {
     const Candidate center = best;
     for (const Eigen::Vector3d& axis : axes) {
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));
       keepBetter(search.candidate((center.orientation * turn).normalized()), best);
     }
-    if (!(best.volume < (1 - kLastGain) * center.volume)) step /= 2;
+    if (best.volume == center.volume) step /= 2;
   }
 }
 

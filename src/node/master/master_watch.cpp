@@ -69,7 +69,8 @@ void MasterWatch::poll() {
 
 bool MasterWatch::hasLeft(const std::string& node) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  asked_.insert(node);
+  const bool is_new = asked_.insert(node).second && known_.count(node) == 0;
+  if (is_new) worker_.post("publishers", [this] { onTick(); });
   return left_.count(node) > 0;
 }
 
@@ -81,6 +82,9 @@ void MasterWatch::takeAsked(bool is_master_lost) {
     entry->second.is_doubted |= is_master_lost;
     entry = ++entry->second.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
   }
+  known_.clear();
+  for (const auto& [node, sender] : senders_)
+    known_.insert(node);
   asked_.clear();
   left_.clear();
 }
@@ -96,8 +100,7 @@ void MasterWatch::lookForPublishers(const XmlRpcCall& master) {
     const auto address = addressOf(master, node);
     if (publishes) {
       sender.address = address.value_or("");
-    } else if (address &&
-               (address->empty() || sender.address.empty() || *address == sender.address)) {
+    } else if (address && (address->empty() || *address == sender.address)) {
       left.insert(node);
     }
   }

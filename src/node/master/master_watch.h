@@ -25,7 +25,8 @@ class MasterWatch {
 
   /// Whether the node does not publish the topic any more, as the master says, and has not been
   /// started again. To be asked of each publisher all the time: a new master says so only of those
-  /// that it has known. From any thread.
+  /// that it has known. One that lives, and unregistered before its address was known, has not
+  /// left. From any thread.
   bool hasLeft(const std::string& node);
 
  private:
@@ -50,7 +51,8 @@ class MasterWatch {
   bool name_is_taken_ = false;
   bool must_register_ = false;
   std::map<std::string, Sender> senders_;
-  std::mutex mutex_;  ///< of the next two
+  std::mutex mutex_;             ///< of the next three
+  std::set<std::string> known_;  ///< names of senders_
   std::set<std::string> asked_;
   std::set<std::string> left_;
   Worker worker_;  ///< last: its thread ends before the rest goes

@@ -16,7 +16,7 @@ import rostest
 from bounds_testing import Recorder, names_of, wait_for
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
-from node_testing import NodeProcess
+from node_testing import Diagnostics, NodeProcess
 from std_msgs.msg import Header
 
 LINKS = ["arm", "hand"]
@@ -99,6 +99,9 @@ class Neighbours(unittest.TestCase):
         sender = rospy.Publisher(self.topic, AxisAlignedBoxArray, queue_size=10, latch=True)
         sender.publish(array_of(LINKS, incomplete=["finger"]))
         self.boxes.wait(lambda m: len(m.boxes) == 2 and len(m.incomplete) == 1, "boxes")
+        diagnostics = Diagnostics(self.node.name)
+        for _ in range(2):  # by then the node has asked the master who that is
+            diagnostics.wait_for_new(lambda *_: True, "a status")
         sender.unregister()
         self.expect_nothing()
 
