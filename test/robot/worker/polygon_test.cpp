@@ -12,6 +12,7 @@
 
 #include "link_bounds/robot/mesh/mesh_fault.h"
 #include "testing/brute_force.h"
+#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {
@@ -115,6 +116,7 @@ TEST(Polygon, OfRandomStars) {
 
 /// A band that goes up and down, and back along itself.
 TEST(Polygon, OneThatTakesLongIsRefusedInTime) {
+  if (kIsSanitized) GTEST_SKIP() << "skipped: a sanitizer makes it take minutes";
   std::vector<Eigen::Vector3f> vertices;
   constexpr int kHalf = 3000;
   for (int i = 0; i < 2 * kHalf; ++i) {
