@@ -54,16 +54,19 @@ class JsonReader {
     std::string result;
     take();
     for (char c = take(); c != '"'; c = take()) {
-      if (c == '\\') c = take();
-      if (c == 'u' && text_[at_ - 2] == '\\') {
-        const std::string digits(text_.substr(at_, 4));
-        for (int i = 0; i < 4; ++i)
-          take();
-        c = static_cast<char>(std::strtoul(digits.c_str(), nullptr, 16));
-      }
-      result += c;
+      result += c == '\\' ? escaped() : c;
     }
     return result;
+  }
+
+  /// What stands behind a backslash.
+  char escaped() {
+    const char c = take();
+    if (c != 'u') return c;
+    const std::string digits(text_.substr(at_, 4));
+    for (int i = 0; i < 4; ++i)
+      take();
+    return static_cast<char>(std::strtoul(digits.c_str(), nullptr, 16));
   }
 
   void skipBlanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }

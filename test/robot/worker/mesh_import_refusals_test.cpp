@@ -450,6 +450,16 @@ TEST_F(ImportRefusals, AnExtensionThatIsRequiredAndUnknown) {
   expectRefused("a.gltf", required("KHR\\u005fmesh_quantization"), "KHR_mesh_quantization");
 }
 
+/// In the name of a folder of Windows; taken for one, it would hide what follows.
+TEST_F(ImportRefusals, ABackslashBeforeAnUIsNoReference) {
+  folder_.write("meshes/data.bin", threeVertices());
+  const std::string folder = R"({"extras":"C:\\u",)";
+  EXPECT_EQ(import("a.gltf", folder + gltf("data.bin").substr(1)).triangles.size(), 1u);
+  expectRefused("a.gltf",
+                folder + R"("extensionsRequired":["FOO_bar"],)" + gltf("data.bin").substr(1),
+                "the extension FOO_bar");
+}
+
 TEST_F(ImportRefusals, PositionsThatAreNoFloats) {
   folder_.write("meshes/data.bin", threeVertices());
   std::string text = gltf("data.bin");
