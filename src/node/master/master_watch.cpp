@@ -43,7 +43,7 @@ void MasterWatch::poll() {
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
   if (worker_.isStopping()) return;
-  takeAsked(registration != Registration::kKnown);
+  beginTick(registration != Registration::kKnown);
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) {
     // A new one may know the node by what else the process registers, before it is asked.
@@ -69,43 +69,47 @@ void MasterWatch::poll() {
 
 bool MasterWatch::hasLeft(const std::string& node) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool is_new = asked_.insert(node).second && known_.count(node) == 0;
+  const auto [entry, is_new] = senders_.try_emplace(node);
   if (is_new) worker_.post("publishers", [this] { onTick(); });
-  return left_.count(node) > 0;
+  entry->second.unasked = 0;
+  return entry->second.has_left;
 }
 
-void MasterWatch::takeAsked(bool is_master_lost) {
+void MasterWatch::beginTick(bool is_master_lost) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const std::string& node : asked_)
-    senders_[node].unasked = 0;
   for (auto entry = senders_.begin(); entry != senders_.end();) {
-    entry->second.is_doubted |= is_master_lost;
-    entry = ++entry->second.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
+    Sender& sender = entry->second;
+    sender.is_doubted |= is_master_lost;
+    sender.has_left = false;
+    entry = ++sender.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
   }
-  known_.clear();
-  for (const auto& [node, sender] : senders_)
-    known_.insert(node);
-  asked_.clear();
-  left_.clear();
 }
 
 void MasterWatch::lookForPublishers(const XmlRpcCall& master) {
-  const auto publishers = senders_.empty() ? std::nullopt : publishersOf(master, topic_);
+  std::map<std::string, Sender> senders;  // a call may take long
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    senders = senders_;
+  }
+  const auto publishers = senders.empty() ? std::nullopt : publishersOf(master, topic_);
   if (!publishers) return;
-  std::set<std::string> left;
-  for (auto& [node, sender] : senders_) {
+  for (auto& [node, sender] : senders) {
     const bool publishes = publishers->count(node) > 0;
     if (publishes) sender.is_doubted = false;
     if (sender.is_doubted || (publishes && !sender.address.empty())) continue;
     const auto address = addressOf(master, node);
     if (publishes) {
       sender.address = address.value_or("");
-    } else if (address && (address->empty() || *address == sender.address)) {
-      left.insert(node);
+    } else {
+      sender.has_left = address && (address->empty() || *address == sender.address);
     }
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  left_ = std::move(left);
+  for (auto& [node, sender] : senders) {
+    Sender& known = senders_[node];
+    sender.unasked = known.unasked;
+    known = std::move(sender);
+  }
 }
 
 void MasterWatch::reportLost(const char* reason) {

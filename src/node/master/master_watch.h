@@ -5,7 +5,6 @@
 
 #include <map>
 #include <mutex>
-#include <set>
 #include <string>
 
 #include "node/master/registration.h"
@@ -34,12 +33,13 @@ class MasterWatch {
   struct Sender {
     std::string address;      ///< "" while that is not known
     bool is_doubted = false;  ///< the master was lost, and has not known it since
+    bool has_left = false;    ///< at the newest tick
     int unasked = 0;          ///< ticks
   };
 
   bool onTick();
   void poll();
-  void takeAsked(bool is_master_lost);
+  void beginTick(bool is_master_lost);
   void lookForPublishers(const XmlRpcCall& master);
   void reportLost(const char* reason);
   void reportNameTaken();
@@ -50,11 +50,8 @@ class MasterWatch {
   bool is_name_told_ = false;  ///< that another node has the name, since it was lost
   bool name_is_taken_ = false;
   bool must_register_ = false;
+  std::mutex mutex_;  ///< of senders_
   std::map<std::string, Sender> senders_;
-  std::mutex mutex_;             ///< of the next three
-  std::set<std::string> known_;  ///< names of senders_
-  std::set<std::string> asked_;
-  std::set<std::string> left_;
   Worker worker_;  ///< last: its thread ends before the rest goes
 };
 
