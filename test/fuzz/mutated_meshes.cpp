@@ -29,7 +29,7 @@ constexpr long kMemoryGrowth = 32 << 20;  // bytes, from the second batch to the
 constexpr char kGoodFile[] = "good.stl";
 
 struct Options {
-  std::size_t count = kIsSanitized ? 140 : 420;
+  std::size_t count = kIsSanitized ? 140 : 280;
   std::uint64_t seed = 1;
   double timeout = kIsSanitized ? 5 : 1;  // wall seconds for one mesh
   std::string keep;

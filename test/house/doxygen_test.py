@@ -50,6 +50,6 @@ if __name__ == '__main__':
     PACKAGE = pathlib.Path(sys.argv.pop())
     if not shutil.which('doxygen'):
         print('skipped: pages of the headers, doxygen is not installed; '
-              'scripts/test --all installs it')
+              'scripts/test --ci installs it')
         sys.exit(SKIPPED)
     unittest.main()

@@ -52,7 +52,7 @@ class InterruptedTest(unittest.TestCase):
             shutil.copy(PACKAGE / 'scripts' / name, scripts)
         text = (PACKAGE / 'scripts/test').read_text().replace('\nmain "$@"\n', '''
 build_geometry() { "$REPO/compiler"; }
-build_ahead
+build_ahead geometry
 check_deb
 ''')
         self.write('scripts/test', text)

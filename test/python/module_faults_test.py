@@ -334,7 +334,7 @@ def calls():
         robot.distances(rows[0], 1)
 threading.Thread(target=calls, daemon=True).start()
 sys.setswitchinterval(1e-6)  # other threads get the lock of Python in every hook
-for _ in range(200):
+for _ in range(100):
     child = os.fork()
     if not child:
         os._exit(0)

@@ -10,6 +10,13 @@ function(name_in_room name result)
   set(${result} ${target} PARENT_SCOPE)
 endfunction()
 
+# Several sources at a time, which takes less time than one by one.
+function(compile_together program)
+  if(NOT DEFINED LINK_BOUNDS_UNITY_BUILD OR LINK_BOUNDS_UNITY_BUILD)
+    set_target_properties(${program} PROPERTIES UNITY_BUILD ON)
+  endif()
+endfunction()
+
 # A program of the given sources, linked with what its room may know.
 function(bounds_test_program program)
   catkin_add_executable_with_gtest(${program} $<TARGET_OBJECTS:${PROJECT_NAME}_gtest_main> ${ARGN}
@@ -51,9 +58,7 @@ function(bounds_gtests)
   set(sources ${ARGN})
   list(TRANSFORM sources APPEND _test.cpp)
   bounds_test_program(${program} ${sources})
-  if(NOT DEFINED LINK_BOUNDS_UNITY_BUILD OR LINK_BOUNDS_UNITY_BUILD)
-    set_target_properties(${program} PROPERTIES UNITY_BUILD ON)
-  endif()
+  compile_together(${program})
   foreach(name ${ARGN})
     bounds_test_of(${name} ${program} --file=${name}_test.cpp)
   endforeach()

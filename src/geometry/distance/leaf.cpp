@@ -14,9 +14,9 @@
 //   gap (1 - 2^-19) - 2^-19 S,  that is gap (1 - 32 v) - 32 v S,
 // is no more than the distance along n / |n|; what is left covers the terms of second order. So n
 // need not be normal to its triangle, where that is too thin: the triangle's own corners count as
-// those of the others do. kUnderflow covers the digits that tiny floats lose. What doubles round is
-// as much as in a search, of which `rounding` is a bound (placed_body.cpp), and less than that once
-// more for the two centres.
+// those of the others do. kFloatUnderflow covers the digits that tiny floats lose. What doubles
+// round is as much as in a search, of which `rounding` is a bound (placed_body.cpp), and less than
+// that once more for the two centres.
 #include "geometry/distance/leaf.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 constexpr double kPad = 0x1p-19;  // both are derived above
 constexpr double kShare = 1 - 0x1p-19;
 
-constexpr double kUnderflow = 1e-34;  // m
+constexpr double kFloatUnderflow = 1e-34;  // m
 
 /// Of lengths and scales: squares of areas stay finite.
 constexpr double kLargestLeaf = 1e8;
@@ -109,7 +109,7 @@ LeafGaps::LeafGaps(const PlacedLeaf& first, const PlacedLeaf& second, double rou
     : first_(first), second_(second) {
   const Eigen::Vector3d between = second.center - first.center;
   const double size = first.size + second.size + between.cwiseAbs().maxCoeff();
-  pad_ = kPad * size + 2 * rounding + kUnderflow;
+  pad_ = kPad * size + 2 * rounding + kFloatUnderflow;
   is_small_ = size <= kLargestLeaf;
   if (is_small_) between_ = between.cast<float>();
   const Eigen::Map<const Lanes> beyond = lanesBeyond(second.count);

@@ -234,7 +234,7 @@ std::optional<BoundingSphere> boundingSphere(const BoundedLink& link) {
 std::optional<BoundingSphere> placed(const BoundingSphere& sphere,
                                      const Eigen::Isometry3d& world_from_link) {
   // The radius is off by less than 9 roundoffs, each coordinate of the centre by 4 of its terms.
-  constexpr double kRoundingPad = 16 * kUnitRoundoff;
+  constexpr double kPlacedPad = 16 * kUnitRoundoff;
   const Eigen::Matrix3d linear = world_from_link.linear();
   const Eigen::Vector3d translation = world_from_link.translation();
   // Lengths grow at most by the factor sqrt(1 + deviation). A rotation has deviation 0.
@@ -243,7 +243,7 @@ std::optional<BoundingSphere> placed(const BoundingSphere& sphere,
   const double radius = (1 + deviation / 2) * sphere.radius;
   const double magnitude =
       (linear.cwiseAbs() * sphere.center.cwiseAbs() + translation.cwiseAbs()).sum();
-  const double pad = kRoundingPad * (radius + magnitude) + std::numeric_limits<double>::min();
+  const double pad = kPlacedPad * (radius + magnitude) + std::numeric_limits<double>::min();
   return ifFinite({linear * sphere.center + translation, radius + pad});
 }
 

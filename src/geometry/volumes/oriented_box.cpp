@@ -16,12 +16,12 @@
 namespace link_bounds {
 namespace {
 
-constexpr int kDirections = 16;      ///< per side of the square that all directions fold to
-constexpr int kSpins = 12;           ///< about each direction, in a quarter turn
-constexpr double kFirstStep = 0.08;  ///< about half the angle between two samples [rad]
-constexpr double kLastStep = 1e-8;   ///< [rad]
-constexpr double kMinGain = 1e-6;    ///< of the volume; the header promises it
-constexpr int kMaxSteps = 1000;      ///< typical are some tens
+constexpr int kDirections = 16;        ///< per side of the square that all directions fold to
+constexpr int kSpins = 12;             ///< about each direction, in a quarter turn
+constexpr double kFirstStep = 0.08;    ///< about half the angle between two samples [rad]
+constexpr double kLastStep = 1e-8;     ///< [rad]
+constexpr double kMinGain = 1e-6;      ///< of the volume; the header promises it
+constexpr int kMaxRefinements = 1000;  ///< typical are some tens
 
 constexpr double kFlatPerDiagonal = 1e-9;    ///< smallest width that counts; see the header
 constexpr double kFlatPerMagnitude = 1e-12;  ///< more than rounding and its pads amount to
@@ -132,7 +132,7 @@ std::vector<Eigen::Vector3d> turnAxes() {
 void refine(Search& search, Candidate& best) {
   const std::vector<Eigen::Vector3d> axes = turnAxes();
   double step = kFirstStep;
-  for (int i = 0; i < kMaxSteps && step > kLastStep; ++i) {
+  for (int i = 0; i < kMaxRefinements && step > kLastStep; ++i) {
     const Candidate center = best;
     for (const Eigen::Vector3d& axis : axes) {
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(step, axis));

@@ -20,7 +20,7 @@ from object_testing import ObjectSender, marker
 from patience import PATIENCE
 from visualization_msgs.msg import Marker
 
-SLIVERS = 20000 if SANITIZED else 200000
+SLIVERS = 20000 if SANITIZED else 100000
 MAX_DELAY = 0.3 * PATIENCE  # wall seconds beyond what the machine takes
 MEBIBYTE = 1 << 20
 KEPT = 8 * MEBIBYTE

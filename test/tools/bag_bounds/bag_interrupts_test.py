@@ -7,6 +7,7 @@ Run as: bag_interrupts_test.py PATH_OF_bag_bounds
 """
 import bz2
 import contextlib
+import functools
 import json
 import os
 import pty
@@ -43,6 +44,7 @@ def record(data, **fields):
     return struct.pack('<I', len(header)) + header + struct.pack('<I', len(data)) + data
 
 
+@functools.lru_cache(None)
 def bomb(chunk_size):
     """Small chunks that unpack to much, of a topic that nobody reads."""
     kind, data, md5, _ = raw(String('0' * chunk_size))
