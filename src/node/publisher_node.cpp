@@ -195,37 +195,34 @@ void PublisherNode::callWaiting() {
   if (backlog.count > 0) max_delay_ = std::max(max_delay_, delay);
 }
 
-void PublisherNode::subscribeToObjects() {
-  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
-  objects_subscriber_ =
-      private_node_.subscribe<Received<visualization_msgs::MarkerArray>, const MarkersEvent&>(
-          privateName(kObjectsTopic), kObjectsQueue,
-          [this](const MarkersEvent& event) {
-            guardMessage([&] {
-              const auto message = event.getMessage();
-              if (!incomplete_messages_.accept(*message, kObjectsTopic.name,
-                                               event.getPublisherName()))
-                return;
-              onMarkers(message->markers.data(), message->markers.size(), event.getPublisherName());
-            });
-          },
-          {}, no_delay);
-  object_subscriber_ = private_node_.subscribe<Received<Marker>, const MarkerEvent&>(
-      privateName(kObjectTopic), kObjectQueue,
-      [this](const MarkerEvent& event) {
+template <class Message, class Take>
+ros::Subscriber PublisherNode::subscribe(const TopicName& topic, std::uint32_t size, Take take) {
+  using Event = ros::MessageEvent<Received<Message>>;
+  return private_node_.subscribe<Received<Message>, const Event&>(
+      privateName(topic), size,
+      [this, &topic, take](const Event& event) {
         guardMessage([&] {
           const auto message = event.getMessage();
-          if (!incomplete_messages_.accept(*message, kObjectTopic.name, event.getPublisherName()))
-            return;
-          onMarkers(message.get(), 1, event.getPublisherName());
+          const std::string& sender = event.getPublisherName();
+          if (incomplete_messages_.accept(*message, topic.name, sender)) take(*message, sender);
         });
       },
-      {}, no_delay);
+      {}, ros::TransportHints().tcpNoDelay());
+}
+
+void PublisherNode::subscribeToObjects() {
+  objects_subscriber_ = subscribe<visualization_msgs::MarkerArray>(
+      kObjectsTopic, kObjectsQueue, [this](auto& message, const std::string& sender) {
+        onMarkers(message.markers.data(), message.markers.size(), sender);
+      });
+  object_subscriber_ = subscribe<Marker>(
+      kObjectTopic, kObjectQueue,
+      [this](auto& message, const std::string& sender) { onMarkers(&message, 1, sender); });
   neighbours_subscriber_ =
       private_node_.subscribe<Received<AxisAlignedBoxArray>, const NeighbourEvent&>(
           privateName(kNeighboursTopic), kObjectsQueue,
           [this](const NeighbourEvent& event) { guardMessage([&] { onNeighbour(event); }); }, {},
-          no_delay);
+          ros::TransportHints().tcpNoDelay());
 }
 
 void PublisherNode::adopt(ModelLoader::ModelPtr model) {

@@ -11,6 +11,7 @@
 
 #include "node/inputs/incomplete_messages.h"
 #include "node/inputs/tf_receiver.h"
+#include "node/interface/topics.h"
 #include "node/loading/model_loader.h"
 #include "node/master/master_watch.h"
 #include "node/outputs/copies/scene_copier.h"
@@ -47,8 +48,6 @@ class PublisherNode {
  private:
   using Marker = visualization_msgs::Marker;
   /// Not const: as the only reader of the topic the node may take points out of the message.
-  using MarkersEvent = ros::MessageEvent<Received<visualization_msgs::MarkerArray>>;
-  using MarkerEvent = ros::MessageEvent<Received<Marker>>;
   using NeighbourEvent = ros::MessageEvent<const Received<AxisAlignedBoxArray>>;
 
   /// Runs a callback that is not that of a message: it finds the scene up to date. Records how long
@@ -66,6 +65,9 @@ class PublisherNode {
                     const MeshReaders::IsCancelled& is_cancelled);
   void onTree(const ModelLoader::TreeRequest& request, const LoadedTree& tree);
   void give(const MadeTree& tree);
+  /// `take` gets the complete messages and their senders.
+  template <class Message, class Take>
+  ros::Subscriber subscribe(const TopicName& topic, std::uint32_t size, Take take);
   void subscribeToObjects();
   void adopt(ModelLoader::ModelPtr model);
   void onTransforms(const TfReceiver::Event& event, bool is_static);

@@ -138,8 +138,7 @@ RobotRequest requestOf(const py::object& urdf, const std::string& geometry,
   if (geometry != "visual" && geometry != "collision" && geometry != "both")
     throw py::value_error("geometry is \"" + geometry +
                           "\", but must be one of: both, collision, visual");
-  request.visual = geometry != "collision";
-  request.collision = geometry != "visual";
+  request.selection = selectionOf(geometry);
   if (!packages.is_none()) {
     for (const auto& [name, folder] : py::cast<py::dict>(packages))
       request.packages[py::cast<std::string>(name)] = py::cast<std::string>(encode(folder));

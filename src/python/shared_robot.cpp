@@ -12,14 +12,6 @@
 namespace link_bounds {
 namespace {
 
-std::vector<std::size_t> settableJoints(const Robot& robot) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (hasValue(robot.joints[i].motion) && !robot.joints[i].mimic) result.push_back(i);
-  }
-  return result;
-}
-
 PackagePath packagePath(const std::map<std::string, std::string>& packages) {
   return [&packages, others = rosPackages()](const std::string& name) {
     const auto found = packages.find(name);
@@ -34,13 +26,6 @@ BoundedRobot load(const Robot& robot, Selection selection, const PackagePath& pa
   return RobotLoader().load(robot, selection, source);
 }
 
-Selection selectionOf(const RobotRequest& request) {
-  Selection selection;
-  selection.visual = request.visual;
-  selection.collision = request.collision;
-  return selection;
-}
-
 void refuseLosses(const std::vector<std::string>& problems) {
   if (!problems.empty()) throw UnusableRobot(joined(problems, "\n"));
 }
@@ -52,10 +37,9 @@ SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
       simple_(withSimpleJoints(robot_)),
       joints_(settableJoints(simple_)),
       allow_incomplete_(request.allow_incomplete),
-      left_out_(leftOutNote(robot_, selectionOf(request))),
+      left_out_(leftOutNote(robot_, request.selection)),
       packages_(request.packages),
-      bounded_(
-          load(robot_, selectionOf(request), packagePath(packages_), request.base_folder, stop)) {
+      bounded_(load(robot_, request.selection, packagePath(packages_), request.base_folder, stop)) {
   if (!allow_incomplete_ || stop) refuseLosses(bounded_.problems);
   giveBack(borrow());
 }

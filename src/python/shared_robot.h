@@ -17,8 +17,7 @@ namespace link_bounds {
 struct RobotRequest {
   std::string text;         ///< URDF
   std::string base_folder;  ///< of relative mesh names
-  bool visual = true;
-  bool collision = false;
+  Selection selection;
   std::map<std::string, std::string> packages;  ///< folders; others are found as rospack does
   bool allow_incomplete = false;
 };

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists in one line of text.
+// Names and lists in one line of text.
 #pragma once
 
 #include <string>
 
 namespace link_bounds {
+
+inline std::string quoted(const std::string& name) {
+  return '"' + name + '"';
+}
 
 /// What `to_text` makes of the elements, with the separator between them, also of empty texts.
 template <class Elements, class ToText>

@@ -29,6 +29,14 @@ struct Selection {
   bool triangles = false;                      ///< whether BoundedRobot::bodies are made
 };
 
+/// Of all links; "visual", "collision" or "both".
+inline Selection selectionOf(const std::string& geometry) {
+  Selection selection;
+  selection.visual = geometry != "collision";
+  selection.collision = geometry != "visual";
+  return selection;
+}
+
 /// Where mesh files are found, and what reading one may take.
 struct MeshSource {
   PackagePath package_path = {};  ///< may be null if no mesh URI names a package

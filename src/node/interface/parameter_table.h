@@ -128,20 +128,26 @@ inline std::string attached(const std::map<std::string, std::vector<std::string>
 
 }  // namespace rules
 
-/// Calls visit(name, value, rule, meaning) for each private parameter.
+/// Those by which links are chosen and padded. `padding` is the meaning of that parameter.
 template <class AnyParameters, class Visitor>
-void visitParameters(AnyParameters& p, Visitor&& visit) {
-  visit("fixed_frame", p.fixed_frame, rules::any<std::string>,
-        "frame of the boxes; \"\" = the URDF's root link");
+void visitLinkParameters(AnyParameters& p, Visitor&& visit, const char* padding) {
   visit("geometry", p.geometry, rules::geometry, "visual, collision or both");
   visit("links", p.links, rules::any<std::vector<std::string>>,
         "only these links; [] = every link with geometry");
   visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
         "none of these links");
-  visit("padding", p.padding, rules::length,
-        "metres, 0 to 1e6, added on every side of link boxes and their parts (groups and markers "
-        "follow)");
+  visit("padding", p.padding, rules::length, padding);
   visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
+}
+
+/// Calls visit(name, value, rule, meaning) for each private parameter.
+template <class AnyParameters, class Visitor>
+void visitParameters(AnyParameters& p, Visitor&& visit) {
+  visit("fixed_frame", p.fixed_frame, rules::any<std::string>,
+        "frame of the boxes; \"\" = the URDF's root link");
+  visitLinkParameters(p, visit,
+                      "metres, 0 to 1e6, added on every side of link boxes and their parts (groups "
+                      "and markers follow)");
   visit("groups", p.groups, rules::groups,
         "further group boxes; members are links, objects NS/ID, or NS/*: all objects of a "
         "namespace");

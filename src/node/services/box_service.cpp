@@ -83,8 +83,7 @@ BoxService::BoxService(ros::NodeHandle& private_node, const SceneCopier& scenes)
       moments_({"requests for boxes"}),
       spans_({"requests for spans", true}),
       queue_(moments_, spans_),
-      service_(private_node, kGetBoxesService, queue_,
-               [this](Call& call, Params& params) { onTurn(call, params); }) {}
+      service_(private_node, kGetBoxesService, queue_, [this](auto&... all) { answer(all...); }) {}
 
 /// A request may wait for the update thread, which calls this.
 BoxService::~BoxService() {
@@ -92,25 +91,13 @@ BoxService::~BoxService() {
   spans_.stop();
 }
 
-void BoxService::onTurn(Call& call, Params& params) {
+/// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
+/// for requests at one time, which is not nice.
+void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& response) {
   if (call.isNew() && hasSpan(params.request)) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
   }
-  GetBoxes::Response response;
-  try {
-    queue_.answer(call, [&] { answer(call, params, response); });
-    response.success = true;
-  } catch (const std::exception& error) {
-    response = GetBoxes::Response();
-    response.message = logText(error.what());
-  }
-  params.response = ros::serialization::serializeServiceResponse(true, response);
-}
-
-/// Throws why there is no answer, or NextTurn. A span that is computed is answered on the thread
-/// for requests at one time, which is not nice.
-void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& response) {
   Worker& worker = call.is_long ? spans_ : moments_;
   if (!call.state) call.state = begin(worker, call, params);
   Job& job = *std::static_pointer_cast<Job>(call.state);
@@ -124,6 +111,7 @@ void BoxService::answer(Call& call, const Params& params, GetBoxes::Response& re
   const PastBoxes boxes = job.maker.take();
   fillBoxes(boxes.moment, response.boxes);
   response.message = messageOf(boxes);
+  response.success = true;
 }
 
 /// Throws why there is no answer, or NextTurn while there is no room for another span.

@@ -29,7 +29,6 @@ class BoxService {
   using Call = TurnQueue::Call;
   using Params = TurnService<GetBoxes>::Params;
 
-  void onTurn(Call& call, Params& params);
   void answer(Call& call, const Params& params, GetBoxes::Response& response);
   std::shared_ptr<Job> begin(Worker& worker, const Call& call, const Params& params);
 

@@ -49,8 +49,7 @@ PathService::PathService(ros::NodeHandle& private_node, const SceneCopier& scene
       trees_(std::move(load)),
       paths_({"requests for paths", true, [this] { return forgetIfUnused(); }, kForgetEvery}),
       queue_(answering, paths_),
-      service_(private_node, kCheckPathService, queue_,
-               [this](Call& call, Params& params) { onTurn(call, params); }) {}
+      service_(private_node, kCheckPathService, queue_, [this](auto&... all) { answer(all...); }) {}
 
 bool PathService::forgetIfUnused() {
   if (begun_ > 0 || Clock::now() - last_used_ < kKeep) return true;
@@ -58,23 +57,16 @@ bool PathService::forgetIfUnused() {
   return false;
 }
 
-void PathService::onTurn(Call& call, Params& params) {
+/// Throws why there is no answer, or NextTurn. The answer is sent by the thread that is not nice.
+void PathService::answer(Call& call, const Params& params, CheckPath::Response& response) {
   if (call.isNew()) {
     call.is_long = true;
     throw TurnQueue::NextTurn();
   }
-  CheckPath::Response response;
-  try {
-    queue_.answer(call, [&] { response = answer(call, params); });
-  } catch (const std::exception& error) {
-    response.message = logText(error.what());
+  if (!call.is_long) {
+    response = std::move(*std::static_pointer_cast<CheckPath::Response>(call.state));
+    return;
   }
-  params.response = ros::serialization::serializeServiceResponse(true, response);
-}
-
-/// Throws why there is no answer, or NextTurn. The answer is sent by the thread that is not nice.
-CheckPath::Response PathService::answer(Call& call, const Params& params) {
-  if (!call.is_long) return std::move(*std::static_pointer_cast<CheckPath::Response>(call.state));
   last_used_ = Clock::now();
   if (!call.state) call.state = begin(call, params);
   Job& job = *std::static_pointer_cast<Job>(call.state);
@@ -83,10 +75,10 @@ CheckPath::Response PathService::answer(Call& call, const Params& params) {
   };
   if (!job.check.proceed(kLongestTurn, is_over)) throw TurnQueue::NextTurn();
   if (paths_.isStopping()) throw std::runtime_error(kStopping);
-  auto response = std::make_shared<CheckPath::Response>(job.check.take());
-  if (!response->message.empty() && !job.problem.empty()) response->message += "; " + job.problem;
-  response->message = logText(response->message);
-  call.state = std::move(response);
+  auto found = std::make_shared<CheckPath::Response>(job.check.take());
+  if (!found->message.empty() && !job.problem.empty()) found->message += "; " + job.problem;
+  found->message = logText(found->message);
+  call.state = std::move(found);
   call.is_long = false;
   throw TurnQueue::NextTurn();
 }

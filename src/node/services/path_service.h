@@ -34,8 +34,7 @@ class PathService {
   using Params = TurnService<CheckPath>::Params;
   using Time = std::chrono::steady_clock::time_point;
 
-  void onTurn(Call& call, Params& params);
-  CheckPath::Response answer(Call& call, const Params& params);
+  void answer(Call& call, const Params& params, CheckPath::Response& response);
   std::shared_ptr<Job> begin(const Call& call, const Params& params);
   Received<CheckPath::Request> read(const Params& params);
   bool forgetIfUnused();

@@ -18,6 +18,7 @@
 #include "node/inputs/incomplete_messages.h"
 #include "node/interface/topics.h"
 #include "node/threads/turn_queue.h"
+#include "world/log/log_text.h"
 
 namespace link_bounds {
 
@@ -41,16 +42,16 @@ class TurnService {
  public:
   using Request = typename Service::Request;
   using Params = ros::ServiceCallbackHelperCallParams;
-  /// Fills `response` of the params, or throws NextTurn. Called on the workers of the queue.
-  using OnTurn = std::function<void(TurnQueue::Call&, Params&)>;
+  using Response = typename Service::Response;
+  /// Throws why there is no answer, or NextTurn. Called on the workers of the queue.
+  using Answer = std::function<void(TurnQueue::Call&, const Params&, Response&)>;
 
   /// `name` and `queue` must outlive this.
-  TurnService(ros::NodeHandle& private_node, const TopicName& name, TurnQueue& queue,
-              OnTurn on_turn)
+  TurnService(ros::NodeHandle& private_node, const TopicName& name, TurnQueue& queue, Answer answer)
       : name_(name) {
     ros::AdvertiseServiceOptions options;
-    options.init<Request, typename Service::Response>(privateName(name), {});
-    options.helper = boost::make_shared<Handler>(std::move(on_turn));
+    options.init<Request, Response>(privateName(name), {});
+    options.helper = boost::make_shared<Handler>(queue, std::move(answer));
     options.callback_queue = &queue;
     server_ = private_node.advertiseService(options);
   }
@@ -76,14 +77,23 @@ class TurnService {
   /// The request is read when its turn comes.
   class Handler : public ros::ServiceCallbackHelper {
    public:
-    explicit Handler(OnTurn on_turn) : on_turn_(std::move(on_turn)) {}
+    Handler(TurnQueue& queue, Answer answer) : queue_(queue), answer_(std::move(answer)) {}
     bool call(Params& params) override {
-      on_turn_(TurnQueue::current(), params);
+      TurnQueue::Call& call = TurnQueue::current();
+      Response response;
+      try {
+        queue_.answer(call, [&] { answer_(call, params, response); });
+      } catch (const std::exception& error) {
+        response = Response();
+        response.message = logText(error.what());
+      }
+      params.response = ros::serialization::serializeServiceResponse(true, response);
       return true;
     }
 
    private:
-    OnTurn on_turn_;
+    TurnQueue& queue_;
+    Answer answer_;
   };
 
   const TopicName& name_;

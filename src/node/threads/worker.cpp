@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <iterator>
 #include <list>
 #include <mutex>
 #include <stdexcept>
@@ -233,14 +234,10 @@ void Worker::removeByID(std::uint64_t owner) {
   std::vector<Urgent> removed;  // is freed without the lock
   std::unique_lock<std::mutex> lock(inbox_->mutex);
   auto& urgent = inbox_->urgent;
-  for (auto entry = urgent.begin(); entry != urgent.end();) {
-    if (entry->owner != owner) {
-      ++entry;
-      continue;
-    }
-    removed.push_back(std::move(*entry));
-    entry = urgent.erase(entry);
-  }
+  const auto stays = [owner](const Urgent& entry) { return entry.owner != owner; };
+  const auto first = std::stable_partition(urgent.begin(), urgent.end(), stays);
+  std::move(first, urgent.end(), std::back_inserter(removed));
+  urgent.erase(first, urgent.end());
   if (inbox_->is_urgent_running && inbox_->running_owner == owner) inbox_->is_urgent_removed = true;
   lock.unlock();
   removed.clear();

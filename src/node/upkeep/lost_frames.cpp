@@ -5,16 +5,14 @@
 
 #include <map>
 
+#include "text/joined.h"
+
 namespace link_bounds {
 namespace {
 
 bool isLost(TransformProblem problem) {
   return problem == TransformProblem::kNoTransform || problem == TransformProblem::kStale ||
          problem == TransformProblem::kNotCarried;
-}
-
-std::string quoted(const std::string& name) {
-  return '"' + name + '"';
 }
 
 std::string andMore(std::size_t count, const std::string& what) {

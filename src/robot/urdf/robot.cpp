@@ -238,6 +238,12 @@ std::string refusalOf(const std::string& urdf, const UrdfLog& log) {
 
 }  // namespace
 
+bool hasGeometry(const Link& link, Purpose purpose) {
+  const auto is_it = [purpose](const auto& element) { return element.purpose == purpose; };
+  return std::any_of(link.elements.begin(), link.elements.end(), is_it) ||
+         std::any_of(link.lost.begin(), link.lost.end(), is_it);
+}
+
 const char* toText(Purpose purpose) {
   return purpose == Purpose::kVisual ? "visual" : "collision";
 }

@@ -115,16 +115,27 @@ bool movesBase(const Robot& robot, std::size_t joint) {
   });
 }
 
+std::vector<std::size_t> settableJoints(const Robot& robot) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (hasValue(robot.joints[i].motion) && !robot.joints[i].mimic) result.push_back(i);
+  }
+  return result;
+}
+
+std::string settableNames(const Robot& robot) {
+  std::string names;
+  for (const std::size_t joint : settableJoints(robot))
+    names += " " + robot.joints[joint].name;
+  return names.empty() ? " none" : names;
+}
+
 std::string whyNoJoint(const Robot& robot, const std::string& name) {
   if (findMovable(robot, name)) return "";
   const std::string parts = whyNotWhole(robot, name);
   if (!parts.empty()) return parts;
-  std::string names;
-  for (const Joint& joint : robot.joints) {
-    if (hasValue(joint.motion) && !joint.mimic) names += " " + joint.name;
-  }
-  return "\"" + name + "\" is no movable joint of the robot; those that can be set:" +
-         (names.empty() ? " none" : names);
+  return "\"" + name +
+         "\" is no movable joint of the robot; those that can be set:" + settableNames(robot);
 }
 
 const Joint& movableJoint(const Robot& robot, const std::string& name) {

@@ -24,6 +24,12 @@ Robot withSimpleJoints(const Robot& robot);
 /// link that fixed joints connect with the root.
 bool movesBase(const Robot& robot, std::size_t joint);
 
+/// Indices of the joints that move and mimic no other one.
+std::vector<std::size_t> settableJoints(const Robot& robot);
+
+/// Their names, each after a blank; " none" if there are none.
+std::string settableNames(const Robot& robot);
+
 /// Why such a robot has no movable joint of that name, and which names there are; "" if it has one.
 std::string whyNoJoint(const Robot& robot, const std::string& name);
 

@@ -44,14 +44,8 @@ inline std::string threads(int value) {
 /// Calls visit(name, value, rule, meaning) for each private parameter.
 template <class AnyParameters, class Visitor>
 void visitFilterParameters(AnyParameters& p, Visitor&& visit) {
-  visit("geometry", p.geometry, rules::geometry, "visual, collision or both");
-  visit("links", p.links, rules::any<std::vector<std::string>>,
-        "only these links; [] = every link with geometry");
-  visit("ignore_links", p.ignore_links, rules::any<std::vector<std::string>>,
-        "none of these links");
-  visit("padding", p.padding, rules::length,
-        "metres, 0 to 1e6; points at most so far from a link are the robot's");
-  visit("link_padding", p.link_padding, rules::linkPadding, "replaces padding for that link");
+  visitLinkParameters(p, visit,
+                      "metres, 0 to 1e6; points at most so far from a link are the robot's");
   visit("max_wait", p.max_wait, rules::wait, "wall seconds, 0 to 10, that a cloud waits for tf");
   visit("timeout", p.timeout, rules::notNegative,
         "ROS seconds; transforms farther apart do not tell where the robot was between them; 0 = "

@@ -91,6 +91,18 @@ void addIncompleteGroup(Reasons& incomplete) {
                           reason + (is_one ? " is incomplete" : " are incomplete"));
 }
 
+Numbers numbersOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+}
+
+Numbers numbersOf(const Aabb& box) {
+  return numbersOf(box.min(), box.max());
+}
+
+std::string jsonCorners(const Aabb& box) {
+  return "\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max());
+}
+
 std::string jsonNumbers(const Eigen::VectorXd& numbers) {
   std::string result;
   for (Eigen::Index k = 0; k < numbers.size(); ++k)

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "link_bounds/geometry/box/aabb.h"
 #include "link_bounds/geometry/distance/body_distance.h"
 #include "text/joined.h"
 #include "tools/formats/safe_text.h"
@@ -76,8 +77,14 @@ void writeCsvIncomplete(const Reasons& incomplete, std::size_t numbers, std::ost
 /// Adds the group of all links, unless all of them are complete.
 void addIncompleteGroup(Reasons& incomplete);
 
+Numbers numbersOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+Numbers numbersOf(const Aabb& box);  ///< min, max
+
 /// A JSON array.
 std::string jsonNumbers(const Eigen::VectorXd& numbers);
+
+/// The two members of a JSON object that are a box.
+std::string jsonCorners(const Aabb& box);
 
 /// A JSON object on one line. `pose` has pairs of a joint and its value.
 template <class Pose>

@@ -31,15 +31,8 @@ void checkOutputs(const UrdfBoundsOptions& options, const std::vector<std::strin
   checkOutput("--certificate", options.certificate.value_or(""), inputs);
 }
 
-Selection selectionOf(const UrdfBoundsOptions& options) {
-  Selection selection;
-  selection.visual = options.geometry != "collision";
-  selection.collision = options.geometry != "visual";
-  return selection;
-}
-
 BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
-  Selection selection = selectionOf(options);
+  Selection selection = selectionOf(options.geometry);
   selection.triangles =
       options.distances || options.report == Report::kPairs || options.report == Report::kPath;
   const MeshSource source{rosPackages(), folderOf(options.file), progressBar(), {}, isInterrupted};
@@ -53,7 +46,7 @@ BoundedRobot loadLinks(const Robot& robot, const UrdfBoundsOptions& options) {
 
 /// Names the links that no verdict is about, although they have geometry.
 void sayLeftOut(const Robot& robot, const UrdfBoundsOptions& options) {
-  const std::string note = leftOutNote(robot, selectionOf(options));
+  const std::string note = leftOutNote(robot, selectionOf(options.geometry));
   if (!note.empty()) say("note: " + note + "; --geometry both takes them, too");
 }
 

@@ -202,8 +202,4 @@ MarkerShape markerShape(Marker&& marker) {
   return result;
 }
 
-MarkerShape markerShape(const Marker& marker) {
-  return markerShape(Marker(marker));
-}
-
 }  // namespace link_bounds

@@ -79,7 +79,4 @@ Eigen::Isometry3d markerPose(const visualization_msgs::Marker& marker);
 /// more than all the rest. Keeps nothing else of the message, such as colours.
 MarkerShape markerShape(visualization_msgs::Marker&& marker);
 
-/// The same with a copy of the points.
-MarkerShape markerShape(const visualization_msgs::Marker& marker);
-
 }  // namespace link_bounds

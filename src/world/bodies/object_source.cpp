@@ -20,10 +20,6 @@ using visualization_msgs::Marker;
 /// Meshes that are remembered: a publisher may invent names without end.
 constexpr std::size_t kMaxMeshes = 10000;
 
-bool isDrawing(const Marker& marker) {
-  return marker.ns.compare(0, sizeof(kDrawingsNamespace) - 1, kDrawingsNamespace) == 0;
-}
-
 std::int64_t placementStamp(const Marker& marker) {
   return marker.frame_locked ? 0 : static_cast<std::int64_t>(marker.header.stamp.toNSec());
 }

@@ -21,6 +21,10 @@ namespace link_bounds {
 /// here. A DELETEALL in one is for what its sender has drawn.
 constexpr char kDrawingsNamespace[] = "link_bounds/";
 
+inline bool isDrawing(const visualization_msgs::Marker& marker) {
+  return marker.ns.compare(0, sizeof(kDrawingsNamespace) - 1, kDrawingsNamespace) == 0;
+}
+
 /// Runs on the update thread. Requests meshes by `request_mesh`, which returns at once; the mesh,
 /// or why there is none, comes back through fillMesh(). Functions return true if a box, a stamp or
 /// an incomplete name changed.

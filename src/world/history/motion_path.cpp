@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "text/joined.h"
 #include "world/history/pose_gap.h"
 #include "world/tf/frame_paths.h"
 
@@ -16,10 +17,6 @@ using Samples = std::vector<const EdgeSample*>;
 
 std::string seconds(std::int64_t nanoseconds) {
   return secondsText(nanoseconds) + " s";
-}
-
-std::string quoted(const std::string& name) {
-  return '"' + name + '"';
 }
 
 /// The way up from a frame, as far as tf knows it for the whole span.

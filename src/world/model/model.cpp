@@ -55,12 +55,9 @@ std::vector<SceneGroup> makeGroups(std::size_t links, const Parameters& paramete
   return groups;
 }
 
-bool hasGeometry(const Link& link, const Selection& selection) {
-  const auto counts = [&](const auto& element) {
-    return element.purpose == Purpose::kVisual ? selection.visual : selection.collision;
-  };
-  return std::any_of(link.elements.begin(), link.elements.end(), counts) ||
-         std::any_of(link.lost.begin(), link.lost.end(), counts);
+bool isAsked(const Link& link, const Selection& selection) {
+  return (selection.visual && hasGeometry(link, Purpose::kVisual)) ||
+         (selection.collision && hasGeometry(link, Purpose::kCollision));
 }
 
 KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& selection) {
@@ -68,7 +65,7 @@ KnownLinks knownLinks(const Robot& robot, const Model& model, const Selection& s
   for (std::size_t i = 0; i < model.links.size(); ++i)
     known.bounded[model.links[i].name] = i;
   for (const Link& link : robot.links) {
-    if (!hasGeometry(link, selection)) known.without_geometry.insert(link.name);
+    if (!isAsked(link, selection)) known.without_geometry.insert(link.name);
   }
   return known;
 }
@@ -168,9 +165,7 @@ std::string tfName(const std::string& tf_prefix, const std::string& link) {
 }
 
 Selection selectionOf(const LinkParameters& parameters) {
-  Selection selection;
-  selection.visual = parameters.geometry != "collision";
-  selection.collision = parameters.geometry != "visual";
+  Selection selection = selectionOf(parameters.geometry);
   selection.links = parameters.links;
   selection.ignore_links = parameters.ignore_links;
   selection.padding = parameters.padding;
@@ -218,10 +213,6 @@ MeshSource meshSource(const Parameters& parameters) {
   const MeshLimits limits{parameters.mesh_timeout,
                           static_cast<std::uint64_t>(parameters.max_mesh_bytes)};
   return {rosPackages(), "", nullptr, limits};
-}
-
-Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader) {
-  return makeModel(description, parameters, loader, meshSource(parameters));
 }
 
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,

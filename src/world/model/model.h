@@ -73,9 +73,6 @@ MeshSource meshSource(const Parameters& parameters);
 Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader,
                 const MeshSource& source);
 
-/// The same with the meshes of meshSource().
-Model makeModel(const std::string& description, const Parameters& parameters, RobotLoader& loader);
-
 /// A link or an object.
 struct PairMember {
   const std::string* name;

@@ -18,7 +18,7 @@ constexpr char kUrdf[] = R"(<robot name="r">
 
 Model modelWith(const Parameters& parameters) {
   RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
-  return makeModel(kUrdf, parameters, loader);
+  return makeModel(kUrdf, parameters, loader, meshSource(parameters));
 }
 
 TEST(TfName, JoinsWithOneSlash) {

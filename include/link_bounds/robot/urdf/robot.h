@@ -51,6 +51,9 @@ struct Link {
   std::vector<LostElement> lost;
 };
 
+/// Whether it has an element of that purpose, which may be lost.
+bool hasGeometry(const Link& link, Purpose purpose);
+
 enum class Motion {
   kNone,         ///< fixed
   kRotation,     ///< revolute, continuous

@@ -123,9 +123,7 @@ class Writer {
                            "min z", "max x", "max y", "max z"}};
     for (const BoxAt& found : report_.boxes_at) {
       if (!found.box) continue;
-      const Eigen::Vector3d &min = found.box->min(), &max = found.box->max();
-      rows.push_back(
-          shortRow(printable(found.name), {min.x(), min.y(), min.z(), max.x(), max.y(), max.z()}));
+      rows.push_back(shortRow(printable(found.name), numbersOf(*found.box)));
     }
     out_ << '\n';
     writeAligned(rows, out_);

@@ -128,9 +128,7 @@ class JsonWriter {
   std::string toJson(const BoxAt& found) const {
     std::string result = "{\"name\": " + jsonString(found.name);
     if (found.box)
-      result += ", \"min\": " + jsonNumbers(found.box->min()) +
-                ", \"max\": " + jsonNumbers(found.box->max()) + ", " +
-                when({*report_.at, found.stamp});
+      result += ", " + jsonCorners(*found.box) + ", " + when({*report_.at, found.stamp});
     return result + "}";
   }
 

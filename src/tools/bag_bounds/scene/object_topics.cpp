@@ -17,10 +17,6 @@ using visualization_msgs::Marker;
 
 constexpr std::size_t kMinForgotten = 1000;
 
-bool isDrawing(const Marker& marker) {
-  return marker.ns.compare(0, sizeof kDrawingsNamespace - 1, kDrawingsNamespace) == 0;
-}
-
 ObjectKey keyOf(const Marker& marker) {
   return {marker.ns, marker.id};
 }

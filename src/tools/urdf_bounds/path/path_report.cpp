@@ -193,10 +193,8 @@ PathBodies bodiesOf(const UrdfBoundsOptions& options, const Robot& robot,
 std::vector<std::pair<std::string, double>> poseOf(const Robot& simple,
                                                    const std::vector<double>& values) {
   std::vector<std::pair<std::string, double>> pose;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Joint& joint = simple.joints[i];
-    if (hasValue(joint.motion) && !joint.mimic) pose.emplace_back(joint.name, values[i]);
-  }
+  for (const std::size_t joint : settableJoints(simple))
+    pose.emplace_back(simple.joints[joint].name, values[joint]);
   return pose;
 }
 

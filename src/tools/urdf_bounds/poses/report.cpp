@@ -131,11 +131,7 @@ void writeJson(const VolumeTable& table, const Words& words, std::ostream& out) 
   out << ",\n \"incomplete\": " << jsonObject(table.incomplete, jsonString) << "}\n";
 }
 
-Numbers numbersOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
-}
-
-Numbers numbersOf(const Aabb& box, Representation representation) {
+Numbers numbersIn(const Aabb& box, Representation representation) {
   switch (representation) {
     case Representation::kMinMax:
       break;
@@ -146,13 +142,12 @@ Numbers numbersOf(const Aabb& box, Representation representation) {
       return numbersOf(form.center, form.radius);
     }
   }
-  return numbersOf(box.min(), box.max());
+  return numbersOf(box);
 }
 
 /// JSON of a box is always min-max.
 Volume toVolume(const Aabb& box, Representation representation) {
-  return {numbersOf(box, representation),
-          "{\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max()) + "}"};
+  return {numbersIn(box, representation), "{" + jsonCorners(box) + "}"};
 }
 
 Volume toVolume(const BoundingSphere& sphere) {

@@ -27,10 +27,6 @@ Boxes groupBoxes(const RowsTable& table) {
   return {{"robot", all}};
 }
 
-Numbers numbersOf(const Aabb& box) {
-  return {box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()};
-}
-
 std::string number(std::size_t row) {
   return std::to_string(row + 1);
 }
@@ -108,7 +104,7 @@ std::string jsonRow(const std::optional<std::size_t>& row) {
 }
 
 std::string boxJson(const Aabb& box) {
-  return "{\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max()) + "}";
+  return "{" + jsonCorners(box) + "}";
 }
 
 void writeJson(const RowsTable& table, std::ostream& out) {

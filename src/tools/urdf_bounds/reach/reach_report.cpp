@@ -84,12 +84,10 @@ void writeCsv(const ReachTable& table, std::ostream& out) {
 }
 
 std::string toJson(const Reach& reach) {
-  const Aabb box = reach.box();
   const auto gap = [](const ReachFace& face) { return exactNumber(face.gap()); };
   const auto pose = [](const ReachFace& face) { return jsonPose(face.pose); };
-  return "{\"min\": " + jsonNumbers(box.min()) + ", \"max\": " + jsonNumbers(box.max()) +
-         ",\n   \"gap\": [" + joined(reach.faces, ", ", gap) + "],\n   \"attained\": [" +
-         joined(reach.faces, ",\n    ", pose) + "]}";
+  return "{" + jsonCorners(reach.box()) + ",\n   \"gap\": [" + joined(reach.faces, ", ", gap) +
+         "],\n   \"attained\": [" + joined(reach.faces, ",\n    ", pose) + "]}";
 }
 
 void writeJson(const ReachTable& table, std::ostream& out) {

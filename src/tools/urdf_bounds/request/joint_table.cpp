@@ -9,6 +9,7 @@
 #include <set>
 
 #include "robot/urdf/limit_warnings.h"
+#include "robot/urdf/simple_joints.h"
 #include "robot/urdf/trimmed.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
@@ -98,7 +99,8 @@ class TableReader {
     }
     if (is_path) checkUnknown(names);
     if (table_.joints.empty())
-      throw UsageError(file_ + " has no column of a joint; those that can be set:" + settable());
+      throw UsageError(file_ +
+                       " has no column of a joint; those that can be set:" + settableNames(robot_));
     const std::set<std::string> known(given.begin(), given.end());
     for (const std::string& name : given) {
       if (names.count(name))
@@ -177,7 +179,7 @@ class TableReader {
         table_.problems.push_back(file_ + ": column \"" + shown(name) +
                                   "\" is no movable joint of the "
                                   "robot and is ignored; those that can be set:" +
-                                  settable());
+                                  settableNames(robot_));
       }
     } else if (robot_.joints[column.joint].mimic) {
       column.quantity = Quantity::kNothing;
@@ -197,25 +199,16 @@ class TableReader {
       if (index_.count(joint) || (is_derivative && !names.count(joint)))
         throw UsageError(file_ + ": column \"" + name + "\" would be ignored, but a path must " +
                          "know how its joints move; name it JOINT" + kVelocityEnd + " or JOINT" +
-                         kAccelerationEnd + ", or remove it; joints:" + settable());
+                         kAccelerationEnd + ", or remove it; joints:" + settableNames(robot_));
     }
-  }
-
-  std::string settable() const {
-    std::string names;
-    for (const Joint& joint : robot_.joints) {
-      if (hasValue(joint.motion) && !joint.mimic) names += " " + joint.name;
-    }
-    return names.empty() ? " none" : names;
   }
 
   void warnOfMissing(const std::set<std::string>& names, const std::set<std::string>& given) {
     std::string missing;
-    for (const Joint& joint : robot_.joints) {
-      if (!hasValue(joint.motion) || joint.mimic || names.count(joint.name) ||
-          given.count(joint.name))
-        continue;
-      missing += (missing.empty() ? "\"" : ", \"") + joint.name + "\"";
+    for (const std::size_t joint : settableJoints(robot_)) {
+      const std::string& name = robot_.joints[joint].name;
+      if (names.count(name) || given.count(name)) continue;
+      missing += (missing.empty() ? "\"" : ", \"") + name + "\"";
     }
     if (missing.empty()) return;
     table_.problems.push_back(file_ + ": joints without a column stay at 0: " + missing +

@@ -2,18 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/urdf_bounds/request/left_out.h"
 
-#include <algorithm>
-
 namespace link_bounds {
-namespace {
-
-bool hasGeometry(const Link& link, Purpose purpose) {
-  const auto is_it = [purpose](const auto& element) { return element.purpose == purpose; };
-  return std::any_of(link.elements.begin(), link.elements.end(), is_it) ||
-         std::any_of(link.lost.begin(), link.lost.end(), is_it);
-}
-
-}  // namespace
 
 std::string leftOutNote(const Robot& robot, const Selection& selection) {
   if (selection.visual && selection.collision) return "";
