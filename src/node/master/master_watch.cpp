@@ -15,12 +15,11 @@ namespace link_bounds {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod(1000);  // how late a new master is noticed
-constexpr int kForgotten = 10;  // ticks without a question about a node, more than an update takes
 
 }  // namespace
 
 MasterWatch::MasterWatch(std::string topic)
-    : topic_(std::move(topic)),
+    : senders_(std::move(topic)),
       worker_({"master watch", false, [this] { return onTick(); }, kPeriod}) {}
 
 bool MasterWatch::onTick() {
@@ -43,7 +42,7 @@ void MasterWatch::poll() {
   const Registration registration = queryRegistration(master);
   // A node that ends removes its own entries from the master.
   if (worker_.isStopping()) return;
-  beginTick(registration != Registration::kKnown);
+  senders_.beginTick(registration != Registration::kKnown);
   const bool was_taken = std::exchange(name_is_taken_, registration == Registration::kNameTaken);
   if (registration == Registration::kUnreachable) {
     // A new one may know the node by what else the process registers, before it is asked.
@@ -64,52 +63,13 @@ void MasterWatch::poll() {
     must_register_ = !registerAgain(master, caller({"localhost", port}));
   }
   if (!must_register_) reportBack();
-  lookForPublishers(master);
+  senders_.look(master);
 }
 
 bool MasterWatch::hasLeft(const std::string& node) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto [entry, is_new] = senders_.try_emplace(node);
-  if (is_new) worker_.post("publishers", [this] { onTick(); });
-  entry->second.unasked = 0;
-  return entry->second.has_left;
-}
-
-void MasterWatch::beginTick(bool is_master_lost) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto entry = senders_.begin(); entry != senders_.end();) {
-    Sender& sender = entry->second;
-    sender.is_doubted |= is_master_lost;
-    sender.has_left = false;
-    entry = ++sender.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
-  }
-}
-
-void MasterWatch::lookForPublishers(const XmlRpcCall& master) {
-  std::map<std::string, Sender> senders;  // a call may take long
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    senders = senders_;
-  }
-  const auto publishers = senders.empty() ? std::nullopt : publishersOf(master, topic_);
-  if (!publishers) return;
-  for (auto& [node, sender] : senders) {
-    const bool publishes = publishers->count(node) > 0;
-    if (publishes) sender.is_doubted = false;
-    if (sender.is_doubted || (publishes && !sender.address.empty())) continue;
-    const auto address = addressOf(master, node);
-    if (publishes) {
-      sender.address = address.value_or("");
-    } else {
-      sender.has_left = address && (address->empty() || *address == sender.address);
-    }
-  }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto& [node, sender] : senders) {
-    Sender& known = senders_[node];
-    sender.unasked = known.unasked;
-    known = std::move(sender);
-  }
+  const Senders::Answer answer = senders_.ask(node);
+  if (answer.is_new) worker_.post("senders", [this] { onTick(); });
+  return answer.has_left;
 }
 
 void MasterWatch::reportLost(const char* reason) {

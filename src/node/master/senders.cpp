@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A sender is forgotten in beginTick() only.
+#include "node/master/senders.h"
+
+#include <iterator>
+#include <utility>
+
+namespace link_bounds {
+namespace {
+
+constexpr int kForgotten = 10;  // ticks without a question about a node, more than an update takes
+
+}  // namespace
+
+Senders::Answer Senders::ask(const std::string& node) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto [entry, is_new] = senders_.try_emplace(node);
+  entry->second.unasked = 0;
+  return {entry->second.has_left, is_new};
+}
+
+void Senders::beginTick(bool is_master_lost) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto entry = senders_.begin(); entry != senders_.end();) {
+    Sender& sender = entry->second;
+    sender.is_doubted |= is_master_lost;
+    sender.has_left = false;
+    entry = ++sender.unasked > kForgotten ? senders_.erase(entry) : std::next(entry);
+  }
+}
+
+void Senders::look(const XmlRpcCall& master) {
+  std::map<std::string, Sender> senders;  // a call may take long
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    senders = senders_;
+  }
+  const auto publishers = senders.empty() ? std::nullopt : publishersOf(master, topic_);
+  if (!publishers) return;
+  for (auto& [node, sender] : senders) {
+    const bool publishes = publishers->count(node) > 0;
+    if (publishes) sender.is_doubted = false;
+    if (sender.is_doubted || (publishes && !sender.address.empty())) continue;
+    const auto address = addressOf(master, node);
+    if (publishes) {
+      sender.address = address.value_or("");
+    } else {
+      sender.has_left = address && (address->empty() || *address == sender.address);
+    }
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto& [node, sender] : senders) {
+    Sender& known = senders_[node];
+    sender.unasked = known.unasked;
+    known = std::move(sender);
+  }
+}
+
+}  // namespace link_bounds
