@@ -5,6 +5,7 @@
 
 A room is a folder of src, with its folders of the same path in include/link_bounds and test.
 """
+import collections
 import pathlib
 import re
 import sys
@@ -88,6 +89,18 @@ def publishers(path, text):
     return headers if '/src/world/' in path else []
 
 
+def types_of(text):
+    """The types that a header makes for all of the namespace link_bounds."""
+    shared = re.split(r'^namespace \{$', text, flags=re.MULTILINE)[0]
+    return set(re.findall(r'^(?:class|struct|enum class) (\w+)(?: [:{]| final|$)', shared, re.MULTILINE))
+
+
+def twice_named(texts):
+    """Two types of one name would be one to the linker."""
+    count = collections.Counter(name for text in texts for name in types_of(text))
+    return [f'there are two types named {name}' for name in sorted(count) if count[name] > 1]
+
+
 def check_rules():
     """The rules find planted faults; without that the test could not fail."""
     support = level_of('geometry/support/query')
@@ -101,6 +114,8 @@ def check_rules():
     assert not upward(support, '// #include "geometry/shape/shape_steps.h"\n')
     assert publishers('/p/src/world/tf/a.cpp', '#include <ros/node_handle.h>\n')
     assert not publishers('/p/src/world/tf/a.cpp', '#include <ros/time.h>\n')
+    assert twice_named(['struct Pair {\n', 'class Pair : public Body {\n'])
+    assert not twice_named(['struct Pair {\n', 'class Pair;\n', 'namespace {\nstruct Pair {\n'])
     assert unplaced('#include "aabb.h"\n') and unplaced('#include "link_bounds/aabb.h"\n')
     assert not unplaced('#include "link_bounds/AxisAlignedBox.h"\n#include <vector>\n')
 
@@ -112,6 +127,8 @@ def main():
     rooms = {level for _, level in files}
     faults = [fault for path, level in files for fault in faults_of(path, level)]
     faults += [f'there is no room {room}' for i, room in enumerate(ROOMS) if i not in rooms]
+    faults += twice_named(path.read_text('utf-8') for path, _ in files
+                          if path.suffix == '.h' and 'test' not in path.relative_to(package).parts)
     print('\n'.join(faults) or f'{len(files)} files include only what is below them')
     return 1 if faults else 0
 

@@ -66,7 +66,7 @@ double roundedUp(double distance, double rounding) {
 class HullSearch {
  public:
   HullSearch(const PlacedBody& first, const PlacedBody& second, const DistanceGoal& goal,
-             PairMemory& memory, SearchRoom& room, const PairMotion& motion)
+             PairMemory& memory, SearchRoom& room, const Approach& motion)
       : first_(first),
         second_(second),
         goal_{goal.accuracy, above(goal.limit), goal.max_steps, goal.relative_accuracy},
@@ -258,7 +258,7 @@ class HullSearch {
   DistanceGoal goal_;  ///< at the limit itself a distance is not yet too large
   PairMemory& memory_;
   SearchRoom& room_;
-  const PairMotion& motion_;
+  const Approach& motion_;
   double rounding_;
   std::size_t steps_left_;
   Witness witness_;
@@ -270,7 +270,7 @@ class HullSearch {
 
 /// What the memory has proven shrinks with the motion since the last call. A front that is dropped
 /// begins again at 0.
-PairMotion aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
+Approach aged(PairMemory& memory, const std::optional<RelativeMotion>& latest) {
   const double moved_then = memory.moved;
   if (latest) memory.moved = (moved_then + latest->approach) * (1 + 4 * kUnitRoundoff);
   if (latest && memory.moved <= kFarthestMove) return {memory.moved, moved_then, latest};
@@ -317,7 +317,7 @@ std::optional<BodyDistance> distanceBeyond(double limit, const PlacedBody& first
 BodyDistance placedDistance(const PlacedBody& first, const PlacedBody& second,
                             const DistanceGoal& goal, PairMemory& memory, SearchRoom& room,
                             const std::optional<RelativeMotion>& latest) {
-  const PairMotion motion = aged(memory, latest);
+  const Approach motion = aged(memory, latest);
   if (const auto far = distanceBeyond(goal.limit, first, second)) return *far;
   return HullSearch(first, second, goal, memory, room, motion).run();
 }

@@ -7,7 +7,7 @@
 // other body to A. Over the box of the node of q this is least at a corner. |v| is at least u .
 // A'v. What poses that are not quite rigid cost is in the slack of lease.cpp. A normal is kept in
 // floats: u is wrong by less than 2^-23, and the bound by as much of the way that a point moves,
-// which is at most what PairMotion::moved has grown by, but for the rounding of that difference.
+// which is at most what Approach::moved has grown by, but for the rounding of that difference.
 // Rounding here is that of a few products with the coordinates of the shape, which the rounding of
 // the search bounds (placed_body.cpp).
 #pragma once

@@ -79,7 +79,7 @@ struct TreeScratch {
 };
 
 /// How much nearer two bodies may have come [m]
-struct PairMotion {
+struct Approach {
   double moved;                                 ///< since the memory began
   double moved_then;                            ///< until the last call with the memory
   const std::optional<RelativeMotion>& latest;  ///< since that call, if it is known
@@ -96,7 +96,7 @@ struct ShapePair {
   PlacedBall first_ball;
   PlacedBall second_ball;
   double rounding;  ///< what a computed lower bound may be too large by
-  const PairMotion& motion;
+  const Approach& motion;
   const std::optional<RigidBody>& first_rigid;
   const std::optional<RigidBody>& second_rigid;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads one mesh file and writes its triangles, or the reason why there are none, to standard
-// output, as robot/worker/mesh_reply.h describes. Only importInProcess starts it.
+// output, as robot/worker/mesh_reply.h describes. Only importInTime starts it.
 #include <errno.h>
 #include <unistd.h>
 

@@ -57,6 +57,18 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 constexpr double kWayRounding = 1e-12;  // of all coordinates, as share of the largest
 
+/// From the child of `inner` to the parent of `outer`, whose child is the parent of `inner`.
+EdgeWay chained(const EdgeWay& outer, const EdgeWay& inner) {
+  EdgeWay result;
+  result.scale = outer.scale * inner.scale;
+  result.inverse = outer.inverse * inner.inverse;
+  result.turn = outer.turn * inner.scale + outer.scale * inner.turn;
+  result.stretch = outer.stretch + inner.stretch;
+  result.shift = outer.shift + outer.turn * inner.distance + outer.scale * inner.shift;
+  result.distance = outer.distance + outer.scale * inner.distance;
+  return result;
+}
+
 }  // namespace
 
 const std::optional<EdgeWay>& EdgeWays::during(Frame child, MotionSpan span) {
@@ -117,12 +129,12 @@ double WayBound::of(Frame source, double radius, MotionSpan span) {
   const Node& node = nodeOf(source);
   if (!node.is_known) return kInfinite;
   const Height& height = heights_[node.height];
-  const Map& link = node.top_from_node;
-  const Map& target = height.top_from_target;
+  const EdgeWay& link = node.top_from_node;
+  const EdgeWay& target = height.top_from_target;
   // Steps 5, 3 and 4 of deviation_bound.h.
   const double start = link.inverse * target.inverse * radius;
   const double start_way = (link.stretch + target.stretch) * start;
-  const double distance = link.reach + link.scale * start + target.reach;
+  const double distance = link.distance + link.scale * start + target.distance;
   const double way = link.shift + link.turn * start + link.scale * start_way + target.shift;
   return height.turned_turn * distance + height.turned_scale * way + kWayRounding * distance;
 }
@@ -137,12 +149,12 @@ void WayBound::begin(MotionSpan span) {
   climb(tf_, target_, [this](Frame frame) {
     Node& node = nodes_[frame];
     if (node.run == run_) return true;  // a loop
-    node = {run_, true, heights_.size() - 1, Map()};
+    node = {run_, true, heights_.size() - 1, EdgeWay()};
     const std::optional<EdgeWay>& edge = edges_.during(frame, span_);
     if (!edge) return true;
     const Height& below = heights_.back();
     Height next;
-    next.top_from_target = before(below.top_from_target, *edge);
+    next.top_from_target = chained(*edge, below.top_from_target);
     next.turned_turn = below.turned_scale * edge->turn + below.turned_turn * edge->scale;
     next.turned_scale = below.turned_scale * edge->scale;
     heights_.push_back(next);
@@ -156,7 +168,7 @@ const WayBound::Node& WayBound::nodeOf(Frame source) {
     if (frame >= nodes_.size()) nodes_.resize(tf_.size());
     Node& node = nodes_[frame];
     if (node.run == run_) return true;
-    node = {run_, false, 0, Map()};
+    node = {run_, false, 0, EdgeWay()};
     way_.push_back(frame);
     return false;
   });
@@ -165,29 +177,9 @@ const WayBound::Node& WayBound::nodeOf(Frame source) {
     const Node& above = nodes_[tf_.parent(way_[i])];
     if (!above.is_known) continue;
     const std::optional<EdgeWay>& edge = edges_.during(way_[i], span_);
-    if (edge) nodes_[way_[i]] = {run_, true, above.height, behind(above.top_from_node, *edge)};
+    if (edge) nodes_[way_[i]] = {run_, true, above.height, chained(above.top_from_node, *edge)};
   }
   return nodes_[source];
-}
-
-/// The points of the edge's child, where `map` is of its parent.
-WayBound::Map WayBound::behind(const Map& map, const EdgeWay& edge) {
-  return {map.scale * edge.scale,
-          map.reach + map.scale * edge.distance,
-          map.shift + map.turn * edge.distance + map.scale * edge.shift,
-          map.turn * edge.scale + map.scale * edge.turn,
-          map.stretch + edge.stretch,
-          map.inverse * edge.inverse};
-}
-
-/// The same points one frame further up.
-WayBound::Map WayBound::before(const Map& map, const EdgeWay& edge) {
-  return {edge.scale * map.scale,
-          edge.distance + edge.scale * map.reach,
-          edge.shift + edge.turn * map.reach + edge.scale * map.shift,
-          edge.turn * map.scale + edge.scale * map.turn,
-          map.stretch + edge.stretch,
-          map.inverse * edge.inverse};
 }
 
 }  // namespace link_bounds

@@ -17,8 +17,10 @@
 
 namespace link_bounds {
 
-/// How much an edge of tf does during a span, whatever is behind it: from the child to its parent,
-/// as tf2 interpolates; all are the largest during the span.
+/// How much an edge of tf, or several in a row, do during a span, whatever is behind them: from the
+/// child to its parent, as tf2 interpolates; all are the largest during the span. A point at a
+/// distance x from the origin of the child, which moves there by w, has in the parent at most the
+/// distance `distance` + scale x and the way shift + turn x + scale w.
 struct EdgeWay {
   double scale = 1;     ///< |q|^2
   double inverse = 1;   ///< 1 / |q|^2
@@ -69,35 +71,22 @@ class WayBound {
   double of(Frame source, double radius, MotionSpan span);
 
  private:
-  /// A point at a distance x from the origin of a frame, which moves there by w, has in another
-  /// frame at most the distance reach + scale x and the way shift + turn x + scale w.
-  struct Map {
-    double scale = 1;
-    double reach = 0;
-    double shift = 0;
-    double turn = 0;
-    double stretch = 0;  ///< step 5 of deviation_bound.h: sum of e,
-    double inverse = 1;  ///< and of the product of 1 / |q|^2, at most
-  };
-
   struct Node {
     std::uint64_t run = 0;  ///< in which it was computed
     bool is_known = false;
     std::size_t height = 0;  ///< of the frame above the target that its way leads to
-    Map top_from_node;
+    EdgeWay top_from_node;
   };
 
   /// From the target up to one of the frames above it.
   struct Height {
-    Map top_from_target;
+    EdgeWay top_from_target;
     double turned_turn = 0;  ///< back from the top into the axes of the target
     double turned_scale = 1;
   };
 
   void begin(MotionSpan span);
   const Node& nodeOf(Frame source);
-  static Map behind(const Map& map, const EdgeWay& edge);
-  static Map before(const Map& map, const EdgeWay& edge);
 
   EdgeWays& edges_;
   const TransformBuffer& tf_;

@@ -462,7 +462,7 @@ void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSp
                        double wanted, const Means& means, PairMotion& motion) const {
   const TransformBuffer& tf = means.tf;
   const Parameters& parameters = moment_->model->parameters;
-  const PairSearch found = searchPair(tf, first, second, span, wanted, parameters.distance_limit,
+  const PairFinding found = searchPair(tf, first, second, span, wanted, parameters.distance_limit,
                                       means.handlers.gives_up);
   motion.clearance = found.clearance;
   motion.undecided = found.undecided;

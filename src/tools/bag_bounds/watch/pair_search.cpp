@@ -94,7 +94,7 @@ std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Aff
                       {kPairAccuracy / 10, limit, kMaxStepsOfPair});
 }
 
-PairSearch searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
+PairFinding searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
                       MotionSpan span, double wanted, double limit,
                       const std::function<bool()>& gives_up) {
   MotionPath path = pathBetween(tf, first.frame, second.frame, span, kNoTimeout);

@@ -30,7 +30,7 @@ std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Aff
                                        const FramedBody& second, const Eigen::Affine3d& second_pose,
                                        double limit);
 
-struct PairSearch {
+struct PairFinding {
   double clearance;  ///< proven: they never came nearer [m]
   std::optional<std::int64_t>
       nearest_stamp;      ///< of the nearest pose that was looked at, if any was
@@ -39,7 +39,7 @@ struct PairSearch {
 
 /// Clearances above `wanted` are not refined; while no pose is below `limit`, none between two
 /// poses may be, either. Such a search is expensive: a bound of the way decides most motions.
-PairSearch searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
+PairFinding searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
                       MotionSpan span, double wanted, double limit,
                       const std::function<bool()>& gives_up);
 
