@@ -92,7 +92,8 @@ def publishers(path, text):
 def types_of(text):
     """The types that a header makes for all of the namespace link_bounds."""
     shared = re.split(r'^namespace \{$', text, flags=re.MULTILINE)[0]
-    return set(re.findall(r'^(?:class|struct|enum class) (\w+)(?: [:{]| final|$)', shared, re.MULTILINE))
+    definition = r'^(?:class|struct|enum class) (\w+)(?: [:{]| final|$)'
+    return set(re.findall(definition, shared, re.MULTILINE))
 
 
 def twice_named(texts):
