@@ -37,9 +37,11 @@ BagRun::OnProgress drawnProgress() {
 int runOne(const BagBoundsOptions& options, BagQuestion& question) {
   BagRun run(options, question, drawnProgress());
   run.read();
-  const BagReport report = run.report();
+  BagReport report = run.report();
+  const Outcome outcome = run.outcome(report);
+  report.open = outcome.open;
   write(report, options.format, std::cout);
-  return exitCode(run.outcome(report), options.demand);
+  return exitCode(outcome, options.demand);
 }
 
 int run(const BagBoundsOptions& options) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whoever sees 4 also sees why.
+// Whoever sees 4 also sees why, and whoever sees 3 what else is open.
 #include "tools/command_line/outcome.h"
 
 #include "text/joined.h"
@@ -16,8 +16,8 @@ bool isCode(int code) {
   return code >= 0 && code <= kOpen;
 }
 
-void warnOfOpen(const std::vector<std::string>& open) {
-  warn("not everything was answered: " + joined(open, "; ") + "; --allow-incomplete accepts that");
+void warnOfOpen(const std::vector<std::string>& open, const std::string& more = "") {
+  warn("not everything was answered: " + joined(open, "; ") + more);
 }
 
 }  // namespace
@@ -28,9 +28,13 @@ void Outcome::addOpen(const std::string& what, std::size_t count) {
 
 int exitCode(const Outcome& outcome, const Demand& demand) {
   if (outcome.is_unusable) return kUnusable;
-  if (outcome.has_finding) return kFinding;
-  if (!outcome.open.empty() && !demand.allow_incomplete) {
-    warnOfOpen(outcome.open);
+  const bool is_open = !outcome.open.empty() && !demand.allow_incomplete;
+  if (outcome.has_finding) {
+    if (is_open) warnOfOpen(outcome.open);
+    return kFinding;
+  }
+  if (is_open) {
+    warnOfOpen(outcome.open, "; --allow-incomplete accepts that");
     return kOpen;
   }
   return outcome.lost_geometry && demand.strict ? kLostGeometry : 0;

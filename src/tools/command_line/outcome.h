@@ -35,7 +35,7 @@ struct Demand {
 };
 
 /// 1 unusable, 3 a finding, 4 something is open, 2 lost geometry, 0 all was answered and holds: the
-/// first that applies. Warns of what is open if that decides.
+/// first that applies. Warns of what is open, unless that is accepted.
 int exitCode(const Outcome& outcome, const Demand& demand);
 
 /// Of the exit codes of two runs, the one that comes first in that order; 1 if one is no exit code.

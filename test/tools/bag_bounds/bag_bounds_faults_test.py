@@ -386,10 +386,28 @@ class BagsTest(BagBoundsTest):
         late[80] = late[80][:2] + (time_of(BEGIN + seconds(90)),)
         found = self.report(self.bag([static_arms(BEGIN + seconds(i)) for i in range(100)] + late),
                             code=PARTLY_READ, err='rosbag filter')
-        self.assertRegex(found['losses'][0], 'record time goes back 1 time, to 0.000 s')
+        self.assertRegex(found['losses'][0], 'record time goes back 2 times, first to 0.000 s')
         small = [moving_arms(99, BEGIN + seconds(99 - i)) for i in (3, 6)]  # they add up to a jump
         found = self.report(self.bag([static_arms()] + messages + small), err='the clock jumped back')
         self.assertEqual(found['losses'], [])
+
+    def test_single_messages_that_are_not_in_the_order_of_time(self):
+        """The motion beside them was not looked at, so this is no jump of the clock."""
+        messages = [moving_arms(i) for i in range(100)]
+        for place in 60, 67:  # where the message of 50 stands instead: late by 0.2 s, and more
+            late = messages[:50] + messages[51:place] + messages[50:51] + messages[place:]
+            found = self.report(self.bag([static_arms()] + late), code=PARTLY_READ,
+                                err='rosbag filter')
+            self.assertRegex(found['losses'][0], 'record time goes back 1 time, to 1.000 s')
+            self.assertEqual(found['open'][0], 'losses while reading: 1')
+        three = messages[:50] + messages[53:70] + messages[50:53] + messages[70:]
+        found = self.report(self.bag([static_arms()] + three), code=PARTLY_READ, err='rosbag')
+        self.assertRegex(found['losses'][0], 'record time goes back 1 time, to 1.000 s')
+        early = messages[:50] + messages[70:71] + messages[50:70] + messages[71:]
+        found = self.report(self.bag([static_arms()] + early), code=PARTLY_READ, err='rosbag')
+        self.assertRegex(found['losses'][0], 'record time goes back 1 time, to 1.000 s')
+        found = self.report(self.bag([static_arms()] + messages + messages[20:]), err='jumped back')
+        self.assertEqual((found['losses'], found['open']), ([], []))
 
     def test_a_clock_that_goes_back_beyond_the_report(self):
         """What it records then is not in the report, which says so."""

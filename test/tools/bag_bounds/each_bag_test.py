@@ -11,6 +11,7 @@ import csv
 import io
 import json
 import os
+import pathlib
 import pty
 import random
 import re
@@ -370,6 +371,16 @@ class MergeTest(EachBagTest):
         self.assertEqual((rows[1]['first'], rows[1]['entries']), (worst['first'], '1'))
         self.assertIn('no message', rows[2]['reason'])
 
+    def test_two_bags_of_one_name_in_one_file(self):
+        """As where the lines of two folders are appended. The finding in the first must not go."""
+        bags, lines, _ = self.files()
+        self.bag(calm(4), 'a.bag')
+        changed = self.lines(bags[:1], code=0)[0]
+        for first, second in ((lines[0], changed), (changed, lines[0])):
+            self.check_refused('line 2 is of bag .*a.bag, and so is an earlier line, but of another '
+                               'size or content: .*different paths', '--merge',
+                               self.write('two.jsonl', first + '\n' + second + '\n'))
+
     def test_lines_that_do_not_fit(self):
         bags, lines, files = self.files()
         other = self.lines(bags[:1], '--padding', '0.001', code=0)[0]
@@ -379,8 +390,6 @@ class MergeTest(EachBagTest):
         changed = self.lines(bags[:1], code=0)[0]
         self.check_refused('a.bag in .* differ; leave the older file out', '--merge', *files,
                            self.write('4.jsonl', changed + '\n'))
-        newest = self.write('5.jsonl', lines[0] + '\n' + changed + '\n')
-        self.assertIn('1 bag: 1 CLEAR', self.merged(newest, code=0)[0])
 
     def test_lines_from_another_system(self):
         _, lines, files = self.files()
@@ -478,6 +487,8 @@ class MergeTest(EachBagTest):
             earlier = self.write('1.jsonl', self.lines(bags, code=1)[0] + '\n')
             for order in (earlier, later), (later, earlier):
                 self.assertIn('1 bag: 1 CLEAR', self.merged(*order, code=0)[0])
+            both = pathlib.Path(earlier).read_text('utf-8') + pathlib.Path(later).read_text('utf-8')
+            self.assertIn('1 CLEAR', self.merged(self.write('both.jsonl', both), code=0)[0])
         for size in 10, 200000:
             write_bag(whole, [('/other', String('0' * size), time_of(BEGIN))])
             other = self.write('2.jsonl', self.lines(bags, code=1)[0] + '\n')

@@ -45,7 +45,7 @@ TEST(Outcome, OnlyWhatIsOpenCanBeAllowed) {
   EXPECT_EQ(exitCode(outcome, {}), 4);
 }
 
-TEST(Outcome, WhatIsOpenIsSaidWhereItDecides) {
+TEST(Outcome, WhatIsOpenIsSaidUnlessItIsAccepted) {
   Outcome outcome;
   outcome.addOpen("names", 0);
   outcome.addOpen("pairs", 2);
@@ -59,6 +59,10 @@ TEST(Outcome, WhatIsOpenIsSaidWhereItDecides) {
   testing::internal::CaptureStderr();
   outcome.has_finding = true;
   EXPECT_EQ(exitCode(outcome, {}), 3);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            std::string(program_invocation_short_name) +
+                ": warning: not everything was answered: pairs: 2; topics: 1\n");
+  testing::internal::CaptureStderr();
   EXPECT_EQ(exitCode(outcome, {false, true}), 3);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

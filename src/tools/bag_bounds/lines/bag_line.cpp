@@ -138,6 +138,13 @@ std::string nameIn(const std::string& cut) {
   return end == std::string::npos || end < begin ? "" : cut.substr(begin, end - begin);
 }
 
+/// Whether a later line must not replace the earlier one, which says something of another bag.
+bool areTwoBags(const ReadLine& earlier, const ReadLine& later) {
+  const bool says_something = !earlier.hasDied() && earlier.verdict != verdictOf(kUnusable);
+  const bool is_other = earlier.bag.size != later.bag.size || earlier.bag.head != later.bag.head;
+  return says_something && later.bag.size && is_other && !isBeginOf(earlier.bag, later.bag);
+}
+
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
@@ -157,8 +164,14 @@ class Reader {
                        std::to_string(line->exit_code) + " (" +
                        std::to_string(line->complete_code) +
                        " with --allow-incomplete), which does not go with it; remove it");
-    result_.lines[line->bag.name] = *line;
-    result_.lines[line->bag.name].file = file_;
+    const auto [known, is_new] = result_.lines.try_emplace(line->bag.name);
+    if (!is_new && areTwoBags(known->second, *line))
+      result_.two_bags = place() + " is of bag " + line->bag.name +
+                         ", and so is an earlier line, but of another size or content: if these " +
+                         "are two bags, make their lines with different paths; if it was " +
+                         "replaced, remove the earlier line";
+    known->second = *line;
+    known->second.file = file_;
   }
 
   LineFile take() { return std::move(result_); }
@@ -193,6 +206,10 @@ BagIdentity identityOf(const std::string& bag) {
   result.size = size;
   result.head = head.text();
   return result;
+}
+
+bool isBeginOf(const BagIdentity& begin, const BagIdentity& whole) {
+  return begin.size < whole.size && (begin.size == 0 || begin.head == whole.head);
 }
 
 BagLine lineOf(const BagIdentity& bag, const std::string& question, const BagRun& run,

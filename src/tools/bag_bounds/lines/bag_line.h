@@ -23,6 +23,9 @@ struct BagIdentity {
 
 BagIdentity identityOf(const std::string& bag);
 
+/// Whether the one may be an unfinished copy of the other one.
+bool isBeginOf(const BagIdentity& begin, const BagIdentity& whole);
+
 /// A line, with its line break.
 struct BagLine {
   std::string text;
@@ -84,6 +87,7 @@ struct LineFile {
 
   std::map<std::string, ReadLine> lines;
   std::vector<Cut> cut;  ///< lines that were cut
+  std::string two_bags;  ///< a name that two bags may have, and the remedy; "" if there is none
 };
 
 /// Where the lines that were cut are, of bags that have no whole line in any of the files.

@@ -18,11 +18,6 @@ namespace {
 
 using Lines = std::map<std::string, ReadLine>;
 
-/// Whether the one may be an unfinished copy of the other one.
-bool isBeginOf(const BagIdentity& begin, const BagIdentity& whole) {
-  return begin.size < whole.size && (begin.size == 0 || begin.head == whole.head);
-}
-
 /// Of two lines of a bag the better one. Where the bag could not be read, such as on a machine that
 /// has not mounted it, or that had only its begin, another machine may have read it.
 ReadLine betterOf(const ReadLine& first, const ReadLine& second) {
@@ -63,6 +58,8 @@ class MergedReport {
     for (const std::string& name : files)
       read.push_back(readLines(name));
     cut_ = placesOfCut(read);
+    for (const LineFile& file : read)
+      if (!file.two_bags.empty()) throw UsageError(file.two_bags);
     for (const LineFile& file : read) {
       for (const auto& [bag, line] : file.lines) {
         if (!lines_.empty()) checkQuestion(lines_.begin()->second, line);

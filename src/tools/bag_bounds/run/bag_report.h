@@ -33,6 +33,7 @@ struct BagReport {
   bool has_compared = false;  ///< any two bodies, if there are distances
   double min_coverage = 0;    ///< see Coverage
   std::vector<std::string> losses;
+  std::vector<std::string> open;  ///< as Outcome::open, for JSON
 };
 
 /// Why it never had a box, and what to do.

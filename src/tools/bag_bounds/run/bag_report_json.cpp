@@ -33,7 +33,7 @@ class JsonWriter {
           << jsonList(*report_.distances, [this](const auto& pair) { return toJson(pair); });
     }
     writeLosses(out);
-    out << "}\n";
+    out << ",\n \"open\": " << jsonList(report_.open, jsonString) << "}\n";
   }
 
   void writeSummary(std::ostream& out) const {

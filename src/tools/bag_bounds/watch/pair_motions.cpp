@@ -463,7 +463,7 @@ void PairMotions::walk(const MovedBody& first, const MovedBody& second, MotionSp
   const TransformBuffer& tf = means.tf;
   const Parameters& parameters = moment_->model->parameters;
   const PairFinding found = searchPair(tf, first, second, span, wanted, parameters.distance_limit,
-                                      means.handlers.gives_up);
+                                       means.handlers.gives_up);
   motion.clearance = found.clearance;
   motion.undecided = found.undecided;
   if (!found.nearest_stamp) return;

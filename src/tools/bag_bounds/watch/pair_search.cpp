@@ -95,8 +95,8 @@ std::optional<BodyDistance> distanceOf(const FramedBody& first, const Eigen::Aff
 }
 
 PairFinding searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
-                      MotionSpan span, double wanted, double limit,
-                      const std::function<bool()>& gives_up) {
+                       MotionSpan span, double wanted, double limit,
+                       const std::function<bool()>& gives_up) {
   MotionPath path = pathBetween(tf, first.frame, second.frame, span, kNoTimeout);
   if (!path.problem.empty()) return {0, std::nullopt, path.problem};
   PairWalker walker(first, second, wanted, limit);

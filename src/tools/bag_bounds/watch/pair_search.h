@@ -40,7 +40,7 @@ struct PairFinding {
 /// Clearances above `wanted` are not refined; while no pose is below `limit`, none between two
 /// poses may be, either. Such a search is expensive: a bound of the way decides most motions.
 PairFinding searchPair(const TransformBuffer& tf, const FramedBody& first, const FramedBody& second,
-                      MotionSpan span, double wanted, double limit,
-                      const std::function<bool()>& gives_up);
+                       MotionSpan span, double wanted, double limit,
+                       const std::function<bool()>& gives_up);
 
 }  // namespace link_bounds
