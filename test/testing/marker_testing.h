@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "link_bounds/geometry/shape/link_boxes.h"
 #include "testing/brute_force.h"
@@ -49,9 +50,9 @@ inline void setPose(visualization_msgs::Marker& marker, const Eigen::Isometry3d&
 
 /// As the node bounds it, in a fixed frame.
 inline std::optional<Aabb> markerBox(
-    const visualization_msgs::Marker& marker,
+    visualization_msgs::Marker marker,
     const Eigen::Affine3d& fixed_from_header = Eigen::Affine3d::Identity()) {
-  return linkBox({"marker", markerShape(marker).shapes, 0, ""}, fixed_from_header);
+  return linkBox({"marker", markerShape(std::move(marker)).shapes, 0, ""}, fixed_from_header);
 }
 
 }  // namespace link_bounds

@@ -149,7 +149,7 @@ TEST(MarkerRefusal, WhatIsNotDrawnDoesNotMatter) {
     Marker marker = markerOf(type, {1, 1, 1}, 1);
     marker.points[0].x = kNan;
     EXPECT_EQ(whyMarkerRefused(marker), "");
-    EXPECT_EQ(markerShape(marker).shapes.size(), 1u);
+    EXPECT_EQ(markerShape(Marker(marker)).shapes.size(), 1u);
   }
 }
 

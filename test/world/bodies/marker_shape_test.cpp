@@ -301,7 +301,7 @@ TEST(MarkerShape, AMeshWaitsForItsPoints) {
   Eigen::Isometry3d pose(turned(30, Eigen::Vector3d::UnitZ()));
   pose.translation().x() = 1;
   setPose(marker, pose);
-  MarkerShape shape = markerShape(marker);
+  MarkerShape shape = markerShape(Marker(marker));
   EXPECT_EQ(shape.mesh_uri, marker.mesh_resource);
   ASSERT_EQ(shape.shapes.size(), 1u);
   EXPECT_EQ(shape.shapes[0].points, nullptr);
@@ -317,7 +317,7 @@ TEST(MarkerShape, AMeshWaitsForItsPoints) {
 TEST(MarkerShape, OnlyMeshesHaveAUri) {
   Marker marker = markerOf(Marker::CUBE, kScale);
   marker.mesh_resource = "file:///part.stl";
-  EXPECT_EQ(markerShape(marker).mesh_uri, "");
+  EXPECT_EQ(markerShape(Marker(marker)).mesh_uri, "");
 }
 
 TEST(MarkerPose, AZeroQuaternionIsTheIdentity) {

@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-9;
 
 ObjectContent contentOf(const Marker& marker) {
   ObjectContent content;
-  MarkerShape shape = markerShape(marker);
+  MarkerShape shape = markerShape(Marker(marker));
   content.bounded = {"object", shape.shapes, 0, ""};
   content.drawing = shape.drawing;
   return content;
