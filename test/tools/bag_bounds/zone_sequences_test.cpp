@@ -9,6 +9,7 @@
 #include <iostream>
 #include <set>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 #include "testing/random_tf.h"
 #include "testing/recorded_testing.h"
@@ -86,7 +87,7 @@ class RandomRecording {
     marker.id = pick(kObjects);
     marker.action = pick(4) == 0 ? visualization_msgs::Marker::DELETE : 0;
     marker.frame_locked = pick(2) == 0;
-    marker.pose.position = pointMessage(numbers_.vector(1));
+    marker.pose.position = toPoint(numbers_.vector(1));
     takeMessage(scene_, "/objects", marker, time_);
   }
 

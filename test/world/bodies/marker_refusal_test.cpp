@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 #include "testing/numbers.h"
 
@@ -167,7 +168,7 @@ TEST(MarkerRefusal, TheLargestNumbersGiveFiniteBoxes) {
   for (Marker marker : goodMarkers()) {
     marker.scale.x = marker.scale.y = marker.scale.z = kLargest;
     for (geometry_msgs::Point& point : marker.points)
-      point = pointMessage({kLargest, -kLargest, random.sign() * kLargest});
+      point = toPoint({kLargest, -kLargest, random.sign() * kLargest});
     for (int i = 0; i < 100; ++i) {
       Eigen::Isometry3d pose(random.rotation());
       pose.translation().setConstant(kLargest);

@@ -8,6 +8,7 @@
 
 #include <functional>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 
 namespace link_bounds {
@@ -209,7 +210,7 @@ void expectBox(const Marker& marker, const Eigen::Vector3d& min, const Eigen::Ve
 
 Marker withPoints(Marker marker, const Samples& points) {
   for (const Eigen::Vector3d& point : points)
-    marker.points.push_back(pointMessage(point));
+    marker.points.push_back(toPoint(point));
   return marker;
 }
 
@@ -323,7 +324,7 @@ TEST(MarkerShape, OnlyMeshesHaveAUri) {
 TEST(MarkerPose, AZeroQuaternionIsTheIdentity) {
   Marker marker = markerOf(Marker::CUBE, kScale);
   marker.pose.orientation.w = 0;
-  marker.pose.position = pointMessage({1, 2, 3});
+  marker.pose.position = toPoint({1, 2, 3});
   EXPECT_EQ(markerPose(marker).linear(), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   EXPECT_EQ(markerPose(marker).translation(), Eigen::Vector3d(1, 2, 3));
 }
