@@ -62,25 +62,15 @@ SoakObjects::SoakObjects(ros::NodeHandle& node, const std::string& publisher,
       publisher_(node.advertise<MarkerArray>(publisher + "/objects", 1000)) {}
 
 void SoakObjects::start() {
-  thread_ = std::thread([this] { run(); });
+  rounds_.emplace(kPeriod, [this] { step(); });
 }
 
 void SoakObjects::stop() {
-  ends_ = true;
-  if (thread_.joinable()) thread_.join();
+  rounds_.reset();
   MarkerArray array;
   array.markers.resize(1);
   array.markers[0].action = Marker::DELETEALL;
   publisher_.publish(array);
-}
-
-void SoakObjects::run() {
-  auto due = std::chrono::steady_clock::now();
-  while (!ends_ && ros::ok()) {
-    step();
-    due += kPeriod;
-    std::this_thread::sleep_until(due);
-  }
 }
 
 /// Adds objects in one round and deletes them in the next.

@@ -7,8 +7,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
-#include <thread>
+#include <vector>
+
+#include "testing/repeated.h"
 
 namespace link_bounds {
 
@@ -18,8 +21,6 @@ class SoakObjects {
   /// Objects follow `frames` in turn.
   SoakObjects(ros::NodeHandle& node, const std::string& publisher, std::vector<std::string> frames);
   ~SoakObjects() { stop(); }
-  SoakObjects(const SoakObjects&) = delete;
-  SoakObjects& operator=(const SoakObjects&) = delete;
 
   bool hasSubscriber() const { return publisher_.getNumSubscribers() > 0; }
   void start();
@@ -27,15 +28,13 @@ class SoakObjects {
   std::uint64_t sent() const { return sent_; }  ///< objects
 
  private:
-  void run();
   void step();
 
   std::vector<std::string> frames_;
   ros::Publisher publisher_;
-  std::atomic<bool> ends_{false};
   std::atomic<std::uint64_t> sent_{0};
   std::uint64_t steps_ = 0;
-  std::thread thread_;
+  std::optional<Repeated> rounds_;  ///< ends before what it uses
 };
 
 }  // namespace link_bounds

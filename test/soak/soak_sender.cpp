@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// After a delay it sends without pause until it has caught up, so the mean rate holds.
 #include "soak_sender.h"
 
 #include <rosgraph_msgs/Clock.h>
@@ -35,21 +34,7 @@ bool SoakSender::hasSubscriber() const {
 }
 
 void SoakSender::start() {
-  thread_ = std::thread([this] { run(); });
-}
-
-void SoakSender::stop() {
-  ends_ = true;
-  if (thread_.joinable()) thread_.join();
-}
-
-void SoakSender::run() {
-  auto due = std::chrono::steady_clock::now();
-  while (!ends_ && ros::ok()) {
-    step();
-    due += kPeriod;
-    std::this_thread::sleep_until(due);
-  }
+  steps_.emplace(kPeriod, [this] { step(); });
 }
 
 void SoakSender::step() {

@@ -7,9 +7,10 @@
 
 #include <atomic>
 #include <cstdint>
-#include <thread>
+#include <optional>
 
 #include "link_bounds/robot/urdf/robot.h"
+#include "testing/repeated.h"
 
 namespace link_bounds {
 
@@ -18,18 +19,14 @@ namespace link_bounds {
 class SoakSender {
  public:
   SoakSender(ros::NodeHandle& node, const Robot& robot);
-  ~SoakSender() { stop(); }
-  SoakSender(const SoakSender&) = delete;
-  SoakSender& operator=(const SoakSender&) = delete;
 
   bool hasSubscriber() const;
   void start();
-  void stop();
+  void stop() { steps_.reset(); }
   std::uint64_t sent() const { return sent_; }    ///< messages to /tf
   std::uint64_t jumps() const { return jumps_; }  ///< of the clock
 
  private:
-  void run();
   void step();
   void publishClock();
 
@@ -38,10 +35,9 @@ class SoakSender {
   ros::Publisher tf_publisher_;
   ros::Publisher tf_static_publisher_;
   ros::Time now_{1000};
-  std::atomic<bool> ends_{false};
   std::atomic<std::uint64_t> sent_{0};
   std::atomic<std::uint64_t> jumps_{0};
-  std::thread thread_;
+  std::optional<Repeated> steps_;  ///< ends before what it uses
 };
 
 }  // namespace link_bounds

@@ -4,6 +4,7 @@
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -131,25 +132,38 @@ class AssertionTest(unittest.TestCase):
         seconds = float(ElementTree.parse(path).getroot().find("testcase").get("time"))
         self.assertLess(seconds, AT_ONCE)
 
-    def check_all_pass(self, cases):
-        """{name: parameters}, side by side."""
+
+class FaultsTest(AssertionTest):
+    """What both programs have to do. A test has start_held(name), which starts a run that waits for
+    the end of its hold."""
+
+    passing = {}  # {name: parameters}
+    failing = {}  # {name: (parameters, texts of the failure)}
+    invalid = {}  # {name: (parameters, text of the failure)}
+
+    def test_conditions_that_are_true(self):
+        """Side by side."""
         runs = [self.start(name, dict(parameters, deadline=DEADLINE))
-                for name, parameters in cases.items()]
+                for name, parameters in self.passing.items()]
         for run in runs:
             with self.subTest(run.name):
                 self.check_passed(run)
 
-    def check_all_fail(self, cases):
-        """{name: (parameters, texts of the failure)}, side by side."""
-        runs = [self.start(name, parameters) for name, (parameters, _) in cases.items()]
+    def test_conditions_that_are_not_true(self):
+        """Side by side."""
+        runs = [self.start(name, parameters) for name, (parameters, _) in self.failing.items()]
         for run in runs:
             with self.subTest(run.name):
-                self.check_failure(run, *cases[run.name][1])
+                self.check_failure(run, *self.failing[run.name][1])
 
-    def check_all_fail_at_once(self, cases):
-        """{name: (parameters, text of the failure)}."""
-        for name, (parameters, text) in cases.items():
+    def test_parameters_that_mean_nothing_fail_at_once(self):
+        for name, (parameters, text) in self.invalid.items():
             with self.subTest(name):
                 run = self.start(name, dict({"deadline": 1000}, **parameters))
                 self.check_failure(run, text)
                 self.check_at_once(run.path)
+
+    def test_who_is_interrupted_fails(self):
+        run = self.start_held("interrupted")
+        run.process.send_signal(signal.SIGTERM)
+        self.check_failure(run, "interrupted")

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of bag_bounds: bags of the arms, and running the program."""
-import io
 import json
 import os
 import subprocess
@@ -13,6 +12,7 @@ import genpy
 import rosbag
 from node_testing import ARMS, DYNAMIC, arm_transform
 from patience import PATIENCE
+from raw_messages import serialized
 from tf2_msgs.msg import TFMessage
 
 BAG_BOUNDS = ''
@@ -69,9 +69,7 @@ def write_bag(path, messages, compression=rosbag.Compression.NONE):
 
 def raw(message):
     """The bytes of a message with its type, for Bag.write(raw=True)."""
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return message._type, buffer.getvalue(), message._md5sum, type(message)
+    return message._type, serialized(message), message._md5sum, type(message)
 
 
 def run(*arguments, **options):

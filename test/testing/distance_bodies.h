@@ -99,6 +99,24 @@ inline TriangleMesh bumpyBall(std::uint32_t steps, double bump) {
   return mesh;
 }
 
+/// A body of up to three meshes and cylinders, which may have tips; at times of none if `least` is
+/// below 1.
+inline std::shared_ptr<const Body> mixedBody(brute_force::Random& random, double least,
+                                             bool has_tips) {
+  auto body = std::make_shared<Body>();
+  const int shapes = static_cast<int>(random.uniform(least, 4));
+  for (int i = 0; i < shapes; ++i) {
+    MeshBody mesh;
+    mesh.add(anyMesh(random, 0.3), random.rigid(0.3));
+    body->shapes.push_back(mesh.body.shapes[0]);
+    if (random.sign() > 0) continue;
+    body->shapes.back() = {
+        {nullptr, Solid::kCylinder, random.vector(0.5).cwiseAbs(), random.rigid(0.3)}};
+    if (has_tips && random.sign() > 0) body->shapes.back().tip = random.vector(0.5);
+  }
+  return body;
+}
+
 /// What BodyDistances should know of a body.
 struct Twin {
   std::shared_ptr<const Body> body;

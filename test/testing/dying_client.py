@@ -1,19 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A client of ~get_boxes, or of another service, that is gone before the answer comes."""
-import io
 import socket
 import struct
 
 import rosgraph
 from bounds_testing import DEADLINE
 from link_bounds.srv import GetBoxes
+from raw_messages import serialized
 
 
 def sent(request):
-    data = io.BytesIO()
-    request.serialize(data)
-    data = data.getvalue()
+    data = serialized(request)
     return struct.pack("<I", len(data)) + data
 
 

@@ -6,13 +6,12 @@ import json
 import subprocess
 import threading
 import time
-import unittest
 
 import rospy
 from bounds_testing import (DEADLINE, TfSender, box_link, executable, robot, transform,
                             wait_for)
 from node_testing import NODE, Diagnostics, NodeProcess, resident_bytes, value_of
-from own_master import OwnMaster
+from own_master import OwnMasterTest
 from patience import PATIENCE
 from raw_subscriber import RawSubscriber, Reader
 from std_srvs.srv import Trigger
@@ -104,22 +103,10 @@ class Statuses(Diagnostics):
         return any(value_of(status, key) is not None for _, status, _ in self.received)
 
 
-class LoadTest(unittest.TestCase):
+class LoadTest(OwnMasterTest):
     """Starts a node with `LINKS` links for each test, and ends it."""
 
     LINKS = 20
-
-    @classmethod
-    def setUpClass(cls):
-        cls.master = OwnMaster()
-        rospy.init_node("load_test", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks.
-        with contextlib.suppress(AttributeError):
-            rospy.signal_shutdown("the end")
-        cls.master.kill()
 
     def start_node(self, **parameters):
         rospy.set_param("/robot_description", description(self.LINKS))

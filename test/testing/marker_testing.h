@@ -4,20 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/ros/messages.h"
 #include "testing/brute_force.h"
 #include "world/bodies/marker_shape.h"
 
 namespace link_bounds {
-
-inline geometry_msgs::Point pointMessage(const Eigen::Vector3d& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  point.z = p.z();
-  return point;
-}
 
 /// With as many points around (1, 2, 3) as `points` says; not turned.
 inline visualization_msgs::Marker markerOf(int type, const Eigen::Vector3d& scale,
@@ -31,7 +25,7 @@ inline visualization_msgs::Marker markerOf(int type, const Eigen::Vector3d& scal
   marker.scale.z = scale.z();
   brute_force::Random random(points);
   for (std::size_t i = 0; i < points; ++i)
-    marker.points.push_back(pointMessage(Eigen::Vector3d(1, 2, 3) + random.vector(1)));
+    marker.points.push_back(toPoint(Eigen::Vector3d(1, 2, 3) + random.vector(1)));
   if (type == visualization_msgs::Marker::MESH_RESOURCE) marker.mesh_resource = "file:///part.stl";
   return marker;
 }
@@ -40,7 +34,7 @@ inline visualization_msgs::Marker markerOf(int type, const Eigen::Vector3d& scal
 inline void setPose(visualization_msgs::Marker& marker, const Eigen::Isometry3d& pose,
                     double quaternion_length = 1) {
   const Eigen::Quaterniond q(pose.linear());
-  marker.pose.position = pointMessage(pose.translation());
+  marker.pose.position = toPoint(pose.translation());
   marker.pose.orientation.x = quaternion_length * q.x();
   marker.pose.orientation.y = quaternion_length * q.y();
   marker.pose.orientation.z = quaternion_length * q.z();
@@ -49,9 +43,9 @@ inline void setPose(visualization_msgs::Marker& marker, const Eigen::Isometry3d&
 
 /// As the node bounds it, in a fixed frame.
 inline std::optional<Aabb> markerBox(
-    const visualization_msgs::Marker& marker,
+    visualization_msgs::Marker marker,
     const Eigen::Affine3d& fixed_from_header = Eigen::Affine3d::Identity()) {
-  return linkBox({"marker", markerShape(marker).shapes, 0, ""}, fixed_from_header);
+  return linkBox({"marker", markerShape(std::move(marker)).shapes, 0, ""}, fixed_from_header);
 }
 
 }  // namespace link_bounds

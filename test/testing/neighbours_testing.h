@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/live_objects_testing.h"
 #include "testing/marker_testing.h"
 #include "world/bodies/object_source.h"
@@ -22,8 +23,8 @@ inline AxisAlignedBox boxAround(const std::string& name, const Eigen::Vector3d& 
   AxisAlignedBox box;
   box.name = name;
   box.stamp = ros::Time(stamp);
-  box.min = pointMessage(center - Eigen::Vector3d(1, 2, 3));
-  box.max = pointMessage(center + Eigen::Vector3d(1, 2, 3));
+  box.min = toPoint(center - Eigen::Vector3d(1, 2, 3));
+  box.max = toPoint(center + Eigen::Vector3d(1, 2, 3));
   return box;
 }
 

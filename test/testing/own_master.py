@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A ROS master for one test script and the processes that it starts."""
+import contextlib
 import os
 import signal
 import subprocess
+import unittest
 import xmlrpc.client
 
 import rosgraph
+import rospy
 from bounds_testing import wait_for
 from free_port import free_port
 
@@ -31,6 +34,22 @@ class OwnMaster:
     def kill(self):
         self.signal(signal.SIGKILL)
         self._process.wait()
+
+
+class OwnMasterTest(unittest.TestCase):
+    """Runs with a master of its own, which is `self.master`."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.master = OwnMaster()
+        cls.addClassCleanup(cls.master.kill)
+        rospy.init_node(cls.__name__, disable_signals=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks.
+        with contextlib.suppress(AttributeError):
+            rospy.signal_shutdown("the end")
 
 
 def entries(node):

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/live_boxes_testing.h"
 #include "testing/marker_testing.h"
 
@@ -175,7 +176,7 @@ class RandomCarriers {
       marker.header.stamp.fromNSec(static_cast<std::uint64_t>(stamp));
     }
     if (pick(4) == 0) marker.lifetime = ros::Duration(random_.uniform(0.1, 1));
-    marker.pose.position = pointMessage(random_.vector(spread_ / 2));
+    marker.pose.position = toPoint(random_.vector(spread_ / 2));
     return marker;
   }
 

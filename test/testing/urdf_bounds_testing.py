@@ -4,12 +4,12 @@
 import json
 import os
 import re
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 
+from binary_stl import binary_stl
 from patience import PATIENCE
 
 URDF_BOUNDS = ''
@@ -58,10 +58,7 @@ def tetrahedron():
     """A binary STL of the corners 0, x = 1, y = 2, z = 3."""
     corners = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    data = b'tetrahedron'.ljust(80) + struct.pack('<I', len(faces))
-    for face in faces:
-        data += struct.pack('<12f', 0, 0, 0, *(x for i in face for x in corners[i])) + b'\0\0'
-    return data
+    return binary_stl([[corners[i] for i in face] for face in faces])
 
 
 def run(*arguments, urdf=ARM, **options):

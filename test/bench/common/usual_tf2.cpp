@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "link_bounds/ros/messages.h"
+
 namespace link_bounds::bench {
 namespace {
 
@@ -46,14 +48,6 @@ std::pair<Aabb, std_msgs::Header> looseBox(const tf2::BufferCore& buffer,
   for (const Eigen::Vector3d& corner : corners(link.resting))
     box.extend(fixed_from_link * corner);
   return {box, transform.header};
-}
-
-geometry_msgs::Point toPoint(const Eigen::Vector3d& v) {
-  geometry_msgs::Point point;
-  point.x = v.x();
-  point.y = v.y();
-  point.z = v.z();
-  return point;
 }
 
 }  // namespace

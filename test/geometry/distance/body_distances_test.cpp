@@ -18,21 +18,6 @@ using brute_force::Random;
 
 constexpr std::size_t kBodies = 5;
 
-std::shared_ptr<const Body> anyBody(Random& random) {
-  auto body = std::make_shared<Body>();
-  const int shapes = static_cast<int>(random.uniform(0.7, 4));
-  for (int i = 0; i < shapes; ++i) {
-    MeshBody mesh;
-    mesh.add(anyMesh(random, 0.3), random.rigid(0.3));
-    body->shapes.push_back(mesh.body.shapes[0]);
-    if (random.sign() > 0) continue;
-    body->shapes.back().triangles = nullptr;
-    body->shapes.back().shape = {nullptr, Solid::kCylinder, random.vector(0.5).cwiseAbs(),
-                                 random.rigid(0.3)};
-  }
-  return body;
-}
-
 /// 1e-10 is for rounding.
 bool reaches(const DistanceGoal& goal, const BodyDistance& found) {
   return found.lower >= goal.limit ||
@@ -56,7 +41,7 @@ void expectSame(const std::optional<BodyDistance>& found, const Twin& a, const T
 void change(Twin& twin, std::size_t i, Random& random, BodyDistances& distances) {
   const int what = static_cast<int>(random.uniform(0, 60));
   if (what == 0 || !twin.body) {
-    twin = {what == 0 ? nullptr : anyBody(random), std::nullopt};
+    twin = {what == 0 ? nullptr : mixedBody(random, 0.7, false), std::nullopt};
     distances.set(i, twin.body);
     return;
   }
@@ -80,7 +65,7 @@ TEST(BodyDistances, AgreeWithAComputationWithoutMemory) {
     BodyDistances distances(goal);
     std::vector<Twin> twins(kBodies);
     for (std::size_t i = 0; i < kBodies; ++i) {
-      twins[i].body = anyBody(random);
+      twins[i].body = mixedBody(random, 0.7, false);
       distances.set(i, twins[i].body);
     }
     for (int step = 0; step < 200; ++step) {

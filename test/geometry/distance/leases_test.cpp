@@ -19,21 +19,6 @@ using brute_force::Random;
 
 constexpr std::size_t kBodies = 4;
 
-std::shared_ptr<const Body> anyBody(Random& random) {
-  auto body = std::make_shared<Body>();
-  const int shapes = static_cast<int>(random.uniform(1, 4));
-  for (int i = 0; i < shapes; ++i) {
-    MeshBody mesh;
-    mesh.add(anyMesh(random, 0.3), random.rigid(0.3));
-    body->shapes.push_back(mesh.body.shapes[0]);
-    if (random.sign() > 0) continue;
-    body->shapes.back() = {
-        {nullptr, Solid::kCylinder, random.vector(0.5).cwiseAbs(), random.rigid(0.3)}};
-    if (random.sign() > 0) body->shapes.back().tip = random.vector(0.5);
-  }
-  return body;
-}
-
 /// From tiny to large: most are small, so that leases last.
 Eigen::Affine3d step(Random& random) {
   Eigen::Affine3d result = Eigen::Affine3d::Identity();
@@ -47,7 +32,7 @@ class Sequence {
   explicit Sequence(Random& random) : random_(random), twins_(kBodies) {
     setGoal();
     for (std::size_t i = 0; i < kBodies; ++i)
-      replace(i, anyBody(random_));
+      replace(i, mixedBody(random_, 1, true));
   }
 
   void change() {
@@ -111,8 +96,9 @@ class Sequence {
 
   void change(std::size_t i) {
     const int what = static_cast<int>(random_.uniform(0, 100));
-    if (what == 0 || !twins_[i].body) return replace(i, what == 0 ? nullptr : anyBody(random_));
-    if (what == 1) return replace(i, anyBody(random_));
+    if (what == 0 || !twins_[i].body)
+      return replace(i, what == 0 ? nullptr : mixedBody(random_, 1, true));
+    if (what == 1) return replace(i, mixedBody(random_, 1, true));
     const bool jumps = what < 10 || !isUsablePose(*twins_[i].pose);
     Eigen::Affine3d pose = jumps ? random_.rigid(0.7) : *twins_[i].pose * step(random_);
     if (what == 2) pose(0, 3) = random_.sign() * kInfinity;

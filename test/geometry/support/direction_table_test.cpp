@@ -46,6 +46,26 @@ void expectExactButForTies(const Points& points, std::uint64_t seed,
   std::cout << "ties within rounding: " << found.ties << " of " << found.compared << " faces\n";
 }
 
+/// Without a single tie, under turns about the axes and under random maps.
+void expectExactUnderFewMaps(const Points& points, std::uint64_t seed) {
+  const PointSet set(points);
+  brute_force::Random random(seed);
+  Exactness found;
+  const auto add = [&](const Eigen::Matrix3d& map) { found += compare(points, set, map); };
+  for (const double scale : {1.0, -1.0, 0.0})
+    add(scale * Eigen::Matrix3d::Identity());
+  for (const double degrees : {30.0, 45.0, 90.0, 180.0}) {
+    add(brute_force::turned(degrees, Eigen::Vector3d::UnitX()));
+    add(brute_force::turned(degrees, Eigen::Vector3d::UnitZ()));
+  }
+  for (int i = 0; i < 500; ++i)
+    add(random.rotation());
+  for (int i = 0; i < 500; ++i)
+    add(random.affine(0).linear());
+  EXPECT_EQ(found.wrong, 0) << found.wrong_map;
+  EXPECT_EQ(found.ties, 0);
+}
+
 /// Both faces of a plate of 2 x 2 x 0.1, divided into 20 x 20 squares.
 Points plate(const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
   Points points;
@@ -73,6 +93,12 @@ Points alongLine(int count, const Eigen::Vector3f& step) {
   return points;
 }
 
+Points inPlane(Points points, int flat) {
+  for (Eigen::Vector3f& point : points)
+    point[flat] = 0.25f;
+  return points;
+}
+
 TEST(DirectionTable, Point) {
   expectExact({{0.1f, -0.2f, 0.3f}}, 1);
 }
@@ -97,21 +123,28 @@ TEST(DirectionTable, Collinear) {
 TEST(DirectionTable, NearlyCollinear) {
   // Rounded to float, these points leave their line by less than an ulp.
   expectExactButForTies(alongLine(100, {0.013f, 0.027f, -0.031f}), 7);
+  Points from_origin;
+  for (int i = 0; i <= 100; ++i)
+    from_origin.push_back(static_cast<float>(i) * Eigen::Vector3f(0.01f, 0.02f, -0.03f));
+  expectExactUnderFewMaps(from_origin, 5);
 }
 
 TEST(DirectionTable, Plane) {
   // Seen along its normal, all points of a plane tie.
   brute_force::Random random(8);
   for (int flat = 0; flat < 3; ++flat) {
-    Points points = random.points(300, 1);
-    for (Eigen::Vector3f& point : points)
-      point[flat] = 0.25f;
-    expectExactButForTies(points, 8);
+    expectExactButForTies(inPlane(random.points(300, 1), flat), 8);
+    expectExactUnderFewMaps(inPlane(brute_force::Random(6).points(300, 1), flat), 6);
   }
 }
 
 TEST(DirectionTable, TessellatedPlate) {
   expectExact(plate(), 9);
+  Points folded;
+  for (int i = 0; i < 400; ++i)
+    folded.emplace_back(static_cast<float>(i % 20) * 0.1f, static_cast<float>(i / 20) * 0.1f,
+                        i % 2 ? 0.0f : 0.05f);
+  expectExactUnderFewMaps(folded, 7);
 }
 
 TEST(DirectionTable, Sphere) {
@@ -186,7 +219,7 @@ TEST(DirectionTable, LargeSetsInParts) {
 
 TEST(DirectionTable, SmallSets) {
   brute_force::Random random(11);
-  for (const std::size_t count : {4u, 15u, 16u, 17u, 18u, 33u}) {
+  for (const std::size_t count : {4u, 15u, 16u, 17u, 18u, 33u, 1u, 2u, 3u, 5u, 1000u}) {
     SCOPED_TRACE(count);
     expectExact(random.points(count, 0.5), count, 1000);
   }
@@ -199,6 +232,7 @@ TEST(DirectionTable, FarFromTheOrigin) {
 
 TEST(DirectionTable, ExtremesOfFloat) {
   Points points{{3.4e38f, -3.4e38f, 1e-45f}, {1e-38f, 3.4e38f, -1e-45f}};
+  expectExact(points, 9);
   for (int i = 0; i < 30; ++i)
     points.emplace_back(static_cast<float>(i) * 1e37f, static_cast<float>(-i) * 1e36f, 1e-42f);
   expectExact(points, 13);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Extents equal those of the scan over all points, to the bit.
+// The farthest point of a set, and what a set says of itself.
 #include "link_bounds/geometry/support/point_set.h"
 
 #include <gtest/gtest.h>
@@ -11,90 +11,6 @@ namespace link_bounds {
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
-
-constexpr int kRandomDirections = 500;
-
-/// Under random maps and those whose ties are hardest: the axes and their signed permutations.
-void expectEqualsBruteForce(const Points& points, std::uint64_t seed) {
-  const PointSet set(points);
-  brute_force::Random random(seed);
-  std::vector<Eigen::Matrix3d> maps{Eigen::Matrix3d::Identity(), -Eigen::Matrix3d::Identity(),
-                                    Eigen::Matrix3d::Zero()};
-  for (const double degrees : {30.0, 45.0, 90.0, 180.0}) {
-    maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitX()));
-    maps.push_back(brute_force::turned(degrees, Eigen::Vector3d::UnitZ()));
-  }
-  for (int i = 0; i < kRandomDirections; ++i)
-    maps.push_back(random.rotation());
-  for (int i = 0; i < kRandomDirections; ++i)
-    maps.push_back(random.affine(0).linear());
-  for (const Eigen::Matrix3d& map : maps) {
-    const Extents actual = set.extents(map);
-    const Extents expected = brute_force::extents(points, map);
-    ASSERT_EQ(actual.low, expected.low) << map;
-    ASSERT_EQ(actual.high, expected.high) << map;
-  }
-}
-
-TEST(PointSet, EqualsBruteForceForClouds) {
-  brute_force::Random random(1);
-  for (const std::size_t count : {1u, 2u, 3u, 4u, 5u, 15u, 16u, 17u, 33u, 1000u}) {
-    SCOPED_TRACE(count);
-    expectEqualsBruteForce(random.points(count, 0.5), count);
-  }
-}
-
-TEST(PointSet, EqualsBruteForceForABall) {
-  brute_force::Random random(2);
-  Points points;
-  for (int i = 0; i < 3000; ++i)
-    points.push_back(random.vector(1).normalized().cast<float>());
-  expectEqualsBruteForce(points, 2);
-}
-
-TEST(PointSet, EqualsBruteForceFarFromTheOrigin) {
-  brute_force::Random random(3);
-  expectEqualsBruteForce(random.points(500, 0.1, {1000, -2000, 3000}), 3);
-}
-
-TEST(PointSet, EqualsBruteForceForAPoint) {
-  expectEqualsBruteForce({{1, -2, 3}}, 4);
-}
-
-TEST(PointSet, EqualsBruteForceForASegment) {
-  Points points;
-  for (int i = 0; i <= 100; ++i) {
-    points.push_back(static_cast<float>(i) * Eigen::Vector3f(0.01f, 0.02f, -0.03f));
-  }
-  expectEqualsBruteForce(points, 5);
-}
-
-TEST(PointSet, EqualsBruteForceForPlanes) {
-  for (int flat = 0; flat < 3; ++flat) {
-    brute_force::Random random(6);
-    Points points = random.points(300, 1);
-    for (Eigen::Vector3f& point : points)
-      point[flat] = 0.25f;
-    expectEqualsBruteForce(points, 6);
-  }
-}
-
-TEST(PointSet, EqualsBruteForceForATessellatedPlate) {
-  Points points;
-  for (int i = 0; i < 400; ++i) {
-    points.emplace_back(static_cast<float>(i % 20) * 0.1f, static_cast<float>(i / 20) * 0.1f,
-                        i % 2 ? 0.0f : 0.05f);
-  }
-  expectEqualsBruteForce(points, 7);
-}
-
-TEST(PointSet, EqualsBruteForceForEqualPoints) {
-  expectEqualsBruteForce(Points(64, Eigen::Vector3f(0.1f, 0.2f, 0.3f)), 8);
-}
-
-TEST(PointSet, EqualsBruteForceForTheExtremesOfFloat) {
-  expectEqualsBruteForce({{3.4e38f, -3.4e38f, 1e-45f}, {1e-38f, 3.4e38f, -1e-45f}}, 9);
-}
 
 TEST(PointSet, FarthestIsAPointOfTheSetAsFarAsTheExtent) {
   brute_force::Random random(11);

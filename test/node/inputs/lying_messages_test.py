@@ -3,7 +3,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Messages and requests that announce more than they have: each is refused with a line that names
 topic and sender, takes no memory, and the next message is read."""
-import io
 import re
 import unittest
 
@@ -13,6 +12,7 @@ from bounds_testing import DEADLINE, Recorder, names_of, wait_for
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from link_bounds.srv import CheckPath, CheckPathRequest, GetBoxes, GetBoxesRequest
 from node_testing import ARMS, ArmsTf, NodeProcess
+from raw_messages import as_bytes, serialized
 from std_msgs.msg import Header
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -21,23 +21,10 @@ MAX_GROWTH = 100 * MEBIBYTE  # of the peak; each lie announces more than 1000
 HUGE = 50000000  # elements
 
 
-def serialized(message):
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
-
-
 def lying(message, place):
     """Like the message, but the four bytes there announce a huge length."""
     data = serialized(message)
-    data = data[:place] + HUGE.to_bytes(4, "little") + data[place + 4:]
-
-    class Lie(type(message)):
-        __slots__ = ()
-
-        def serialize(self, buff):
-            buff.write(data)
-    return Lie()
+    return as_bytes(message, data[:place] + HUGE.to_bytes(4, "little") + data[place + 4:])
 
 
 def cube(number):

@@ -4,13 +4,13 @@
 """Objects without robot and tf; neighbours; meshes; 10,000 objects, and the memory after them."""
 import pathlib
 import shutil
-import struct
 import tempfile
 import unittest
 
 import rospy
 import rostest
 from bad_inputs import bad_robots
+from binary_stl import binary_stl
 from bounds_testing import (Pose, Recorder, box_link, box_of, corners_of, difference, names_of,
                             robot, turn, wait_for)
 from diagnostic_msgs.msg import DiagnosticStatus
@@ -36,8 +36,7 @@ def write_tetrahedron(path, size):
     """A binary STL; returns its corners."""
     corners = [(0, 0, 0), (size, 0, 0), (0, size, 0), (0, 0, size)]
     faces = [[corners[i] for i in range(4) if i != left_out] for left_out in range(4)]
-    data = b"".join(struct.pack("<12fH", 0, 0, 0, *a, *b, *c, 0) for a, b, c in faces)
-    path.write_bytes(bytes(80) + struct.pack("<I", len(faces)) + data)
+    path.write_bytes(binary_stl(faces))
     return corners
 
 

@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The node gives back the memory that huge tf messages need."""
-import io
 import unittest
 
 import rospy
@@ -12,6 +11,7 @@ from emulation import is_emulated
 from node_testing import (ALL, ARMS, SANITIZED, ArmsTf, Diagnostics, NodeProcess, resident_bytes,
                           value_of)
 from patience import PATIENCE
+from raw_messages import as_bytes, serialized
 from tf2_msgs.msg import TFMessage
 
 MANY = 300000  # transforms in one message
@@ -19,23 +19,6 @@ ROUNDS = 3
 MEBIBYTE = 1 << 20
 KEPT = 4 * MEBIBYTE  # by the C library and in roscpp's buffers
 DEADLINE = 60.0 * PATIENCE  # wall seconds to send, receive and read one of them
-
-
-class Repetition(TFMessage):
-    """One transform many times, serialised once."""
-
-    def __init__(self, one, count):
-        super().__init__([one])
-        buffer = io.BytesIO()
-        TFMessage([one]).serialize(buffer)
-        self._data = count.to_bytes(4, "little") + count * buffer.getvalue()[4:]
-
-    @property
-    def size(self):
-        return len(self._data)
-
-    def serialize(self, buff):
-        buff.write(self._data)
 
 
 class TfMemory(unittest.TestCase):
@@ -68,8 +51,10 @@ class TfMemory(unittest.TestCase):
         """Sends huge messages of one transform, which are counted under the key."""
         self.send_arms()
         before = resident_bytes(self.node.pid)
-        message = Repetition(transform("nowhere", child, rospy.Time(1000)), MANY)
-        kept = KEPT + (message.size if is_latched else 0)  # roscpp keeps a latched one
+        one = serialized(TFMessage([transform("nowhere", child, rospy.Time(1000))]))
+        data = MANY.to_bytes(4, "little") + MANY * one[4:]
+        message = as_bytes(TFMessage(), data)
+        kept = KEPT + (len(data) if is_latched else 0)  # roscpp keeps a latched one
         for _ in range(ROUNDS):
             count = self.counter(key)
             sender.publish(message)

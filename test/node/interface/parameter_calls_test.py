@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A failed call of the parameter server is repeated; a failure never counts as "not set"."""
-import contextlib
 import http.client
 import http.server
 import itertools
@@ -15,7 +14,7 @@ import xmlrpc.client
 import rospy
 from bounds_testing import Recorder, box_link, box_of, robot, wait_for
 from node_testing import NodeProcess
-from own_master import OwnMaster
+from own_master import OwnMasterTest
 from patience import PATIENCE
 from std_srvs.srv import Trigger
 
@@ -90,19 +89,7 @@ class Proxy:
         self._server.server_close()
 
 
-class ParameterCalls(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.master = OwnMaster()
-        rospy.init_node("parameter_calls_test", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks.
-        with contextlib.suppress(AttributeError):
-            rospy.signal_shutdown("the end")
-        cls.master.kill()
-
+class ParameterCalls(OwnMasterTest):
     def setUp(self):
         self.proxy = Proxy(self.master.port)
         self.addCleanup(self.proxy.end)

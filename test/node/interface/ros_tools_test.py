@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """rosbag, rostopic and rviz understand what the node sends."""
-import io
 import os
 import re
 import shutil
@@ -21,6 +20,7 @@ from bounds_testing import (DEADLINE, Recorder, corners_of, executable, latched,
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
 from node_testing import ALL, ARMS, NODE, ArmsTf, Repeater
+from raw_messages import serialized
 from std_msgs.msg import Header
 from visualization_msgs.msg import MarkerArray
 
@@ -33,13 +33,6 @@ PROGRAMS = ["assert_box", "assert_distance", "link_bounds_publisher", "urdf_boun
 SCRIPTS = ["arm_slower.py", "box_table.py", "depth_camera.py", "joint_mover.py", "overlap_colors.py",
            "scene_objects.py", "zone_events.py"]
 UNITS = {"B": 1, "KB": 1e3, "MB": 1e6}
-
-
-def bytes_of(message):
-    """A message as it is sent. Message types of a bag never equal those of rospy."""
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
 
 
 def record(topic, message_type):
@@ -94,11 +87,12 @@ class RosTools(unittest.TestCase):
         subprocess.run(["rosbag", "record", "--quiet", "--limit=%d" % COUNT, "--output-name", bag,
                         *TOPICS], check=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
         with rosbag.Bag(bag) as file:
-            recorded = {topic: [bytes_of(m) for _, m, _ in file.read_messages([topic])]
+            # As bytes: message types of a bag never equal those of rospy.
+            recorded = {topic: [serialized(m) for _, m, _ in file.read_messages([topic])]
                         for topic in TOPICS}
         for recorder in live:
             self.assertEqual(len(recorded[recorder.topic]), COUNT)
-            sent = {bytes_of(message) for message in recorder.messages}
+            sent = {serialized(message) for message in recorder.messages}
             # The first may be one that was latched before this test listened.
             self.assertEqual(set(recorded[recorder.topic][1:]) - sent, set())
             recorder.subscriber.unregister()
@@ -117,7 +111,7 @@ class RosTools(unittest.TestCase):
                        stdout=subprocess.DEVNULL)
         for topic, recorder in played.items():
             wait_for(lambda r=recorder: len(r.messages) >= COUNT, "all of " + recorder.topic)
-            self.assertEqual([bytes_of(m) for m in recorder.messages], recorded[topic])
+            self.assertEqual([serialized(m) for m in recorder.messages], recorded[topic])
 
     def help_of(self, program):
         return subprocess.run([executable("link_bounds", program), "--help"], check=True,
@@ -159,7 +153,7 @@ class RosTools(unittest.TestCase):
         found = self.start("rostopic", "bw", NODE + "/boxes").wait_for_match(
             r"mean: ([\d.]+)(B|KB|MB)")
         mean = float(found.group(1)) * UNITS[found.group(2)]
-        size = len(bytes_of(self.boxes.messages[-1]))
+        size = len(serialized(self.boxes.messages[-1]))
         self.assertAlmostEqual(mean, size, delta=size / 4)
 
     def test_box_table_keeps_control_characters_from_the_terminal(self):

@@ -4,7 +4,6 @@
 """Large lists of cubes that are replaced faster than their triangles can be prepared: what is
 replaced is forgotten, and ~reload does not wait for it."""
 import array
-import io
 import itertools
 import struct
 import time
@@ -15,6 +14,7 @@ from bounds_testing import TfSender, transform, wait_for
 from load_testing import LoadTest, MemoryWatch, cube, link_names
 from node_testing import NODE, Repeater
 from patience import PATIENCE
+from raw_messages import as_bytes, serialized
 from visualization_msgs.msg import Marker, MarkerArray
 
 LISTS, CELLS = 8, 100000
@@ -26,14 +26,6 @@ RELOAD = 5 * PATIENCE  # s; 0.01 without a listener
 GROWTH = 100e6  # bytes more than with lists that rest
 
 
-class Prepared(MarkerArray):
-    """Serialized beforehand, so that sending takes little time of this process."""
-    __slots__ = ["prepared"]
-
-    def serialize(self, buff):
-        buff.write(self.prepared)
-
-
 def cells(shift):
     """The bytes of the points of a list."""
     points = array.array("d")
@@ -43,18 +35,15 @@ def cells(shift):
 
 
 def message(number, points):
-    """A MarkerArray of one list with these cells."""
+    """A MarkerArray of one list with these cells. It is serialized beforehand, so that sending
+    takes little time of this process."""
     marker = cube(number, (0, 1, 2.0 * number), SIZE)
     marker.type, marker.ns = Marker.CUBE_LIST, "list"
-    buffer = io.BytesIO()
-    marker.serialize(buffer)
     # Behind the points: colors, text, mesh_resource, all empty, and mesh_use_embedded_materials.
     tail = struct.pack("<III", 0, 0, 0) + b"\0"
-    body = buffer.getvalue()
+    body = serialized(marker)
     assert body.endswith(struct.pack("<I", 0) + tail)
-    result = Prepared()
-    result.prepared = struct.pack("<I", 1) + body[:-len(tail) - 4] + points + tail
-    return result
+    return as_bytes(MarkerArray(), struct.pack("<I", 1) + body[:-len(tail) - 4] + points + tail)
 
 
 class Lists(LoadTest):
@@ -66,7 +55,7 @@ class Lists(LoadTest):
         self.tf = TfSender()
         self.tf.wait_for_listener()
         self.addCleanup(self.tf.end)
-        self.publisher = rospy.Publisher(NODE + "/objects", Prepared, queue_size=100)
+        self.publisher = rospy.Publisher(NODE + "/objects", MarkerArray, queue_size=100)
         wait_for(lambda: self.publisher.get_num_connections(), "the node takes objects")
         self.addCleanup(self.publisher.unregister)
         variants = [cells(0.001 * i) for i in range(3)]

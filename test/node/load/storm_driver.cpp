@@ -26,6 +26,7 @@
 #include "node/load/storm_scene.h"
 #include "node/load/storm_sender.h"
 #include "testing/patience.h"
+#include "testing/repeated.h"
 
 namespace link_bounds {
 namespace {
@@ -69,31 +70,6 @@ double residentMegabytes(int pid) {
   }
   throw std::runtime_error("the node is gone");
 }
-
-/// Calls a function periodically, on a thread of its own, until it is destroyed.
-class Repeated {
- public:
-  Repeated(Seconds period, std::function<void()> function)
-      : thread_([this, period, function = std::move(function)] {
-          auto due = Clock::now();
-          while (!ends_ && ros::ok()) {
-            function();
-            due += std::chrono::duration_cast<Clock::duration>(period);
-            while (!ends_ && Clock::now() < due)
-              std::this_thread::sleep_until(std::min(due, Clock::now() + 20 * kPoll));
-          }
-        }) {}
-  ~Repeated() {
-    ends_ = true;
-    thread_.join();
-  }
-  Repeated(const Repeated&) = delete;
-  Repeated& operator=(const Repeated&) = delete;
-
- private:
-  std::atomic<bool> ends_{false};
-  std::thread thread_;
-};
 
 /// What the node showed during the storm.
 struct Seen {

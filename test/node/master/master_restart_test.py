@@ -12,7 +12,7 @@ import rosgraph
 import rospy
 from bounds_testing import DEADLINE, Recorder, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, Diagnostics, NodeProcess, Repeater
-from own_master import OwnMaster, entries, is_known
+from own_master import OwnMasterTest, entries, is_known
 from patience import PATIENCE
 from std_srvs.srv import Trigger
 
@@ -30,16 +30,7 @@ def run(*command):
                           stdout=subprocess.PIPE).stdout.decode()
 
 
-class MasterRestart(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.master = OwnMaster()
-        rospy.init_node("master_restart_test", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.master.kill()
-
+class MasterRestart(OwnMasterTest):
     def setUp(self):
         rospy.set_param("/robot_description", ARMS)
         self.node = NodeProcess(NODE[1:], timeout=0.0)

@@ -10,7 +10,7 @@ import rosgraph
 import rospy
 from bounds_testing import Recorder, names_of, wait_for
 from node_testing import ALL, ARMS, NODE, ArmsTf, NodeProcess
-from own_master import OwnMaster
+from own_master import OwnMasterTest
 
 REASON = "new node registered with same name"  # of roscpp
 TAKEN = "knows another node as " + NODE
@@ -27,16 +27,7 @@ def address():
         return ""
 
 
-class SameName(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.master = OwnMaster()
-        rospy.init_node("same_name_test", disable_signals=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.master.kill()
-
+class SameName(OwnMasterTest):
     def setUp(self):
         self.older = self.start()
         self.older_address = address()

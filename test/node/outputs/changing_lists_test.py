@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Large lists that change faster than their triangles can be prepared, as an octomap does."""
-import io
 import time
 import unittest
 
@@ -13,6 +12,7 @@ from link_bounds.msg import Distance, DistanceArray
 from node_testing import SANITIZED, NodeProcess, Repeater, resident_bytes
 from object_testing import marker
 from patience import PATIENCE
+from raw_messages import as_bytes, serialized
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -26,19 +26,6 @@ ROUNDS = 40
 MEBIBYTE = 1 << 20
 BOUND = 160 * MEBIBYTE  # three times what is needed
 PROMPT = 10.0 * PATIENCE  # s for ~reload; ten times and more what it takes
-
-
-class Packed(MarkerArray):
-    """Serialized once: that takes longer than a round."""
-
-    def __init__(self, markers):
-        super().__init__()
-        buffer = io.BytesIO()
-        MarkerArray(markers).serialize(buffer)
-        self._bytes = buffer.getvalue()
-
-    def serialize(self, buff):
-        buff.write(self._bytes)
 
 
 def post(number):
@@ -55,13 +42,19 @@ def plane(number, height):
     return marker("o/%d" % number, Marker.CUBE_LIST, (CELL, CELL, CELL), points=points)
 
 
+def scene(height):
+    """All lists, serialized once: that takes longer than a round."""
+    array = MarkerArray([plane(k, height) for k in range(LISTS)])
+    return as_bytes(array, serialized(array))
+
+
 class ChangingLists(unittest.TestCase):
     def test_the_newest_lists_count_and_nothing_piles_up(self):
         link = '<link name="base">%s</link>' % "".join(post(k) for k in range(LISTS))
         rospy.set_param("/robot_description", robot([link], []))
         node = NodeProcess("lists", timeout=0.0, distance_limit=0.1)
         self.addCleanup(node.end)
-        scenes = [Packed([plane(k, height) for k in range(LISTS)]) for height in (0.11, 0.12)]
+        scenes = [scene(height) for height in (0.11, 0.12)]
         publisher = rospy.Publisher(node.name + "/objects", MarkerArray, queue_size=1)
         distances = Recorder(node.name + "/distances", DistanceArray)
         wait_for(lambda: publisher.get_num_connections() > 0 and distances.messages, "the node")

@@ -4,7 +4,6 @@
 """~check_path: trajectories beside the robot itself, objects, carried ones and neighbours; joints
 that rest where tf has them; what it refuses; and many points beside ~boxes."""
 import math
-import struct
 import tempfile
 import threading
 import time
@@ -12,6 +11,7 @@ import unittest
 
 import rospy
 import rostest
+from binary_stl import binary_stl
 from bounds_testing import (DEADLINE, Pose, Recorder, TfSender, box_link, load, names_of,
                             transform, turn)
 from dying_client import DyingClient
@@ -55,14 +55,6 @@ def post(name, degrees, radius=0.8, **fields):
     angle = math.radians(degrees)
     return marker(name, scale=POST, pose=Pose((radius * math.cos(angle), radius * math.sin(angle),
                                                0)), **fields)
-
-
-def triangles(*corners):
-    """The bytes of an STL file."""
-    data = b" " * 80 + struct.pack("<I", len(corners))
-    for triangle in corners:
-        data += struct.pack("<12f", 0, 0, 0, *(x for corner in triangle for x in corner)) + b"  "
-    return data
 
 
 def trajectory(names, *points, velocities=()):
@@ -259,8 +251,8 @@ class CheckPathTest(unittest.TestCase):
     def test_triangles_decide(self):
         """The bar passes between the two halves of one mesh."""
         with tempfile.NamedTemporaryFile(suffix=".stl") as file:
-            file.write(triangles(((0.6, 0, 0.4), (0.8, 0, 0.4), (0.6, 0, 0.7)),
-                                 ((0.6, 0, -0.4), (0.8, 0, -0.4), (0.6, 0, -0.7))))
+            file.write(binary_stl([((0.6, 0, 0.4), (0.8, 0, 0.4), (0.6, 0, 0.7)),
+                                   ((0.6, 0, -0.4), (0.8, 0, -0.4), (0.6, 0, -0.7))]))
             file.flush()
             gate = marker("gate/1", Marker.MESH_RESOURCE, mesh_resource="file://" + file.name)
             self.send_objects(gate)
@@ -398,7 +390,7 @@ class CheckPathTest(unittest.TestCase):
     def test_what_was_wrong_is_told_to_the_request_that_met_it(self):
         """Others come in between, whose triangles are all there."""
         with tempfile.NamedTemporaryFile(suffix=".stl") as file:
-            file.write(triangles(((9, 0, 0), (9, 1, 0), (9, 0, 1))))
+            file.write(binary_stl([((9, 0, 0), (9, 1, 0), (9, 0, 1))]))
             file.flush()
             self.send_objects(*(post("ring/%d" % i, 1.8 * i, 1.2) for i in range(200)), marker(
                 "lost/1", Marker.MESH_RESOURCE, mesh_resource="file://" + file.name))

@@ -7,11 +7,11 @@ import math
 import pathlib
 import shutil
 import signal
-import struct
 import tempfile
 
 import rospy
 import rostest
+from binary_stl import binary_stl
 from bounds_testing import (Pose, Recorder, box_link, load, robot, transform, visual, wait_for)
 from link_bounds.msg import Distance, DistanceArray
 from node_testing import (SANITIZED, Delays, Diagnostics, OwnNodes, Repeater, SimulatedClock,
@@ -29,15 +29,15 @@ PROMPT = 10.0 * PATIENCE  # s, for the end of a node
 
 def write_slivers(path, count, size=1.0):
     """Needles from a common centre to a sphere: every box of a tree overlaps all others."""
-    data = bytearray()
+    needles = []
     for i in range(count):
         z = 2 * (i + 0.5) / count - 1
         angle = 2.4 * i
         r = math.sqrt(1 - z * z)
         x, y = r * math.cos(angle), r * math.sin(angle)
-        data += struct.pack("<12fH", 0, 0, 0, 0, 0, 0, size * x, size * y, size * z,
-                            size * x * 1.0001, size * y, size * z, 0)
-    path.write_bytes(bytes(80) + struct.pack("<I", count) + bytes(data))
+        needles.append(((0, 0, 0), (size * x, size * y, size * z),
+                        (size * x * 1.0001, size * y, size * z)))
+    path.write_bytes(binary_stl(needles))
 
 
 def mesh_robot(path):

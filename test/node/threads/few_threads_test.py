@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A thread that cannot be started, as under a pids limit, ends the start with a clear reason."""
-import contextlib
 import os
 import sys
 import unittest
@@ -10,26 +9,18 @@ import unittest
 import rospy
 from bounds_testing import Recorder, wait_for
 from node_testing import ARMS, SANITIZED, NodeProcess
-from own_master import OwnMaster
+from own_master import OwnMasterTest
 
 FEW_THREADS = sys.argv.pop(1)  # the library to preload
 MAX_THREADS = 50  # a node needs fewer
 OURS = ("loader", "master watch")
 
 
-class FewThreads(unittest.TestCase):
+class FewThreads(OwnMasterTest):
     @classmethod
     def setUpClass(cls):
-        cls.master = OwnMaster()
-        rospy.init_node("few_threads_test", disable_signals=True)
+        super().setUpClass()
         rospy.set_param("/robot_description", ARMS)
-
-    @classmethod
-    def tearDownClass(cls):
-        # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks.
-        with contextlib.suppress(AttributeError):
-            rospy.signal_shutdown("the end")
-        cls.master.kill()
 
     def reason(self, threads):
         """Why a node does not start with so many threads; None if it does."""

@@ -55,11 +55,12 @@ const std::string kOffVertices = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
 const std::string kOffWithGoodIndex = kOffVertices + "3 0 1 2\n";
 const std::string kOffWithBadIndex = kOffVertices + "3 0 1 9\n";
 
+const std::string kPlyOfAFace =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
 std::string ply(const std::string& face) {
-  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-         "0 0 0\n1 0 0\n0 1 0\n" +
-         face + "\n";
+  return kPlyOfAFace + "0 0 0\n1 0 0\n0 1 0\n" + face + "\n";
 }
 
 TEST_F(ImportRefusals, AnIndexOfNoVertex) {
@@ -253,10 +254,7 @@ std::string dxf(const std::string& number) {
 }
 
 std::string plyText(const std::string& number) {
-  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-         "0 0 0\r\n1 0 0\r\n0 1 " +
-         number + "\r\n3 0 1 2\r\n";
+  return kPlyOfAFace + "0 0 0\r\n1 0 0\r\n0 1 " + number + "\r\n3 0 1 2\r\n";
 }
 
 /// Each with one number to choose.

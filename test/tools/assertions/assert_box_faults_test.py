@@ -3,12 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """assert_box fails where it must: exit status, a report that rostest understands, the last box."""
 import os
-import signal
 import subprocess
 
 import rospy
 import rostest
-from assertion_testing import EXPIRES, AssertionTest, Talker
+from assertion_testing import EXPIRES, FaultsTest, Talker
 from bounds_testing import DEADLINE, Pose, executable, turn
 from catkin.test_results import read_junit
 from geometry_msgs.msg import Point
@@ -65,8 +64,9 @@ INVALID = {  # the other ones are in box_watch_test.py
     "misspelt": (dict(AROUND_PALM, tolerence=0.1), "~tolerence is unknown")}
 
 
-class AssertBoxFaults(AssertionTest):
+class AssertBoxFaults(FaultsTest):
     PROGRAM = "assert_box"
+    passing, failing, invalid = PASSING, FAILING, INVALID
 
     @classmethod
     def setUpClass(cls):
@@ -75,15 +75,6 @@ class AssertBoxFaults(AssertionTest):
         cls.talker.send(PALM, THUMB)
         cls.half = BoxTalker("/half/boxes")
         cls.half.send(PALM, THUMB, incomplete=["thumb"])
-
-    def test_conditions_that_are_true(self):
-        self.check_all_pass(PASSING)
-
-    def test_conditions_that_are_not_true(self):
-        self.check_all_fail(FAILING)
-
-    def test_parameters_that_mean_nothing_fail_at_once(self):
-        self.check_all_fail_at_once(INVALID)
 
     def test_an_unknown_argument_fails(self):
         self.check_failure(self.start("argument", AROUND_PALM, "--gtest_filter=palm"),
@@ -113,11 +104,6 @@ class AssertBoxFaults(AssertionTest):
         run.talker = talker
         talker.wait_for_listener()
         return run
-
-    def test_who_is_interrupted_fails(self):
-        run = self.start_held("interrupted")
-        run.process.send_signal(signal.SIGTERM)
-        self.check_failure(run, "interrupted")
 
     def test_without_a_master_it_fails_at_once(self):
         path = os.path.join(self.folder, "no_master.xml")

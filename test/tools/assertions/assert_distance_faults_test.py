@@ -3,11 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """assert_distance fails where it must: exit status, a report that rostest understands, the last
 distance."""
-import signal
-
 import rospy
 import rostest
-from assertion_testing import EXPIRES, AssertionTest, Talker
+from assertion_testing import EXPIRES, FaultsTest, Talker
 from link_bounds.msg import BoxOverlap, Distance, DistanceArray
 from std_msgs.msg import Header
 
@@ -70,8 +68,9 @@ INVALID = {  # the other ones are in distance_watch_test.py
                          "distances has the limit 0.1 m")}
 
 
-class AssertDistanceFaults(AssertionTest):
+class AssertDistanceFaults(FaultsTest):
     PROGRAM = "assert_distance"
+    passing, failing, invalid = PASSING, FAILING, INVALID
 
     @classmethod
     def setUpClass(cls):
@@ -82,15 +81,6 @@ class AssertDistanceFaults(AssertionTest):
         cls.half.send(["arm", "cup/0"], incomplete=["lamp"])
         cls.alone = Node("/alone")
         cls.alone.send([], not_compared=[("arm", "base")])
-
-    def test_conditions_that_are_true(self):
-        self.check_all_pass(PASSING)
-
-    def test_conditions_that_are_not_true(self):
-        self.check_all_fail(FAILING)
-
-    def test_parameters_that_mean_nothing_fail_at_once(self):
-        self.check_all_fail_at_once(INVALID)
 
     def test_what_changes_breaks_the_hold(self):
         near = self.start_held("nearing")
@@ -123,11 +113,6 @@ class AssertDistanceFaults(AssertionTest):
         run.node = node
         node.distances.wait_for_listener()
         return run
-
-    def test_who_is_interrupted_fails(self):
-        run = self.start_held("interrupted")
-        run.process.send_signal(signal.SIGTERM)
-        self.check_failure(run, "interrupted")
 
 
 if __name__ == "__main__":

@@ -3,14 +3,13 @@
 // Random recordings: each place of a body between two messages, as dense samples of tf have it in
 // the frame of a zone, belongs to a motion that is reported.
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <iostream>
 #include <map>
 
 #include "testing/random_carriers.h"
+#include "testing/recorded_testing.h"
 #include "testing/sanitized.h"
 #include "tools/bag_bounds/scene/recorded_scene.h"
 #include "tools/bag_bounds/watch/body_motions.h"
@@ -21,7 +20,6 @@ namespace {
 constexpr double kBodyTimeout = 0.5;   // s
 constexpr double kBoxRounding = 1e-9;  // m
 constexpr int kPlacesPerMotion = 8;
-const std::string kBodySender = "/sender";
 
 /// A motion that was told, with what it refers to.
 struct ToldMotion {
@@ -41,24 +39,6 @@ struct ToldMotion {
   BoundedLink link;
   Eigen::Affine3d source_from_link = Eigen::Affine3d::Identity();
 };
-
-template <class Message>
-void takeMessage(RecordedScene& scene, const std::string& topic, const std::string& type,
-                 const Message& message, std::int64_t time) {
-  const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-  const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-  scene.take({&topic, &type, &kBodySender, time, bytes.message_start, size});
-}
-
-void takeMessage(RecordedScene& scene, const CarrierMessage& message) {
-  if (message.transforms.empty())
-    return takeMessage(scene, "/objects", "visualization_msgs/Marker", message.marker,
-                       message.time);
-  tf2_msgs::TFMessage transforms;
-  transforms.transforms = message.transforms;
-  takeMessage(scene, message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms,
-              message.time);
-}
 
 class RandomBodies {
  public:

@@ -4,7 +4,6 @@
 #include "tools/bag_bounds/watch/nearest_pairs.h"
 
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -12,6 +11,7 @@
 
 #include "testing/live_boxes_testing.h"
 #include "testing/marker_testing.h"
+#include "testing/recorded_testing.h"
 #include "tools/bag_bounds/scene/recorded_scene.h"
 #include "tools/command_line/interrupt.h"
 
@@ -31,7 +31,7 @@ class NearestPairsTest : public testing::Test {
       array.markers.back().id = i;
     }
     array.markers.back().header.frame_id = "moving";
-    take("/objects", "visualization_msgs/MarkerArray", array, kTime);
+    takeMessage(scene_, "/objects", array, kTime);
   }
 
   void move(double x, double stamp) {
@@ -39,17 +39,8 @@ class NearestPairsTest : public testing::Test {
     message.transforms.push_back(
         edge("frame", "moving", stamp, Eigen::Quaterniond::Identity(), {x, 0, 0}));
     const auto now = static_cast<std::int64_t>(stamp * 1e9);
-    take("/tf", "tf2_msgs/TFMessage", message, now);
+    takeMessage(scene_, "/tf", message, now);
     pairs_.add(scene_.scene(), scene_.tf(), now);
-  }
-
-  template <class Message>
-  void take(const std::string& topic, const std::string& type, const Message& message,
-            std::int64_t time) {
-    const std::string sender = "/a";
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    scene_.take({&topic, &type, &sender, time, bytes.message_start, size});
   }
 
   static constexpr std::int64_t kTime = 1'000'000'000;  // ns

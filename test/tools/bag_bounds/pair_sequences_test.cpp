@@ -3,8 +3,6 @@
 // Random recordings: what comes near between two messages is seen. The truth are dense samples of
 // all that the histories of two bodies know.
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +11,7 @@
 
 #include "testing/body_history.h"
 #include "testing/random_carriers.h"
+#include "testing/recorded_testing.h"
 #include "testing/sanitized.h"
 #include "tools/bag_bounds/scene/recorded_scene.h"
 #include "tools/bag_bounds/watch/pair_motions.h"
@@ -24,7 +23,6 @@ constexpr double kPairLimit = 0.05;   // m
 constexpr double kPairTimeout = 0.5;  // s
 constexpr double kRounding = 1e-9;    // m
 constexpr int kMotionSamples = 16;
-const std::string kPairSender = "/sender";
 
 /// A ball beside the origin of its frame.
 BoundedLink ballLink(const std::string& name, const Eigen::Vector3d& centre, double diameter) {
@@ -79,11 +77,7 @@ class PairScene {
       last_.reset();
       onJump();
     }
-    if (message.transforms.empty())
-      return take("/objects", "visualization_msgs/Marker", message.marker, message.time);
-    tf2_msgs::TFMessage transforms;
-    transforms.transforms = message.transforms;
-    take(message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms, message.time);
+    takeMessage(scene_, message);
   }
 
   const Counts& counts() const { return counts_; }
@@ -120,14 +114,6 @@ class PairScene {
 
  private:
   PairMotions::Means means() { return {pairs_, bodies_, scene_.tf(), handlers_}; }
-
-  template <class Message>
-  void take(const std::string& topic, const std::string& type, const Message& message,
-            std::int64_t time) {
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    scene_.take({&topic, &type, &kPairSender, time, bytes.message_start, size});
-  }
 
   void onNews() {
     ++counts_.steps;

@@ -4,7 +4,6 @@
 #include "tools/bag_bounds/scene/recorded_scene.h"
 
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -12,6 +11,7 @@
 
 #include "testing/live_boxes_testing.h"
 #include "testing/marker_testing.h"
+#include "testing/recorded_testing.h"
 #include "tools/command_line/interrupt.h"
 
 namespace link_bounds {
@@ -32,16 +32,7 @@ class RecordedSceneTest : public testing::Test {
       if (type == Marker::MESH_RESOURCE)
         array.markers.back().mesh_resource = "file:///" + std::to_string(i) + ".stl";
     }
-    return take("/objects", "visualization_msgs/MarkerArray", array, kTime);
-  }
-
-  template <class Message>
-  bool take(const std::string& topic, const std::string& type, const Message& message,
-            std::int64_t time) {
-    const std::string sender = "/a";
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    return scene_.take({&topic, &type, &sender, time, bytes.message_start, size});
+    return takeMessage(scene_, "/objects", array, kTime);
   }
 
   static constexpr std::int64_t kTime = 1'000'000'000;  // ns
@@ -67,7 +58,7 @@ TEST_F(RecordedSceneTest, FramesWithoutNewsAreForgotten) {
       transform.child_frame_id = "detection_" + std::to_string(second * kPerSecond + i);
       transform.transform.rotation.w = 1;
     }
-    ASSERT_TRUE(take("/tf", "tf2_msgs/TFMessage", message, kTime + second * kTime));
+    ASSERT_TRUE(takeMessage(scene_, "/tf", message, kTime + second * kTime));
   }
   constexpr std::size_t kInTwoMinutes = 120 * kPerSecond;
   EXPECT_LT(scene_.tf().inUse(), TransformBuffer::kKeptFrames + kInTwoMinutes);

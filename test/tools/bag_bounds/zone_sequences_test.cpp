@@ -3,15 +3,16 @@
 // Random recordings: at each tick the bodies in a zone are those that a new view of the zone's
 // frame, without memory, shows in it.
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/Marker.h>
 
 #include <iostream>
 #include <set>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 #include "testing/random_tf.h"
+#include "testing/recorded_testing.h"
 #include "testing/sanitized.h"
 #include "tools/bag_bounds/scene/recorded_scene.h"
 #include "tools/bag_bounds/watch/zone_watch.h"
@@ -25,7 +26,6 @@ constexpr int kLinks = 8;
 constexpr int kObjects = 6;
 constexpr int kZones = 12;
 constexpr std::int64_t kMillisecond = 1000000;  // ns
-const std::string kPublisher = "/sender";
 
 class RandomRecording {
  public:
@@ -50,7 +50,7 @@ class RandomRecording {
     const RandomMessage message = tf_.next();
     tf2_msgs::TFMessage transforms;
     transforms.transforms = message.transforms;
-    take(message.is_static ? "/tf_static" : "/tf", "tf2_msgs/TFMessage", transforms);
+    takeMessage(scene_, message.is_static ? "/tf_static" : "/tf", transforms, time_);
   }
 
   int ticks() const { return ticks_; }
@@ -87,15 +87,8 @@ class RandomRecording {
     marker.id = pick(kObjects);
     marker.action = pick(4) == 0 ? visualization_msgs::Marker::DELETE : 0;
     marker.frame_locked = pick(2) == 0;
-    marker.pose.position = pointMessage(numbers_.vector(1));
-    take("/objects", "visualization_msgs/Marker", marker);
-  }
-
-  template <class Message>
-  void take(const std::string& topic, const std::string& type, const Message& message) {
-    const ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
-    const auto size = static_cast<std::uint32_t>(bytes.num_bytes - 4);  // without their length
-    scene_.take({&topic, &type, &kPublisher, time_, bytes.message_start, size});
+    marker.pose.position = toPoint(numbers_.vector(1));
+    takeMessage(scene_, "/objects", marker, time_);
   }
 
   void onStep(std::int64_t now, bool is_tick) {

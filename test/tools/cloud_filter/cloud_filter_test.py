@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The program cloud_filter: a gripper that moves past a cup, late transforms, and clouds that lie."""
-import io
 import itertools
 import math
 import os
@@ -18,6 +17,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Point
 from link_bounds.msg import Distance, DistanceArray
 from node_testing import SANITIZED, Repeater
+from raw_messages import as_bytes, serialized
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
@@ -52,22 +52,6 @@ def cloud(stamp, points, frame="sensor"):
 def places_of(message):
     return [struct.unpack_from("<fff", message.data, i * message.point_step)
             for i in range(message.width * message.height)]
-
-
-def serialized(message):
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
-
-
-def as_bytes(message, data):
-    """A message of that type that is sent as these bytes."""
-    class Raw(type(message)):
-        __slots__ = ()
-
-        def serialize(self, buff):
-            buff.write(data)
-    return Raw()
 
 
 def cut_off(message):

@@ -3,7 +3,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """cloud_filter as a nodelet: it sends the same bytes as the program, others of its manager go on
 without it, and a wrong parameter does not end the manager."""
-import io
 import itertools
 import math
 import random
@@ -16,6 +15,7 @@ import rostest
 from bounds_testing import Recorder, TfSender, box_link, executable, robot, transform, wait_for
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import DistanceArray
+from raw_messages import serialized
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 from std_srvs.srv import Trigger
 
@@ -43,9 +43,7 @@ def cloud(stamp, count, rng):
 def bytes_of(message):
     """Without the number that each publisher counts."""
     message.header.seq = 0
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
+    return serialized(message)
 
 
 class CloudNodelet(unittest.TestCase):

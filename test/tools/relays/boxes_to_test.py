@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
 """boxes_to.py beside message packages that are generated here: boxes_to_test.py BOXES_TO"""
-import contextlib
 import os
 import pathlib
 import shutil
@@ -18,7 +17,7 @@ from bounds_testing import DEADLINE, Recorder
 from genpy.generator import MsgGenerator
 from geometry_msgs.msg import Point
 from link_bounds.msg import AxisAlignedBox, AxisAlignedBoxArray
-from own_master import OwnMaster
+from own_master import OwnMasterTest
 from std_msgs.msg import Header
 
 # The fields of the released packages: jsk_recognition_msgs 1.2, vision_msgs 0.0.2.
@@ -69,7 +68,7 @@ ARM_NUMBERS = (1.5, 1, 3.25, 0, 0, 0, 1, 1, 6, 0.5)
 BASE_NUMBERS = (0, 0, 0, 0, 0, 0, 1, 0, 0, 0)
 
 
-class BoxesTo(unittest.TestCase):
+class BoxesTo(OwnMasterTest):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp())
@@ -77,16 +76,8 @@ class BoxesTo(unittest.TestCase):
         for package, messages in PACKAGES.items():
             generate(cls.folder, package, messages)
         sys.path.insert(0, str(cls.folder))
-        cls.master = OwnMaster()
-        cls.addClassCleanup(cls.master.kill)
-        rospy.init_node('boxes_to_test', disable_signals=True)
+        super().setUpClass()
         cls.publisher = rospy.Publisher(TOPIC, AxisAlignedBoxArray, queue_size=10, latch=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        # On Debian 11 rospy calls isAlive() of a thread, which Python 3.9 lacks.
-        with contextlib.suppress(AttributeError):
-            rospy.signal_shutdown('the end')
 
     def command(self, *arguments, folder=None):
         path = os.pathsep.join([str(folder or self.folder), os.environ['PYTHONPATH']])

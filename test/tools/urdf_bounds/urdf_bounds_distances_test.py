@@ -10,8 +10,8 @@ import io
 import json
 import math
 import os
-import struct
 
+from binary_stl import binary_stl
 from urdf_bounds_testing import UrdfBoundsTest, boxes, main, run
 
 ACCURACY = 1e-4  # metres
@@ -57,13 +57,6 @@ CHAIN = '''<robot name="r">%s
   <axis xyz="0 0 1"/></joint></robot>''' % ''.join(
     '<link name="%s"><visual><geometry>%s</geometry></visual></link>' % (name, BOX)
     for name in ('root', 'last', 'next', 'welded'))
-
-
-def stl(triangles):
-    data = b'made by a test'.ljust(80) + struct.pack('<I', len(triangles))
-    for corners in triangles:
-        data += struct.pack('<12f', 0, 0, 0, *(x for corner in corners for x in corner)) + b'\0\0'
-    return data
 
 
 def plate(x):
@@ -127,7 +120,7 @@ class DistancesTest(UrdfBoundsTest):
         self.check_pair(pair, ('a', 'b'), away / 2)
 
     def test_between_two_plates_the_triangles_decide(self):
-        plates = self.write('plates.stl', stl(plate(-1) + plate(1)))
+        plates = self.write('plates.stl', binary_stl(plate(-1) + plate(1)))
         urdf = robot(('plates', mesh(plates), '0 0 0'), ('ball', BALL, '0.2 0 0'))
         pair, = distances(1, urdf=urdf)
         self.check_pair(pair, ('plates', 'ball'), .3)
@@ -135,7 +128,7 @@ class DistancesTest(UrdfBoundsTest):
         self.check_vector(pair['on_first'], [1, 0, 0], 1e-2)
 
     def test_a_mesh_without_triangles_is_its_hull_and_said_so(self):
-        far = self.write('far.stl', stl([((0, 0, 0), (1e35, 0, 0), (0, 1, 0))]))
+        far = self.write('far.stl', binary_stl([((0, 0, 0), (1e35, 0, 0), (0, 1, 0))]))
         urdf = robot(('far', mesh(far), '0 0 0'), ('ball', BALL, '0 0 3'))
         code, out, err = run('-', '--format=json', '--distances=4', '--strict', urdf=urdf)
         self.assertEqual(code, INCOMPLETE)

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 #include "testing/numbers.h"
 
@@ -149,7 +150,7 @@ TEST(MarkerRefusal, WhatIsNotDrawnDoesNotMatter) {
     Marker marker = markerOf(type, {1, 1, 1}, 1);
     marker.points[0].x = kNan;
     EXPECT_EQ(whyMarkerRefused(marker), "");
-    EXPECT_EQ(markerShape(marker).shapes.size(), 1u);
+    EXPECT_EQ(markerShape(Marker(marker)).shapes.size(), 1u);
   }
 }
 
@@ -167,7 +168,7 @@ TEST(MarkerRefusal, TheLargestNumbersGiveFiniteBoxes) {
   for (Marker marker : goodMarkers()) {
     marker.scale.x = marker.scale.y = marker.scale.z = kLargest;
     for (geometry_msgs::Point& point : marker.points)
-      point = pointMessage({kLargest, -kLargest, random.sign() * kLargest});
+      point = toPoint({kLargest, -kLargest, random.sign() * kLargest});
     for (int i = 0; i < 100; ++i) {
       Eigen::Isometry3d pose(random.rotation());
       pose.translation().setConstant(kLargest);

@@ -8,6 +8,7 @@
 
 #include <functional>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 
 namespace link_bounds {
@@ -209,7 +210,7 @@ void expectBox(const Marker& marker, const Eigen::Vector3d& min, const Eigen::Ve
 
 Marker withPoints(Marker marker, const Samples& points) {
   for (const Eigen::Vector3d& point : points)
-    marker.points.push_back(pointMessage(point));
+    marker.points.push_back(toPoint(point));
   return marker;
 }
 
@@ -301,7 +302,7 @@ TEST(MarkerShape, AMeshWaitsForItsPoints) {
   Eigen::Isometry3d pose(turned(30, Eigen::Vector3d::UnitZ()));
   pose.translation().x() = 1;
   setPose(marker, pose);
-  MarkerShape shape = markerShape(marker);
+  MarkerShape shape = markerShape(Marker(marker));
   EXPECT_EQ(shape.mesh_uri, marker.mesh_resource);
   ASSERT_EQ(shape.shapes.size(), 1u);
   EXPECT_EQ(shape.shapes[0].points, nullptr);
@@ -317,13 +318,13 @@ TEST(MarkerShape, AMeshWaitsForItsPoints) {
 TEST(MarkerShape, OnlyMeshesHaveAUri) {
   Marker marker = markerOf(Marker::CUBE, kScale);
   marker.mesh_resource = "file:///part.stl";
-  EXPECT_EQ(markerShape(marker).mesh_uri, "");
+  EXPECT_EQ(markerShape(Marker(marker)).mesh_uri, "");
 }
 
 TEST(MarkerPose, AZeroQuaternionIsTheIdentity) {
   Marker marker = markerOf(Marker::CUBE, kScale);
   marker.pose.orientation.w = 0;
-  marker.pose.position = pointMessage({1, 2, 3});
+  marker.pose.position = toPoint({1, 2, 3});
   EXPECT_EQ(markerPose(marker).linear(), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   EXPECT_EQ(markerPose(marker).translation(), Eigen::Vector3d(1, 2, 3));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "link_bounds/geometry/distance/body_distance.h"
+#include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 
 namespace link_bounds {
@@ -17,7 +18,7 @@ constexpr double kTolerance = 1e-9;
 
 ObjectContent contentOf(const Marker& marker) {
   ObjectContent content;
-  MarkerShape shape = markerShape(marker);
+  MarkerShape shape = markerShape(Marker(marker));
   content.bounded = {"object", shape.shapes, 0, ""};
   content.drawing = shape.drawing;
   return content;
@@ -26,7 +27,7 @@ ObjectContent contentOf(const Marker& marker) {
 Marker listOf(int type, const Eigen::Vector3d& scale, const std::vector<Eigen::Vector3d>& points) {
   Marker marker = markerOf(type, scale);
   for (const Eigen::Vector3d& point : points)
-    marker.points.push_back(pointMessage(point));
+    marker.points.push_back(toPoint(point));
   return marker;
 }
 
