@@ -41,8 +41,9 @@ class Periodic {
     for (Entry& entry : due_) {
       if (!entry.next || *entry.next > now) continue;
       entry.next.reset();
-      if (entry.period) entry.next = now + *entry.period;
       entry.function();
+      // From now on, or a function that takes longer than its period would always be due.
+      if (entry.period) entry.next = ros::SteadyTime::now() + *entry.period;
     }
   }
 

@@ -5,12 +5,14 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
 #include <new>
 #include <thread>
 
+#include "robot/mesh/gltf_files.h"
 #include "robot/threads/row_threads.h"
 
 namespace link_bounds {
@@ -44,24 +46,32 @@ bool hasTree(MeshContent content) {
 
 }  // namespace
 
-bool MeshStore::Version::operator==(const Version& other) const {
+bool MeshStore::FileVersion::operator==(const FileVersion& other) const {
   return device == other.device && inode == other.inode && size == other.size &&
          areEqual(written, other.written) && areEqual(changed, other.changed);
 }
 
 MeshStore::Version MeshStore::versionOf(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return {};
-  return {status.st_dev, status.st_ino, static_cast<std::uintmax_t>(status.st_size), status.st_mtim,
-          status.st_ctim};
+  Version version;
+  for (const std::string& file : filesOf(path)) {
+    struct stat status {};
+    FileVersion& one = version.emplace_back();
+    if (stat(file.c_str(), &status) == 0)
+      one = {status.st_dev, status.st_ino, static_cast<std::uintmax_t>(status.st_size),
+             status.st_mtim, status.st_ctim};
+  }
+  return version;
 }
 
 /// Waits until a tick has passed since the last write, so that every later write gives a new
 /// version.
 MeshStore::Version MeshStore::settledVersionOf(const std::string& path) {
   const Version version = versionOf(path);
-  const double age = secondsSince(version.changed);
-  if (age < 0 || age > std::chrono::duration<double>(kFileTick).count()) return version;
+  if (std::all_of(version.begin(), version.end(), [](const FileVersion& file) {
+        const double age = secondsSince(file.changed);
+        return age < 0 || age > std::chrono::duration<double>(kFileTick).count();
+      }))
+    return version;
   std::this_thread::sleep_for(kFileTick);
   return versionOf(path);
 }

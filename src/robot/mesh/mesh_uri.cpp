@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "robot/mesh/percent_decoded.h"
+
 namespace link_bounds {
 namespace {
 
@@ -19,28 +21,11 @@ bool startsWith(const std::string& text, const std::string& prefix) {
   return text.compare(0, prefix.size(), prefix) == 0;
 }
 
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-/// Keeps a percent sign that is not followed by two hexadecimal digits.
-std::string percentDecoded(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const int high = text[i] == '%' && i + 2 < text.size() ? hexDigit(text[i + 1]) : -1;
-    const int low = high >= 0 ? hexDigit(text[i + 2]) : -1;
-    if (low < 0) {
-      result += text[i];
-      continue;
-    }
-    result += static_cast<char>(16 * high + low);
-    i += 2;
-  }
-  if (result.find('\0') != std::string::npos) throw MeshError("the URI contains a zero byte");
-  return result;
+/// Throws MeshError if no file can have that name.
+std::string decodedName(const std::string& text) {
+  std::string name = percentDecoded(text);
+  if (name.find('\0') != std::string::npos) throw MeshError("the URI contains a zero byte");
+  return name;
 }
 
 fs::path realPath(const fs::path& path) {
@@ -74,7 +59,7 @@ MeshFile resolvePackageUri(const std::string& rest, const PackagePath& package_p
                     "\"; install it or add its folder to ROS_PACKAGE_PATH");
   }
   const fs::path root = realPath(folder);
-  const fs::path path = realPath(fs::path(folder + "/" + percentDecoded(rest.substr(slash + 1))));
+  const fs::path path = realPath(fs::path(folder + "/" + decodedName(rest.substr(slash + 1))));
   if (!isBelow(root, path)) {
     throw MeshError(path.string() + " lies outside package \"" + package +
                     "\"; move it into the package or name it by file://");
@@ -86,7 +71,7 @@ MeshFile resolveFileUri(const std::string& rest) {
   if (rest.empty() || rest.front() != '/') {
     throw MeshError("a file URI needs an absolute path; write file:///PATH");
   }
-  return checkedFile(percentDecoded(rest), {});
+  return checkedFile(decodedName(rest), {});
 }
 
 }  // namespace
@@ -112,7 +97,7 @@ MeshFile resolveMeshUri(const std::string& uri, const PackagePath& package_path,
     throw MeshError(
         "it is a relative name without a folder to start from; use package:// or file://");
   }
-  return checkedFile(fs::path(base_folder) / percentDecoded(uri), {});
+  return checkedFile(fs::path(base_folder) / decodedName(uri), {});
 }
 
 }  // namespace link_bounds

@@ -187,6 +187,8 @@ std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
       return fromNumber(read<float>(at), stamp);
     case NumberType::kFloat64:
       return fromNumber(read<double>(at), stamp);
+    case NumberType::kRelativeSeconds:
+      return stamp + std::llround(read<double>(at) * 1e9);
   }
   return stamp;
 }
@@ -252,7 +254,7 @@ LaserPoints::LaserPoints(const sensor_msgs::LaserScan& scan) {
   points_.y = offsetof(Point, y);
   points_.z = offsetof(Point, z);
   points_.is_double = true;
-  points_.time = NumberField{offsetof(Point, seconds), NumberType::kFloat64};
+  points_.time = NumberField{offsetof(Point, seconds), NumberType::kRelativeSeconds};
 }
 
 }  // namespace link_bounds

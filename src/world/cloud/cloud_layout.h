@@ -24,7 +24,9 @@
 
 namespace link_bounds {
 
-enum class NumberType { kFloat32, kFloat64, kInt32, kUint32 };
+/// Floats of clouds may be seconds after the stamp or ROS time; relative seconds are after the
+/// stamp.
+enum class NumberType { kFloat32, kFloat64, kInt32, kUint32, kRelativeSeconds };
 
 struct NumberField {
   std::size_t offset;  ///< bytes from the begin of the point

@@ -13,18 +13,17 @@ namespace link_bounds {
 
 void JointStates::add(const std::string& joint, const JointReport& report) {
   if (report.stamp <= 0 || !std::isfinite(report.position)) return;
-  if (newest_ > report.stamp && newest_ - report.stamp > EdgeHistory::kLength) clear();
-  newest_ = std::max(newest_, report.stamp);
   if (joints_.size() >= kMaxJoints && joints_.count(joint) == 0) return;
   std::map<std::int64_t, JointReport>& reports = joints_[joint];
+  const std::int64_t length = EdgeHistory::kLength;
+  if (!reports.empty() && reports.rbegin()->first - length > report.stamp) reports.clear();
   JointReport& kept = reports[report.stamp] = report;
   if (kept.velocity && !std::isfinite(*kept.velocity)) kept.velocity.reset();
-  reports.erase(reports.begin(), reports.lower_bound(newest_ - EdgeHistory::kLength));
+  reports.erase(reports.begin(), reports.lower_bound(reports.rbegin()->first - length));
 }
 
 void JointStates::clear() {
   joints_.clear();
-  newest_ = std::numeric_limits<std::int64_t>::min();
 }
 
 void JointStates::observeEpoch(std::uint64_t epoch) {

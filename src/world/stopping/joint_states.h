@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,8 +22,8 @@ struct JointReport {
 class JointStates {
  public:
   /// What is not finite and what has no stamp is ignored, and so are further joints beyond
-  /// kMaxJoints. A stamp of long before the newest one means that time jumped back: then all else
-  /// is forgotten.
+  /// kMaxJoints. A stamp of long before the newest one of the joint means that time jumped back:
+  /// then all else is forgotten of the joint. Others may have a publisher whose clock is right.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();
@@ -44,7 +43,6 @@ class JointStates {
  private:
   std::map<std::string, std::map<std::int64_t, JointReport>> joints_;  ///< by name and stamp
   std::uint64_t epoch_ = 0;
-  std::int64_t newest_ = std::numeric_limits<std::int64_t>::min();
 };
 
 }  // namespace link_bounds

@@ -21,6 +21,21 @@ TEST(Periodic, CallsWhatIsDueAgainAndAgain) {
   EXPECT_EQ(waiting, 0);
 }
 
+TEST(Periodic, WhatTakesLongerThanItsPeriodIsNotAlwaysDue) {
+  Periodic periodic;
+  int calls = 0;
+  periodic.add(kHour, [] {});
+  periodic.add(ros::WallDuration(0.1), [&] {
+    ++calls;
+    const ros::SteadyTime begin = ros::SteadyTime::now();
+    while (ros::SteadyTime::now() - begin < ros::WallDuration(0.2)) {
+    }
+  });
+  while (calls == 0)
+    periodic.callDue();
+  EXPECT_GT(periodic.rest(), std::chrono::nanoseconds(0));
+}
+
 TEST(Periodic, RestIsUntilTheFirstThatIsDue) {
   Periodic periodic;
   EXPECT_EQ(periodic.rest(), std::chrono::hours(24));

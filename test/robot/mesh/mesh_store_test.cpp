@@ -168,6 +168,23 @@ TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) 
   EXPECT_EQ(sizeOf(loadOne(file)), 2);
 }
 
+TEST_F(MeshStoreTest, AGltfIsReadAnewWhenAFileThatItNamesIsReplaced) {
+  const MeshFile binary = write("my data.bin", "old"), other = write("other.bin", "old");
+  for (const char* name : {R"("my data.bin")", R"("my%20data.bin")", R"(".\/my data.bin")"}) {
+    const std::string text = std::string(R"(1 {"uri": "data:;base64,AAAA"}, {"uri" : )") + name;
+    const MeshFile file = write("a.GLTF", text + "}");
+    const LoadedMesh first = loadWithTriangles(file);
+    const int before = imports();
+    EXPECT_EQ(loadOne(file).points, first.points);
+    replace(other, "new");
+    EXPECT_EQ(loadOne(file).points, first.points);
+    EXPECT_EQ(imports(), before);
+    replace(binary, std::string("new for ") + name);
+    EXPECT_NE(loadOne(file).points, first.points) << name;
+    EXPECT_EQ(imports(), before + 1);
+  }
+}
+
 TEST_F(MeshStoreTest, AFileOfAFarFutureIsReadOnceAndAnewWhenItIsRewritten) {
   const MeshFile file = write("a", "1");
   // In the year 2400; 64 bits of nanoseconds end in 2262.

@@ -273,6 +273,10 @@ TEST(LaserPoints, LieWhereTheRangesWereMeasured) {
   EXPECT_EQ(timeSpan(points)->end, kStamp + 125000000);
   removePoints({{1, 0}}, scan);
   EXPECT_TRUE(std::isnan(scan.ranges[1]));
+  scan.header.stamp.fromNSec(1'000'000);  // simulated time has just begun
+  const LaserPoints early(scan);
+  EXPECT_EQ(early.points().timeOf(early.points().point(0)), 1'000'000);
+  EXPECT_EQ(early.points().timeOf(early.points().point(1)), 126'000'000);
   EXPECT_EQ(scan.ranges[0], 1);
   scan.angle_increment = kNan;
   EXPECT_NE(problemOf(scan), "");

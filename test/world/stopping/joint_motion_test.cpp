@@ -311,6 +311,16 @@ TEST(JointStates, KeepsHistoryInAnyOrderUntilTimeJumpsBack) {
   EXPECT_FALSE(states.reports("a", 3 * kSecond, kWindow)->front().velocity);
 }
 
+TEST(JointStates, OfOneJointStayWhereTheClockOfAnotherPublisherIsAhead) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  JointStates states;
+  for (int i = 0; i < 4; ++i) {
+    states.add("a", {50 * kSecond + i * kPeriod, 1, 0.0});
+    states.add("foreign", {70 * kSecond + i * kPeriod, 1, 0.0});
+  }
+  EXPECT_EQ(states.reports("a", 50 * kSecond + 3 * kPeriod, 3 * kPeriod)->size(), 4u);
+}
+
 TEST(JointStates, OfBeforeAJumpOfTheClockAreForgottenHoweverShortItIs) {
   JointStates states;
   states.observeEpoch(1);

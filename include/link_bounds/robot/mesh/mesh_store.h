@@ -47,9 +47,10 @@ enum class MeshContent { kPoints, kPointsAndTriangles, kPointsAndTree, kAll };
 /// A cache by real path, so that all links with the same mesh share its points, at any scale. It
 /// does not keep points alive: an entry is valid as long as somebody else uses its points. Failures
 /// are remembered until forgetFailures(), which is also where dead entries are erased; those of
-/// loads that began before are not. load() reads a file again if it was replaced since, and refuses
-/// one that changes while it is read. Triangles and trees are not cached; if reading them fails,
-/// points in use stay in use. Any number of threads may use a store; what it returns is immutable.
+/// loads that began before are not. load() reads a file again if it, or one that a `.gltf` names,
+/// was replaced since, and refuses one that changes while it is read. Triangles and trees are not
+/// cached; if reading them fails, points in use stay in use. Any number of threads may use a store;
+/// what it returns is immutable.
 class MeshStore {
  public:
   explicit MeshStore(MeshImporter importer, MeshRemedy remedy = plainRemedy)
@@ -76,14 +77,16 @@ class MeshStore {
  private:
   /// Differs whenever the file was written or replaced. cp -p and tar can restore an old `written`,
   /// but only the kernel sets `changed`.
-  struct Version {
+  struct FileVersion {
     std::uintmax_t device = 0;
     std::uintmax_t inode = 0;
     std::uintmax_t size = 0;
     timespec written{};  ///< st_mtim
     timespec changed{};  ///< st_ctim
-    bool operator==(const Version& other) const;
+    bool operator==(const FileVersion& other) const;
   };
+  /// Of a mesh file, and of those that it names if it is a `.gltf`.
+  using Version = std::vector<FileVersion>;
   struct Entry {
     Version version;
     std::weak_ptr<const PointSet> points;
