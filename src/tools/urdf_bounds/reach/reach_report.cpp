@@ -39,7 +39,7 @@ struct ReachTable {
 constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
 constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
 
-Numbers numbersOf(const Reach& reach) {
+Numbers reachNumbers(const Reach& reach) {
   Numbers numbers;
   for (const ReachFace& face : reach.faces)
     numbers.push_back(face.at);
@@ -47,7 +47,7 @@ Numbers numbersOf(const Reach& reach) {
 }
 
 Row rowOf(const std::string& name, const Reach& reach) {
-  Numbers numbers = numbersOf(reach);
+  Numbers numbers = reachNumbers(reach);
   numbers.push_back(reach.maxGap());
   return shortRow(name, numbers);
 }
@@ -67,7 +67,7 @@ void writeTable(const ReachTable& table, std::ostream& out) {
 }
 
 void writeReachRow(const std::string& name, const Reach& reach, std::ostream& out) {
-  Numbers numbers = numbersOf(reach);
+  Numbers numbers = reachNumbers(reach);
   for (const ReachFace& face : reach.faces)
     numbers.push_back(face.gap());
   writeCsvRow(name, numbers, out);
