@@ -12,7 +12,7 @@
 namespace link_bounds {
 namespace {
 
-Numbers numbersOf(const BodyDistance& distance) {
+Numbers distanceNumbers(const BodyDistance& distance) {
   Numbers numbers{distance.lower, distance.upper};
   for (const auto* vector : {&distance.on_first, &distance.on_second, &distance.normal})
     numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
@@ -45,7 +45,7 @@ void writeTable(const DistanceTable& distances, std::ostream& out) {
   std::vector<Row> rows{{"first", "second", "distance", "distance max", "on first x", "y", "z",
                          "on second x", "y", "z", "normal x", "y", "z", "level"}};
   for (const LinkDistance& pair : distances.pairs) {
-    Row row = shortRow(printable(pair.first), numbersOf(pair.distance));
+    Row row = shortRow(printable(pair.first), distanceNumbers(pair.distance));
     row.insert(row.begin() + 1, printable(pair.second));
     row.emplace_back(toText(pair.distance.level));
     rows.push_back(std::move(row));
@@ -60,7 +60,7 @@ void writeCsvHead(std::ostream& out) {
 
 std::string csvLine(const LinkDistance& pair) {
   std::string line = csvField(pair.first) + "," + csvField(pair.second);
-  for (const double number : numbersOf(pair.distance))
+  for (const double number : distanceNumbers(pair.distance))
     line += "," + exactNumber(number);
   return line + "," + toText(pair.distance.level) + "\n";
 }
