@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The motion between the rows of a table, objects around the robot, and exempt pairs, for
-check_certificate.
+"""The motion between the rows of a table, and exempt pairs, for check_certificate.
 
 From row to row a joint is at a polynomial of the share of the time between the two, from 0 to 1:
 linear; cubic where the rows have velocities; of fifth order where they have accelerations, too.
@@ -15,9 +14,9 @@ import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import numpy as np
-from certificate_intervals import Interval, Pose, dot, exact, rounded
+from certificate_objects import add_objects, number
 from certificate_pairs import Pair, drawn, leaves
-from certificate_robot import NotCovered, Refused, shape, solid_of
+from certificate_robot import Refused
 
 
 def cells(line, file):
@@ -40,8 +39,8 @@ class Path:
         known = {name for name in names if name == 'time' or any(
             name == joint + end for joint in robot.joints
             for end in ('', '.velocity', '.acceleration'))}
-        self.rows = [{name: Fraction(float(cell)) for name, cell in zip(names, line)
-                      if name in known} for line in lines[1:]]
+        self.rows = [{name: Fraction(number(cell.strip(' \t'), '%s: %s' % (file, name)))
+                      for name, cell in zip(names, line) if name in known} for line in lines[1:]]
         self.has_speeds = any(name.endswith('.velocity') for name in names)
         self.is_quintic = any(name.endswith('.acceleration') for name in names)
         self.joints = {name for name in names if name in robot.joints}
@@ -82,63 +81,6 @@ class Path:
         return found
 
 
-def add_objects(file, robot):
-    """As links that are fixed to the root."""
-    import yaml
-    with open(file, encoding='utf-8') as text:
-        objects = yaml.safe_load(text)
-    root = robot.root(next(iter(robot.links)))
-    for name, fields in objects.items():
-        if name in robot.links:
-            raise Refused('object %s has the name of a link' % name)
-        joint = ElementTree.Element('joint', name='to object ' + name, type='fixed')
-        ElementTree.SubElement(joint, 'parent', link=root)
-        robot.joints[joint.get('name')] = robot.above[name] = joint
-        robot.links[name] = ElementTree.Element('link')
-        robot.bodies[name] = [placed(fields, robot)]
-    return set(objects)
-
-
-def placed(fields, robot):
-    """The shape of an object."""
-    pose, kind = fields.get('pose', {}), fields['type']
-    scale = [float(fields.get('scale', {}).get(key, 1)) for key in 'xyz']
-    if kind == 'SPHERE' and len(set(scale)) > 1 or kind == 'CYLINDER' and scale[0] != scale[1]:
-        raise NotCovered('an object is an ellipsoid, or round in no circle')
-    x, y, z = map(repr, scale)
-    radius = repr(scale[0] / 2)
-    text = {'CUBE': '<box size="%s %s %s"/>' % (x, y, z),
-            'SPHERE': '<sphere radius="%s"/>' % radius,
-            'CYLINDER': '<cylinder radius="%s" length="%s"/>' % (radius, z),
-            'MESH_RESOURCE': '<mesh scale="%s %s %s"/>' % (x, y, z)}[kind]
-    element = ElementTree.fromstring('<visual><geometry>%s</geometry></visual>' % text)
-    if kind == 'MESH_RESOURCE':
-        if not fields['mesh_resource'].startswith(('file:///', 'package://')):
-            raise NotCovered('the mesh of an object has a relative name')
-        solid_of(element).set('filename', fields['mesh_resource'])
-    position = [float(pose.get('position', {}).get(key, 0)) for key in 'xyz']
-    turn = pose.get('orientation', {'w': 1})
-    frame = quaternion([float(turn.get(key, 0)) for key in 'wxyz'])
-    points, swell, parts = shape(element, robot.file_of)
-    return frame.apply(points) + Interval(position), swell, parts
-
-
-def quaternion(values):
-    """The rotation of the unit quaternion along w, x, y, z."""
-    q = Interval(values)
-    square = dot(q[None, 1:], q[None, 1:])[0] + q[0] * q[0]
-    if not square.lo > 0:
-        raise Refused('an orientation is zero')
-    twice = rounded(2 / square.hi, 2 / square.lo)
-    w, x, y, z = (q[i] for i in range(4))
-    one = exact(1)
-    rows = [[one - twice * (y * y + z * z), twice * (x * y - w * z), twice * (x * z + w * y)],
-            [twice * (x * y + w * z), one - twice * (x * x + z * z), twice * (y * z - w * x)],
-            [twice * (x * z - w * y), twice * (y * z + w * x), one - twice * (x * x + y * y)]]
-    return Pose(Interval(*(np.array([[float(getattr(cell, end)) for cell in row] for row in rows])
-                           for end in ('lo', 'hi'))))
-
-
 def disabled(file, links):
     """The pairs of links that a SRDF exempts."""
     root = ElementTree.parse(file).getroot()
@@ -170,7 +112,9 @@ class Segments:
         objects = add_objects(options.objects, robot) if options.objects else set()
         self.path = Path(options.poses, robot, given)
         self.pairs = pairs(robot, objects, kinds)
-        self.exempt = self.pairs & disabled(options.srdf, links) if options.srdf else set()
+        exempt = disabled(options.srdf, links) if options.srdf else set()
+        # A SRDF is about links: an object may have the name of one that this robot does not have.
+        self.exempt = {pair for pair in self.pairs & exempt if not pair & objects}
 
     def pair(self, entry):
         names = entry['first'], entry['second']

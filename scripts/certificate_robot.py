@@ -32,7 +32,19 @@ def numbers(text, count=3):
     return values
 
 
+def scaled(vector):
+    """It times a power of two, which is exact, or nearly so for numbers that vanish. The largest is
+    near 1 then: squares neither overflow nor vanish."""
+    power = math.frexp(np.maximum(abs(vector.lo), abs(vector.hi)).max())[1]
+    found = vector.map(lambda ends: np.ldexp(ends, -power))
+    wider = rounded(found.lo, found.hi)
+    return Interval(*(np.where(np.ldexp(end, power) == given, end, outside)
+                      for end, given, outside in ((found.lo, vector.lo, wider.lo),
+                                                  (found.hi, vector.hi, wider.hi))))
+
+
 def unit(vector):
+    vector = scaled(vector)
     size = length(vector)
     return vector * rounded(1 / size.hi, 1 / size.lo)
 
@@ -151,6 +163,7 @@ def parsed(path):
 class Robot:
     def __init__(self, file, given):
         tree = parsed(file)
+        self.name = tree.get('name')
         self.folder, self.given, self.bodies = os.path.dirname(os.path.abspath(file)), given, {}
         self.links = {link.get('name'): link for link in tree.findall('link')}
         self.joints = {joint.get('name'): joint for joint in tree.findall('joint')}

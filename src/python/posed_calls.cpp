@@ -34,7 +34,7 @@ struct PairRow {
   std::uint8_t level;
 };
 
-/// The others end early.
+/// The caller wants no results any more.
 class EndedEarly : public std::exception {};
 
 /// What a call computes of a pose, in the row of that number.
@@ -64,7 +64,8 @@ void workOn(const SharedRobot& shared, const JointRows& rows, std::size_t row, P
   }
 }
 
-/// On several threads. What one throws ends all.
+/// On several threads. What one throws ends all. The others return then: of several exceptions,
+/// forRows() throws that of any thread.
 void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const StopFlag& stop,
               const PoseWork& work) {
   std::vector<Borrowed> workers;
@@ -73,7 +74,8 @@ void forPoses(SharedRobot& shared, const JointRows& rows, unsigned jobs, const S
   StopFlag has_failed{false};
   const auto take = [&](unsigned thread, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      if (stop || has_failed) throw EndedEarly();
+      if (stop) throw EndedEarly();
+      if (has_failed) return;
       try {
         workOn(shared, rows, row, *workers[thread], work);
       } catch (...) {

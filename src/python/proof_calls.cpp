@@ -209,8 +209,13 @@ py::dict reachOfRobot(const SharedRobot& shared, const ProofRequest& request) {
       warnInPython("link \"" + name + "\": " + whyNone(shared, ranges, i));
     }
   }
+  if (result.empty()) warnInPython(kNoLinkBounded);
   warnOfGap(max_gap, request.accuracy);
   return result;
+}
+
+bool isAdjacent(const PairProof& proof) {
+  return proof.verdict == Verdict::kAdjacent;
 }
 
 std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofRequest& request,
@@ -228,6 +233,7 @@ std::vector<NamedProof> pairsOfRobot(const SharedRobot& shared, const ProofReque
     const PairGoal goal{clearance, request.accuracy, touching};
     return provePairs(shared.robot(), shared.bounded(), ranges, goal, control, {adjacent, false});
   });
+  if (std::all_of(proofs.begin(), proofs.end(), isAdjacent)) warnInPython(kNoPairExamined);
   const std::vector<BoundedLink>& links = shared.bounded().links;
   std::vector<NamedProof> result;
   for (const PairProof& proof : proofs)

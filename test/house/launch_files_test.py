@@ -4,7 +4,9 @@
 """roslaunch finds each launch file by package and name: launch_files_test.py CHECKOUT BUILD_FOLDER
 
 roslaunch searches the complete checkout, with all that was built or installed there."""
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -54,6 +56,21 @@ class LaunchFiles(unittest.TestCase):
         # CMake breaks lines.
         self.assertIn('roslaunch would find each launch file twice', ' '.join(found.stdout.split()))
         self.assertFalse(prefix.exists())
+
+    def test_all_is_installed_to_one_prefix(self):
+        """catkin installs the Python module and setup.bash to that of the configuration."""
+        cache = (pathlib.Path(self.build) / 'CMakeCache.txt').read_text()
+        configured = re.search('^CMAKE_INSTALL_PREFIX:PATH=(.*)$', cache, re.MULTILINE)[1]
+        with tempfile.TemporaryDirectory() as folder:
+            # Whatever is installed is below that folder.
+            found = subprocess.run(['cmake', '--install', self.build, '--prefix', '/some/other'],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   env=dict(os.environ, DESTDIR=folder))
+            self.assertNotEqual(found.returncode, 0, found.stdout)
+            text = ' '.join(found.stdout.split())  # CMake breaks lines
+            self.assertIn('configured for the prefix %s,' % os.path.realpath(configured), text)
+            self.assertIn('with -DCMAKE_INSTALL_PREFIX=/some/other,', text)
+            self.assertEqual(os.listdir(folder), [])
 
     def parameters(self, *arguments):
         path = str(self.checkout / 'launch' / 'link_bounds.launch')

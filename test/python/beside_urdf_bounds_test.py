@@ -19,12 +19,15 @@ import numpy as np
 
 import link_bounds
 import urdf_bounds_testing
-from urdf_bounds_testing import ARM, UrdfBoundsTest, main
+from urdf_bounds_testing import ARM, UrdfBoundsTest, main, run, solid
 
 DEMO = str(pathlib.Path(__file__).parents[2] / 'launch/demo/demo.urdf')
 DATA = os.environ.get('LINK_BOUNDS_DATA')
 ROWS = 100
 LIMIT = 0.1  # m
+# Each link behind the one before.
+JOINTS = ['<joint name="%s%s" type="continuous"><parent link="%s"/><child link="%s"/><origin xyz="3 0 0"/>'
+          '</joint>' % tuple(pair * 2) for pair in ('ab', 'bc')]
 LEVELS = {'BOX': link_bounds.BOX, 'HULL': link_bounds.HULL, 'MESH': link_bounds.MESH}
 
 
@@ -190,6 +193,32 @@ class RobotTest(UrdfBoundsTest):
             segment, = robot.check_path([[0, 0], [1, 0]], srdf=srdf)
         self.assertEqual(segment.verdict, 'UNDECIDED')
         self.assertEqual(list(robot.reach({'turn': np.array(0.5)})), robot.links)
+
+    def warned(self, call):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter('always')
+            call()
+        return [str(warning.message) for warning in caught]
+
+    def test_proofs_about_nothing(self):
+        """Of no pair, each is NEVER."""
+        one, two, three = ('<robot name="r">%s</robot>' % ''.join(
+            solid(name) + joint for name, joint in zip('abc'[:count], ('', *JOINTS)))
+                           for count in (1, 2, 3))
+        no_box, no_pair = ['no link has a box'], ['no pair was examined']
+        for urdf, reach, pairs in (
+                ('<robot name="r"><link name="a"/></robot>', no_box, no_pair), (one, [], no_pair),
+                (two.replace('continuous', 'fixed'), [], no_pair), (two, [], no_pair),
+                (three, [], [])):
+            robot, path = link_bounds.Robot(urdf), self.write('r.urdf', urdf)
+            for option, call, words in (('--reach', robot.reach, reach),
+                                        ('--pairs', robot.pairs, pairs)):
+                self.assertEqual(self.warned(lambda: call(budget=1, accuracy=1)), words, urdf)
+                code, _, err = run(path, option, '--budget', '1', '--accuracy', '1')
+                self.assertEqual((code, all(each in err for each in words)),
+                                 (4 if words else 0, True), err)
+        robot = link_bounds.Robot(two)
+        self.assertEqual(self.warned(lambda: robot.pairs(adjacent=True, budget=1)), [])
 
     def test_forms_of_a_pose(self):
         robot = link_bounds.Robot(ARM)

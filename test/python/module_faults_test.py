@@ -99,6 +99,17 @@ class RobotFaultsTest(UrdfBoundsTest):
             self.check(r'q\[1\]: link "slide": its size and pose give no finite', call,
                        [[0, 0], [0, sys.float_info.max]])
 
+    def test_a_row_without_a_box_among_many(self):
+        """Whichever thread has that row, and whatever the others do then."""
+        robot = link_bounds.Robot(ARM, 'collision')
+        rows = np.zeros((20000, 2))
+        rows[19990, 1] = sys.float_info.max
+        for call in (robot.boxes, lambda q, jobs: robot.distances(q, 0, jobs=jobs)):
+            for jobs in (0, 2, 4):
+                for _ in range(10):
+                    self.check(r'q\[19990\]: link "slide": its size and pose give no finite', call,
+                               rows, jobs=jobs)
+
     def test_names_that_are_not_utf8(self):
         """As .joints has them, they are taken."""
         path = self.write('r.urdf', ARM.encode().replace(b'"turn"', b'"t\xff"'))

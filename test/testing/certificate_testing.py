@@ -31,6 +31,8 @@ MOBILE = os.path.join(PACKAGE, 'test/data/mobile_arm.urdf')
 BASE_RANGES = ('drive.x:=-0.5..0.1', 'drive.y:=-0.1..0.2', 'drive.yaw:=-0.4..0.4', 'lift:=-0.2..0.1',
                'wrist:=-1..1', 'carry.x:=-0.6..-0.5', 'carry.y:=-0.1..0.2', 'carry.z:=-0.1..0.1',
                'carry.yaw:=0.5..0.7', 'carry.pitch:=-0.3..-0.1', 'carry.roll:=-0.1..0.3')
+# Of the same direction, and of lengths whose squares are no numbers.
+LONG_AXES = '0 0 1e-200', '0 0 1e200', '0 0 1e-320'
 WRONG = ''
 
 

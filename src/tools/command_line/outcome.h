@@ -15,8 +15,10 @@ constexpr int kUnusable = 1;
 /// Something was not answered, see Outcome::open.
 constexpr int kOpen = 4;
 
-/// What is open where there was no pair.
+/// What is open where there was no pair, none but of adjacent links, or no box.
 constexpr char kNothingCompared[] = "no two bodies were compared";
+constexpr char kNoPairExamined[] = "no pair was examined";
+constexpr char kNoLinkBounded[] = "no link has a box";
 
 struct Outcome {
   bool is_unusable = false;       ///< the input allows no answer

@@ -71,6 +71,64 @@ class PathTest(UrdfBoundsTest):
                           '<disable_collisions link1="c" link2="d"/></robot>')
         self.assertEqual(certificate_path.disabled(file, set()), {frozenset('cd')})
 
+    def test_an_srdf_exempts_no_object(self):
+        """urdf_bounds refuses one that names what is no link."""
+        ball, others = self.OBJECTS.split('\n', 1)
+        self.objects = self.write('others.yaml', others)
+        self.write_certificate(self.LINEAR)
+        self.objects = self.write('all.yaml', ball + '\n' + others)
+        for text in ('<disable_default_collisions link="ball"/>', ''.join(
+                '<disable_collisions link1="%s" link2="ball"/>' % name
+                for name in ('upper', 'lower', 'slide', 'tower'))):
+            srdf = self.write('arm.srdf', '<robot name="arm">%s</robot>' % text)
+            self.assertIn('a pair is missing', self.check_table(self.LINEAR, REFUSED, '--srdf', srdf))
+
+    CUBE = 'cube: {type: CUBE, pose: {position: {y: 5.6}}, scale: {x: 8, y: 8, z: 8}}\n'
+
+    def test_numbers_of_objects_are_those_of_urdf_bounds(self):
+        """For other readers of YAML, 010 is 8: so large, the cube is 0.4 m away."""
+        self.objects = self.write('cube.yaml', self.CUBE)
+        self.write_certificate(self.LINEAR)
+        self.check_table(self.LINEAR, 0)
+        self.objects = self.write('octal.yaml', self.CUBE.replace('8', '010'))
+        code, out, _ = run(self.urdf, '--poses', self.write('path.csv', self.LINEAR), '--path',
+                           '--objects', self.objects)
+        self.assertEqual((code, 'COLLIDES' in out), (3, True), out)
+        self.check_table(self.LINEAR, REFUSED)
+        self.objects = self.write('same.yaml', self.CUBE.replace('8', '"+08.e+0"'))
+        self.write_certificate(self.LINEAR)
+        self.check_table(self.LINEAR, 0)
+
+    def test_objects_that_urdf_bounds_refuses(self):
+        self.objects = self.write('cube.yaml', self.CUBE)
+        self.write_certificate(self.LINEAR)
+        scale = 'scale: {x: 8, y: 8, z: 8}'
+        for words, old, new in (
+                ('must be a number', 'x: 8', 'x: 0x8'), ('must be a number', 'x: 8', 'x: 8_'),
+                ('must be a number', 'x: 8', 'x: 0b1000'), ('must be a number', 'y: 5.6', 'y: 5_.6'),
+                ('must be a number', 'y: 5.6', 'y: " 5.6"'), ('must be a number', '5.6', '.inf'),
+                ('must be a number', ', z: 8', ''), ('there twice', 'x: 8', 'x: 9, x: 8'),
+                ('there twice', 'cube', self.CUBE + 'cube'), ('is negative', 'x: 8', 'x: -8'),
+                ('may have', scale, 'scale: {<<: {x: 8, y: 8}, z: 8}'),
+                ('may have', 'type', 'colour: red, type'), ('may have', scale, 'scale: [8, 8, 8]'),
+                ('no size', ', ' + scale, ''), ('no size', 'type', 'mesh_resource: a.stl, type'),
+                ('several documents', 'cube', self.CUBE + '---\ncube'), ('is no YAML', 'type', '{'),
+                ('has no objects', self.CUBE, '# none\n'), ('of the type "CONE"', 'CUBE', 'CONE')):
+            with self.subTest(new):
+                self.objects = self.write('bad.yaml', self.CUBE.replace(old, new))
+                self.assertIn(words, self.check_table(self.LINEAR, REFUSED))
+                code, _, err = run(self.urdf, '--poses', self.write('path.csv', self.LINEAR), '--path',
+                                   '--objects', self.objects)
+                self.assertEqual(code, 1, err)
+
+    def test_orientations_of_any_length(self):
+        for size in ('e-200', 'e200', 'e-320'):
+            with self.subTest(size):
+                self.objects = self.write('turned.yaml', self.OBJECTS.replace(
+                    '{z: 1, w: 2}', '{z: 1%s, w: 2%s}' % (size, size)))
+                self.write_certificate(self.LINEAR)
+                self.check_table(self.LINEAR, 0)
+
     def test_interpolations(self):
         for table, (old, new) in self.FAST.items():
             with self.subTest(table):

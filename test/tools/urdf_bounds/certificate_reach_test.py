@@ -11,8 +11,8 @@ import os
 import random
 from unittest import mock
 
-from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, MOBILE, NOT_COUNTED,
-                                 PUBLIC, REFUSED, box, check, lines_of, main, write_lines,
+from certificate_testing import (ARM, BASE_RANGES, DAMAGES, DEMO, INCOMPLETE, LONG_AXES, MOBILE,
+                                 NOT_COUNTED, PUBLIC, REFUSED, box, check, lines_of, main, write_lines,
                                  write_wrong)
 from urdf_bounds_pairs_test import joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
@@ -88,6 +88,14 @@ class ReachTest(UrdfBoundsTest):
                 part['min'][2] += 1e-3
                 write_lines(file, lines)
                 self.assertEqual(check(file, MOBILE, *given)[0], REFUSED)
+
+    def test_axes_of_any_length(self):
+        for axis in LONG_AXES + ('1e200 0 1e200', '2e-308 1e-320 -3e-310'):
+            with self.subTest(axis):
+                urdf = self.write('long.urdf', ARM.replace('0 0 1"/>', axis + '"/>'))
+                file, _ = self.certificate(urdf)
+                code, text = check(file, urdf, '--sample', '100')
+                self.assertEqual(code, 0, text)
 
     def test_what_the_box_rests_on_is_checked(self):
         """The box and the first table are too small along +x alone, by 0.3 m. A joint that slides

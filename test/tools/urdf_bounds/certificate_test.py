@@ -13,8 +13,8 @@ import re
 from unittest import mock
 
 from bad_inputs import SANITIZED
-from certificate_testing import (ARM, BASE_RANGES, COARSE, DAMAGES, DEMO, INCOMPLETE, MOBILE,
-                                 NOT_COUNTED, PUBLIC, REFUSED, box, check, cube_at, halved, is_leaf,
+from certificate_testing import (ARM, BASE_RANGES, COARSE, DAMAGES, DEMO, INCOMPLETE,
+                                 LONG_AXES, MOBILE, NOT_COUNTED, PUBLIC, REFUSED, box, check, cube_at, halved, is_leaf,
                                  lines_of, main, mesh, turned, write_lines, write_wrong)
 from urdf_bounds_pairs_test import ball, joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
@@ -214,6 +214,30 @@ class CertificateTest(UrdfBoundsTest):
                 other = self.write('other.urdf', tilted.replace('-0.2 0.1 0.9', '0 0 -1'))
                 code, found = check(os.path.join(self.folder, 'file.cert'), other, *BASE_RANGES, '--all')
                 self.assertEqual(code, REFUSED, found)
+
+    def test_axes_of_any_length(self):
+        """Squares of these numbers vanish, or are infinite."""
+        with open(MOBILE, encoding='utf-8') as file:
+            mobile = file.read()
+        for axis in LONG_AXES:
+            with self.subTest(axis):
+                self.accept(self.write('long.urdf', ARM.replace('0 0 1"/>', axis + '"/>')), '--all')
+                planar = mobile.replace('<axis xyz="0 0 1"/>', '<axis xyz="%s"/>' % axis)
+                self.accept(self.write('planar.urdf', planar), given=BASE_RANGES)
+
+    def test_another_robot(self):
+        """What holds would be said of the name in the file."""
+        file, _ = self.certificate(self.urdf)
+        lines = lines_of(file)
+        for name in ('panda', 'arm ', '', 'two\nlines'):
+            write_lines(file, [dict(lines[0], robot=name), *lines[1:]])
+            code, text = check(file, self.urdf)
+            self.assertEqual((code, text), (REFUSED, 'refused: it is about the robot %s, but the robot of '
+                                            '%s is "arm"; give its own URDF\n' % (
+                                                json.dumps(name), self.urdf)))
+        for name in ('t\u00fcr &amp; &quot;tor&quot;', 'two\nlines', ' a\tb '):
+            urdf = self.write('name.urdf', ARM.replace('name="arm"', 'name="%s"' % name))
+            self.accept(urdf)
 
     def test_a_base_that_is_fixed(self):
         self.accept(MOBILE, '--all', '--base', 'fixed', given=('--base', 'fixed'))

@@ -54,7 +54,7 @@ Outcome outcomeOf(const PairsTable& table, const PairGoal& goal) {
   Outcome outcome;
   outcome.has_finding = table.srdf && !table.srdf->wrong.empty();
   outcome.lost_geometry = !table.incomplete.empty();
-  if (examined == 0) outcome.open.emplace_back("no pair was examined");
+  if (examined == 0) outcome.open.emplace_back(kNoPairExamined);
   outcome.addOpen("incomplete names", table.incomplete.size());
   outcome.addOpen("UNDECIDED pairs", undecided);
   if (table.srdf) {

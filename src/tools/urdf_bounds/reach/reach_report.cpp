@@ -39,7 +39,7 @@ struct ReachTable {
 constexpr char kThin[] = "{x: 0.005}, color: {r: 0.1, g: 0.7, b: 1.0, a: 0.6}";
 constexpr char kThick[] = "{x: 0.015}, color: {r: 1.0, g: 0.5, b: 0.1, a: 1.0}";
 
-Numbers reachNumbers(const Reach& reach) {
+Numbers faceNumbers(const Reach& reach) {
   Numbers numbers;
   for (const ReachFace& face : reach.faces)
     numbers.push_back(face.at);
@@ -47,7 +47,7 @@ Numbers reachNumbers(const Reach& reach) {
 }
 
 Row rowOf(const std::string& name, const Reach& reach) {
-  Numbers numbers = reachNumbers(reach);
+  Numbers numbers = faceNumbers(reach);
   numbers.push_back(reach.maxGap());
   return shortRow(name, numbers);
 }
@@ -62,12 +62,12 @@ void writeTable(const ReachTable& table, std::ostream& out) {
   for (const auto& [name, reach] : table.groups)
     rows.push_back(rowOf(kGroupPrefix + name, reach));
   writeAligned(rows, out);
-  if (table.links.empty()) out << "(no link has a box)\n";
+  if (table.links.empty()) out << "(" << kNoLinkBounded << ")\n";
   writeIncomplete(table.incomplete, out);
 }
 
 void writeReachRow(const std::string& name, const Reach& reach, std::ostream& out) {
-  Numbers numbers = reachNumbers(reach);
+  Numbers numbers = faceNumbers(reach);
   for (const ReachFace& face : reach.faces)
     numbers.push_back(face.gap());
   writeCsvRow(name, numbers, out);
@@ -212,7 +212,7 @@ Outcome writeReach(const UrdfBoundsOptions& options, const Robot& robot,
   Outcome outcome;
   outcome.lost_geometry = std::any_of(bounded.links.begin(), bounded.links.end(),
                                       [](const BoundedLink& link) { return !link.isWhole(); });
-  if (table.links.empty()) outcome.open.emplace_back("no link has a box");
+  if (table.links.empty()) outcome.open.emplace_back(kNoLinkBounded);
   outcome.addOpen("incomplete names", table.incomplete.size());
   outcome.addOpen("links that are not in the certificate", uncertified);
   if (maxGap(table) > table.accuracy) outcome.open.emplace_back("--accuracy was not reached");

@@ -315,12 +315,21 @@ class TableReader {
   JointTable table_;
 };
 
+/// Old Macs ended lines so, and some programs still do: all would be one line, perhaps a remark.
+bool hasOnlyCr(const std::string& text) {
+  const std::size_t cr = text.find('\r');
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  return text.find('\n') == std::string::npos && last != std::string::npos && cr < last;
+}
+
 }  // namespace
 
 JointTable parseJointTable(const std::string& text, const std::string& file,
                            const std::optional<std::string>& columns, const Robot& robot,
                            const std::vector<std::string>& given, bool is_path) {
-  TableReader reader(file == "-" ? "standard input" : file, robot);
+  const std::string name = file == "-" ? "standard input" : file;
+  if (hasOnlyCr(text)) throw UsageError(name + " has lines that end in CR alone; save it with LF");
+  TableReader reader(name, robot);
   bool has_columns = columns.has_value();
   if (has_columns) reader.setColumns(*columns, given, is_path);
   std::size_t number = 0;
@@ -336,9 +345,7 @@ JointTable parseJointTable(const std::string& text, const std::string& file,
       reader.setColumns(line, given, is_path);
     has_columns = true;
   }
-  if (!has_columns)
-    throw UsageError((file == "-" ? "standard input" : file) +
-                     " is empty; its first line has the names of joints");
+  if (!has_columns) throw UsageError(name + " is empty; its first line has the names of joints");
   return reader.result();
 }
 
