@@ -52,8 +52,8 @@ struct Node {
   bool registers_again = false;  ///< with a new master; nodes of rospy do not
   bool is_alive = false;
   bool publishes = false;
-  std::string address;
-  std::string known_address;  ///< when it was seen first
+  std::string address = "";
+  std::string known_address = "";  ///< when it was seen first
 };
 
 class World {

@@ -14,7 +14,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-const ObjectKey kKey{"scene", 1};
+const ObjectKey kMarkerKey{"scene", 1};
 
 class ObjectSourceTest : public testing::Test {
  protected:
@@ -26,8 +26,8 @@ class ObjectSourceTest : public testing::Test {
   static Marker cube() {
     Marker marker = markerOf(Marker::CUBE, {1, 1, 1});
     marker.header.frame_id = "map";
-    marker.ns = kKey.ns;
-    marker.id = kKey.id;
+    marker.ns = kMarkerKey.ns;
+    marker.id = kMarkerKey.id;
     return marker;
   }
 
@@ -69,7 +69,7 @@ class ObjectSourceTest : public testing::Test {
   }
 
   void expectRefused(const std::string& begin) const {
-    const LiveObject& object = objects_.objects().at(kKey);
+    const LiveObject& object = objects_.objects().at(kMarkerKey);
     EXPECT_TRUE(object.state.incomplete);
     EXPECT_FALSE(object.state.box);
     EXPECT_EQ(objects_.reason(object).rfind(begin, 0), 0u) << objects_.reason(object);
@@ -85,14 +85,14 @@ class ObjectSourceTest : public testing::Test {
 TEST_F(ObjectSourceTest, AnUnknownActionIsRefusedWithAReason) {
   for (const int action : {1, 4, -1, 1000}) {
     take(cube());
-    EXPECT_TRUE(objects_.objects().at(kKey).state.box);
+    EXPECT_TRUE(objects_.objects().at(kMarkerKey).state.box);
     Marker marker = cube();
     marker.action = action;
     EXPECT_TRUE(take(marker));
     expectRefused("action " + std::to_string(action));
   }
   EXPECT_TRUE(take(cube()));
-  EXPECT_FALSE(objects_.objects().at(kKey).state.incomplete);
+  EXPECT_FALSE(objects_.objects().at(kMarkerKey).state.incomplete);
 }
 
 TEST_F(ObjectSourceTest, AnUnknownActionOfATextIsRefusedToo) {
