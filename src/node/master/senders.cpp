@@ -16,12 +16,14 @@ constexpr int kForgotten = 10;  // ticks without a question about a node, more t
 Senders::Answer Senders::ask(const std::string& node) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto [entry, is_new] = senders_.try_emplace(node);
+  if (is_new) entry->second.is_doubted = was_lost_;
   entry->second.unasked = 0;
   return {entry->second.has_left, is_new};
 }
 
 void Senders::beginTick(bool is_master_lost) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  was_lost_ |= is_master_lost;
   for (auto entry = senders_.begin(); entry != senders_.end();) {
     Sender& sender = entry->second;
     sender.is_doubted |= is_master_lost;

@@ -35,14 +35,15 @@ class Senders {
  private:
   /// A node that published the topic.
   struct Sender {
-    std::string address;     ///< "" while that is not known
-    bool is_doubted = true;  ///< no master has said, since one was lost, that it publishes
-    bool has_left = false;   ///< at the newest tick
-    int unasked = 0;         ///< ticks
+    std::string address;      ///< "" while that is not known
+    bool is_doubted = false;  ///< no master has said, since one was lost, that it publishes
+    bool has_left = false;    ///< at the newest tick
+    int unasked = 0;          ///< ticks
   };
 
   const std::string topic_;
-  std::mutex mutex_;
+  std::mutex mutex_;       ///< of the following
+  bool was_lost_ = false;  ///< the master, ever
   std::map<std::string, Sender> senders_;
 };
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 namespace link_bounds {
-namespace {
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -13,8 +12,6 @@ int hexDigit(char c) {
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   return -1;
 }
-
-}  // namespace
 
 std::string percentDecoded(const std::string& text) {
   std::string result;

@@ -7,6 +7,9 @@
 
 namespace link_bounds {
 
+/// -1 if it is none.
+int hexDigit(char c);
+
 /// Keeps a percent sign that is not followed by two hexadecimal digits.
 std::string percentDecoded(const std::string& text);
 

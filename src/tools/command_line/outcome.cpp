@@ -10,7 +10,6 @@ namespace link_bounds {
 namespace {
 
 constexpr int kLostGeometry = 2;
-constexpr int kFinding = 3;
 
 bool isCode(int code) {
   return code >= 0 && code <= kOpen;

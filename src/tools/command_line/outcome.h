@@ -12,6 +12,9 @@ namespace link_bounds {
 /// The exit code of unusable input or arguments.
 constexpr int kUnusable = 1;
 
+/// Something was found, see Outcome::has_finding.
+constexpr int kFinding = 3;
+
 /// Something was not answered, see Outcome::open.
 constexpr int kOpen = 4;
 

@@ -170,7 +170,8 @@ TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) 
 
 TEST_F(MeshStoreTest, AGltfIsReadAnewWhenAFileThatItNamesIsReplaced) {
   const MeshFile binary = write("my data.bin", "old"), other = write("other.bin", "old");
-  for (const char* name : {R"("my data.bin")", R"("my%20data.bin")", R"(".\/my data.bin")"}) {
+  for (const char* name : {R"("my data.bin")", R"("my%20data.bin")", R"(".\/my data.bin")",
+                           R"("my\u0020d\u0061ta.bin")"}) {
     const std::string text = std::string(R"(1 {"uri": "data:;base64,AAAA"}, {"uri" : )") + name;
     const MeshFile file = write("a.GLTF", text + "}");
     const LoadedMesh first = loadWithTriangles(file);

@@ -374,12 +374,16 @@ class MergeTest(EachBagTest):
     def test_two_bags_of_one_name_in_one_file(self):
         """As where the lines of two folders are appended. The finding in the first must not go."""
         bags, lines, _ = self.files()
-        self.bag(calm(4), 'a.bag')
-        changed = self.lines(bags[:1], code=0)[0]
-        for first, second in ((lines[0], changed), (changed, lines[0])):
-            self.check_refused('line 2 is of bag .*a.bag, and so is an earlier line, but of another '
-                               'size or content: .*different paths', '--merge',
-                               self.write('two.jsonl', first + '\n' + second + '\n'))
+        self.bag(calm(4), 'b.bag')
+        other = self.lines(bags[1:2], code=0)[0]
+        os.rename(bags[1], bags[1] + '.away')
+        gone = self.lines(bags[1:2], code=1)[0]
+        for rest in (other,), (gone, other):
+            self.check_refused('line %d is of bag .*b.bag, and so is an earlier line with a finding, '
+                               'but of another size or content: .*different paths' % (1 + len(rest)),
+                               '--merge', self.write('two.jsonl', '\n'.join((lines[1], *rest)) + '\n'))
+        hidden = self.write('hidden.jsonl', other + '\n' + lines[1] + '\n')
+        self.assertIn('1 bag: 1 FOUND', self.merged(hidden, code=3)[0])
 
     def test_lines_that_do_not_fit(self):
         bags, lines, files = self.files()
@@ -390,6 +394,8 @@ class MergeTest(EachBagTest):
         changed = self.lines(bags[:1], code=0)[0]
         self.check_refused('a.bag in .* differ; leave the older file out', '--merge', *files,
                            self.write('4.jsonl', changed + '\n'))
+        newest = self.write('5.jsonl', lines[0] + '\n' + changed + '\n')
+        self.assertIn('1 bag: 1 CLEAR', self.merged(newest, code=0)[0])
 
     def test_lines_from_another_system(self):
         _, lines, files = self.files()

@@ -138,11 +138,9 @@ std::string nameIn(const std::string& cut) {
   return end == std::string::npos || end < begin ? "" : cut.substr(begin, end - begin);
 }
 
-/// Whether a later line must not replace the earlier one, which says something of another bag.
-bool areTwoBags(const ReadLine& earlier, const ReadLine& later) {
-  const bool says_something = !earlier.hasDied() && earlier.verdict != verdictOf(kUnusable);
-  const bool is_other = earlier.bag.size != later.bag.size || earlier.bag.head != later.bag.head;
-  return says_something && later.bag.size && is_other && !isBeginOf(earlier.bag, later.bag);
+/// Whether that may not be a later state of the same bag.
+bool isOther(const BagIdentity& earlier, const BagIdentity& later) {
+  return (earlier.size != later.size || earlier.head != later.head) && !isBeginOf(earlier, later);
 }
 
 class Reader {
@@ -164,14 +162,10 @@ class Reader {
                        std::to_string(line->exit_code) + " (" +
                        std::to_string(line->complete_code) +
                        " with --allow-incomplete), which does not go with it; remove it");
-    const auto [known, is_new] = result_.lines.try_emplace(line->bag.name);
-    if (!is_new && areTwoBags(known->second, *line))
-      result_.two_bags = place() + " is of bag " + line->bag.name +
-                         ", and so is an earlier line, but of another size or content: if these " +
-                         "are two bags, make their lines with different paths; if it was " +
-                         "replaced, remove the earlier line";
-    known->second = *line;
-    known->second.file = file_;
+    watchFindings(*line);
+    ReadLine& known = result_.lines[line->bag.name];
+    known = *line;
+    known.file = file_;
   }
 
   LineFile take() { return std::move(result_); }
@@ -187,10 +181,23 @@ class Reader {
     refuse();
   }
 
+  /// A later line must not hide what was found in another bag of its name.
+  void watchFindings(const ReadLine& line) {
+    if (!line.bag.size) return;
+    const auto found = found_.find(line.bag.name);
+    if (found != found_.end() && isOther(found->second, line.bag))
+      result_.two_bags = place() + " is of bag " + line.bag.name +
+                         ", and so is an earlier line with a finding, but of another size or " +
+                         "content: if these are two bags, make their lines with different paths; " +
+                         "if it was replaced, remove the earlier line";
+    if (line.verdict == verdictOf(kFinding)) found_[line.bag.name] = line.bag;
+  }
+
   std::string place() const { return file_ + ", line " + std::to_string(number_); }
 
   const std::string& file_;
   std::size_t number_ = 0;
+  std::map<std::string, BagIdentity> found_;  ///< bags by name
   LineFile result_;
 };
 

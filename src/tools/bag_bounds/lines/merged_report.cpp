@@ -79,6 +79,8 @@ class MergedReport {
     const int code = cut_.empty() ? exit_code_ : worseCode(exit_code_, kOpen);
     if (code == kOpen)
       warn("not everything was answered: the lines say what; --allow-incomplete accepts that");
+    if (code == kFinding && (!cut_.empty() || verdicts_.count(verdictOf(kOpen)) > 0))
+      warn("not everything was answered: the lines say what");
     return code;
   }
 

@@ -241,47 +241,21 @@ void BagRun::endMotions() {
   if (pairs_) pairs_->endMotions(scene_.tf());
 }
 
-/// A clock that goes back does so on each topic that comes again, and goes on from there. Where no
-/// topic does, or the clock is where it was soon, the messages were not written in the order of
-/// their times.
+/// A clock that goes back does so for each publisher of a topic that comes again. Where none does,
+/// the messages were not written in the order of their times.
 void BagRun::watchOrder(const BagMessage& message) {
-  const bool steps_back = scene_.goesBackTo(message.time);
-  Newest& newest = newest_[*message.topic];
+  Newest& newest = newest_[{*message.topic, *message.publisher}];
   const bool goes_back = newest.time > message.time + kMinStepBack;
-  // What a topic does that has come again since the step tells nothing of it.
+  // What one does that has come again since the step tells nothing of it.
   const bool goes_back_with_step = goes_back && newest.steps_back < all_steps_back_;
   if (goes_back_with_step && may_be_jump_) steps_back_.pop_back();
   may_be_jump_ = may_be_jump_ && !goes_back_with_step;
-  if (steps_back && !goes_back) {
+  if (scene_.goesBackTo(message.time) && !goes_back) {
     steps_back_.push_back(message.time);
     may_be_jump_ = true;
     ++all_steps_back_;
   }
   newest = {goes_back ? message.time : std::max(newest.time, message.time), all_steps_back_};
-  watchReturn(message.time);
-  if (!steps_back) {
-    if (message.time > newest_message_)
-      before_newest_ = std::exchange(newest_message_, message.time);
-    return;
-  }
-  step_back_ = {newest_message_, message.time};
-  if (before_newest_ <= message.time) addStepBack();  // one message was early
-  before_newest_ = newest_message_ = message.time;
-}
-
-/// A clock that jumped passes the time of the jump once more. If instead one message leads over
-/// half of the way back or more, those before it were late.
-void BagRun::watchReturn(std::int64_t time) {
-  if (!step_back_ || time < step_back_->from) return;
-  if (time - newest_message_ > (step_back_->from - step_back_->to) / 2) addStepBack();
-  step_back_.reset();
-}
-
-/// It is none of the clock.
-void BagRun::addStepBack() {
-  may_be_jump_ = false;
-  if (steps_back_.empty() || steps_back_.back() != step_back_->to)
-    steps_back_.push_back(step_back_->to);
 }
 
 /// Called by the reader now and then.

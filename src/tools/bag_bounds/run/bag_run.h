@@ -52,8 +52,6 @@ class BagRun {
   void readMessages();
   void endMotions();
   void watchOrder(const BagMessage& message);
-  void watchReturn(std::int64_t time);
-  void addStepBack();
   bool passToEnd();
   bool lookBefore(std::int64_t message);
   bool lookBetween(std::int64_t message);
@@ -87,17 +85,10 @@ class BagRun {
     std::int64_t time = 0;
     std::uint64_t steps_back = 0;  ///< when it came
   };
-  std::map<std::string, Newest> newest_;  ///< of each topic, likewise
+  std::map<std::pair<std::string, std::string>, Newest> newest_;  ///< of each topic and publisher
   std::vector<std::int64_t> steps_back_;  ///< to those times: messages are not in order
   std::uint64_t all_steps_back_ = 0;      ///< with jumps of the clock
   bool may_be_jump_ = false;              ///< the last one, of the clock
-  struct StepBack {
-    std::int64_t from;
-    std::int64_t to;
-  };
-  std::optional<StepBack> step_back_;  ///< the last one, until time is again where it was
-  std::int64_t newest_message_ = 0;    ///< since that step; a record time [ns]
-  std::int64_t before_newest_ = 0;     ///< the newest before that message, since that step
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
