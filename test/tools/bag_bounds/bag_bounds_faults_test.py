@@ -396,19 +396,12 @@ class BagsTest(BagBoundsTest):
         slow = [moving_arms(i, links=('right',)) for i in (0, 40, 80)]
         for place, code in ((50, PARTLY_READ), (40, 0)):  # where the one of 40 stands
             fast = [moving_arms(i, links=('left',)) for i in range(100)]
-            messages = [(message, '/arm') for message in fast]
             for message, index in zip(slow, (0, place, 80)):
-                messages.insert(index, (message, '/slow'))
-            path = self.path('late.bag')
-            with rosbag.Bag(path, 'w') as bag:
-                bag.write(*static_arms())
-                for (topic, message, time), sender in messages:
-                    bag.write(topic, message, time, connection_header={
-                        'topic': topic, 'type': message._type, 'md5sum': message._md5sum,
-                        'message_definition': message._full_text, 'callerid': sender})
-            found = self.report(path, code=code, err='rosbag filter' if code else '')
+                fast.insert(index, message)
+            found = self.report(self.bag([static_arms()] + fast), '--timeout', '1', code=code,
+                                err='rosbag filter' if code else '')
             self.assertEqual(len(found['losses']), 1 if code else 0)
-            self.assertEqual(found['open'], ['losses while reading: 1'] if code else [])
+            self.assertEqual(found['open'][:1], ['losses while reading: 1'] if code else [])
 
     def test_a_clock_that_goes_back_beyond_the_report(self):
         """What it records then is not in the report, which says so."""

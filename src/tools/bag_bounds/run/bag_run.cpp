@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -64,6 +65,38 @@ void addRefusals(const TfIntake& before, const TfIntake& after, std::vector<std:
   add(&TfIntake::other,
       "because another pose of the same frame and stamp came first; end one of the publishers");
   add(&TfIntake::dropped, "of the time before a jump of the clock");
+}
+
+/// The first frame or joint of a message; "" of other types.
+std::string subjectOf(const BagMessage& message) {
+  std::size_t at = 0;
+  const auto skip = [&](std::size_t bytes) {
+    at = std::min<std::size_t>(message.size, at + bytes);
+  };
+  const auto number = [&] {
+    std::uint32_t result = 0;
+    if (message.size - at >= sizeof(result))
+      std::memcpy(&result, message.data + at, sizeof(result));
+    skip(sizeof(result));
+    return result;
+  };
+  const auto text = [&] {
+    const std::uint32_t length = number();
+    const std::size_t begin = at;
+    skip(length);
+    return std::string(message.data + begin, message.data + at);
+  };
+  constexpr std::size_t kHeader = 12;  // bytes of a header before its frame
+  if (*message.type == "sensor_msgs/JointState") {
+    skip(kHeader);
+    text();
+    return number() > 0 ? text() : "";
+  }
+  const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
+  if (!is_tf || number() == 0) return "";
+  skip(kHeader);
+  text();
+  return text();
 }
 
 }  // namespace
@@ -242,9 +275,10 @@ void BagRun::endMotions() {
 }
 
 /// A clock that goes back does so for each publisher of a topic that comes again. Where none does,
-/// the messages were not written in the order of their times.
+/// the messages were not written in the order of their times. A script writes the messages of all
+/// publishers as those of one; they are told apart by what they are about.
 void BagRun::watchOrder(const BagMessage& message) {
-  Newest& newest = newest_[{*message.topic, *message.publisher}];
+  Newest& newest = newest_[{*message.topic, *message.publisher + '\n' + subjectOf(message)}];
   const bool goes_back = newest.time > message.time + kMinStepBack;
   // What one does that has come again since the step tells nothing of it.
   const bool goes_back_with_step = goes_back && newest.steps_back < all_steps_back_;

@@ -85,7 +85,7 @@ class BagRun {
     std::int64_t time = 0;
     std::uint64_t steps_back = 0;  ///< when it came
   };
-  std::map<std::pair<std::string, std::string>, Newest> newest_;  ///< of each topic and publisher
+  std::map<std::pair<std::string, std::string>, Newest> newest_;  ///< of each topic and sender
   std::vector<std::int64_t> steps_back_;  ///< to those times: messages are not in order
   std::uint64_t all_steps_back_ = 0;      ///< with jumps of the clock
   bool may_be_jump_ = false;              ///< the last one, of the clock
