@@ -87,16 +87,16 @@ std::vector<Target> targetsOf(const OverlapResults& results, std::size_t size) {
           {text + ", slowest scene", Wanted::kAtMost, kMaxOfAnyScene, slowest}};
 }
 
-void printTable(const Rows& rows) {
-  bench::printTable("us per step, medians",
-                    {{"scene", "", 20},
-                     {"boxes"},
-                     {"pairs"},
-                     {"method", "", 7},
-                     {"us_per_step", "us"},
-                     {"of_faster_peer", "of the faster peer's"},
-                     {"setting", "", 22}},
-                    rows);
+void printOverlaps(const Rows& rows) {
+  printTable("us per step, medians",
+             {{"scene", "", 20},
+              {"boxes"},
+              {"pairs"},
+              {"method", "", 7},
+              {"us_per_step", "us"},
+              {"of_faster_peer", "of the faster peer's"},
+              {"setting", "", 22}},
+             rows);
 }
 
 void printTargets(const OverlapResults& results) {
@@ -124,7 +124,7 @@ Rows benchmarkOverlaps(bool quick) {
     }
   }
   const Rows rows = rowsOf(results);
-  printTable(rows);
+  printOverlaps(rows);
   printTargets(results);
   return rows;
 }
