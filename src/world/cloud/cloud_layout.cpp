@@ -16,6 +16,7 @@ using sensor_msgs::PointCloud2;
 using sensor_msgs::PointField;
 
 constexpr double kMaxNanoseconds = 9e18;  // of 64 bits
+constexpr double kMaxRelative = 1e9;      // s; tf knows no such time, and more would overflow
 
 /// The first of these that there is counts.
 constexpr std::array<const char*, 4> kTimeFields{"t", "offset_time", "time", "timestamp"};
@@ -188,7 +189,7 @@ std::int64_t CloudPoints::timeOf(const std::uint8_t* bytes) const {
     case NumberType::kFloat64:
       return fromNumber(read<double>(at), stamp);
     case NumberType::kRelativeSeconds:
-      return stamp + std::llround(read<double>(at) * 1e9);
+      return stamp + std::llround(std::clamp(read<double>(at), -kMaxRelative, kMaxRelative) * 1e9);
   }
   return stamp;
 }

@@ -275,8 +275,8 @@ void BagRun::endMotions() {
 }
 
 /// A clock that goes back does so for each publisher of a topic that comes again. Where none does,
-/// the messages were not written in the order of their times. A script writes the messages of all
-/// publishers as those of one; they are told apart by what they are about.
+/// the messages were not written in the order of their times. A bag that a script has written names
+/// one publisher for a whole topic, so the first frame or joint of a message counts, too.
 void BagRun::watchOrder(const BagMessage& message) {
   Newest& newest = newest_[{*message.topic, *message.publisher + '\n' + subjectOf(message)}];
   const bool goes_back = newest.time > message.time + kMinStepBack;
