@@ -3,19 +3,14 @@
 // Starts the program.
 #include <ros/ros.h>
 
-#include <cstdio>
-#include <exception>
-#include <iostream>
 #include <string>
 
 #include "node/interface/command_line.h"
-#include "node/interface/end_signals.h"
 #include "node/interface/usage.h"
-#include "node/master/master_uri.h"
 #include "node/master/master_watch.h"
+#include "node/master/node_program.h"
 #include "tools/cloud_filter/cloud_filter_node.h"
 #include "tools/cloud_filter/filter_parameters.h"
-#include "world/log/log_text.h"
 
 namespace {
 
@@ -40,17 +35,7 @@ link_bounds::NodeTables filterTables() {
   return tables;
 }
 
-int run(int argc, char** argv) {
-  const link_bounds::CommandLine line = link_bounds::readCommandLine(argc, argv, filterTables());
-  if (line.help || line.version) {
-    std::cout << (line.help ? usage() : "cloud_filter " LINK_BOUNDS_VERSION "\n");
-    return 0;
-  }
-  link_bounds::checkMasterUri(argc, argv);
-  ros::init(argc, argv, "cloud_filter", ros::init_options::NoSigintHandler);
-  link_bounds::endOnSignals();
-  for (const std::string& warning : line.warnings)
-    ROS_WARN("%s", link_bounds::logText(warning).c_str());
+int spin() {
   link_bounds::CloudFilterNode node(ros::NodeHandle(), ros::NodeHandle("~"), ros::requestShutdown);
   const link_bounds::MasterWatch master_watch;
   node.spin();
@@ -60,12 +45,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    // ROS's log may have ended already.
-    std::cerr << "[FATAL] " << link_bounds::logText(error.what()) << std::endl;
-    return 1;
-  }
+  return link_bounds::runNode(argc, argv,
+                              {"cloud_filter", LINK_BOUNDS_VERSION, usage, filterTables(), spin});
 }

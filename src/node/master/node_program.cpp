@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "node/master/node_program.h"
+
+#include <ros/ros.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "world/log/log_text.h"
+
+namespace link_bounds {
+namespace {
+
+/// Throws std::runtime_error if the master's address cannot be read, which roscpp does not say but
+/// stops at a breakpoint. It is that of the last argument __master, or of the environment.
+void checkMasterUri(int argc, char** argv) {
+  std::string name = "ROS_MASTER_URI";
+  const char* const set = std::getenv(name.c_str());
+  std::string uri = set ? set : "";
+  const std::string begin = "__master:=";
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.compare(0, begin.size(), begin) != 0) continue;
+    name = "__master";
+    uri = argument.substr(begin.size());
+  }
+  if (uri.empty() && name != "__master") return;
+  std::string host;
+  std::uint32_t port = 0;
+  // By roscpp's own parser.
+  if (ros::network::splitURI(uri, host, port) && port > 0 && port <= 65535) return;
+  throw std::runtime_error(name + " is \"" + uri + "\"; it must be http://HOST:PORT");
+}
+
+void endOnSignals() {
+  for (const int number : {SIGINT, SIGTERM}) {
+    std::signal(number, [](int) {
+      ros::requestShutdown();
+      static volatile std::sig_atomic_t is_set = 0;
+      if (!is_set) alarm(10);
+      is_set = 1;
+    });
+  }
+}
+
+int run(int argc, char** argv, const NodeProgram& program) {
+  const CommandLine line = readCommandLine(argc, argv, program.tables);
+  if (line.help || line.version) {
+    std::cout << (line.help ? program.usage() : program.name + " " + program.version + "\n");
+    return 0;
+  }
+  checkMasterUri(argc, argv);
+  ros::init(argc, argv, program.name, ros::init_options::NoSigintHandler);
+  endOnSignals();
+  for (const std::string& warning : line.warnings)
+    ROS_WARN("%s", logText(warning).c_str());
+  return program.spin();
+}
+
+}  // namespace
+
+int runNode(int argc, char** argv, const NodeProgram& program) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
+  try {
+    return run(argc, argv, program);
+  } catch (const std::exception& error) {
+    // ROS's log may have ended already.
+    std::cerr << "[FATAL] " << logText(error.what()) << std::endl;
+    return 1;
+  }
+}
+
+}  // namespace link_bounds
