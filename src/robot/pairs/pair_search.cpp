@@ -64,19 +64,9 @@ std::size_t bytesOf(const PathValues& values) {
 
 PairSearch::PairSearch(JointPath path, const PairBody& first, const PairBody& second,
                        const PairGoal& goal, bool may_sweep)
-    : path_(std::move(path)),
-      goal_(goal),
-      motion_(path_, first.hull.cloud, second.hull.cloud),
-      first_(&first),
-      second_(&second),
-      may_sweep_(may_sweep) {
-  for (BodyDistances* distances : {&distances_, &hulls_}) {
-    const bool is_hull = distances == &hulls_;
-    distances->set(0, is_hull ? first.hull.body : first.body);
-    distances->set(1, is_hull ? second.hull.body : second.body);
-    distances->move(0, Eigen::Affine3d::Identity());
-  }
-  JointBox all = wholeBox(path_);
+    : pair_(std::move(path), first, second), goal_(goal), may_sweep_(may_sweep) {
+  pair_.begin();
+  JointBox all = wholeBox(pair_.path());
   max_nodes_ = std::min(kMaxNodes, kMaxNodeBytes / (sizeof(Node) + 2 * bytesOf(all.center)));
   offer(measured(all.center));
   if (nearest_.upper == kInfinity) is_done_ = true;
@@ -89,7 +79,7 @@ PairSearch::~PairSearch() = default;
 std::size_t PairSearch::bytes() const {
   const std::size_t pose = bytesOf(nearest_.values);
   const std::size_t boxes = nodes_.size() + latest_.size() + open_.size();
-  return kBytes + path_.joints.size() * 2 * sizeof(PathJoint) +
+  return kBytes + path().joints.size() * 2 * sizeof(PathJoint) +
          starts_.size() * (sizeof(KnownPose) + pose) + boxes * (sizeof(Node) + 2 * pose) +
          (swept_ ? swept_->bytes() : 0);
 }
@@ -114,7 +104,7 @@ double PairSearch::clearance() const {
 }
 
 bool PairSearch::isSampled() const {
-  return samples_ >= kSamples || path_.variables.empty();
+  return samples_ >= kSamples || path().variables.empty();
 }
 
 void PairSearch::advance() {
@@ -137,7 +127,8 @@ bool PairSearch::sweep() {
   if (!may_sweep_ || branch_slices_ < kSlicesBeforeSweep || branch_slices_ % kSweepShare == 0)
     return false;
   if (!swept_)
-    swept_ = std::make_unique<SweptSearch>(path_, *first_, *second_, goal_, nearest_.upper);
+    swept_ =
+        std::make_unique<SweptSearch>(path(), pair_.first(), pair_.second(), goal_, nearest_.upper);
   if (swept_->isDone()) return false;
   swept_->advance();
   swept_clearance_ = std::max(swept_clearance_, swept_->clearance());
@@ -152,9 +143,9 @@ void PairSearch::follow(const std::map<std::size_t, double>& hint) {
   KnownPose best;
   for (int i = 0; i <= kHintedPoses; ++i) {
     PathValues values;
-    for (std::size_t v = 0; v < path_.variables.size(); ++v) {
-      const Limits& range = path_.ranges[v];
-      const auto hinted = hint.find(path_.variables[v]);
+    for (std::size_t v = 0; v < path().variables.size(); ++v) {
+      const Limits& range = path().ranges[v];
+      const auto hinted = hint.find(path().variables[v]);
       values.push_back(hinted != hint.end()
                            ? hinted->second
                            : std::min(range.lower + width(range) * i / kHintedPoses, range.upper));
@@ -171,8 +162,7 @@ void PairSearch::finish() {
   is_done_ = true;
   nodes_ = {};
   latest_ = {};
-  distances_ = BodyDistances();
-  hulls_ = BodyDistances();
+  pair_.end();
   swept_ = nullptr;
 }
 
@@ -180,8 +170,8 @@ void PairSearch::finish() {
 void PairSearch::shortenPose() {
   for (double steps = 100; collides() && steps < 1e7; steps *= 100) {
     PathValues values;
-    for (std::size_t v = 0; v < path_.variables.size(); ++v) {
-      const Limits& range = path_.ranges[v];
+    for (std::size_t v = 0; v < path().variables.size(); ++v) {
+      const Limits& range = path().ranges[v];
       const double rounded = std::round(nearest_.values[v] * steps) / steps;
       values.push_back(std::min(std::max(rounded, range.lower), range.upper));
     }
@@ -198,7 +188,7 @@ void PairSearch::sample() {
   const double limit = starts_.size() < kDescents ? kInfinity : starts_.front().upper;
   for (int i = 0; i < kSamplesPerSlice; ++i, ++samples_) {
     PathValues values;
-    for (const Limits& range : path_.ranges) {
+    for (const Limits& range : path().ranges) {
       const double share = std::min(std::max(1.2 * uniform(random_) - 0.1, 0.0), 1.0);
       values.push_back(std::min(range.lower + share * width(range), range.upper));
     }
@@ -213,15 +203,14 @@ void PairSearch::sample() {
 }
 
 KnownPose PairSearch::measured(const PathValues& values, double limit) {
-  path_.place(values, placed_);
-  distances_.move(1, Eigen::Affine3d(placed_.first_from_second));
+  pair_.place(values);
   const double near = std::max(goal_.clearance, goal_.touching) + kFinest;
   const double far = std::min(limit, goal_.clearance + 10);
-  distances_.setGoal({PairGoal::kPoseAccuracy, std::max(near, far), PairGoal::kMaxTreeSteps});
-  const std::optional<BodyDistance> distance = distances_.find(0, 1);
+  const std::optional<BodyDistance> distance =
+      pair_.distance({PairGoal::kPoseAccuracy, std::max(near, far), PairGoal::kMaxTreeSteps});
   if (!distance) return {values};
-  return {values, std::max(0.0, distance->lower - motion_.rounding()),
-          distance->upper + motion_.rounding()};
+  return {values, std::max(0.0, distance->lower - pair_.rounding()),
+          distance->upper + pair_.rounding()};
 }
 
 void PairSearch::offer(const KnownPose& pose) {
@@ -235,7 +224,7 @@ void PairSearch::offer(const KnownPose& pose) {
 /// where none of these leads downhill. After a step that led downhill comes the same way once more,
 /// with half of the ways before it: so a descent follows a valley.
 void PairSearch::descend(KnownPose pose) {
-  const std::size_t count = path_.variables.size();
+  const std::size_t count = path().variables.size();
   const PathValues none(count, 0.0);
   PathValues trend = none;
   int left = kDescentSteps;
@@ -261,12 +250,12 @@ void PairSearch::descend(KnownPose pose) {
 /// The first ways are both along each variable, further ones are random.
 PathValues PairSearch::way(double step, std::size_t direction) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const std::size_t count = path_.variables.size();
+  const std::size_t count = path().variables.size();
   PathValues result;
   for (std::size_t v = 0; v < count; ++v) {
     double share = direction % count == v ? (direction < count ? 1 : -1) : 0;
     if (direction >= 2 * count) share = uniform(random_);
-    result.push_back(share * step * width(path_.ranges[v]));
+    result.push_back(share * step * width(path().ranges[v]));
   }
   return result;
 }
@@ -274,7 +263,7 @@ PathValues PairSearch::way(double step, std::size_t direction) {
 /// Within the ranges.
 PathValues PairSearch::moved(PathValues values, const PathValues& way) const {
   for (std::size_t v = 0; v < values.size(); ++v) {
-    const Limits& range = path_.ranges[v];
+    const Limits& range = path().ranges[v];
     values[v] = std::min(std::max(values[v] + way[v], range.lower), range.upper);
   }
   return values;
@@ -291,7 +280,7 @@ void PairSearch::branch() {
     if (latest_.empty() && (nodes_.empty() || nodes_.top().lower >= enough())) return finish();
     Node node = take();
     node.lower = std::max({node.lower, bound(node.box), swept_clearance_});
-    if (node.lower >= enough() || path_.variables.empty()) {
+    if (node.lower >= enough() || path().variables.empty()) {
       dropped_ = std::min(dropped_, node.lower);
     } else {
       addHalves(std::move(node));
@@ -301,7 +290,7 @@ void PairSearch::branch() {
 
 /// Of the box that bound() was last asked about.
 void PairSearch::addHalves(Node node) {
-  for (JointBox& half : halves(node.box, motion_.widestVariable()))
+  for (JointBox& half : halves(node.box, pair_.widestVariable()))
     add({node.lower, std::move(half)});
 }
 
@@ -324,61 +313,24 @@ PairSearch::Node PairSearch::take() {
   return node;
 }
 
-void PairSearch::enter(const JointBox& box) {
-  path_.place(box.center, placed_);
-  motion_.set(box, placed_);
-}
-
 /// Cheap bounds first.
 double PairSearch::bound(const JointBox& box) {
-  enter(box);
-  const double motion = motion_.motion() + motion_.rounding();
-  const BodyCloud& first = first_->hull.cloud;
-  const BodyCloud& second = second_->hull.cloud;
-  const Eigen::Vector3d between = placed_.first_from_second * second.center() - first.center();
-  double lower = between.norm() - first.radius() - second.radius() - motion;
+  pair_.enter(box);
+  const double motion = pair_.motion();
+  double lower = pair_.ballGap() - motion;
   if (lower >= enough()) return lower;
-  const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  const DistanceGoal goal{std::max(PairGoal::kPoseAccuracy, PairGoal::kShareOfMotion * motion),
-                          enough() + motion, PairGoal::kMaxTreeSteps};
-  hulls_.move(1, first_from_second);
-  hulls_.setGoal(goal);
-  const std::optional<BodyDistance> hulls = hulls_.find(0, 1);
+  const DistanceGoal goal = pair_.goalFor(enough());
+  const std::optional<double> hulls = pair_.hullBound(goal, enough());
   if (!hulls) return 0;
-  lower = std::max(lower, hulls->lower - motion);
-  if (lower < enough() && hulls->lower > 0)
-    lower = std::max(lower, motion_.gapAlong(hulls->normal, first, second) - motion_.rounding());
-  if (lower < enough()) lower = std::max(lower, boundOfParts(goal));
+  lower = std::max(lower, *hulls);
+  if (lower < enough()) lower = std::max(lower, pair_.partsBound(goal, enough()));
   if (lower >= enough()) return lower;
-  distances_.move(1, first_from_second);
-  distances_.setGoal(goal);
-  const std::optional<BodyDistance> distance = distances_.find(0, 1);
+  const std::optional<BodyDistance> distance = pair_.distance(goal);
   if (!distance) return lower;
   const double nearest_before = nearest_.upper;
-  offer({box.center, distance->lower - motion_.rounding(), distance->upper + motion_.rounding()});
+  offer({box.center, distance->lower - pair_.rounding(), distance->upper + pair_.rounding()});
   if (nearest_.upper < kNews * nearest_before) starts_ = {nearest_};
   return std::max(lower, distance->lower - motion);
-}
-
-/// Between hulls that overlap, those of single shapes may be apart.
-double PairSearch::boundOfParts(const DistanceGoal& goal) {
-  if (first_->parts.empty() && second_->parts.empty()) return 0;
-  const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  double lower = kInfinity;
-  for (const PairHull* first : partsOf(*first_)) {
-    for (const PairHull* second : partsOf(*second_)) {
-      const std::optional<BodyDistance> distance = bodyDistance(
-          *first->body, Eigen::Affine3d::Identity(), *second->body, first_from_second, goal);
-      if (!distance || !(distance->lower > 0)) return 0;
-      double of_pair = distance->lower - motion_.motion();
-      if (of_pair < enough())
-        of_pair =
-            std::max(of_pair, motion_.gapAlong(distance->normal, first->cloud, second->cloud));
-      lower = std::min(lower, of_pair - motion_.rounding());
-      if (!(lower > 0)) return 0;
-    }
-  }
-  return lower;
 }
 
 /// Every pose that was tried is near enough, and more is not yet proven or given up.
@@ -394,11 +346,11 @@ void PairSearch::proveContact() {
     const JointBox box = std::move(open_.back());
     open_.pop_back();
     if (isContactIn(box)) {
-      closed_ += shareOf(box, path_);
+      closed_ += shareOf(box, path());
       continue;
     }
-    if (path_.variables.empty()) return endContact(false);
-    for (JointBox& half : halves(box, motion_.widestVariable()))
+    if (path().variables.empty()) return endContact(false);
+    for (JointBox& half : halves(box, pair_.widestVariable()))
       open_.push_back(std::move(half));
   }
 }
@@ -409,12 +361,12 @@ bool PairSearch::isHopeless() const {
   if (open_steps_ > kMaxOpenSteps) return true;
   if (aim_ == Contact::kTouching)
     return was_apart_ || (open_steps_ > kTrialSteps && open_steps_ > closed_ * kMaxOpenSteps);
-  const bool has_core = !first_->cores.empty() || !second_->cores.empty();
-  return was_free_ || !(has_core || goal_.clearance > 0 || path_.variables.empty());
+  const bool has_core = !pair_.first().cores.empty() || !pair_.second().cores.empty();
+  return was_free_ || !(has_core || goal_.clearance > 0 || path().variables.empty());
 }
 
 void PairSearch::beginContact() {
-  open_ = {wholeBox(path_)};
+  open_ = {wholeBox(path())};
   open_steps_ = 0;
   closed_ = 0;
 }
@@ -430,16 +382,15 @@ void PairSearch::endContact(bool is_proven) {
 /// Proven: the two stay within the reach, or a point of one body stays in the skin around the core
 /// of the other one.
 bool PairSearch::isContactIn(const JointBox& box) {
-  enter(box);
-  const double motion = motion_.motion() + motion_.rounding();
+  pair_.enter(box);
+  const double motion = pair_.motion();
   const KnownPose pose = measured(box.center);
   offer(pose);
   const bool is_always = aim_ == Contact::kColliding;
-  if (is_always && path_.variables.empty()) return isTouch(pose.upper);
+  if (is_always && path().variables.empty()) return isTouch(pose.upper);
   const double reach = is_always ? goal_.clearance : std::max(goal_.clearance, goal_.touching);
   if (pose.upper + motion <= reach) return true;
-  const Eigen::Affine3d first_from_second(placed_.first_from_second);
-  return coreContact(*first_, *second_, first_from_second, reach - motion).has_value();
+  return coreContact(pair_.first(), pair_.second(), pair_.pose(), reach - motion).has_value();
 }
 
 }  // namespace link_bounds

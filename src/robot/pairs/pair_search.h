@@ -4,35 +4,16 @@
 // joints between them.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <queue>
 #include <random>
+#include <vector>
 
-#include "link_bounds/geometry/distance/body_distances.h"
-#include "robot/pairs/motion_bound.h"
-#include "robot/pairs/pair_body.h"
+#include "robot/pairs/placed_pair.h"
 
 namespace link_bounds {
-
-struct PairGoal {
-  /// Bodies this near touch [m]: a float32 vertex at 1 m is rounded by as much.
-  static constexpr double kTouch = 1e-7;
-
-  /// A bound that exceeds the clearance by this proves that it is not undercut [m].
-  static constexpr double kProof = 1e-9;
-
-  /// Accuracy of distances: of poses [m], and beside the motion of a box or an interval.
-  static constexpr double kPoseAccuracy = kTouch / 4;
-  static constexpr double kShareOfMotion = 0.1;
-
-  /// What a distance may take, see DistanceGoal.
-  static constexpr std::size_t kMaxTreeSteps = 100'000;
-
-  double clearance = 0;    ///< bodies that are as near collide [m]
-  double accuracy = 0.01;  ///< of the clearance that is proven [m]
-  double touching = 1e-4;  ///< bodies that are as near in all poses touch always [m]
-};
 
 /// Where the distance of the bodies is between two proven bounds.
 struct KnownPose {
@@ -79,7 +60,7 @@ class PairSearch {
   /// No pose in the ranges has a smaller distance [m].
   double clearance() const;
   const KnownPose& nearest() const { return nearest_; }
-  const JointPath& path() const { return path_; }
+  const JointPath& path() const { return pair_.path(); }
 
   std::size_t slices() const { return slices_; }  ///< calls of advance()
   /// In memory, roughly.
@@ -107,9 +88,7 @@ class PairSearch {
   bool sweep();
   void follow(const std::map<std::size_t, double>& hint);
   void branch();
-  void enter(const JointBox& box);
   double bound(const JointBox& box);
-  double boundOfParts(const DistanceGoal& goal);
   bool mayTouch() const;
   void proveContact();
   bool isHopeless() const;
@@ -123,14 +102,8 @@ class PairSearch {
   void finish();
   bool isTouch(double distance) const;
 
-  JointPath path_;
+  PlacedPair pair_;
   PairGoal goal_;
-  MotionBound motion_;
-  const PairBody* first_;
-  const PairBody* second_;
-  BodyDistances distances_;
-  BodyDistances hulls_;
-  PlacedPath placed_;
   std::mt19937_64 random_;
   std::vector<KnownPose> starts_;  ///< of descents
   int samples_ = 0;

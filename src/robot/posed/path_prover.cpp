@@ -5,7 +5,6 @@
 #include "robot/posed/path_prover.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <deque>
 #include <map>
@@ -13,8 +12,7 @@
 #include <queue>
 #include <tuple>
 
-#include "link_bounds/geometry/distance/body_distances.h"
-#include "robot/pairs/pair_search.h"
+#include "robot/pairs/placed_pair.h"
 
 namespace link_bounds {
 namespace {
@@ -54,27 +52,15 @@ std::vector<JointRange> rangesOf(const Robot& robot, const std::vector<Limits>& 
 class PathProver::Search {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// One pair of bodies on its chain of joints.
   struct Pair {
-    Pair(std::size_t its_first, std::size_t its_second, JointPath its_path, const PairBody& a,
-         const PairBody& b)
-        : first(its_first),
-          second(its_second),
-          path(std::move(its_path)),
-          bodies{&a, &b},
-          motion(path, a.hull.cloud, b.hull.cloud) {}
-    Pair(const Pair&) = delete;
-    Pair& operator=(const Pair&) = delete;
-
     std::size_t first;  ///< body
     std::size_t second;
-    JointPath path;
-    std::array<const PairBody*, 2> bodies;
-    MotionBound motion;
-    PlacedPath placed;
-    BodyDistances distances;
-    BodyDistances hulls;
+    PlacedPair placed;
     std::size_t segment = 0;  ///< of which the memories are; 0: none
+
+    Pair(std::size_t its_first, std::size_t its_second, JointPath path, const PairBody& a,
+         const PairBody& b)
+        : first(its_first), second(its_second), placed(std::move(path), a, b) {}
   };
 
   /// An interval of shares, of one pair.
@@ -161,52 +147,31 @@ class PathProver::Search {
   /// Memories end with the segment, so that no segment depends on those before it.
   Pair& begun(std::size_t index) {
     Pair& pair = pairs_[index];
-    if (pair.segment == segment_) return pair;
-    for (BodyDistances* distances : {&pair.distances, &pair.hulls}) {
-      const bool is_hull = distances == &pair.hulls;
-      for (const std::size_t i : {0u, 1u})
-        distances->set(i, is_hull ? pair.bodies[i]->hull.body : pair.bodies[i]->body);
-      distances->move(0, Eigen::Affine3d::Identity());
-    }
+    if (pair.segment != segment_) pair.placed.begin();
     pair.segment = segment_;
     return pair;
   }
 
-  void place(Pair& pair, double share, double half) {
+  PathValues valuesAt(const Pair& pair, double share) {
     const std::vector<double>& values = valuesAt(share);
-    JointBox box;
-    for (const std::size_t joint : pair.path.variables)
-      box.center.push_back(values[joint]);
-    pair.path.place(box.center, pair.placed);
-    if (half == 0) return;
-    for (const std::size_t joint : pair.path.variables)
-      box.half_widths.push_back(motion_->spread(joint, share, half));
-    pair.motion.set(box, pair.placed);
+    PathValues result;
+    for (const std::size_t joint : pair.placed.path().variables)
+      result.push_back(values[joint]);
+    return result;
   }
 
-  /// Between spheres around the bodies where they are placed, without rounding.
-  static double sphereGap(const Pair& pair) {
-    const BodyCloud& first = pair.bodies[0]->hull.cloud;
-    const BodyCloud& second = pair.bodies[1]->hull.cloud;
-    return (pair.placed.first_from_second * second.center() - first.center()).norm() -
-           first.radius() - second.radius();
-  }
-
-  std::optional<BodyDistance> distanceOf(Pair& pair, const DistanceGoal& goal) const {
-    pair.distances.move(1, Eigen::Affine3d(pair.placed.first_from_second));
-    pair.distances.setGoal(goal);
-    std::optional<BodyDistance> distance = pair.distances.find(0, 1);
+  std::optional<BodyDistance> distanceOf(PlacedPair& pair, const DistanceGoal& goal) const {
+    std::optional<BodyDistance> distance = pair.distance(goal);
     // A contact deserves to be found at once.
     if (distance && distance->lower <= goal_.clearance && !isTouch(distance->upper)) {
-      pair.distances.setGoal(
+      distance = pair.distance(
           {PairGoal::kPoseAccuracy, goal_.clearance + goal.accuracy, PairGoal::kMaxTreeSteps});
-      distance = pair.distances.find(0, 1);
     }
     return distance;
   }
 
   void offer(const Pair& pair, const BodyDistance& distance, double share) {
-    const double upper = distance.upper + pair.motion.rounding();
+    const double upper = distance.upper + pair.placed.rounding();
     if (!(upper < proof_.nearest)) return;
     proof_.nearest = upper;
     proof_.first = pair.first;
@@ -216,16 +181,17 @@ class PathProver::Search {
 
   void measureEnd(std::size_t index, double share) {
     Pair& pair = begun(index);
-    place(pair, share, 0);
-    if (sphereGap(pair) >= proof_.nearest) return;
+    pair.placed.place(valuesAt(pair, share));
+    if (pair.placed.ballGap() >= proof_.nearest) return;
     const double limit = std::min(proof_.nearest, kFarthest);
-    const auto distance = distanceOf(pair, {goal_.accuracy / 10, limit, PairGoal::kMaxTreeSteps});
+    const auto distance =
+        distanceOf(pair.placed, {goal_.accuracy / 10, limit, PairGoal::kMaxTreeSteps});
     if (distance) offer(pair, *distance, share);
   }
 
   void branch(Node node) {
     node.lower = std::max(node.lower, bound(node));
-    if (node.lower >= enough() || pairs_[node.pair].path.variables.empty()) {
+    if (node.lower >= enough() || pairs_[node.pair].placed.path().variables.empty()) {
       proven_ = std::min(proven_, node.lower);
       return;
     }
@@ -237,28 +203,22 @@ class PathProver::Search {
   /// No pose of the interval has a smaller distance. Cheap bounds first.
   double bound(const Node& node) {
     Pair& pair = begun(node.pair);
-    place(pair, node.middle, node.half);
-    const double motion = pair.motion.motion() + pair.motion.rounding();
-    const BodyCloud& first = pair.bodies[0]->hull.cloud;
-    const BodyCloud& second = pair.bodies[1]->hull.cloud;
-    const Eigen::Affine3d first_from_second(pair.placed.first_from_second);
-    double lower = sphereGap(pair) - motion;
+    PlacedPair& placed = pair.placed;
+    JointBox box{valuesAt(pair, node.middle), {}};
+    for (const std::size_t joint : placed.path().variables)
+      box.half_widths.push_back(motion_->spread(joint, node.middle, node.half));
+    placed.enter(box);
+    double lower = placed.ballGap() - placed.motion();
     if (lower >= enough()) return lower;
-    const DistanceGoal goal{std::max(PairGoal::kPoseAccuracy, PairGoal::kShareOfMotion * motion),
-                            std::min(enough(), kFarthest) + motion, PairGoal::kMaxTreeSteps};
-    pair.hulls.move(1, first_from_second);
-    pair.hulls.setGoal(goal);
-    const std::optional<BodyDistance> hulls = pair.hulls.find(0, 1);
+    const DistanceGoal goal = placed.goalFor(std::min(enough(), kFarthest));
+    const std::optional<double> hulls = placed.hullBound(goal, enough());
     if (!hulls) return 0;
-    lower = std::max(lower, hulls->lower - motion);
-    if (lower < enough() && hulls->lower > 0)
-      lower = std::max(lower,
-                       pair.motion.gapAlong(hulls->normal, first, second) - pair.motion.rounding());
+    lower = std::max(lower, *hulls);
     if (lower >= enough()) return lower;
-    const std::optional<BodyDistance> distance = distanceOf(pair, goal);
+    const std::optional<BodyDistance> distance = distanceOf(placed, goal);
     if (!distance) return lower;
     offer(pair, *distance, node.middle);
-    return std::max(lower, distance->lower - motion);
+    return std::max(lower, distance->lower - placed.motion());
   }
 
   const PathGoal goal_;
