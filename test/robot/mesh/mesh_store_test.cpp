@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each file is read once, shared while it is in use, and read again when it was replaced.
+// Each file is read once, shared while it is in use, and read again when it was replaced: in random
+// sequences in mesh_store_sequences_test.cpp, here what these do not have.
 #include "link_bounds/robot/mesh/mesh_store.h"
 
 #include <fcntl.h>
@@ -84,88 +85,9 @@ TEST_F(MeshStoreTest, WhatACallbackThrowsIsThrown) {
   EXPECT_EQ(store_.load(files).size(), files.size());
 }
 
-TEST_F(MeshStoreTest, GivesThePointsOfEachFileInOrder) {
-  const auto meshes = store_.load({write("b", "2"), write("a", "1"), write("c", "3")});
-  ASSERT_EQ(meshes.size(), 3u);
-  EXPECT_EQ(sizeOf(meshes[0]), 2);
-  EXPECT_EQ(sizeOf(meshes[1]), 1);
-  EXPECT_EQ(sizeOf(meshes[2]), 3);
-}
-
-TEST_F(MeshStoreTest, ManyRequestsOfOneFileShareOneImport) {
-  const MeshFile file = write("a", "1");
-  const auto first = store_.load({file, file, file});
-  const auto second = store_.load({file});
-  EXPECT_EQ(imports(), 1);
-  EXPECT_EQ(first[0].points, first[2].points);
-  EXPECT_EQ(first[0].points, second[0].points);
-}
-
 TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
   EXPECT_TRUE(store_.load({}).empty());
   EXPECT_EQ(imports(), 0);
-}
-
-TEST_F(MeshStoreTest, AFailureNamesItsReasonAndHarmsNoOtherFile) {
-  const auto meshes = store_.load({write("bad", "x"), write("good", "1")});
-  EXPECT_FALSE(meshes[0].points);
-  EXPECT_EQ(meshes[0].error, kReason);
-  EXPECT_TRUE(meshes[1].points);
-  EXPECT_EQ(meshes[1].error, "");
-}
-
-TEST_F(MeshStoreTest, FailuresAreRememberedUntilForgotten) {
-  const MeshFile file = write("bad", "x");
-  loadOne(file);
-  EXPECT_EQ(loadOne(file).error, kReason);
-  EXPECT_EQ(imports(), 1);
-  store_.forgetFailures();
-  EXPECT_EQ(loadOne(file).error, kReason);
-  EXPECT_EQ(imports(), 2);
-}
-
-TEST_F(MeshStoreTest, ForgettingFailuresKeepsWhatIsInUse) {
-  const MeshFile file = write("good", "1");
-  const LoadedMesh kept = loadOne(file);
-  store_.forgetFailures();
-  EXPECT_EQ(loadOne(file).points, kept.points);
-  EXPECT_EQ(imports(), 1);
-}
-
-TEST_F(MeshStoreTest, ARepairedFileIsReadAfterForgetting) {
-  const MeshFile file = write("a", "x");
-  loadOne(file);
-  replace(file, "5");
-  store_.forgetFailures();
-  EXPECT_EQ(sizeOf(loadOne(file)), 5);
-}
-
-TEST_F(MeshStoreTest, AReplacedFileIsReadAnewAndOldPointsLiveOn) {
-  const MeshFile file = write("a", "1");
-  const LoadedMesh old = loadOne(file);
-  replace(file, "2");
-  EXPECT_EQ(sizeOf(loadOne(file)), 2);
-  EXPECT_EQ(sizeOf(old), 1);
-  EXPECT_EQ(imports(), 2);
-}
-
-TEST_F(MeshStoreTest, AFileRenamedOverTheOldIsReadAnewEvenIfItIsAsOldAndAsLarge) {
-  const MeshFile file = write("a", "1");
-  const LoadedMesh old = loadOne(file);
-  const auto time = std::filesystem::last_write_time(file.path);
-  const MeshFile other = write("b", "2");
-  std::filesystem::last_write_time(other.path, time);
-  std::filesystem::rename(other.path, file.path);
-  EXPECT_EQ(sizeOf(loadOne(file)), 2);
-}
-
-TEST_F(MeshStoreTest, AFileRewrittenInPlaceIsReadAnewEvenIfItIsAsOldAndAsLarge) {
-  const MeshFile file = write("a", "1");
-  const LoadedMesh old = loadOne(file);
-  const auto time = std::filesystem::last_write_time(file.path);
-  std::ofstream(file.path) << "2";
-  std::filesystem::last_write_time(file.path, time);
-  EXPECT_EQ(sizeOf(loadOne(file)), 2);
 }
 
 TEST_F(MeshStoreTest, AGltfIsReadAnewWhenAFileThatItNamesIsReplaced) {
@@ -205,25 +127,6 @@ TEST_F(MeshStoreTest, MemoryIsFreedWhenNobodyUsesIt) {
   EXPECT_TRUE(watched.expired());
   EXPECT_TRUE(loadOne(file).points) << "and read again when needed";
   EXPECT_EQ(imports(), 2);
-}
-
-TEST_F(MeshStoreTest, TrianglesAreThereOnlyWhereTheyAreAskedFor) {
-  const MeshFile file = write("a", "1");
-  EXPECT_FALSE(loadOne(file).triangles);
-  const LoadedMesh mesh = loadWithTriangles(file);
-  ASSERT_TRUE(mesh.triangles);
-  EXPECT_EQ(mesh.triangles->triangles.size(), 1u);
-  EXPECT_FALSE(loadWithTriangles(write("bad", "x")).triangles);
-}
-
-TEST_F(MeshStoreTest, WhoAsksForTrianglesLaterSharesThePoints) {
-  const MeshFile file = write("a", "1");
-  const LoadedMesh without = loadOne(file);
-  const LoadedMesh with = loadWithTriangles(file);
-  EXPECT_EQ(with.points, without.points);
-  EXPECT_EQ(imports(), 2);
-  replace(file, "2");
-  EXPECT_EQ(sizeOf(loadWithTriangles(file)), 2);
 }
 
 TEST_F(MeshStoreTest, TrianglesAreNotKept) {
