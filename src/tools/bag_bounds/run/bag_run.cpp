@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -20,8 +19,6 @@
 namespace link_bounds {
 namespace {
 
-/// Messages of several publishers on one topic may be out of order by less [ns].
-constexpr std::int64_t kMinStepBack = 100'000'000;
 constexpr std::uint64_t kStepsPerGlance = 256;  // at the progress
 
 constexpr char kStaticEnd[] = "_static";
@@ -65,38 +62,6 @@ void addRefusals(const TfIntake& before, const TfIntake& after, std::vector<std:
   add(&TfIntake::other,
       "because another pose of the same frame and stamp came first; end one of the publishers");
   add(&TfIntake::dropped, "of the time before a jump of the clock");
-}
-
-/// The first frame or joint of a message; "" of other types.
-std::string subjectOf(const BagMessage& message) {
-  std::size_t at = 0;
-  const auto skip = [&](std::size_t bytes) {
-    at = std::min<std::size_t>(message.size, at + bytes);
-  };
-  const auto number = [&] {
-    std::uint32_t result = 0;
-    if (message.size - at >= sizeof(result))
-      std::memcpy(&result, message.data + at, sizeof(result));
-    skip(sizeof(result));
-    return result;
-  };
-  const auto text = [&] {
-    const std::uint32_t length = number();
-    const std::size_t begin = at;
-    skip(length);
-    return std::string(message.data + begin, message.data + at);
-  };
-  constexpr std::size_t kHeader = 12;  // bytes of a header before its frame
-  if (*message.type == "sensor_msgs/JointState") {
-    skip(kHeader);
-    text();
-    return number() > 0 ? text() : "";
-  }
-  const bool is_tf = *message.type == "tf2_msgs/TFMessage" || *message.type == "tf/tfMessage";
-  if (!is_tf || number() == 0) return "";
-  skip(kHeader);
-  text();
-  return text();
 }
 
 }  // namespace
@@ -223,8 +188,9 @@ void BagRun::readMessages() {
       ended_early_ = true;
       return;
     }
-    if (scene_.goesBackTo(message.time)) endMotions();
-    watchOrder(message);
+    const bool is_jump_back = scene_.goesBackTo(message.time);
+    if (is_jump_back) endMotions();
+    order_.watch(message, is_jump_back);
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;
     if (scene_.take(message)) ++messages_;
@@ -272,24 +238,6 @@ void BagRun::endMotions() {
   zones_.endMotions();
   if (boxes_at_) boxes_at_->endMotions();
   if (pairs_) pairs_->endMotions(scene_.tf());
-}
-
-/// A clock that goes back does so for each publisher of a topic that comes again. Where none does,
-/// the messages were not written in the order of their times. A bag that a script has written names
-/// one publisher for a whole topic, so the first frame or joint of a message counts, too.
-void BagRun::watchOrder(const BagMessage& message) {
-  Newest& newest = newest_[{*message.topic, *message.publisher + '\n' + subjectOf(message)}];
-  const bool goes_back = newest.time > message.time + kMinStepBack;
-  // What one does that has come again since the step tells nothing of it.
-  const bool goes_back_with_step = goes_back && newest.steps_back < all_steps_back_;
-  if (goes_back_with_step && may_be_jump_) steps_back_.pop_back();
-  may_be_jump_ = may_be_jump_ && !goes_back_with_step;
-  if (scene_.goesBackTo(message.time) && !goes_back) {
-    steps_back_.push_back(message.time);
-    may_be_jump_ = true;
-    ++all_steps_back_;
-  }
-  newest = {goes_back ? message.time : std::max(newest.time, message.time), all_steps_back_};
 }
 
 /// Called by the reader now and then.
@@ -367,11 +315,12 @@ BagReport BagRun::report() const {
                             "which robot_state_publisher ignores, too");
   for (const std::string& loss : {scene_.objectTopics().loss(), joints_ ? joints_->loss() : ""})
     if (!loss.empty()) report.losses.push_back(loss);
-  if (!steps_back_.empty())
+  const std::vector<std::int64_t>& steps_back = order_.stepsBack();
+  if (!steps_back.empty())
     report.losses.push_back(
-        "record time goes back " + std::to_string(steps_back_.size()) +
-        (steps_back_.size() == 1 ? " time, to " : " times, first to ") +
-        shortSeconds(steps_back_.front(), begin_) +
+        "record time goes back " + std::to_string(steps_back.size()) +
+        (steps_back.size() == 1 ? " time, to " : " times, first to ") +
+        shortSeconds(steps_back.front(), begin_) +
         " s: messages are not in the order of their times, as where one topic was written after "
         "the other; sort them: rosbag filter OLD.bag NEW.bag True");
   if (back_before_start_ > 0)

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,6 +16,7 @@
 #include "tools/bag_bounds/run/bag_bounds_options.h"
 #include "tools/bag_bounds/run/bag_question.h"
 #include "tools/bag_bounds/run/bag_report.h"
+#include "tools/bag_bounds/run/record_order.h"
 #include "tools/bag_bounds/scene/recorded_scene.h"
 
 namespace link_bounds {
@@ -51,7 +51,6 @@ class BagRun {
   bool lacksLinkBox() const;
   void readMessages();
   void endMotions();
-  void watchOrder(const BagMessage& message);
   bool passToEnd();
   bool lookBefore(std::int64_t message);
   bool lookBetween(std::int64_t message);
@@ -81,14 +80,7 @@ class BagRun {
   std::int64_t to_ = 0;
   std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
   std::int64_t last_ = 0;         ///< the newest that is reported, likewise
-  struct Newest {
-    std::int64_t time = 0;
-    std::uint64_t steps_back = 0;  ///< when it came
-  };
-  std::map<std::pair<std::string, std::string>, Newest> newest_;  ///< of each topic and sender
-  std::vector<std::int64_t> steps_back_;  ///< to those times: messages are not in order
-  std::uint64_t all_steps_back_ = 0;      ///< with jumps of the clock
-  bool may_be_jump_ = false;              ///< the last one, of the clock
+  RecordOrder order_;
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;

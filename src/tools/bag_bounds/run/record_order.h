@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The link_bounds authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether messages come in the order of their times.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "tools/bag_bounds/bag/bag_reader.h"
+
+namespace link_bounds {
+
+/// A clock that goes back does so for each publisher of a topic that comes again. Where none does,
+/// the messages were not written in the order of their times. A bag that a script has written names
+/// one publisher for a whole topic, so the first frame or joint of a message counts, too.
+class RecordOrder {
+ public:
+  /// To be called with each message; `is_jump_back`: its time makes the clock jump back.
+  void watch(const BagMessage& message, bool is_jump_back);
+
+  /// To these times messages step back, which are not in order [ns].
+  const std::vector<std::int64_t>& stepsBack() const { return steps_back_; }
+
+ private:
+  struct Newest {
+    std::int64_t time = 0;
+    std::uint64_t steps_back = 0;  ///< when it came
+  };
+
+  std::unordered_map<std::string, Newest> newest_;  ///< of each publisher
+  std::string key_;                                 ///< in newest_; kept for its memory
+  std::vector<std::int64_t> steps_back_;
+  std::uint64_t all_steps_back_ = 0;  ///< with jumps of the clock
+  std::int64_t last_ = 0;             ///< newest time since the clock jumped back, or seemed to
+  std::int64_t before_step_ = 0;      ///< that before the last step
+  /// The last step may be a jump of the clock: time has not passed what it was before.
+  bool may_be_jump_ = false;
+};
+
+}  // namespace link_bounds
