@@ -58,6 +58,21 @@ void addIncomplete(const Scene& scene, DiagnosticStatus& status) {
   });
 }
 
+/// The box that moves and has the oldest stamp. A slow publisher may keep it for up to `timeout`.
+void addOldest(const Scene& scene, DiagnosticStatus& status) {
+  std::int64_t oldest = 0;
+  std::string name;
+  scene.forEach([&](const SceneBody& body) {
+    const std::int64_t stamp = body.state.box && body.link ? body.state.stamp : 0;
+    if (stamp == 0 || (oldest != 0 && stamp >= oldest)) return;
+    oldest = stamp;
+    name = body.name;
+  });
+  const double age_ms = ros::Time::now().toSec() * 1e3 - static_cast<double>(oldest) / 1e6;
+  add(status, "oldest box of a link [ms]",
+      name.empty() ? "none" : std::to_string(age_ms) + " (" + name + ")");
+}
+
 void addMeshes(const Model& model, DiagnosticStatus& status) {
   std::size_t total = 0;
   for (const auto& [path, bytes] : model.mesh_bytes)
@@ -75,6 +90,7 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   add(status, "objects", std::to_string(scene.objects.objects().size()));
   const BodyCounts counts = countBodies(scene);
   add(status, "boxes", std::to_string(counts.boxes));
+  addOldest(scene, status);
   addMeshes(model, status);
   addIncomplete(scene, status);
   if (model.links.empty() && health.awaited_description.empty()) {

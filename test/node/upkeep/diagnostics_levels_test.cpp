@@ -4,7 +4,9 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "node/inputs/tf_receiver.h"
 #include "node/upkeep/diagnostics.h"
@@ -17,12 +19,21 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+constexpr double kAge = 40;  // of a box [s]
+
 class DiagnosticsLevels : public testing::Test {
  protected:
   DiagnosticsLevels() {
-    auto model = std::make_shared<Model>(*modelOf("base", {meshLink("base", 1)}));
+    auto model = std::make_shared<Model>(
+        *modelOf("base", {meshLink("base", 1), meshLink("slow", 1), meshLink("fast", 1)}));
     model->parameters.distance_warning = 0.1;
     scene_.adopt(model, ros::Time(1));
+    const ros::Time now = ros::Time::now();
+    for (const auto& [name, age] : {std::pair("slow", kAge), std::pair("fast", kAge / 2)})
+      tf_.add({edge("base", name, now.toSec() - age, Eigen::Quaterniond::Identity(),
+                    Eigen::Vector3d::Zero())},
+              false, now);
+    scene_.update(now);
     subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
           status_ = array->status.front();
@@ -60,6 +71,13 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
   const DiagnosticStatus calm =
       statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue - 1; });
   EXPECT_EQ(calm.level, DiagnosticStatus::OK) << calm.message;
+  const auto oldest = std::find_if(calm.values.begin(), calm.values.end(), [](const auto& row) {
+    return row.key == "oldest box of a link [ms]";
+  });
+  ASSERT_NE(oldest, calm.values.end());
+  EXPECT_NE(oldest->value.find(" (slow)"), std::string::npos) << oldest->value;
+  EXPECT_GE(std::stod(oldest->value), kAge * 1e3 - 1);
+  EXPECT_LT(std::stod(oldest->value), kAge * 2e3);
   const DiagnosticStatus full =
       statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue; });
   EXPECT_EQ(full.level, DiagnosticStatus::WARN);
