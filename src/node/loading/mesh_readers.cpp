@@ -3,9 +3,9 @@
 // A thread for small meshes looks how large a mesh is, and passes large ones on.
 #include "node/loading/mesh_readers.h"
 
-#include <sched.h>
-
 #include <algorithm>
+
+#include "robot/threads/row_threads.h"
 
 namespace link_bounds {
 namespace {
@@ -15,17 +15,10 @@ constexpr std::uint64_t kLargeBytes = 16 << 20;
 
 constexpr unsigned kMaxReaders = 4;  // of small meshes; each may hold one mesh while it is prepared
 
-/// Those that the node may use, of those that the machine has.
-unsigned processors() {
-  cpu_set_t usable;
-  const bool is_known = sched_getaffinity(0, sizeof(usable), &usable) == 0;
-  return is_known ? static_cast<unsigned>(CPU_COUNT(&usable)) : 1;
-}
-
 }  // namespace
 
 MeshReaders::MeshReaders() : large_({"mesh reader"}) {
-  const unsigned count = std::clamp(processors(), 1u, kMaxReaders);
+  const unsigned count = std::min(coreCount(), kMaxReaders);
   for (unsigned i = 0; i < count; ++i)
     small_.push_back(std::make_unique<Worker>(Worker::Options{"mesh reader"}));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/threads/row_threads.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -12,7 +14,11 @@
 namespace link_bounds {
 
 unsigned coreCount() {
-  return std::max(1U, std::thread::hardware_concurrency());
+  cpu_set_t usable;
+  const bool is_known = sched_getaffinity(0, sizeof(usable), &usable) == 0;
+  const auto count =
+      is_known ? static_cast<unsigned>(CPU_COUNT(&usable)) : std::thread::hardware_concurrency();
+  return std::max(1U, count);
 }
 
 void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,

@@ -17,7 +17,7 @@ using RowWork = std::function<void(unsigned thread, std::size_t begin, std::size
 void forRows(std::size_t begin, std::size_t end, unsigned threads, std::size_t at_once,
              const RowWork& work);
 
-/// One per core.
+/// Cores that this process may use, as taskset and cpusets say.
 unsigned coreCount();
 
 }  // namespace link_bounds

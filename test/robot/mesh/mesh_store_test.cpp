@@ -17,6 +17,7 @@
 #include <thread>
 #include <utility>
 
+#include "robot/threads/row_threads.h"
 #include "testing/ordinary_user.h"
 #include "testing/sanitized.h"
 #include "testing/temporary_folder.h"
@@ -227,7 +228,7 @@ TEST_F(MeshStoreTest, AChangeRightAfterTheFileWasWrittenIsSeen) {
 }
 
 TEST_F(MeshStoreTest, FilesAreImportedSideBySide) {
-  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "skipped: a single core";
+  if (coreCount() < 2) GTEST_SKIP() << "skipped: a single core";
   constexpr auto kDeadline = std::chrono::seconds(20);
   std::mutex mutex;
   std::condition_variable arrived;

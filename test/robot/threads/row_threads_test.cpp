@@ -4,6 +4,7 @@
 #include "robot/threads/row_threads.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -92,6 +93,18 @@ TEST(RowThreads, NoThreadGoesOnAfterOneThrew) {
   };
   EXPECT_THROW(forRows(0, 10'000'000, 2, 1, work), std::runtime_error);
   EXPECT_LT(later, 9'000'000u);
+}
+
+TEST(CoreCount, IsWhatTasksetLeaves) {
+  cpu_set_t before;
+  ASSERT_EQ(sched_getaffinity(0, sizeof(before), &before), 0);
+  EXPECT_EQ(coreCount(), static_cast<unsigned>(CPU_COUNT(&before)));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(sched_getcpu(), &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);
+  EXPECT_EQ(coreCount(), 1u);
+  ASSERT_EQ(sched_setaffinity(0, sizeof(before), &before), 0);
 }
 
 }  // namespace
