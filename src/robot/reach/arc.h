@@ -33,7 +33,7 @@ class Arc {
     double cosine;   ///< of it
     double sine;     ///< of it
     double cosine2;  ///< of half the angle of the piece, squared
-    double sine2;    ///< likewise
+    double sine2;    ///< of half the angle of the piece, squared
   };
 
   std::vector<Piece> pieces_;  ///< the last one is the end of the range

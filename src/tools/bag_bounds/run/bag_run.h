@@ -77,10 +77,10 @@ class BagRun {
   std::optional<BoxesBag> out_;
   std::optional<SeriesFile> series_;
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
-  std::int64_t from_ = 0;   ///< what is reported, likewise
+  std::int64_t from_ = 0;   ///< begin of what is reported, record time [ns]
   std::int64_t to_ = 0;
-  std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
-  std::int64_t last_ = 0;         ///< the newest that is reported, likewise
+  std::set<std::int64_t> looks_;  ///< record times at which there may be no message [ns]
+  std::int64_t last_ = 0;         ///< the newest record time that is reported [ns]
   struct Newest {
     std::int64_t time = 0;
     std::uint64_t steps_back = 0;  ///< when it came
