@@ -11,6 +11,7 @@
 
 #include "node/interface/topics.h"
 #include "node/loading/mesh_remedy.h"
+#include "node/threads/queued_function.h"
 #include "world/log/guarded.h"
 #include "world/log/log_text.h"
 #include "world/moment/object_body.h"
@@ -39,13 +40,6 @@ double seconds(std::chrono::nanoseconds duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-/// On the node's own queue.
-ros::NodeHandle nodeHandle(const std::string& ns, ros::CallbackQueueInterface& queue) {
-  ros::NodeHandle node(ns);
-  node.setCallbackQueue(&queue);
-  return node;
-}
-
 }  // namespace
 
 void PublisherNode::measure(const std::function<void()>& body) {
@@ -62,8 +56,8 @@ void PublisherNode::guardMessage(const std::function<void()>& body) {
 }
 
 PublisherNode::PublisherNode()
-    : node_(nodeHandle("", queue_)),
-      private_node_(nodeHandle("~", queue_)),
+    : node_(onQueue(ros::NodeHandle(), queue_)),
+      private_node_(onQueue(ros::NodeHandle("~"), queue_)),
       feed_({[this](const MeshUse& use) { loader_->requestMesh(use); }, [this] { onNews(); },
              [this](const std::string& node) { return master_watch_->hasLeft(node); }}),
       output_(periodic_, private_node_, scene_, guard_, treeRequests()),

@@ -31,10 +31,9 @@ ROOMS = ['geometry', 'geometry/box', 'geometry/support/table', 'geometry/support
          'bench/common', 'bench/core', 'bench/volumes', 'bench/overlaps', 'bench/distances',
          'bench/cloud', 'bench/pipeline', 'bench/node', 'bench/tools', 'bench']
 ROOTS = ['include/link_bounds', 'src', 'test']
-# Former places of headers, folders of test that are no rooms, and folders of tests that look at the
-# node as a whole.
-WITHOUT_RULES = ['include/link_bounds/geometry/overlaps', 'test/consumer', 'test/fuzz',
-                 'test/house', 'test/mutants', 'test/sanitizers', 'test/soak', 'test/testing']
+# Folders of test that are no rooms, and folders of tests that look at the node as a whole.
+WITHOUT_RULES = ['test/consumer', 'test/fuzz', 'test/house', 'test/mutants', 'test/sanitizers',
+                 'test/soak', 'test/testing']
 WHOLE_NODE = ['test/node/demos', 'test/node/sequences']
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 

@@ -10,8 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdint>
-
 namespace link_bounds {
 
 /// Whether a process gets no more memory than its limit allows.

@@ -5,6 +5,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 
+#include "link_bounds/ros/messages.h"
 #include "testing/brute_force.h"
 #include "world/bodies/scene.h"
 
@@ -42,9 +43,7 @@ inline geometry_msgs::TransformStamped edge(const std::string& parent, const std
   transform.header.frame_id = parent;
   transform.header.stamp = ros::Time(stamp);
   transform.child_frame_id = child;
-  transform.transform.translation.x = translation.x();
-  transform.transform.translation.y = translation.y();
-  transform.transform.translation.z = translation.z();
+  transform.transform.translation = toVector3(translation);
   transform.transform.rotation.w = rotation.w();
   transform.transform.rotation.x = rotation.x();
   transform.transform.rotation.y = rotation.y();

@@ -20,9 +20,7 @@ inline visualization_msgs::Marker markerOf(int type, const Eigen::Vector3d& scal
   marker.header.frame_id = "frame";
   marker.type = type;
   marker.pose.orientation.w = 1;
-  marker.scale.x = scale.x();
-  marker.scale.y = scale.y();
-  marker.scale.z = scale.z();
+  marker.scale = toVector3(scale);
   brute_force::Random random(points);
   for (std::size_t i = 0; i < points; ++i)
     marker.points.push_back(toPoint(Eigen::Vector3d(1, 2, 3) + random.vector(1)));

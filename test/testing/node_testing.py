@@ -153,7 +153,7 @@ class Diagnostics:
         return self.sum_of(JOINED, start)
 
     def skipped(self, start):
-        """How many messages of /tf were not read, likewise."""
+        """How many messages of /tf were not read, by the statuses since then."""
         return self.sum_of(SKIPPED, start)
 
     def wait_until_counted(self):

@@ -18,6 +18,8 @@
 #include <string>
 #include <thread>
 
+#include "testing/patience.h"
+
 namespace link_bounds {
 
 class OwnMaster {
@@ -71,5 +73,14 @@ class OwnMaster {
 
   pid_t process_ = 0;
 };
+
+/// Serves callbacks of the global queue until then, or until the deadline.
+template <class Condition>
+bool isServed(const Condition& condition) {
+  return becomesTrue([&] {
+    ros::spinOnce();
+    return condition();
+  });
+}
 
 }  // namespace link_bounds

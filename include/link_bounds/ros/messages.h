@@ -4,6 +4,7 @@
 #pragma once
 
 #include <geometry_msgs/Point.h>
+#include <geometry_msgs/Vector3.h>
 
 #include <string>
 
@@ -18,6 +19,14 @@ inline geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
   point.y = p.y();
   point.z = p.z();
   return point;
+}
+
+inline geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 vector;
+  vector.x = v.x();
+  vector.y = v.y();
+  vector.z = v.z();
+  return vector;
 }
 
 /// The box must not be empty. `stamp` is the time of the pose; 0 if nothing can move.

@@ -6,7 +6,6 @@
 // Both end with the bodies, and where the pair is searched at a pose that is not rigid.
 #include "link_bounds/geometry/distance/body_distances.h"
 
-#include <algorithm>
 #include <unordered_map>
 
 #include "geometry/distance/capsules.h"

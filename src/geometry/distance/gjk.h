@@ -3,7 +3,6 @@
 // The distance of two convex sets by their supports (Gilbert, Johnson and Keerthi, 1988).
 #pragma once
 
-#include <algorithm>
 #include <limits>
 
 #include "geometry/distance/convex_sets.h"

@@ -12,8 +12,6 @@
 // the search bounds (placed_body.cpp).
 #pragma once
 
-#include <cmath>
-
 #include "geometry/distance/tree_front.h"
 #include "geometry/distance/tree_search.h"
 #include "geometry/distance/triangle_tree.h"

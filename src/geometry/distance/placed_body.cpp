@@ -26,7 +26,6 @@
 #include "geometry/distance/placed_body.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/distance/capsules.h"
 #include "geometry/distance/triangle_tree.h"

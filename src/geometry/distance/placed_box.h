@@ -3,9 +3,6 @@
 // Boxes of two trees where a search sees them, and how far they are apart.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "geometry/distance/triangle_tree.h"
 
 namespace link_bounds {

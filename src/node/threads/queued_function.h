@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions in a callback queue. What they throw is logged.
+// Functions in a callback queue, whose exceptions are logged, and what else is called from it.
 #pragma once
 
 #include <ros/callback_queue_interface.h>
+#include <ros/node_handle.h>
 
 #include <boost/make_shared.hpp>
 #include <functional>
@@ -27,6 +28,11 @@ class QueuedFunction : public ros::CallbackInterface {
 
 inline void enqueue(ros::CallbackQueueInterface& queue, std::function<void()> function) {
   queue.addCallback(boost::make_shared<QueuedFunction>(std::move(function)));
+}
+
+inline ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueueInterface& queue) {
+  node.setCallbackQueue(&queue);
+  return node;
 }
 
 }  // namespace link_bounds

@@ -37,7 +37,7 @@ struct Health {
                                    ///< maximum since the last status
   std::string footprint;           ///< whether ~footprint is published, and if not, why
   std::string stopping;            ///< why boxes of ~stopping are missing; "": none is
-  std::string earliest;            ///< likewise, bodies of ~earliest
+  std::string earliest;            ///< why bodies of ~earliest are missing; "": none is
   std::map<std::string, double> behind;  ///< by topic without ~: for how long its computation was
                                          ///< behind ~boxes [s], the maximum since the last status
   TfIntake intake;

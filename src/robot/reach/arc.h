@@ -30,10 +30,10 @@ class Arc {
   /// From one angle to the next one.
   struct Piece {
     double angle;    ///< the first one [rad]
-    double cosine;   ///< of it
-    double sine;     ///< of it
+    double cosine;   ///< of the angle
+    double sine;     ///< of the angle
     double cosine2;  ///< of half the angle of the piece, squared
-    double sine2;    ///< likewise
+    double sine2;    ///< of half the angle of the piece, squared
   };
 
   std::vector<Piece> pieces_;  ///< the last one is the end of the range

@@ -6,7 +6,6 @@
 #include <array>
 #include <assimp/IOStream.hpp>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -63,25 +63,22 @@ class Line {
   Line(std::string_view text, std::string place) : words_(text), place_(std::move(place)) {}
 
   std::string_view number() {
-    const std::string_view word = words_.next();
-    if (word.empty()) refuseCutOff("has too few numbers in " + place_);
+    const std::string_view word = next();
     requireNumber(word, place_);
     return word;
   }
-  void index() {
-    const std::string_view word = words_.next();
-    if (word.empty()) refuseCutOff("has too few numbers in " + place_);
-    requireIndex(word, place_);
-  }
-  std::size_t length(bool is_float) {
-    const std::string_view word = words_.next();
-    if (word.empty()) refuseCutOff("has too few numbers in " + place_);
-    return lengthOf(word, is_float, place_);
-  }
+  void index() { requireIndex(next(), place_); }
+  std::size_t length(bool is_float) { return lengthOf(next(), is_float, place_); }
   void allNumbers() { words_.countNumbers(place_, '#'); }
   const std::string& place() const { return place_; }
 
  private:
+  std::string_view next() {
+    const std::string_view word = words_.next();
+    if (word.empty()) refuseCutOff("has too few numbers in " + place_);
+    return word;
+  }
+
   Words words_;
   std::string place_;
 };

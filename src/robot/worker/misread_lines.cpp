@@ -3,7 +3,6 @@
 // Formats of text whose lines say by their first word what they are.
 #include <algorithm>
 #include <cstring>
-#include <vector>
 
 #include "robot/worker/misread_formats.h"
 

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <utility>
 
+#include "node/threads/queued_function.h"
 #include "tools/cloud_filter/nearest_message.h"
 #include "world/cloud/cloud_layout.h"
 #include "world/cloud/without_points.h"
@@ -33,11 +34,6 @@ const ros::WallDuration kStatusPeriod(1.0);
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueueInterface& queue) {
-  node.setCallbackQueue(&queue);
-  return node;
 }
 
 }  // namespace

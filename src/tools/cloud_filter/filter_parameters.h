@@ -5,7 +5,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 #include "node/interface/parameter_table.h"
 #include "node/interface/topics.h"

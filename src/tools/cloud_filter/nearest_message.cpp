@@ -25,12 +25,7 @@ Distance toDistance(const std::string& name, const NearestPoint& nearest) {
   result.on_first = toPoint(nearest.on_link);
   result.on_second = toPoint(nearest.on_cloud);
   const Eigen::Vector3d way = nearest.on_cloud - nearest.on_link;
-  if (nearest.lower > 0 && way.norm() > 0) {
-    const Eigen::Vector3d normal = way.normalized();
-    result.normal.x = normal.x();
-    result.normal.y = normal.y();
-    result.normal.z = normal.z();
-  }
+  if (nearest.lower > 0 && way.norm() > 0) result.normal = toVector3(way.normalized());
   result.level = nearest.is_of_mesh ? Distance::MESH : Distance::HULL;
   return result;
 }

@@ -24,4 +24,19 @@ inline YAML::Node onlyDocument(const std::string& text, const std::string& file)
   return documents.empty() ? YAML::Node() : documents.front();
 }
 
+/// What a Reader of that file reads of its document. Throws UsageError if the text is no YAML.
+template <class Reader>
+auto readYaml(const std::string& text, const std::string& file) {
+  try {
+    return Reader(file).read(onlyDocument(text, file));
+  } catch (const YAML::Exception& error) {
+    throw UsageError(file + " is no YAML: " + error.what() + "; correct it");
+  }
+}
+
+/// "" if the node is none, a list or a map.
+inline std::string scalar(const YAML::Node& node) {
+  return node && node.IsScalar() ? node.Scalar() : "";
+}
+
 }  // namespace link_bounds

@@ -19,12 +19,11 @@ namespace link_bounds {
 enum class Format { kTable, kCsv, kJson };
 
 template <class Table>
-using TableWriter = void(const Table&, std::ostream&);
+using TableWriter = void (*)(const Table&, std::ostream&);
 
 /// The one for that format.
-template <class Table>
-TableWriter<Table>* writerFor(Format format, TableWriter<Table>* table, TableWriter<Table>* csv,
-                              TableWriter<Table>* json) {
+template <class Writer>
+Writer writerFor(Format format, Writer table, Writer csv, Writer json) {
   if (format == Format::kTable) return table;
   return format == Format::kCsv ? csv : json;
 }

@@ -86,8 +86,8 @@ struct LiveObject {
   std::shared_ptr<const ObjectContent> content;
   LinkBoxes boxes;                ///< of the one link that content->bounded is
   TransformBuffer::Hold hold;     ///< of content->frame
-  FrameTracker::Frame frame = 0;  ///< the same
-  FrameTracker::Handle header;    ///< the same, of an object that follows it
+  FrameTracker::Frame frame = 0;  ///< that of content->frame
+  FrameTracker::Handle header;    ///< of content->frame, if the object follows it
   std::optional<ObjectPlacement> placement;
   std::int64_t stamp = 0;     ///< that of the content, or the time of a later jump back
   std::int64_t received = 0;  ///< last receipt; clock jumps shift it, the remaining lifetime stays
@@ -97,7 +97,7 @@ struct LiveObject {
   /// Unless it is known, the object has a box, but where it is on a link is not known.
   StampTime stamp_time = StampTime::kKnown;
   std::int64_t waiting_since = 0;   ///< for the transform at its stamp
-  std::int64_t unplaced_since = 0;  ///< the same, also while it is sent again and again
+  std::int64_t unplaced_since = 0;  ///< waits since then, also while it is sent again
   TransformProblem problem = TransformProblem::kNone;
   BoxState state;
   BoxedObject boxed;  ///< if there is a box: what it belongs to, maybe an earlier content

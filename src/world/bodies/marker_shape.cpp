@@ -52,7 +52,7 @@ struct Arrow {
   Eigen::Vector3d tail;
   Eigen::Matrix3d axes;   ///< the third leads to the tip
   Eigen::Vector2d shaft;  ///< diameters along the first two axes
-  Eigen::Vector2d head;   ///< the same of the cone
+  Eigen::Vector2d head;   ///< diameters of the cone along these axes
   double shaft_length;
   double head_length;
 };

@@ -28,9 +28,7 @@ Distance toMessage(const Moment& moment, const FoundPair& pair) {
   message.distance_max = found.upper;
   message.on_first = toPoint(found.on_first);
   message.on_second = toPoint(found.on_second);
-  message.normal.x = found.normal.x();
-  message.normal.y = found.normal.y();
-  message.normal.z = found.normal.z();
+  message.normal = toVector3(found.normal);
   message.level = static_cast<std::uint8_t>(found.level);
   return message;
 }

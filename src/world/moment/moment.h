@@ -28,7 +28,7 @@ struct Moment {
 
   std::shared_ptr<const Model> model;
   std_msgs::Header header;                    ///< that of the message of boxes
-  std::vector<std::string> incomplete;        ///< likewise
+  std::vector<std::string> incomplete;        ///< that of the message of boxes
   std::vector<std::size_t> incomplete_links;  ///< indices in the model, rising
   std::vector<Body> bodies;                   ///< in the order of ~boxes
 

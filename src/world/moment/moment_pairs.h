@@ -47,7 +47,7 @@ class MomentPairs {
   std::vector<Aabb> boxes_;
   NearPairs pairs_;
   std::weak_ptr<const Moment> moment_;  ///< of the pairs; the next one replaces them
-  double margin_ = 0;                   ///< likewise
+  double margin_ = 0;                   ///< of the pairs [m]
 };
 
 }  // namespace link_bounds

@@ -12,7 +12,7 @@
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "robot/stopping/joint_fit.h"
 #include "robot/urdf/simple_joints.h"
-#include "world/stopping/joint_motion.h"
+#include "world/stopping/joint_speed.h"
 #include "world/tf/frame_paths.h"
 #include "world/tf/frame_tracker.h"
 

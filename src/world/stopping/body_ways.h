@@ -15,7 +15,7 @@
 #include "world/history/past_scene.h"
 #include "world/moment/moment.h"
 #include "world/stopping/base_motion.h"
-#include "world/stopping/joint_motion.h"
+#include "world/stopping/joint_speed.h"
 #include "world/stopping/joint_states.h"
 #include "world/stopping/stop_rules.h"
 #include "world/tf/frame_tracker.h"

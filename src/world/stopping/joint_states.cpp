@@ -3,7 +3,6 @@
 // As much history as tf has.
 #include "world/stopping/joint_states.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

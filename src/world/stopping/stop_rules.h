@@ -24,7 +24,7 @@ struct JointRule {
   const std::string* leader;       ///< its name
   Braking braking{0};              ///< deceleration 0: not known
   std::string why_no_stop;         ///< why it is not known where it stands, with the remedy
-  std::string why_no_speed_limit;  ///< likewise, how fast it can be
+  std::string why_no_speed_limit;  ///< why it is not known how fast it can be, with the remedy
   std::optional<Limits> limits;
 };
 

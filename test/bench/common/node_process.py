@@ -4,8 +4,6 @@
 environment."""
 import json
 import os
-import random
-import struct
 import subprocess
 import time
 
@@ -94,18 +92,3 @@ def megabytes(pid, entry):
 def cpu_seconds(pid):
     """Of all threads of the process so far."""
     return time.clock_gettime(~pid << 3 | 2)  # CLOCK_PROCESS_CPUTIME_ID of another process
-
-
-def random_mesh(path, seed, vertices=400):
-    """A binary STL of points on an ellipsoid: all of them can be extreme."""
-    dice = random.Random(seed)
-    size = [dice.uniform(0.03, 0.15) for _ in range(3)]
-    points = []
-    while len(points) < vertices:
-        direction = [dice.gauss(0, 1) for _ in range(3)]
-        length = sum(x * x for x in direction) ** 0.5
-        points.append([s * x / length for s, x in zip(size, direction)])
-    with open(path, "wb") as file:
-        file.write(bytes(80) + struct.pack("<I", vertices - 2))
-        for triangle in zip(points, points[1:], points[2:]):
-            file.write(bytes(12) + b"".join(struct.pack("<3f", *p) for p in triangle) + bytes(2))

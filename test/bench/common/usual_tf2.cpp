@@ -20,20 +20,14 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
 
 visualization_msgs::Marker markerOf(const Aabb& box, const std::string& frame,
                                     const std_msgs::Header& header) {
-  const Eigen::Vector3d center = box.center();
-  const Eigen::Vector3d size = box.sizes();
   visualization_msgs::Marker marker;
   marker.header = header;
   marker.ns = frame;
   marker.type = visualization_msgs::Marker::CUBE;
   marker.action = visualization_msgs::Marker::ADD;
-  marker.pose.position.x = center.x();
-  marker.pose.position.y = center.y();
-  marker.pose.position.z = center.z();
+  marker.pose.position = toPoint(box.center());
   marker.pose.orientation.w = 1;
-  marker.scale.x = size.x();
-  marker.scale.y = size.y();
-  marker.scale.z = size.z();
+  marker.scale = toVector3(box.sizes());
   marker.color.b = 1;
   marker.color.a = 0.5;
   return marker;

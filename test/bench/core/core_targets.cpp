@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ratios of times, one per mesh.
-#include <algorithm>
 #include <cmath>
 
 #include "bench/common/target.h"

@@ -12,7 +12,8 @@ import subprocess
 import tempfile
 import time
 
-from node_process import Master, cpu_seconds, random_mesh, rows_of, wait_for
+from binary_stl import random_mesh
+from node_process import Master, cpu_seconds, rows_of, wait_for
 from report import print_table, print_target
 
 QUICK = "fewer repetitions"

@@ -8,8 +8,9 @@ nor the speed of the machine at one time decides."""
 import statistics
 import tempfile
 
+from binary_stl import random_mesh
 from end_to_end import DEPTH, SHARED_MESHES, description
-from node_process import Master, random_mesh, rows_of
+from node_process import Master, rows_of
 from report import print_table, print_target
 
 QUICK = "fewer repetitions"

@@ -149,7 +149,7 @@ def measure_all(repetitions, seconds):
 
 
 def measure_ahead(repetitions, seconds):
-    """Likewise, of what is ahead."""
+    """{row: [figures of each repetition]} of what is ahead."""
     runs = {"nobody": [], "stopping topics": []}
     parameters = {"timeout": 0.0, "deceleration": {"to_" + name: 2.0 for name in link_names(LINKS)}}
     with Master() as master:

@@ -7,7 +7,6 @@
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <iostream>

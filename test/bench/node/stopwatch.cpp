@@ -8,7 +8,6 @@
 #include <time.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <iostream>

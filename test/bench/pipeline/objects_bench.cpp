@@ -10,7 +10,7 @@
 #include "bench/common/suite.h"
 #include "bench/common/table.h"
 #include "bench/common/target.h"
-#include "link_bounds/geometry/shape/link_boxes.h"
+#include "link_bounds/geometry/shape/bounded_link.h"
 #include "node/upkeep/heap.h"
 #include "testing/brute_force.h"
 #include "world/bodies/marker_shape.h"

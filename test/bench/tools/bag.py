@@ -9,8 +9,9 @@ import tempfile
 import time
 
 import rosbag
+from binary_stl import random_mesh
 from end_to_end import description
-from node_process import is_built, output_of, program, random_mesh
+from node_process import is_built, output_of, program
 from report import Table, print_table, print_target
 
 QUICK = "a tenth of the length, 3 repetitions"

@@ -4,7 +4,6 @@
 #include "bench/volumes/volumes_measure.h"
 
 #include <cmath>
-#include <limits>
 
 #include "bench/common/poses.h"
 #include "bench/common/suite.h"

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "testing/distance_bodies.h"
 #include "testing/sanitized.h"
 

@@ -9,14 +9,13 @@ scripts/soak --storm lets it last longer. With a sanitizer it is short, and time
 import argparse
 import json
 import os
-import random
 import socket
-import struct
 import subprocess
 import tempfile
 import time
 
 import rospy
+from binary_stl import random_mesh
 from bounds_testing import executable, wait_for
 from load_testing import PATIENT, description
 from node_testing import NODE, SANITIZED, NodeProcess, resident_bytes
@@ -36,20 +35,6 @@ SLOW = 200000  # bytes per second; what a slow subscriber reads
 MAX_AGE = 250 * PATIENCE  # ms
 MAX_MEMORY = 200  # MB
 MAX_SILENCE = 2 * PATIENCE  # s without diagnostics
-
-
-def write_mesh(path, seed):
-    """A binary STL of points on a sphere; all of them can be extreme."""
-    dice = random.Random(seed)
-    points = []
-    while len(points) < VERTICES:
-        direction = [dice.gauss(0, 1) for _ in range(3)]
-        length = sum(x * x for x in direction) ** 0.5
-        points.append([0.3 * x / length for x in direction])
-    with open(path, "wb") as file:
-        file.write(bytes(80) + struct.pack("<I", VERTICES - 2))
-        for triangle in zip(points, points[1:], points[2:]):
-            file.write(bytes(12) + b"".join(struct.pack("<3f", *p) for p in triangle) + bytes(2))
 
 
 def faults_of(result):
@@ -82,7 +67,7 @@ def blow(seconds, csv, folder):
     """What storm_driver printed at its end."""
     meshes = [os.path.join(folder, "%d.stl" % i) for i in range(MESHES)]
     for seed, path in enumerate(meshes):
-        write_mesh(path, seed)
+        random_mesh(path, seed, VERTICES, (0.3, 0.3, 0.3))
     with start_node(NODE) as node:
         wait_for(lambda: {"%s/%s" % (NODE, topic) for topic in TOPICS} <=
                  set(dict(rospy.get_published_topics())) or not node.is_running, "all topics")

@@ -4,7 +4,6 @@
 #include "node/outputs/topic/output.h"
 
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
 #include <std_msgs/String.h>
 
 #include <cstdio>
@@ -68,19 +67,6 @@ constexpr char kTopic[] = "/output_test/topic";
 constexpr char kCaller[] = "/reader";
 constexpr int kNothing = 200;  // ms in which nothing may come
 
-void serve() {
-  ros::getGlobalCallbackQueue()->callAvailable();
-}
-
-/// Serves callbacks until then, or until the deadline.
-template <class Condition>
-bool isServed(const Condition& condition) {
-  return becomesTrue([&] {
-    serve();
-    return condition();
-  });
-}
-
 Message message(std::uint32_t number, std::size_t bytes = 0) {
   Message result;
   result.header.stamp.sec = number;
@@ -125,7 +111,7 @@ const testing::Environment* const kNode = testing::AddGlobalTestEnvironment(new 
 class OutputTest : public testing::Test {
  protected:
   std::unique_ptr<Reader> reader() {
-    return std::make_unique<Reader>(kTopic, kCaller, [] { serve(); });
+    return std::make_unique<Reader>(kTopic, kCaller, ros::spinOnce);
   }
 
   ros::NodeHandle node_;
@@ -173,7 +159,7 @@ TEST_F(PlainOutputTest, EverySubscriberGetsEachMessageWithTheNumbersOfRoscpp) {
 
 TEST_F(PlainOutputTest, AMessageWithoutHeaderIsSentAsItIs) {
   Output<std_msgs::String> texts(node_, "/output_test/texts", kQueue);
-  Reader one("/output_test/texts", kCaller, [] { serve(); });
+  Reader one("/output_test/texts", kCaller, ros::spinOnce);
   ASSERT_TRUE(isServed([&] { return texts.hasSubscribers(); }));
   std_msgs::String text;
   text.data = "as it is";

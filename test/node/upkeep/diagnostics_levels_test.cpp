@@ -48,10 +48,7 @@ class DiagnosticsLevels : public testing::Test {
     has_status_ = false;
     EXPECT_TRUE(becomesTrue([this] { return subscriber_.getNumPublishers() > 0; }));
     diagnostics_.publish(scene_, health, times_);
-    EXPECT_TRUE(becomesTrue([this] {
-      ros::spinOnce();
-      return has_status_;
-    }));
+    EXPECT_TRUE(isServed([this] { return has_status_; }));
     return status_;
   }
 

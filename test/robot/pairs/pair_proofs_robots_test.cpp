@@ -9,7 +9,6 @@
 #include <iostream>
 
 #include "link_bounds/geometry/distance/body_distances.h"
-#include "link_bounds/robot/mesh/mesh_uri.h"
 #include "link_bounds/robot/urdf/overlap_filter.h"
 #include "testing/brute_force.h"
 #include "testing/import_alone.h"

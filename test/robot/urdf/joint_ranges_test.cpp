@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "testing/numbers.h"

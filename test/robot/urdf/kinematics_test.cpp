@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "testing/brute_force.h"
 #include "testing/numbers.h"
 

@@ -11,19 +11,11 @@ import unittest
 import rospy
 import rostest
 from bounds_testing import Recorder, TfSender, box_link, robot, transform, wait_for
+from cloud_testing import cloud
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import PointCloud2, PointField
+from sensor_msgs.msg import PointCloud2
 from visualization_msgs.msg import Marker, MarkerArray
-
-
-def cloud(stamp, x):
-    """One point on the x axis of the sensor."""
-    message = PointCloud2(height=1, width=1, point_step=12, row_step=12)
-    message.header.stamp, message.header.frame_id = stamp, "sensor"
-    message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
-    message.data = struct.pack("<fff", x, 0, 0)
-    return message
 
 
 class CloudClock(unittest.TestCase):
@@ -50,7 +42,7 @@ class CloudClock(unittest.TestCase):
 
         def has_come():
             self.send(seconds, hand)
-            self.clouds.publish(cloud(rospy.Time(seconds), x))
+            self.clouds.publish(cloud(rospy.Time(seconds), [(x, 0, 0)]))
             time.sleep(0.1)
             return any(m.header.stamp == rospy.Time(seconds) for m in self.output.messages)
         wait_for(has_come, "the cloud comes back")
@@ -84,7 +76,7 @@ class CloudClock(unittest.TestCase):
         self.assertTrue(self.is_removed(1000, 1, 1))
         self.assertFalse(self.is_removed(1001, 1, 2))
         # This one waits for tf when the clock jumps; tf of its time never comes.
-        self.clouds.publish(cloud(rospy.Time(1002), 1))
+        self.clouds.publish(cloud(rospy.Time(1002), [(1, 0, 0)]))
         self.wait_status(lambda key, value: (key, value) == ("waiting", "1"), "the cloud waits")
         self.send(500, 2)
         self.wait_status(lambda key, _: "the clock jumped back" in key, "the cloud is dropped")

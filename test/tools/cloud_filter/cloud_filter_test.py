@@ -13,6 +13,7 @@ import unittest
 import rospy
 import rostest
 from bounds_testing import (Recorder, TfSender, box_link, executable, robot, transform, wait_for)
+from cloud_testing import wait_status
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Point
 from link_bounds.msg import Distance, DistanceArray
@@ -81,13 +82,13 @@ class CloudFilter(unittest.TestCase):
         cls.clouds = rospy.Publisher("/cloud", PointCloud2, queue_size=100)
         cls.scan = rospy.Publisher("/scan", LaserScan, queue_size=100)
         cls.tf, cls.tf_static = TfSender(), TfSender(is_static=True)
-        cls.wait_status("/cloud_filter", lambda status: status.level == 2)  # no robot yet
+        wait_status(cls.status, "/cloud_filter", lambda status: status.level == 2)  # no robot yet
         rospy.set_param("/robot_description", HAND)
         for name in ("/cloud_filter", "/compact_filter", "/prefixed_filter", "/late_filter"):
-            cls.wait_status(name, lambda status: status.level == 1 and
-                            status.message.startswith("no cloud or scan has been filtered"))
-        cls.wait_status("/blind_filter", lambda status: status.level == 2 and
-                        status.message.startswith("no link of the robot is filtered"))
+            wait_status(cls.status, name, lambda status: status.level == 1 and
+                        status.message.startswith("no cloud or scan has been filtered"))
+        wait_status(cls.status, "/blind_filter", lambda status: status.level == 2 and
+                    status.message.startswith("no link of the robot is filtered"))
         cls.tf.wait_for_listener()
         cls.tf_static.wait_for_listener()
         wait_for(lambda: cls.clouds.get_num_connections() >= 4, "the filters listen")
@@ -95,15 +96,6 @@ class CloudFilter(unittest.TestCase):
         wait_for(lambda: cls.scan.get_num_connections() >= 1, "the filter listens to scans")
         cls.tf_static.send(transform("sensor", "base", rospy.Time(), BASE),
                            transform("sensor", "one/base", rospy.Time(), BASE))
-
-    @classmethod
-    def wait_status(cls, name, condition, is_new=True):
-        def found(message):
-            return any(status.name == name + ": cloud filter" and condition(status)
-                       for status in message.status)
-        if is_new:
-            cls.status.clear()
-        cls.status.wait(found, "a status of " + name)
 
     def setUp(self):
         for recorder in (self.output, self.compact, self.removed, self.scans, self.nearest,
@@ -144,7 +136,8 @@ class CloudFilter(unittest.TestCase):
         self.status.clear()
         self.check(IS_ROBOT, lambda: self.clouds.publish(
             cloud(self.stamp, [(place, 0) for place in PLACES])))
-        self.wait_status("/cloud_filter", lambda status: status.message == "filtering", False)
+        wait_status(self.status, "/cloud_filter", lambda status: status.message == "filtering",
+                    is_new=False)
 
     def test_each_point_has_its_own_time(self):
         self.send_tf(-0.1, 0.3)
@@ -166,7 +159,7 @@ class CloudFilter(unittest.TestCase):
         output = self.output.wait(lambda m: m.header.stamp == self.stamp, "the cloud that waited")
         self.assertTrue(math.isnan(places_of(output)[0][0]))
         waits = []
-        self.wait_status("/cloud_filter", lambda status: waits.extend(
+        wait_status(self.status, "/cloud_filter", lambda status: waits.extend(
             float(value.value) for value in status.values
             if value.key == "wait for tf and turn, max [ms]") or waits, is_new=False)
         return max(waits)
@@ -197,7 +190,7 @@ class CloudFilter(unittest.TestCase):
         stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 42)]
         self.clouds.publish(cloud(stamps[0], [(LEFT, 0)]))
         for name in ("/cloud_filter", "/late_filter"):
-            self.wait_status(name, lambda status: any(
+            wait_status(self.status, name, lambda status: any(
                 (value.key, value.value) == ("waiting", "1") for value in status.values), False)
         for stamp in stamps[1:]:
             self.clouds.publish(cloud(stamp, [(LEFT, 0)]))
@@ -215,7 +208,7 @@ class CloudFilter(unittest.TestCase):
         self.send_tf(-0.1, 0)
         stamps = [self.stamp + rospy.Duration(0.001 * i) for i in range(1, 35)]
         self.clouds.publish(cloud(stamps[0], [(LEFT, 0)]))
-        self.wait_status("/late_filter", lambda status: any(
+        wait_status(self.status, "/late_filter", lambda status: any(
             (value.key, value.value) == ("waiting", "1") for value in status.values), False)
         for i, stamp in enumerate(stamps[1:]):
             message = cloud(stamp, [(LEFT, 0)])
@@ -285,7 +278,7 @@ class CloudFilter(unittest.TestCase):
         type(self).newest = self.stamp + rospy.Duration(0.2)
         self.clouds.publish(cloud(self.stamp, [((900, 0, 0), 0), (FAR, 90000000)]))
         self.output.wait(lambda m: m.header.stamp == self.stamp, "the filtered cloud")
-        self.wait_status("/cloud_filter", lambda status: status.level == 1 and any(
+        wait_status(self.status, "/cloud_filter", lambda status: status.level == 1 and any(
             value.key.startswith("no ~nearest: the robot or the sensor moves so fast")
             for value in status.values), False)
         self.assertEqual(self.messages_of_this_test(self.nearest), [])
@@ -332,7 +325,7 @@ class CloudFilter(unittest.TestCase):
         left_out = {"held/%d" % i for i in range(64, 70)} | {"held/99"}
 
         wait_for(lambda: self.incomplete_at(FAR) == left_out, "those are incomplete")
-        self.wait_status("/cloud_filter", lambda status: status.level == 1 and left_out == {
+        wait_status(self.status, "/cloud_filter", lambda status: status.level == 1 and left_out == {
             value.value.split()[1] for value in status.values if value.key == "problem"})
 
     def test_an_object_too_large_for_a_grid_is_told(self):
@@ -342,7 +335,7 @@ class CloudFilter(unittest.TestCase):
         marker.points = [Point(1e12, 0, 0), Point(0, 1e12, 0), Point(0, 0, 1e12)]
         self.objects.publish(MarkerArray([marker]))
         wait_for(lambda: self.incomplete_at(FAR) == {"held/7"}, "it is incomplete")
-        self.wait_status("/cloud_filter", lambda status: status.level == 1 and any(
+        wait_status(self.status, "/cloud_filter", lambda status: status.level == 1 and any(
             value.key == "problem" and "held/7 is not filtered" in value.value and
             "not finite" in value.value for value in status.values))
 
@@ -354,7 +347,7 @@ class CloudFilter(unittest.TestCase):
             MarkerArray([self.held(1, place, next(sizes))])))
         self.addCleanup(changes.stop)
         # Asking with clouds all the time would take the processor from what makes grids.
-        self.wait_status("/cloud_filter", lambda status: any(
+        wait_status(self.status, "/cloud_filter", lambda status: any(
             value.key == "problem" and "held/1" in value.value and
             "the old one counts" in value.value for value in status.values))
         self.assertFalse(self.is_kept(place))
@@ -473,7 +466,7 @@ class CloudFilter(unittest.TestCase):
                                     "__name:=limited"])
         self.addCleanup(limited.wait)
         self.addCleanup(limited.kill)
-        self.wait_status(name, lambda status: status.message.startswith(
+        wait_status(self.status, name, lambda status: status.message.startswith(
             "no cloud or scan has been filtered"))
         wait_for(clouds.get_num_connections, "the filter listens")
         for sender, count in zip(senders, before):
@@ -515,7 +508,7 @@ class CloudFilter(unittest.TestCase):
             self.assertEqual(run.returncode, 1, run.stdout)
             self.assertIn(words, run.stdout)
         self.assertFalse(rospy.has_param("/cloud_filter/padding"))
-        self.wait_status("/cloud_filter", lambda status: True)
+        wait_status(self.status, "/cloud_filter", lambda status: True)
 
     def test_a_master_uri_that_ros_refuses(self):
         for arguments, uri in ((["__master:=localhost"], os.environ["ROS_MASTER_URI"]),

@@ -6,17 +6,17 @@ without it, and a wrong parameter does not end the manager."""
 import itertools
 import math
 import random
-import struct
 import subprocess
 import unittest
 
 import rospy
 import rostest
 from bounds_testing import Recorder, TfSender, box_link, executable, robot, transform, wait_for
+from cloud_testing import cloud, wait_status
 from diagnostic_msgs.msg import DiagnosticArray
 from link_bounds.msg import DistanceArray
 from raw_messages import serialized
-from sensor_msgs.msg import LaserScan, PointCloud2, PointField
+from sensor_msgs.msg import LaserScan, PointCloud2
 from std_srvs.srv import Trigger
 
 HAND = robot([box_link("base", (0.2, 0.2, 0.1)), box_link("left", (0.02, 0.02, 0.1), (0, 0.05, 0))],
@@ -28,16 +28,11 @@ TOPICS = {"output": PointCloud2, "robot_points": PointCloud2, "nearest": Distanc
           "output_scan": LaserScan}
 
 
-def cloud(stamp, count, rng):
-    """Random points around the hand, each at its own time."""
-    message = PointCloud2(height=1, width=count, point_step=16, row_step=16 * count)
-    message.header.stamp, message.header.frame_id = stamp, "sensor"
-    message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
-    message.fields.append(PointField("t", 12, PointField.UINT32, 1))
-    message.data = b"".join(
-        struct.pack("<fffI", *(rng.uniform(-0.2, 0.2) for _ in range(3)), rng.randrange(50000000))
-        for _ in range(count))
-    return message
+def random_cloud(stamp, count, rng):
+    """Around the hand."""
+    rows = [([rng.uniform(-0.2, 0.2) for _ in range(3)], rng.randrange(50000000))
+            for _ in range(count)]
+    return cloud(stamp, *zip(*rows))
 
 
 def bytes_of(message):
@@ -57,7 +52,7 @@ class CloudNodelet(unittest.TestCase):
         rospy.set_param("/robot_description", HAND)
         rospy.set_param("/other_description", OTHER)
         for node in NODES:
-            self.wait_status(node, lambda status: status.level == 1)
+            wait_status(self.status, node, lambda status: status.level == 1, is_new=False)
         for recorder in self.outputs.values():
             wait_for(lambda r=recorder: r.subscriber.get_num_connections() > 0, recorder.topic)
         # The manager and the programs: it has one connection for all of its nodelets.
@@ -65,11 +60,6 @@ class CloudNodelet(unittest.TestCase):
         wait_for(lambda: self.scans.get_num_connections() >= 2, "the filters listen to scans")
         wait_for(lambda: self.tf.listeners() >= 3, "the filters listen to tf")
         self.stamp = rospy.Time.now()
-
-    def wait_status(self, node, condition):
-        self.status.wait(lambda message: any(
-            status.name == node + ": cloud filter" and condition(status)
-            for status in message.status), node)
 
     def send_tf(self):
         """The hand turns and moves, and so does the base of the other robot."""
@@ -99,7 +89,7 @@ class CloudNodelet(unittest.TestCase):
         rng = random.Random(1)
         for count in (1, 500, 5000):
             self.send_tf()
-            self.clouds.publish(cloud(self.stamp, count, rng))
+            self.clouds.publish(random_cloud(self.stamp, count, rng))
             for group, topic in itertools.product(("organized", "compact"),
                                                   ("output", "robot_points", "nearest")):
                 message = self.check_same(group, topic)
@@ -113,11 +103,11 @@ class CloudNodelet(unittest.TestCase):
         self.assertTrue(0 < sum(map(math.isnan, ranges)) < 600)
 
         # A wrong parameter: no robot, until it is right and ~reload was called.
-        self.wait_status("/wrong", lambda status: status.level == 2)
+        wait_status(self.status, "/wrong", lambda status: status.level == 2, is_new=False)
         rospy.set_param("/wrong/padding", 0.01)
         answer = rospy.ServiceProxy("/wrong/reload", Trigger)()
         self.assertTrue(answer.success, answer.message)
-        self.wait_status("/wrong", lambda status: status.level == 1)
+        wait_status(self.status, "/wrong", lambda status: status.level == 1, is_new=False)
 
         # The first one goes, and with it what the others share with it.
         self.unload("/organized/nodelet")
@@ -125,7 +115,7 @@ class CloudNodelet(unittest.TestCase):
                  .subscriber.get_num_connections() == 0, "the nodelet is unloaded")
         for count in (700, 800):
             self.send_tf()
-            self.clouds.publish(cloud(self.stamp, count, rng))
+            self.clouds.publish(random_cloud(self.stamp, count, rng))
             self.check_same("compact", "output")
 
 

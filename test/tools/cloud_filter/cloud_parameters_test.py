@@ -10,8 +10,9 @@ import unittest
 import rospy
 import rostest
 from bounds_testing import Recorder, TfSender, box_link, robot, transform, visual, wait_for
+from cloud_testing import cloud, wait_status
 from diagnostic_msgs.msg import DiagnosticArray
-from sensor_msgs.msg import PointCloud2, PointField
+from sensor_msgs.msg import PointCloud2
 from std_srvs.srv import Trigger
 
 BASE = ('<link name="base">%s<collision><geometry><box size="0.4 0.4 0.4"/></geometry></collision>'
@@ -35,14 +36,6 @@ OF_ROBOT = {
 }
 
 
-def cloud(stamp):
-    message = PointCloud2(height=1, width=len(POINTS), point_step=12, row_step=12 * len(POINTS))
-    message.header.stamp, message.header.frame_id = stamp, "sensor"
-    message.fields = [PointField(name, 4 * i, PointField.FLOAT32, 1) for i, name in enumerate("xyz")]
-    message.data = b"".join(struct.pack("<fff", x, 0, 0) for x in POINTS)
-    return message
-
-
 def removed_from(message):
     return [x for i, x in enumerate(POINTS)
             if math.isnan(struct.unpack_from("<f", message.data, 12 * i)[0])]
@@ -57,30 +50,15 @@ class CloudParameters(unittest.TestCase):
         cls.tf_static = TfSender(is_static=True)
         rospy.set_param("/robot_description", ROBOT)
         for name in OF_ROBOT:
-            cls.wait_status(name, lambda status: "no robot" not in status.message)
+            wait_status(cls.status, "/" + name, lambda status: "no robot" not in status.message)
         wait_for(lambda: cls.clouds.get_num_connections() >= len(OF_ROBOT), "the filters listen")
         wait_for(lambda: cls.tf_static.listeners() >= len(OF_ROBOT), "the filters listen to tf")
         cls.tf_static.send(transform("sensor", "base", rospy.Time(), (1, 0, 0)),
                            transform("sensor", "left", rospy.Time(), (2, 0, 0)))
 
-    @classmethod
-    def wait_status(cls, name, condition, is_new=True):
-        """As a dictionary of its values."""
-        found = []
-
-        def is_found(message):
-            found.extend({value.key: value.value for value in status.values}
-                         for status in message.status
-                         if status.name == "/%s: cloud filter" % name and condition(status))
-            return bool(found)
-        if is_new:
-            cls.status.clear()
-        cls.status.wait(is_found, "a status of " + name)
-        return found[-1]
-
     def removed(self, name):
         stamp = rospy.Time.now()
-        self.clouds.publish(cloud(stamp))
+        self.clouds.publish(cloud(stamp, [(x, 0, 0) for x in POINTS]))
         return removed_from(self.outputs[name].wait(lambda m: m.header.stamp == stamp, name))
 
     def reload_with(self, description):
@@ -96,12 +74,13 @@ class CloudParameters(unittest.TestCase):
     def test_diagnostics_count(self):
         self.status.clear()
         self.assertEqual(self.removed("usual"), OF_ROBOT["usual"])
-        values = self.wait_status("usual", lambda status: status.message == "filtering" or
-                                  "are sent late" in status.message, is_new=False)
+        values = wait_status(self.status, "/usual", lambda status: status.message == "filtering" or
+                             "are sent late" in status.message, is_new=False)
         before = int(values["filtered"])
         for _ in range(3):
             self.removed("usual")
-        wait_for(lambda: int(self.wait_status("usual", lambda _: True)["filtered"]) == before + 3,
+        wait_for(lambda: before + 3 ==
+                 int(wait_status(self.status, "/usual", lambda _: True)["filtered"]),
                  "three clouds more are counted")
         self.assertAlmostEqual(float(values["robot points [%]"]), 100 * 2 / 7, delta=0.01)
         self.assertGreater(float(values["points per second"]), 0)
@@ -118,14 +97,14 @@ class CloudParameters(unittest.TestCase):
                                         [("base", "left")]))
         self.assertIn("no.stl", answer)
         self.assertEqual(self.removed("usual"), [AT_LEFT])
-        values = self.wait_status("usual", lambda status: status.level == 1 and
-                                  "geometry of the robot is missing" in status.message)
+        values = wait_status(self.status, "/usual", lambda status: status.level == 1 and
+                             "geometry of the robot is missing" in status.message)
         self.assertIn("no.stl", values["problem"])
         # Nothing is left to filter: clouds pass, and that is an error.
         self.reload_with(robot(['<link name="base"/>'], []))
         self.assertEqual(self.removed("usual"), [])
-        self.wait_status("usual", lambda status: status.level == 2 and
-                         "no link of the robot is filtered" in status.message)
+        wait_status(self.status, "/usual", lambda status: status.level == 2 and
+                    "no link of the robot is filtered" in status.message)
         self.reload_with(ROBOT)
         self.assertEqual(self.removed("usual"), OF_ROBOT["usual"])
 

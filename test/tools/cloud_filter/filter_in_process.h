@@ -93,14 +93,6 @@ class FilterInProcess : public testing::Test {
     thread_.join();
   }
 
-  template <class Condition>
-  static bool isServed(const Condition& condition) {
-    return becomesTrue([&] {
-      ros::spinOnce();
-      return condition();
-    });
-  }
-
   /// By default, of a frame that tf does not know.
   void send(const std::string& frame = "nowhere", ros::Time stamp = ros::Time(1)) {
     sensor_msgs::PointCloud2 cloud;

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "link_bounds/ros/messages.h"
 #include "testing/marker_testing.h"
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Objects that were placed once, when another frame becomes the fixed frame.
-#include <limits>
 
 #include "testing/live_objects_testing.h"
 #include "testing/numbers.h"

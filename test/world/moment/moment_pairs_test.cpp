@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "testing/brute_force.h"

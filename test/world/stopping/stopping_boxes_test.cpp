@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "testing/moving_robot.h"
-#include "testing/sanitized.h"
 
 namespace link_bounds {
 namespace {

@@ -22,7 +22,7 @@ class WayScenes {
   struct Copy {
     std::unique_ptr<PastScene> scene;
     const StopRules* rules;     ///< until the next copy()
-    const JointStates* states;  ///< likewise; null without the parameter joint_states
+    const JointStates* states;  ///< until the next copy(); null without the parameter joint_states
   };
 
   /// Nothing if there is no robot, if the scene has no answer, or if the worker is stopping.

@@ -3,6 +3,7 @@
 // CUBE, LINE_LIST and TEXT markers per box, and DELETE markers.
 #include "node/outputs/markers/box_markers.h"
 
+#include "link_bounds/ros/messages.h"
 #include "node/outputs/markers/drawable.h"
 #include "node/outputs/markers/label_layout.h"
 #include "world/bodies/object_source.h"
@@ -22,17 +23,9 @@ enum MarkerId { kFaces = 0, kEdges = 1, kLabel = 2 };
 constexpr double kMinSize = 1e-4;     ///< rviz cannot draw a box of zero size [m]
 constexpr double kEdgeWidth = 0.002;  ///< [m]
 
-geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
-}
-
 void addFaces(Marker marker, const Eigen::Vector3d& radius, const std_msgs::ColorRGBA& color,
               MarkerArray& array) {
-  marker.scale = toVector(2 * radius);
+  marker.scale = toVector3(2 * radius);
   marker.color = color;
   array.markers.push_back(std::move(marker));
 }

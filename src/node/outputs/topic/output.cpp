@@ -8,6 +8,7 @@
 
 #include <poll.h>
 #include <ros/poll_manager.h>
+#include <ros/single_subscriber_publisher.h>
 #include <ros/subscriber_link.h>
 #include <sys/eventfd.h>
 #include <unistd.h>

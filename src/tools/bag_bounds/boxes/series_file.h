@@ -18,7 +18,7 @@ namespace link_bounds {
 /// pair within the limit.
 class SeriesFile {
  public:
-  /// Throws std::runtime_error if the file cannot be written; close() likewise.
+  /// Throws std::runtime_error if the file cannot be written, as close() does.
   explicit SeriesFile(const std::string& file);
 
   /// At `now`, `begin` being that of the first message [record time, ns].

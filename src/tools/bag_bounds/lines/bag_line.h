@@ -18,7 +18,7 @@ namespace link_bounds {
 struct BagIdentity {
   std::string name;                   ///< as it was given
   std::optional<std::uint64_t> size;  ///< [bytes]; none: it cannot be read
-  std::string head;                   ///< fingerprint of its first 64 KiB; "" likewise
+  std::string head;                   ///< fingerprint of its first 64 KiB; "": it cannot be read
 };
 
 BagIdentity identityOf(const std::string& bag);

@@ -12,6 +12,7 @@
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
 #include "tools/formats/safe_text.h"
+#include "tools/formats/table_text.h"
 
 namespace link_bounds {
 namespace {
@@ -214,16 +215,9 @@ class MergedReport {
 
 int writeMerged(const BagBoundsOptions& options, std::ostream& out) {
   const MergedReport report(options.bags);
-  switch (options.format) {
-    case Format::kTable:
-      report.writeTable(out);
-      break;
-    case Format::kCsv:
-      report.writeCsv(out);
-      break;
-    case Format::kJson:
-      report.writeJson(out);
-  }
+  const auto write = writerFor(options.format, &MergedReport::writeTable, &MergedReport::writeCsv,
+                               &MergedReport::writeJson);
+  (report.*write)(out);
   return report.exitCode(options.demand);
 }
 

@@ -23,10 +23,10 @@ struct BagBoundsOptions {
   std::optional<double> distances;  ///< limit [m], finite, >= 0; none: not computed
   double start = 0;                 ///< s after the first message
   std::optional<double> end;        ///< s after the first message
-  std::optional<double> at;         ///< likewise, of all boxes
+  std::optional<double> at;         ///< s after the first message, of all boxes
   Format format = Format::kTable;
   std::string out;                ///< a file; "": none
-  std::string series;             ///< likewise
+  std::string series;             ///< a file; "": none
   std::set<std::string> objects;  ///< topics
   std::string tf_topic = "/tf";   ///< static transforms are on this name with "_static"
   std::string joint_states;       ///< a topic that is instead of transforms; "": none
@@ -39,7 +39,7 @@ struct BagBoundsOptions {
   bool merge = false;                                     ///< `bags` are files of lines
   std::map<std::string, std::vector<std::string>> given;  ///< values by option, without dashes
   bool help = false;                                      ///< the other members are then undefined
-  bool version = false;                                   ///< likewise
+  bool version = false;                                   ///< the other members are then undefined
 };
 
 /// Throws UsageError. Call it once: getopt keeps state.

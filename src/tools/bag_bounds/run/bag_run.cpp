@@ -14,7 +14,6 @@
 #include "tools/command_line/interrupt.h"
 #include "tools/command_line/options.h"
 #include "tools/command_line/terminal.h"
-#include "world/tf/clock_watch.h"
 
 namespace link_bounds {
 namespace {

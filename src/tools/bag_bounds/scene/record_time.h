@@ -32,7 +32,7 @@ inline ros::Time toRosTime(std::int64_t nanoseconds) {
 /// Nanoseconds as seconds, from integers, so that none is lost.
 std::string exactSeconds(std::int64_t nanoseconds);
 
-/// A stamp [ns] in seconds, likewise, as it was recorded: kStampOfZero is 0.
+/// A stamp [ns] in seconds, from integers, too, as it was recorded: kStampOfZero is 0.
 std::string stampSeconds(std::int64_t stamp);
 
 /// Seconds from `begin` to `time` [ns] for people.

@@ -88,7 +88,7 @@ class RecordedScene {
   OnNews on_news_;
   OnStep on_step_;
   std::int64_t now_ = 0;        ///< record time [ns]
-  std::int64_t next_tick_ = 0;  ///< likewise
+  std::int64_t next_tick_ = 0;  ///< record time [ns]
   std::int64_t passed_ = 0;     ///< time that has passed, where record time goes forward [ns]
   SceneFeed feed_;
   ObjectTopics object_topics_{feed_.scene().objects};

@@ -28,7 +28,7 @@ class FrameView {
   /// To be called after each message. True if a box of a link changed.
   bool update(ros::Time now);
 
-  /// To be called with each tick. Likewise.
+  /// To be called with each tick. True if a box of a link changed.
   bool expire(ros::Time now);
 
   TransformBuffer::Frame frame() const { return *frames_.fixedFrame(); }

@@ -44,7 +44,7 @@ struct MovedBody : FramedBody {
   std::int64_t rested = 0;        ///< beside its last place, others were looked at until then
   bool was_there = false;         ///< its motion to `end` is known, or it does not move
   bool is_placed_now = false;     ///< in this step, where it stands since an earlier stamp
-  bool goes_on = false;           ///< in the next moment, likewise
+  bool goes_on = false;           ///< in the next moment, where it stands since an earlier stamp
   std::int64_t until = kForEver;  ///< when it was deleted
   std::int64_t moved_until = 0;   ///< before that; 0: it is there, or does not move
   double way = 0;  ///< in the fixed frame, of this step and what was not looked at before [m]

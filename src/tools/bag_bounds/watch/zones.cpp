@@ -39,10 +39,6 @@ class ZoneReader {
     throw UsageError(file_ + ": zone \"" + name + "\": " + reason);
   }
 
-  static std::string scalar(const YAML::Node& node) {
-    return node && node.IsScalar() ? node.Scalar() : "";
-  }
-
   std::string nameIn(const YAML::Node& entry) const {
     const std::string name = entry.IsMap() ? scalar(entry["name"]) : "";
     if (!name.empty()) return name;
@@ -105,11 +101,7 @@ class ZoneReader {
 }  // namespace
 
 std::vector<Zone> parseZones(const std::string& text, const std::string& file) {
-  try {
-    return ZoneReader(file).read(onlyDocument(text, file));
-  } catch (const YAML::Exception& error) {
-    throw UsageError(file + " is no YAML: " + error.what() + "; correct it");
-  }
+  return readYaml<ZoneReader>(text, file);
 }
 
 }  // namespace link_bounds

@@ -127,7 +127,7 @@ void writeJson(const PathTable& table, std::ostream& out) {
 }
 
 void write(const PathTable& table, Format format, std::ostream& out) {
-  writerFor<PathTable>(format, writeTable, writeCsv, writeJson)(table, out);
+  writerFor<TableWriter<PathTable>>(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 std::string rowName(std::size_t row) {

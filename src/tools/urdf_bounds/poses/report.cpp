@@ -167,15 +167,8 @@ Volume toVolume(const OrientedBox& box) {
 
 /// CSV, which has one kind of rows, is of the distances alone if there are any.
 void write(const VolumeTable& table, Format format, std::ostream& out) {
-  const Words words = wordsOf(table);
-  switch (format) {
-    case Format::kTable:
-      return writeTable(table, words, out);
-    case Format::kCsv:
-      return writeCsv(table, words, out);
-    case Format::kJson:
-      return writeJson(table, words, out);
-  }
+  using Writer = void (*)(const VolumeTable&, const Words&, std::ostream&);
+  writerFor<Writer>(format, writeTable, writeCsv, writeJson)(table, wordsOf(table), out);
 }
 
 template <class LinkVolume>

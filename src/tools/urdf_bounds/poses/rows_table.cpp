@@ -133,7 +133,7 @@ void writeJson(const RowsTable& table, std::ostream& out) {
 }  // namespace
 
 void write(const RowsTable& table, Format format, std::ostream& out) {
-  writerFor<RowsTable>(format, writeTable, writeCsv, writeJson)(table, out);
+  writerFor<TableWriter<RowsTable>>(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 }  // namespace link_bounds

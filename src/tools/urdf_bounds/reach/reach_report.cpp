@@ -117,7 +117,7 @@ void writeMarker(const ReachTable& table, const std::string& name, const Reach& 
 }
 
 void write(const ReachTable& table, Format format, std::ostream& out) {
-  writerFor<ReachTable>(format, writeTable, writeCsv, writeJson)(table, out);
+  writerFor<TableWriter<ReachTable>>(format, writeTable, writeCsv, writeJson)(table, out);
 }
 
 /// A visualization_msgs/MarkerArray as YAML: the edges of each box.

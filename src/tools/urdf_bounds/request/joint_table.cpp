@@ -4,7 +4,6 @@
 #include "tools/urdf_bounds/request/joint_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

@@ -19,7 +19,7 @@ struct JointTable {
   std::vector<std::size_t> joints;    ///< of the robot; the columns of the next three
   Numbers positions;                  ///< rad or m
   Numbers velocities;                 ///< per s; without columns where the file has none
-  Numbers accelerations;              ///< per s²; likewise
+  Numbers accelerations;              ///< per s²; without columns where the file has none
   std::vector<double> times;          ///< s; empty where the file has no such column
   std::vector<std::string> faults;    ///< of each row why it cannot be used; "" = it can
   std::vector<std::string> problems;  ///< in words, each names the column, and the first row

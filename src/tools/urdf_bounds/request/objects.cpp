@@ -17,10 +17,6 @@ namespace {
 constexpr char kExample[] =
     "NAME: {type: CUBE, pose: {position: {x: 1, y: 0, z: 0}}, scale: {x: 1, y: 1, z: 1}}";
 
-std::string scalar(const YAML::Node& node) {
-  return node && node.IsScalar() ? node.Scalar() : "";
-}
-
 class ObjectReader {
  public:
   explicit ObjectReader(std::string file) : file_(std::move(file)) {}
@@ -132,11 +128,7 @@ class ObjectReader {
 }  // namespace
 
 Robot parseObjects(const std::string& text, const std::string& file) {
-  try {
-    return ObjectReader(file).read(onlyDocument(text, file));
-  } catch (const YAML::Exception& error) {
-    throw UsageError(file + " is no YAML: " + error.what() + "; correct it");
-  }
+  return readYaml<ObjectReader>(text, file);
 }
 
 }  // namespace link_bounds

@@ -35,19 +35,19 @@ struct UrdfBoundsOptions {
   VolumeKind volume = VolumeKind::kBox;
   std::optional<Representation> representation;  ///< of kBox; none: min-max
   std::optional<double> distances;               ///< limit [m], finite, >= 0; none: not printed
-  std::optional<std::string> poses;              ///< of kRows and kPath, a file; "-" likewise
-  std::optional<std::string> columns;            ///< of `poses`, names with commas between them
-  std::optional<std::string> series;             ///< of kRows, a file to write
-  std::optional<std::string> objects;            ///< of kPath, a file
-  std::optional<unsigned> jobs;                  ///< of kRows and kPath, > 0; none: the cores
-  std::optional<double> accuracy;                ///< [m], > 0; none: kDefaultAccuracy
-  std::optional<double> budget;                  ///< [s], > 0; none: kDefaultBudget
-  std::optional<double> clearance;               ///< of kPairs and kPath [m], >= 0; none: 0
-  std::optional<double> touching;                ///< of kPairs [m], >= 0; none: kDefaultTouching
-  std::optional<std::string> srdf;               ///< of kPairs and kPath, a file
-  std::optional<std::string> certificate;        ///< of kReach, kPairs and kPath, a file to write
-  bool adjacent = false;                         ///< of kPairs
-  bool has_fixed_base = false;  ///< floating and planar joints at the root stay at 0
+  std::optional<std::string> poses;        ///< of kRows and kPath, a file; "-" is standard input
+  std::optional<std::string> columns;      ///< of `poses`, names with commas between them
+  std::optional<std::string> series;       ///< of kRows, a file to write
+  std::optional<std::string> objects;      ///< of kPath, a file
+  std::optional<unsigned> jobs;            ///< of kRows and kPath, > 0; none: the cores
+  std::optional<double> accuracy;          ///< [m], > 0; none: kDefaultAccuracy
+  std::optional<double> budget;            ///< [s], > 0; none: kDefaultBudget
+  std::optional<double> clearance;         ///< of kPairs and kPath [m], >= 0; none: 0
+  std::optional<double> touching;          ///< of kPairs [m], >= 0; none: kDefaultTouching
+  std::optional<std::string> srdf;         ///< of kPairs and kPath, a file
+  std::optional<std::string> certificate;  ///< of kReach, kPairs and kPath, a file to write
+  bool adjacent = false;                   ///< of kPairs
+  bool has_fixed_base = false;             ///< floating and planar joints at the root stay at 0
   Format format = Format::kTable;
   bool as_srdf = false;         ///< of kPairs, instead of `format`
   bool accept_sampled = false;  ///< of `as_srdf`
@@ -55,7 +55,7 @@ struct UrdfBoundsOptions {
   bool verbose = false;
   Demand demand;
   bool help = false;     ///< the other members are then undefined
-  bool version = false;  ///< likewise
+  bool version = false;  ///< the other members are then undefined
 };
 
 /// Throws UsageError. Call it once: getopt keeps state.

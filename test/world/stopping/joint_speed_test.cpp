@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The values and speeds of joints, from tf and from /joint_states.
-#include "world/stopping/joint_motion.h"
+#include "world/stopping/joint_speed.h"
 
 #include <gtest/gtest.h>
 
@@ -363,14 +363,14 @@ void expectFingers(const WayBoxes& found) {
   EXPECT_NEAR(found.moment->bodies[2].box.max().y(), -1.7 + 0.05, 1e-6);
 }
 
-TEST(JointMotion, AMimicJointGoesByItsMultiplier) {
+TEST(JointSpeed, AMimicJointGoesByItsMultiplier) {
   MovingRobot robot(kGripper, gripperParameters());
   robot.move(robot.values({{"finger", 1.0}}), {kSpeed, -2 * kSpeed});
   expectFingers(robot.stopping());
 }
 
 /// The reports have the leader only, and come more often than tf.
-TEST(JointMotion, AMimicJointHasTheReportsOfItsLeader) {
+TEST(JointSpeed, AMimicJointHasTheReportsOfItsLeader) {
   MovingRobot robot(kGripper, gripperParameters());
   robot.send(MovingRobot::kStamp - 1, robot.values({{"finger", 1.0 - kSpeed}}));
   robot.send(MovingRobot::kStamp, robot.values({{"finger", 1.0}}));
@@ -385,7 +385,7 @@ TEST(JointMotion, AMimicJointHasTheReportsOfItsLeader) {
 }
 
 /// While a clock is paused, the same stamps come again; a bag that is played again begins anew.
-TEST(JointMotion, PausedAndRestartedClocks) {
+TEST(JointSpeed, PausedAndRestartedClocks) {
   MovingRobot robot(kGripper, gripperParameters());
   const auto end = robot.values({{"finger", 1.0}});
   robot.move(end, {kSpeed, -2 * kSpeed});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of neighbouring transforms differ by less than a quarter of a turn, which makes them
 // continuous.
-#include "world/stopping/joint_motion.h"
+#include "world/stopping/joint_speed.h"
 
 #include <algorithm>
 #include <cmath>
