@@ -185,6 +185,15 @@ class Watch:
                 self._tell(text % name)
 
 
+def tell(text, publish):
+    """A log that cannot be written, as on a full disk or where it is closed, keeps no event back."""
+    publish(text)
+    try:
+        rospy.loginfo(printable(text))
+    except (OSError, AttributeError, ValueError):
+        pass
+
+
 def has_publisher(topic):
     """On Debian 11, rospy's get_num_connections() also counts those that have gone."""
     return any(connection.socket is not None for connection in topic.impl.connections or ())
@@ -197,11 +206,7 @@ def main():
     rospy.on_shutdown(ended.set)
     publisher = rospy.Publisher('~events', String, queue_size=100)
 
-    def tell(text):
-        rospy.loginfo(printable(text))
-        publisher.publish(text)
-
-    watch = Watch(rospy.get_param('~zones', 'zones'), tell)
+    watch = Watch(rospy.get_param('~zones', 'zones'), lambda text: tell(text, publisher.publish))
     topics = [rospy.Subscriber('link_bounds_publisher/boxes', AxisAlignedBoxArray, watch.take_boxes,
                                tcp_nodelay=True),
               rospy.Subscriber('link_bounds_publisher/overlaps', BoxOverlapArray, watch.take_overlaps,

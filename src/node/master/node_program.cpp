@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "node/master/node_program.h"
 
+#include <ros/network.h>
 #include <ros/ros.h>
 #include <unistd.h>
 
@@ -54,6 +55,7 @@ int run(int argc, char** argv, const NodeProgram& program) {
   const CommandLine line = readCommandLine(argc, argv, program.tables);
   if (line.help || line.version) {
     std::cout << (line.help ? program.usage() : program.name + " " + program.version + "\n");
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
     return 0;
   }
   checkMasterUri(argc, argv);

@@ -367,12 +367,21 @@ def junit_xml(suite, test, seconds, failure):
 
 
 def write_file(path, content):
-    """Makes the folder if it is missing. A reader finds the complete file or none."""
-    os.makedirs(os.path.dirname(path) or '.', exist_ok=True)
-    unfinished = f'{path}.{os.getpid()}'
-    with open(unfinished, 'wb') as file:
-        file.write(content)
-    os.replace(unfinished, path)
+    """Makes the folder if it is missing. A reader finds the complete file or none. What is there
+    and is no file, such as /dev/null, is written into and stays."""
+    path = os.path.realpath(path)
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    is_file = os.path.isfile(path) or not os.path.exists(path)
+    unfinished = f'{path}.{os.getpid()}' if is_file else path
+    try:
+        with open(unfinished, 'wb') as file:
+            file.write(content)
+        if is_file:
+            os.replace(unfinished, path)
+    except OSError:
+        if is_file and os.path.exists(unfinished):
+            os.remove(unfinished)
+        raise
 
 
 def node_name(default):
@@ -402,8 +411,6 @@ def run(program):
     test.run(verdict)
     if verdict.failure:
         print('failed:', verdict.failure, file=sys.stderr)
-    else:
-        print('passed:', printable(test.title + test.evidence))
     for path in [argument[len(OUTPUT):] for argument in arguments if argument.startswith(OUTPUT)]:
         try:
             write_file(path, junit_xml(node_name(program.name)[1:], test.title,
@@ -411,4 +418,6 @@ def run(program):
         except OSError:
             print('failed: cannot write', path, file=sys.stderr)
             return 1
+    if not verdict.failure:
+        print('passed:', printable(test.title + test.evidence))
     return 1 if verdict.failure else 0

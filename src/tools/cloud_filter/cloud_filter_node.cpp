@@ -26,7 +26,10 @@ constexpr std::uint32_t kQueue = FilterHealth::kQueue;
 
 constexpr char kNoStamp[] = "its header has no stamp; set that of the measurement";
 constexpr std::size_t kMaxWaitingBytes = 256'000'000;
+/// Messages of /clock, ten seconds of 1 kHz.
+constexpr std::uint32_t kClockQueue = 10'000;
 constexpr double kLateTurn = 250;  // ms, beyond max_wait
+constexpr char kClockJumped[] = "the clock jumped back";
 constexpr char kTooLong[] = "it waited too long for its turn, and now ";
 constexpr std::chrono::milliseconds kTick(5);
 const ros::WallDuration kExpirePeriod(0.05);
@@ -77,6 +80,15 @@ CloudFilterNode::CloudFilterNode(const ros::NodeHandle& node, const ros::NodeHan
         });
       },
       {}, no_delay);
+  if (ros::Time::isSimTime()) {
+    clock_subscriber_ = node_.subscribe<rosgraph_msgs::Clock>(
+        "/clock", kClockQueue,
+        [this](const rosgraph_msgs::ClockConstPtr& clock) {
+          simulated_now_ = clock->clock;
+          guarded([this] { completed([this] { observeClock(); }); });
+        },
+        {}, no_delay);
+  }
   Loading::Handlers handlers;
   handlers.read = [name = private_node.getNamespace()](const ParameterServer& server) {
     return readParameters<FilterParameters>(server, name, [](auto& parameters, auto& reader) {
@@ -107,18 +119,18 @@ void CloudFilterNode::spin() {
       completed([&] { observeClock(); });
       has_more = filterNext();
     });
-    const ros::SteadyTime now = ros::SteadyTime::now();
-    if (now >= next_expiry) {
-      next_expiry = now + kExpirePeriod;
+    const ros::SteadyTime time = ros::SteadyTime::now();
+    if (time >= next_expiry) {
+      next_expiry = time + kExpirePeriod;
       guarded([&] {
         completed([&] {
-          held_->expire(ros::Time::now());
-          tf_.forgetQuiet(now);
+          held_->expire(now());
+          tf_.forgetQuiet(time);
         });
       });
     }
-    if (now < next_status) continue;
-    next_status = now + kStatusPeriod;
+    if (time < next_status) continue;
+    next_status = time + kStatusPeriod;
     guarded([&] {
       tf_receiver_.freeSpareMemory();
       const std::size_t most_waiting = queue_.takeMostWaiting();
@@ -189,12 +201,18 @@ void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_stati
   observeClock();
   tf_input_.add(
       event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },
-      clock_, ros::Time::now(), queue_.arrival(), tf_);
+      clock_, now(), queue_.arrival(), tf_);
+}
+
+/// Simulated time comes by the queue of the node, in the order of arrival: while a cloud is
+/// filtered it may jump back, and pass the time before that.
+ros::Time CloudFilterNode::now() const {
+  return clock_subscriber_ ? simulated_now_ : ros::Time::now();
 }
 
 /// After a jump back, what waits is from a time that tf has forgotten.
 void CloudFilterNode::observeClock() {
-  const ros::Time now = ros::Time::now();
+  const ros::Time now = this->now();
   const ClockWatch::Event event = clock_.observe(now);
   if (event == ClockWatch::Event::kStarted) {
     tf_.startClock(now);
@@ -206,7 +224,7 @@ void CloudFilterNode::observeClock() {
   held_->restart(now);
   for (Input* input : {&clouds_, &scans_}) {
     for (const Waiting& waiting : input->waiting)
-      giveUp(waiting, "the clock jumped back", false);
+      giveUp(waiting, kClockJumped, false);
     *input = {};
   }
 }
@@ -235,6 +253,10 @@ std::string CloudFilterNode::Waiting::fault() const {
 /// While the first one of an input waits for tf, all of that input do.
 void CloudFilterNode::add(Waiting waiting) {
   completed([&] { observeClock(); });  // what is of after a jump must not be dropped with the rest
+  if (clock_.isFromBeforeJump(waiting.header().stamp, now(), waiting.since)) {
+    giveUp(waiting, kClockJumped, false);
+    return;
+  }
   const std::size_t bytes = waiting.bytes();
   if (bytes > kMaxWaitingBytes) {
     giveUp(waiting, "it is larger than 256 MB, which is all that may wait", false);

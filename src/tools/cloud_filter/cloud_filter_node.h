@@ -5,6 +5,7 @@
 
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 
@@ -99,6 +100,7 @@ class CloudFilterNode {
            const std::shared_ptr<const BodyGrid>& grid);
   std::vector<std::string> heldProblems() const;
   void onTransforms(const TfReceiver::Event& event, bool is_static);
+  ros::Time now() const;
   void observeClock();
 
   TimedQueue queue_;  ///< first: what follows posts into it
@@ -107,7 +109,8 @@ class CloudFilterNode {
   TransformBuffer tf_;
   TransformInput tf_input_;
   ClockWatch clock_;
-  Input clouds_, scans_;  // a scan that waits for tf delays no cloud, and no cloud a scan
+  ros::Time simulated_now_;  ///< what was taken of /clock
+  Input clouds_, scans_;     // a scan that waits for tf delays no cloud, and no cloud a scan
   std::size_t clouds_taken_ = 0, scans_taken_ = 0;  ///< by takeAll()
   std::shared_ptr<const FilteredRobot> robot_;      ///< null until it is loaded
   // Links, then held objects:
@@ -121,6 +124,7 @@ class CloudFilterNode {
   ros::Publisher output_, scan_output_, robot_points_, nearest_;
   TfReceiver tf_receiver_;
   ros::Subscriber cloud_subscriber_, scan_subscriber_;
+  ros::Subscriber clock_subscriber_;  ///< only where simulated time is in use
   std::atomic<bool> is_stopping_{false};
   std::unique_ptr<HeldObjects> held_;
   std::unique_ptr<Loading> loading_;  ///< last: its thread ends before the rest goes

@@ -64,8 +64,10 @@ LoadProgress progressBar() {
 
 int runProgram(const std::function<int()>& program) {
   holdStandardDescriptors();
-  // Without the signal, writing to a closed pipe is an error that finishOutput reports.
-  std::signal(SIGPIPE, SIG_IGN);
+  // Without the signals, writing to a closed pipe, or beyond the largest file that `ulimit -f`
+  // allows, is an error that is reported.
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    std::signal(signal, SIG_IGN);
   try {
     return program();
   } catch (const std::bad_alloc&) {

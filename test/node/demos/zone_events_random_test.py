@@ -8,6 +8,7 @@ import os
 import random
 import sys
 import unittest
+import unittest.mock
 
 import roslib.packages
 import rospy
@@ -16,7 +17,7 @@ from link_bounds.msg import (AxisAlignedBox, AxisAlignedBoxArray, BoxOverlap,
 from std_msgs.msg import Header
 
 sys.path.append(os.path.join(roslib.packages.get_pkg_dir("link_bounds"), "launch", "demo"))
-from zone_events import QUIET, Watch, kind  # noqa: E402
+from zone_events import QUIET, Watch, kind, tell  # noqa: E402
 
 ZONE = "zones/1"
 LINKS = ("base", "elbow", "hand")
@@ -135,6 +136,12 @@ class ZoneEventsRandom(unittest.TestCase):
 
     def test_both_do_not_last(self):
         self.check(back=0.1, lost=0.1)
+
+    def test_a_log_that_cannot_be_written_keeps_no_event_back(self):
+        told, full = [], OSError(28, "No space left on device")
+        with unittest.mock.patch("rospy.loginfo", side_effect=full):
+            tell("link hand entered zone", told.append)
+        self.assertEqual(told, ["link hand entered zone"])
 
     def test_boxes_of_neighbours_are_no_objects(self):
         """What is an object has left where it has no box any more."""

@@ -23,7 +23,7 @@ namespace {
 constexpr int kSteps = 2000;
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kTick = kSecond / 10;
-const std::array<std::string, 3> kJoints{"a", "b", "c"};
+const std::array<std::string, 3> kReported{"a", "b", "c"};
 
 class Sequence {
  public:
@@ -46,7 +46,7 @@ class Sequence {
                     count - 1);
   }
 
-  const std::string& joint() { return kJoints[static_cast<std::size_t>(below(3))]; }
+  const std::string& joint() { return kReported[static_cast<std::size_t>(below(3))]; }
 
   void observe() {
     states_.observeEpoch(epoch_);
