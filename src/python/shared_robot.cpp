@@ -5,9 +5,9 @@
 
 #include "packages/package_path.h"
 #include "python/text.h"
+#include "robot/bounded_robot.h"
 #include "robot/urdf/simple_joints.h"
 #include "text/joined.h"
-#include "tools/urdf_bounds/request/left_out.h"
 
 namespace link_bounds {
 namespace {

@@ -266,4 +266,17 @@ BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const Me
   return std::move(draft.robot);
 }
 
+std::string leftOutNote(const Robot& robot, const Selection& selection) {
+  if (selection.visual && selection.collision) return "";
+  const Purpose chosen = selection.visual ? Purpose::kVisual : Purpose::kCollision;
+  const Purpose other = selection.visual ? Purpose::kCollision : Purpose::kVisual;
+  std::string names;
+  for (const Link& link : robot.links) {
+    if (isSelected(link, selection) && !hasGeometry(link, chosen) && hasGeometry(link, other))
+      names += (names.empty() ? "\"" : ", \"") + link.name + "\"";
+  }
+  if (names.empty()) return "";
+  return "left out are links with " + std::string(toText(other)) + " geometry only: " + names;
+}
+
 }  // namespace link_bounds

@@ -11,6 +11,10 @@ namespace link_bounds {
 BoundedRobot boundRobot(const Robot& robot, const Selection& selection, const MeshSource& source,
                         MeshStore& store, const MeshRemedy& remedy);
 
+/// For the user: names the selected links that have geometry of the other kind only; "" if there
+/// are none.
+std::string leftOutNote(const Robot& robot, const Selection& selection);
+
 /// For the user: why distances take the convex hull of a mesh; `error` is LoadedMesh::tree_error.
 std::string treeProblem(const std::string& path, const std::string& error);
 

@@ -91,6 +91,20 @@ class CommandLinesTest(unittest.TestCase):
                 self.assertEqual((code, err), (0, ''))
                 self.assertTrue(out.startswith('usage: ') or out.startswith('usage, in'), out)
 
+    def test_help_that_cannot_be_written(self):
+        checked = 0
+        for program in programs():
+            if program.name not in ('link_bounds_publisher', 'cloud_filter', 'urdf_bounds', 'bag_bounds'):
+                continue
+            for argument in '--help', '--version':
+                with self.subTest(program.name, argument=argument), open('/dev/full', 'wb') as full:
+                    done = subprocess.run([program, argument], timeout=TIMEOUT, check=False,
+                                          stdout=full, stderr=subprocess.PIPE, encoding='utf-8')
+                    self.assertEqual(done.returncode, 1)
+                    self.assertIn('cannot write to standard output', done.stderr)
+                    checked += 1
+        self.assertEqual(checked, 8)
+
     def test_version(self):
         version = ElementTree.parse(PACKAGE / 'package.xml').findtext('version')
         for program in programs():

@@ -59,7 +59,8 @@ ModelLoader::Loading::Loaded ModelLoader::load(const std::string& urdf,
       std::make_shared<const Model>(makeModel(urdf, parameters, robot_loader_, source));
   return {model, "bounding " + std::to_string(model->links.size()) + " links in frame \"" +
                      logText(model->fixed_frame) + "\" with " +
-                     std::to_string(model->mesh_bytes.size()) + " meshes"};
+                     std::to_string(model->mesh_bytes.size()) + " meshes" +
+                     (model->left_out.empty() ? "" : "; " + logText(model->left_out))};
 }
 
 /// On the update thread.

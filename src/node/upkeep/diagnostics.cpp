@@ -90,6 +90,7 @@ void describeScene(const Scene& scene, const Health& health, DiagnosticStatus& s
   add(status, "objects", std::to_string(scene.objects.objects().size()));
   const BodyCounts counts = countBodies(scene);
   add(status, "boxes", std::to_string(counts.boxes));
+  add(status, "left out", model.left_out.empty() ? "none" : model.left_out);
   addOldest(scene, status);
   addMeshes(model, status);
   addIncomplete(scene, status);

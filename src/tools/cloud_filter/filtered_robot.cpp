@@ -9,8 +9,10 @@
 
 #include "link_bounds/robot/robot_loader.h"
 #include "packages/package_path.h"
+#include "robot/bounded_robot.h"
 #include "robot/threads/row_threads.h"
 #include "world/cloud/scan_poses.h"
+#include "world/log/log_text.h"
 #include "world/model/model.h"
 
 namespace link_bounds {
@@ -97,6 +99,7 @@ std::string summaryOf(const FilteredRobot& robot, std::chrono::duration<double> 
   text << "filtering the points of " << robot.links.size() << " links; they were loaded in "
        << std::fixed << std::setprecision(1) << duration.count()
        << " s, and their grids and triangles take " << bytes / 1000 << " kB";
+  if (!robot.left_out.empty()) text << "; " << logText(robot.left_out);
   return text.str();
 }
 
@@ -119,6 +122,7 @@ std::shared_ptr<const FilteredRobot> filteredRobot(const std::string& descriptio
   result.problems = bounded.problems;
   result.problems.insert(result.problems.end(), bounded.body_problems.begin(),
                          bounded.body_problems.end());
+  result.left_out = leftOutNote(robot, selection);
   result.warnings = unknownLinks(parameters, linkNames(robot));
   for (const Link& link : robot.links)
     result.all_frames.insert(tfName(parameters.tf_prefix, link.name));

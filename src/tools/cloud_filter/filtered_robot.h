@@ -23,6 +23,7 @@ struct FilteredRobot {
   std::vector<std::string> incomplete;                 ///< links of which something is missing
   std::vector<std::string> problems;  ///< geometry that is not filtered, or as its convex hull only
   std::vector<std::string> warnings;  ///< names in parameters that fit no link
+  std::string left_out;               ///< see leftOutNote()
   std::string summary;                ///< one line for the log
 };
 

@@ -8,6 +8,7 @@
 #include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/kinematics.h"
 #include "packages/package_path.h"
+#include "robot/bounded_robot.h"
 #include "robot/mesh/mesh_files.h"
 #include "robot/posed/posed_robot.h"
 #include "robot/urdf/simple_joints.h"
@@ -18,7 +19,6 @@
 #include "tools/command_line/text_file.h"
 #include "tools/urdf_bounds/poses/reports.h"
 #include "tools/urdf_bounds/request/input.h"
-#include "tools/urdf_bounds/request/left_out.h"
 #include "tools/urdf_bounds/request/objects.h"
 
 namespace link_bounds {

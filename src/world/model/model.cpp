@@ -9,6 +9,7 @@
 #include <set>
 
 #include "packages/package_path.h"
+#include "robot/bounded_robot.h"
 #include "robot/urdf/trimmed.h"
 
 namespace link_bounds {
@@ -243,6 +244,7 @@ Model makeModel(const std::string& description, const Parameters& parameters, Ro
   for (const auto& [path, points] : bounded.meshes)
     model.mesh_bytes.emplace(path, points->bytes());
   model.mesh_uris = std::move(bounded.mesh_uris);
+  model.left_out = leftOutNote(robot, selection);
   model.problems = std::move(bounded.problems);
   model.warnings = unknownLinks(parameters, names, otherNames(parameters, ignored_pairs, names));
   const std::vector<std::string> unknown_joints = unknownJoints(parameters, robot);

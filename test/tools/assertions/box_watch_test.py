@@ -3,7 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The checks and reports of assert_box, without a ROS master: box_watch_test.py ASSERT_BOX"""
 import math
+import os
 import sys
+import tempfile
 import unittest
 from xml.etree import ElementTree
 
@@ -311,6 +313,21 @@ class Report(unittest.TestCase):
         self.assertEqual(case.find('failure').text, 'first  <line>\nsecond      [2J')
         self.assertEqual((root.get('tests'), root.get('failures'), root.get('time')),
                          ('1', '1', '0.500'))
+
+    def test_is_written_into_what_is_no_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe, link, file = (os.path.join(folder, name) for name in ('pipe', 'link', 'file'))
+            os.mkfifo(pipe)
+            os.symlink('file', link)
+            reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+            self.addCleanup(os.close, reader)
+            for path in pipe, link:
+                topic_assertion.write_file(path, b'report')
+            self.assertEqual(os.read(reader, 100), b'report')
+            with open(file, 'rb') as opened:
+                self.assertEqual(opened.read(), b'report')
+            self.assertTrue(os.path.islink(link))
+            self.assertEqual(sorted(os.listdir(folder)), ['file', 'link', 'pipe'])
 
     def test_has_no_failure_when_all_is_well(self):
         root = ElementTree.fromstring(topic_assertion.junit_xml('suite', 'test', 0.5, ''))

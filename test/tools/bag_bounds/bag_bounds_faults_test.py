@@ -391,6 +391,16 @@ class BagsTest(BagBoundsTest):
         found = self.report(self.bag([static_arms()] + messages + small), err='the clock jumped back')
         self.assertEqual(found['losses'], [])
 
+    def test_links_that_have_geometry_of_the_other_kind_only(self):
+        """Nothing is said of them, and that is said."""
+        self.urdf = self.write('bare.urdf', ARMS.replace(
+            '<link name="bare"/>', '<link name="bare"><collision><geometry><sphere radius="1"/>'
+            '</geometry></collision></link>'))
+        bag, note = self.bag(arms(5)), 'left out are links with collision geometry only: "bare"'
+        said = 'bag_bounds: note: %s; --geometry both takes them, too\n' % note
+        self.assertEqual(self.report(bag, err='^%s$' % said)['left_out'], note)
+        self.assertEqual(self.report(bag, '--geometry', 'both')['left_out'], '')
+
     def test_a_publisher_that_is_late(self):
         """The motion beside its message was not looked at, so this is no jump of the clock."""
         slow = [moving_arms(i, links=('right',)) for i in (0, 40, 80)]

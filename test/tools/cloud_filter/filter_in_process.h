@@ -93,7 +93,7 @@ class FilterInProcess : public testing::Test {
     thread_.join();
   }
 
-  /// By default, of a frame that tf does not know.
+  /// A point at the origin. By default, of a frame that tf does not know.
   void send(const std::string& frame = "nowhere", ros::Time stamp = ros::Time(1)) {
     sensor_msgs::PointCloud2 cloud;
     cloud.header.stamp = stamp;

@@ -9,6 +9,7 @@ import json
 import os
 import pty
 import re
+import resource
 import select
 import shutil
 import struct
@@ -431,6 +432,14 @@ class RefusalTest(UrdfBoundsTest):
                 code, _, err = run(*arguments, stdout=full)
                 self.assertEqual(code, 1)
                 self.assertRegex(err, '^urdf_bounds: error: cannot write')
+
+    def test_a_limit_of_the_size_of_files(self):
+        urdf, file = self.write('r.urdf', ARM), os.path.join(self.folder, 'r.cert')
+        limit = (resource.RLIMIT_FSIZE, (0, 0))
+        code, _, err = run(urdf, '--reach', '--certificate', file,
+                           preexec_fn=lambda: resource.setrlimit(*limit))
+        self.assertEqual(code, 1)
+        self.assertRegex(err, 'urdf_bounds: error: .*r.cert')
 
     def test_warnings_get_into_no_file_where_standard_error_is_closed(self):
         urdf = self.write('r.urdf', ARM.replace('type="prismatic"', 'type="floating"'))

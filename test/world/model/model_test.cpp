@@ -16,9 +16,9 @@ constexpr char kUrdf[] = R"(<robot name="r">
   <joint name="j2" type="fixed"><parent link="bare"/><child link="arm"/></joint>
 </robot>)";
 
-Model modelWith(const Parameters& parameters) {
+Model modelWith(const Parameters& parameters, const std::string& urdf = kUrdf) {
   RobotLoader loader([](const MeshFile&) -> TriangleMesh { throw MeshError("not asked for"); });
-  return makeModel(kUrdf, parameters, loader, meshSource(parameters));
+  return makeModel(urdf, parameters, loader, meshSource(parameters));
 }
 
 TEST(TfName, JoinsWithOneSlash) {
@@ -39,6 +39,26 @@ TEST(Model, FixedFrameIsThePrefixedRootUnlessGiven) {
   EXPECT_EQ(modelWith(parameters).fixed_frame, "left/base");
   parameters.fixed_frame = "map";
   EXPECT_EQ(modelWith(parameters).fixed_frame, "map");
+}
+
+TEST(Model, TellsWhatHasGeometryOfTheOtherKindOnly) {
+  std::string urdf = kUrdf;
+  const std::string bare = "<link name=\"bare\"/>";
+  urdf.replace(urdf.find(bare), bare.size(),
+               "<link name=\"bare\"><collision><geometry><sphere radius=\"1\"/></geometry>"
+               "</collision></link>");
+  Parameters parameters;
+  EXPECT_EQ(modelWith(parameters).left_out, "");
+  EXPECT_EQ(modelWith(parameters, urdf).left_out,
+            "left out are links with collision geometry only: \"bare\"");
+  parameters.ignore_links = {"bare"};
+  EXPECT_EQ(modelWith(parameters, urdf).left_out, "") << "it is not asked for";
+  parameters.ignore_links = {};
+  parameters.geometry = "collision";
+  EXPECT_EQ(modelWith(parameters, urdf).left_out,
+            "left out are links with visual geometry only: \"base\", \"arm\"");
+  parameters.geometry = "both";
+  EXPECT_EQ(modelWith(parameters, urdf).left_out, "");
 }
 
 TEST(Model, GroupsFollowTheRobotInAlphabeticalOrder) {

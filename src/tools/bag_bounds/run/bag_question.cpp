@@ -96,6 +96,7 @@ Model BagQuestion::makeModelOf(const std::string& urdf) {
     warn(problem);
   for (const std::string& warning : model.warnings)
     warn(warning);
+  if (!model.left_out.empty()) say("note: " + model.left_out + "; --geometry both takes them, too");
   checkNames(*model.robot);
   checkOutputs(options_,
                meshFiles(*model.robot, mesh_source_.package_path, mesh_source_.base_folder));

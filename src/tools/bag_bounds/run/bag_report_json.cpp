@@ -57,7 +57,8 @@ class JsonWriter {
 
   void writeLosses(std::ostream& out) const {
     out << ",\n \"incomplete\": " << jsonObject(incompleteOf(report_), jsonString)
-        << ",\n \"losses\": " << jsonList(report_.losses, jsonString);
+        << ",\n \"losses\": " << jsonList(report_.losses, jsonString)
+        << ",\n \"left_out\": " << jsonString(report_.left_out);
   }
 
   /// Of several, the first in the order of ~boxes.

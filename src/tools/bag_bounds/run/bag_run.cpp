@@ -284,6 +284,7 @@ void BagRun::record(std::int64_t now) {
 BagReport BagRun::report() const {
   BagReport report;
   report.frame = model_->fixed_frame;
+  report.left_out = model_->left_out;
   report.begin = begin_;
   report.from = std::max(from_, begin_);
   report.to = last_;

@@ -78,22 +78,9 @@ class BagRun {
   std::int64_t begin_ = 0;  ///< record time of the first message [ns]
   std::int64_t from_ = 0;   ///< begin of what is reported, record time [ns]
   std::int64_t to_ = 0;
-<<<<<<< HEAD
-  std::set<std::int64_t> looks_;  ///< times at which there may be no message, likewise
-  std::int64_t last_ = 0;         ///< the newest that is reported, likewise
-  RecordOrder order_;
-=======
   std::set<std::int64_t> looks_;  ///< record times at which there may be no message [ns]
   std::int64_t last_ = 0;         ///< the newest record time that is reported [ns]
-  struct Newest {
-    std::int64_t time = 0;
-    std::uint64_t steps_back = 0;  ///< when it came
-  };
-  std::map<std::pair<std::string, std::string>, Newest> newest_;  ///< of each topic and sender
-  std::vector<std::int64_t> steps_back_;  ///< to those times: messages are not in order
-  std::uint64_t all_steps_back_ = 0;      ///< with jumps of the clock
-  bool may_be_jump_ = false;              ///< the last one, of the clock
->>>>>>> 69bf82b9ff0f4e382829e8826590603ee3cf6f73
+  RecordOrder order_;
   bool has_recorded_ = false;
   bool was_interrupted_ = false;
   std::uint64_t messages_ = 0;
