@@ -16,7 +16,7 @@ namespace {
 /// The filter hears the clock only from here, so all comes to it in the order of the test.
 class SimulatedFilter : public FilterInProcess {
  protected:
-  SimulatedFilter() : FilterInProcess((ros::Time::setNow(ros::Time(kBegin)), 60)) {
+  SimulatedFilter() : FilterInProcess(60, "drop", kBegin) {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
     tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 100);
   }

@@ -66,7 +66,10 @@ class LogGate : public ros::console::LogAppender {
 /// One per process, because a process has one master.
 class FilterInProcess : public testing::Test {
  protected:
-  explicit FilterInProcess(double max_wait = 0, const std::string& late = "drop") {
+  /// `simulated`: the time that it begins with; 0: it does not use simulated time.
+  explicit FilterInProcess(double max_wait = 0, const std::string& late = "drop",
+                           double simulated = 0) {
+    if (simulated > 0) ros::Time::setNow(ros::Time(simulated));
     ros::param::set("/robot_description", kCubeRobot);
     ros::param::set("~max_wait", max_wait);
     ros::param::set("~late", late);
