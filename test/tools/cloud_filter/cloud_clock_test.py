@@ -49,6 +49,9 @@ class CloudClock(unittest.TestCase):
         message = self.output.messages[-1]
         return math.isnan(struct.unpack("<f", message.data[:4])[0])
 
+    def time_of_status(self):
+        return self.status.messages[-1].header.stamp if self.status.messages else None
+
     def wait_status(self, condition, what):
         self.status.wait(lambda message: any(condition(value.key, value.value)
                                              for status in message.status
@@ -76,6 +79,8 @@ class CloudClock(unittest.TestCase):
         self.assertTrue(self.is_removed(1000, 1, 1))
         self.assertFalse(self.is_removed(1001, 1, 2))
         # This one waits for tf when the clock jumps; tf of its time never comes.
+        self.clock.publish(Clock(rospy.Time(1002)))
+        wait_for(lambda: self.time_of_status() == rospy.Time(1002), "the filter hears the clock")
         self.clouds.publish(cloud(rospy.Time(1002), [(1, 0, 0)]))
         self.wait_status(lambda key, value: (key, value) == ("waiting", "1"), "the cloud waits")
         self.send(500, 2)

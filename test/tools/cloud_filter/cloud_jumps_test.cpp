@@ -13,12 +13,18 @@
 namespace link_bounds {
 namespace {
 
-/// The filter hears the clock only from here, so all comes to it in the order of the test.
+/// Each message is with the filter before the next one is sent, so all come in the order of the
+/// test.
 class SimulatedFilter : public FilterInProcess {
  protected:
-  SimulatedFilter() : FilterInProcess(60, "drop", kBegin) {
+  SimulatedFilter() : FilterInProcess(10, "drop", kBegin) {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
     tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 100);
+    // Later than those of the filter, as the witness of clouds.
+    clock_witness_ = node_.subscribe<rosgraph_msgs::Clock>(
+        "/clock", 100, [this](const rosgraph_msgs::ClockConstPtr&) { ++told_; });
+    tf_witness_ = node_.subscribe<tf2_msgs::TFMessage>(
+        "/tf", 100, [this](const tf2_msgs::TFMessageConstPtr&) { ++told_; });
   }
 
   static constexpr double kBegin = 1000;  // s
@@ -28,36 +34,45 @@ class SimulatedFilter : public FilterInProcess {
     ros::Time::setNow(ros::Time(seconds));
     rosgraph_msgs::Clock clock;
     clock.clock = ros::Time(seconds);
+    std::size_t before = told_;
     clock_.publish(clock);
+    ASSERT_TRUE(isServed([&] { return told_ > before; }));
     tf2_msgs::TFMessage message;
     message.transforms = {
         edge("sensor", "cube", seconds, Eigen::Quaterniond::Identity(), {x, 0, 0})};
+    before = told_;
     tf_.publish(message);
+    ASSERT_TRUE(isServed([&] { return told_ > before; }));
+  }
+
+  void sendCloud(ros::Time stamp) {
+    send("sensor", stamp);
+    ASSERT_TRUE(isServed([this] { return heard_ == sent_; }));
   }
 
   /// Holds the filter up: it waits where it logs that this cloud is dropped.
   void holdUp() {
     ASSERT_TRUE(isServed([this] { return message_.find("no cloud or scan") == 0; }));
-    ASSERT_TRUE(isServed([this] { return clock_.getNumSubscribers() > 0; }));
     tell(kBegin, 1);
-    send("sensor", ros::Time());
+    sendCloud(ros::Time());
     ASSERT_TRUE(becomesTrue([this] { return gate_.isReached(); })) << "it has no stamp";
   }
 
   ros::Publisher clock_, tf_;
+  ros::Subscriber clock_witness_, tf_witness_;
+  std::size_t told_ = 0;
 };
 
 TEST_F(SimulatedFilter, MixesNoTimes) {
   holdUp();
   for (int i = 1; i <= 5; ++i)
     tell(kBegin + i, 1);
-  send("sensor", ros::Time(kBegin + 5.5));  // tf of that time never comes
+  sendCloud(ros::Time(kBegin + 5.5));  // tf of that time never comes
   tell(kBegin, 0);
-  send("sensor", ros::Time(kBegin + 5.2));  // is late, too
+  sendCloud(ros::Time(kBegin + 5.2));  // is late, too
   for (int i = 1; i <= 10; ++i)
     tell(kBegin + i, 0);
-  send("sensor", ros::Time(kBegin + 3));  // where the cube is at the sensor
-  ASSERT_TRUE(isServed([this] { return heard_ == sent_; }));
+  sendCloud(ros::Time(kBegin + 3));  // where the cube is at the sensor
   gate_.open();
   std::string robot_points;
   ASSERT_TRUE(isServed([&] {
