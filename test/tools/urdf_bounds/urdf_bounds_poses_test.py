@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 
 import urdf_bounds_testing
 from bad_inputs import SANITIZED
+from page_testing import PACKAGE
 from patience import PATIENCE
 from urdf_bounds_testing import ARM, UrdfBoundsTest, main, run
 
@@ -203,6 +204,14 @@ class PosesTest(UrdfBoundsTest):
         summary, err = self.summary('# a comment\n1\n\n', '--columns', 'push', 'lift:=0.25')
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.25), (2.5, 0.5, 0.75))
         self.assertEqual(err, '')
+
+    def test_pages_have_the_first_line_of_csv(self):
+        usage, page = run('--help')[1], PACKAGE.joinpath('doc/tools.md').read_text('utf-8')
+        table = self.write('t.csv', 'push,lift\n0,0\n')
+        for arguments in ([], ['--poses', table], ['--reach']):
+            head = run('-', '--format', 'csv', *arguments, urdf=SLIDE)[1].split('\n', 1)[0]
+            self.assertIn(head[:len('link,min_x,')], usage)
+            self.assertIn('`' + head.split(',gap', 1)[0], page)
 
     def test_quoted_cells(self):
         """As csv has them where a name has commas or quotes; blanks may stand around them."""
