@@ -16,7 +16,7 @@ from fractions import Fraction
 import numpy as np
 from certificate_objects import add_objects, number
 from certificate_pairs import Pair, drawn, leaves
-from certificate_robot import Refused
+from certificate_robot import Refused, Unusable
 
 
 def cells(line, file):
@@ -28,12 +28,18 @@ def cells(line, file):
 
 
 class Path:
-    """A csv file whose first line names its columns; other joints stay where `given` says."""
-    def __init__(self, file, robot, given):
+    """A csv file whose first line names its columns, or else `columns`; other joints stay where
+    `given` says."""
+    def __init__(self, file, robot, given, columns):
         with open(file, encoding='utf-8-sig', newline='') as text:
             lines = [cells(line, file) for line in text.read().split('\n')
                      if line.strip(' \t\r') and not line.strip(' \t\r').startswith('#')]
-        names = [name.strip() for name in lines[0]]
+        if columns:
+            lines.insert(0, cells(columns, '--columns'))
+        names = [name.strip() for name in lines[0]] if lines else []
+        if not set(names) & set(robot.joints):
+            raise Unusable('%s has no column of a joint; where it has no line of names, give them '
+                           'by --columns A,B' % file)
         if len(set(names)) != len(names) or any(len(line) != len(names) for line in lines):
             raise Refused('%s is no table' % file)
         known = {name for name in names if name == 'time' or any(
@@ -110,7 +116,7 @@ class Segments:
         self.robot, self.kinds, self.made = robot, kinds, {}
         links = list(robot.links)
         objects = add_objects(options.objects, robot) if options.objects else set()
-        self.path = Path(options.poses, robot, given)
+        self.path = Path(options.poses, robot, given, options.columns)
         self.pairs = pairs(robot, objects, kinds)
         exempt = disabled(options.srdf, links) if options.srdf else set()
         # A SRDF is about links: an object may have the name of one that this robot does not have.

@@ -21,6 +21,10 @@ class NotCovered(Exception):
     """This program cannot read it."""
 
 
+class Unusable(Exception):
+    """Something else is to be given."""
+
+
 class Refused(Exception):
     """The file does not prove what it says."""
 

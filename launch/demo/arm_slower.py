@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The link_bounds authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Slows the demo's arm while a stopping box of one of its links meets an object.
+"""Slows the demo's arm while a stopping box of one of its links meets an object, or is incomplete.
 
-Subscribes to stopping_overlaps of link_bounds_publisher; publishes joint_mover/speed
+Subscribes to stopping and stopping_overlaps of link_bounds_publisher; publishes joint_mover/speed
 (std_msgs/Float64), a factor from 0.1 to 1. For the demo alone: nothing here is made for safety.
 """
 
@@ -11,7 +11,7 @@ import os
 import sys
 
 import rospy
-from link_bounds.msg import BoxOverlapArray
+from link_bounds.msg import AxisAlignedBoxArray, BoxOverlapArray
 from std_msgs.msg import Float64
 
 sys.path.append(os.path.dirname(os.path.realpath(__file__)))
@@ -24,16 +24,24 @@ SLOWEST = 0.1  # the arm comes out of an object that does not go away
 
 class Slower:
     def __init__(self):
-        self.speed, self.stamp = 1.0, rospy.Time()
+        self.speed, self.stamp, self.boxes = 1.0, rospy.Time(), AxisAlignedBoxArray()
         self.publisher = rospy.Publisher('joint_mover/speed', Float64, queue_size=1)
+        rospy.Subscriber('link_bounds_publisher/stopping', AxisAlignedBoxArray, self.take_boxes,
+                         queue_size=1, tcp_nodelay=True)
         rospy.Subscriber('link_bounds_publisher/stopping_overlaps', BoxOverlapArray, self.take,
                          queue_size=1, tcp_nodelay=True)
 
-    def take(self, message):
+    def take_boxes(self, boxes):  # of stopping
+        self.boxes = boxes
+
+    def take(self, message):  # of stopping_overlaps
         meets = any(('/' in pair.first) != ('/' in pair.second) for pair in message.overlaps)
         seconds = max(0.0, min((message.header.stamp - self.stamp).to_sec(), LONGEST))
         self.stamp = message.header.stamp
-        self.speed = self.speed * SLOWER if meets else self.speed + FASTER * seconds
+        if meets or self.boxes.incomplete:
+            self.speed *= SLOWER
+        elif self.boxes.header.stamp == message.header.stamp:  # those that the overlaps are of
+            self.speed += FASTER * seconds
         self.speed = min(1.0, max(SLOWEST, self.speed))
         self.publisher.publish(self.speed)
 

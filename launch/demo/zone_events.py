@@ -6,8 +6,8 @@
 Subscribes to boxes and overlaps of link_bounds_publisher; logs each event and publishes it on
 ~events (std_msgs/String): "link X entered zone Y", "link X left zone Y". A name in incomplete, and
 a link that has no box any more, is reported as not watched and leaves no zone meanwhile; the header
-stamps say what belongs together. Where nobody publishes one of the topics for ALONE PERIODs: "no zone
-is watched".
+stamps say what belongs together. Where nobody publishes one of the topics for two seconds: "no zone is
+watched".
 Parameter: ~zones (default zones).
 """
 

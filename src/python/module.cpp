@@ -324,7 +324,8 @@ void addPair(py::module& module) {
       "{joint: value}: a pose that collides, or the nearest one that was found.");
   pair.def_property_readonly(
       "reason", [](const NamedProof& self) { return toPython(self.proof.reason); },
-      "Why nothing is known of the pair; mostly ''.");
+      "Which joints between the links have no range, of an UNDECIDED pair; '' for any other "
+      "reason.");
   pair.def("__repr__", [](const NamedProof& self) {
     return "<Pair " + validUtf8(self.first) + ", " + validUtf8(self.second) + ": " +
            toText(self.proof.verdict) + ">";

@@ -8,6 +8,7 @@
 #include "robot/bounded_robot.h"
 #include "robot/urdf/simple_joints.h"
 #include "text/joined.h"
+#include "tools/urdf_bounds/request/objects.h"
 
 namespace link_bounds {
 namespace {
@@ -47,6 +48,7 @@ SharedRobot::SharedRobot(const RobotRequest& request, const StopFlag& stop)
 BoundedRobot SharedRobot::loadObjects(const Robot& objects, const std::string& base_folder,
                                       const StopFlag& stop) const {
   BoundedRobot bounded = load(objects, {}, packagePath(packages_), base_folder, stop);
+  nameObjects(bounded);
   if (!allow_incomplete_ || stop) refuseLosses(bounded.problems);
   return bounded;
 }

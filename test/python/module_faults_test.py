@@ -206,7 +206,7 @@ class RobotFaultsTest(UrdfBoundsTest):
         self.check('budget is 0', call, rows, budget=0)
         self.check('cannot read /no/such.yaml', call, rows, objects='/no/such.yaml',
                    error=link_bounds.RobotError)
-        self.check('.*no/such.stl', call, rows, error=link_bounds.RobotError,
+        self.check('.*object "o" .*no/such.stl', call, rows, error=link_bounds.RobotError,
                    objects=self.write('o.yaml', 'o: {type: MESH_RESOURCE, '
                                                 'mesh_resource: "file:///no/such.stl"}'))
         self.check('"bar" has the name of a link', call, rows, objects=self.write(

@@ -16,7 +16,7 @@ from urdf_bounds_pairs_test import ball, joint, link
 
 PACKAGE = os.path.realpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '../..'))
 DEMO = os.path.join(PACKAGE, 'launch/demo/demo.urdf')
-REFUSED, INCOMPLETE = 3, 4  # exit codes
+UNUSABLE, REFUSED, INCOMPLETE = 1, 3, 4  # exit codes
 DAMAGES = 20 if SANITIZED else 200  # the checker is the same, and writes no memory itself
 COARSE = ('--pairs', '--accuracy', '1000', '--budget', '1000')
 

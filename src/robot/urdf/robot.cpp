@@ -54,7 +54,11 @@ std::string faultOf(const std::string& element, Purpose purpose) {
   const bool parsed = link && (purpose == Purpose::kVisual ? link->visual_array.size()
                                                            : link->collision_array.size()) == 1;
   if (parsed) return "";
-  return "it cannot be parsed (" + log.messages() + "); correct its numbers and attributes";
+  std::string why = log.messages();
+  const std::string of_link = " for Link [l]";  // which the user does not have
+  const std::size_t place = why.rfind(of_link);
+  if (place != std::string::npos) why.erase(place, of_link.size());
+  return "it cannot be parsed (" + why + "); correct its numbers and attributes";
 }
 
 /// urdfdom reads <inertial>, then the visuals, then the collisions of a link, and stops at the
@@ -226,6 +230,16 @@ urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& urdf) {
   return is_late ? urdf::parseURDF(elements + kAfterText) : nullptr;
 }
 
+/// With a semicolon before it; "" where the messages of urdfdom are about something else.
+std::string remedyForLimits(const std::string& messages) {
+  for (const char* const about :
+       {"does not specify limits", "without limits", "Could not parse limit element"}) {
+    if (messages.find(about) != std::string::npos)
+      return "; give that joint a <limit> whose lower, upper, effort and velocity are finite";
+  }
+  return "";
+}
+
 /// What is wrong with a text that urdfdom refuses. The remedy is at the end.
 std::string refusalOf(const std::string& urdf, const UrdfLog& log) {
   const std::string what = "the robot description is not a usable URDF";
@@ -233,7 +247,7 @@ std::string refusalOf(const std::string& urdf, const UrdfLog& log) {
   if (!why.empty()) return what + (log.isOff() ? "" : " (" + log.messages() + ")") + ": " + why;
   const char* const not_so =
       log.isOff() ? "its XML is well-formed and its root is <robot>, but " : "";
-  return what + ": " + not_so + log.messages();
+  return what + ": " + not_so + log.messages() + remedyForLimits(log.messages());
 }
 
 }  // namespace

@@ -142,6 +142,7 @@ PathObjects loadObjects(const UrdfBoundsOptions& options) {
   const MeshSource source{rosPackages(), folderOf(file), progressBar(), {}, isInterrupted};
   checkOutputs(options, meshFiles(objects.robot, source.package_path, source.base_folder));
   objects.bounded = RobotLoader().load(objects.robot, selection, source);
+  nameObjects(objects.bounded);
   for (const auto* problems : {&objects.bounded.problems, &objects.bounded.body_problems}) {
     for (const std::string& problem : *problems)
       warn(file + ": " + problem);

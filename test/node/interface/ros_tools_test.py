@@ -122,6 +122,7 @@ class RosTools(unittest.TestCase):
         for program in PROGRAMS + SCRIPTS + ["rviz_in_fixed_frame.py"]:
             with self.subTest(program):
                 self.assertRegex(self.help_of(program), "^usage: .*%s|^usage, in" % program)
+                self.assertNotRegex(self.help_of(program), r"ALONE|PERIOD")  # names of its source
 
     def test_scripts_explain_every_parameter(self):
         for script in SCRIPTS:

@@ -69,6 +69,19 @@ TEST(RobotRefusals, NoName) {
   expectRefused("<robot><link name='a'/></robot>", "not a usable URDF");
 }
 
+TEST(RobotRefusals, JointsWithoutAUsableLimit) {
+  for (const char* const type : {"revolute", "prismatic"}) {
+    for (const char* const limit :
+         {"", "<limit lower='-inf' upper='1' effort='1' velocity='1'/>",
+          "<limit lower='x' upper='1' effort='1' velocity='1'/>", "<limit lower='0' upper='1'/>"}) {
+      expectRefused(robotOfText(links({"a", "b"}) + "<joint name='j' type='" + type +
+                                "'><parent link='a'/><child link='b'/>" + limit + "</joint>"),
+                    "; give that joint a <limit>");
+    }
+  }
+  EXPECT_EQ(refusal(robotOfText("")).find("<limit>"), std::string::npos);
+}
+
 TEST(RobotRefusals, TwoRootsAreBothNamed) {
   const std::string urdf = robotOfText(links({"left", "right"}));
   expectRefused(urdf, "left");

@@ -36,6 +36,7 @@ TEST(UrdfLosses, SizesThatAreNoThreeNumbers) {
     EXPECT_EQ(lost.purpose, Purpose::kVisual) << size;
     EXPECT_EQ(lost.number, 2u) << size;
     EXPECT_NE(lost.reason.find("cannot be parsed"), std::string::npos) << lost.reason;
+    EXPECT_EQ(lost.reason.find("Link ["), std::string::npos) << "not one of the robot";
   }
 }
 

@@ -201,6 +201,11 @@ class RecipeTest(EachBagTest):
                 daemon.terminate()
                 daemon.wait(DEADLINE)
 
+    def test_a_task_of_slurm_without_a_bag(self):
+        self.write('job.sh', self.recipe('### Slurm'))
+        done = self.shell('SLURM_ARRAY_TASK_ID=99 SLURM_ARRAY_TASK_COUNT=100 bash job.sh')
+        self.assertEqual((done.returncode, done.stderr, self.found()), (0, '', []))
+
     @needs('sbatch', 'slurmctld', 'slurmd', 'munged')
     def test_slurm(self):
         self.write('job.sh', self.recipe('### Slurm'))

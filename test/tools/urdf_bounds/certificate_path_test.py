@@ -9,8 +9,8 @@ Run as: certificate_path_test.py PATH_OF_wrong_urdf_bounds PATH_OF_urdf_bounds
 import json
 import os
 
-from certificate_testing import (ARM, INCOMPLETE, MOBILE, NOT_COUNTED, REFUSED, box, check, halved,
-                                 is_leaf, lines_of, main, turned, write_lines, write_wrong)
+from certificate_testing import (ARM, INCOMPLETE, MOBILE, NOT_COUNTED, REFUSED, UNUSABLE, box, check,
+                                 halved, is_leaf, lines_of, main, turned, write_lines, write_wrong)
 from urdf_bounds_pairs_test import joint, link
 from urdf_bounds_testing import UrdfBoundsTest, run
 
@@ -48,9 +48,9 @@ class PathTest(UrdfBoundsTest):
         self.assertEqual(found, code, text)
         return text
 
-    def write_certificate(self, table):
+    def write_certificate(self, table, *arguments):
         code, out, err = run(self.urdf, '--poses', self.write('path.csv', table), '--path', '--objects',
-                             self.objects, '--certificate', self.file)
+                             self.objects, '--certificate', self.file, *arguments)
         self.assertEqual(code, 0, out + err)
 
     def test_a_table_with_remarks(self):
@@ -58,6 +58,16 @@ class PathTest(UrdfBoundsTest):
         table = '# a remark\nshoulder,label,elbow,push\n0,a,0,0.1\n \n1,b,0.2,0.2\n0.8,,-0.4,0\n'
         self.write_certificate(table)
         self.check_table(table, 0)
+
+    def test_a_table_without_a_line_of_names(self):
+        names, rows = self.LINEAR.split('\n', 1)
+        self.write_certificate(rows, '--columns', names)
+        for table in (rows, '0,0\n0.1,0.2\n', '# a remark\n'):
+            text = self.check_table(table, UNUSABLE)
+            self.assertRegex(text, r'^error: .*no column of a joint; .* --columns A,B\n$')
+        self.check_table(rows, 0, '--columns', names)
+        self.check_table(self.LINEAR, 0)
+        self.assertIn('not proven', self.check_table(rows, REFUSED, '--columns', 'elbow,shoulder,push'))
 
     def test_a_quote_in_a_remark_hides_no_row(self):
         remark = '# then, "home\n'
@@ -161,7 +171,14 @@ class PathTest(UrdfBoundsTest):
     def test_damages(self):
         self.write_certificate(self.LINEAR)
         good = lines_of(self.file)
+        said = {'no distance': "row 1 and row 2: the file is damaged: 'distance' is missing",
+                'no counts': "refused: the file is damaged: 'not_covered' is missing",
+                'words': 'row 1 and row 2: the file is damaged: urdf_bounds writes no such value (',
+                'no clearance': 'refused: row 1 and row 2: there is no such segment\n'}
         for name, damage in {
+                'no distance': lambda lines: lines[1].pop('distance'),
+                'no counts': lambda lines: lines[-1].pop('not_covered'),
+                'words': lambda lines: lines[1].update(distance='far'),
                 'larger clearance': lambda lines: lines[1].update(distance=1),
                 'no clearance': lambda lines: lines[1].update(distance=0),
                 'other segment': lambda lines: lines[1].update({'from': 3, 'to': 4}),
@@ -182,7 +199,9 @@ class PathTest(UrdfBoundsTest):
                 lines = json.loads(json.dumps(good))
                 damage(lines)
                 write_lines(self.file, lines)
-                self.check_table(self.LINEAR, REFUSED)
+                text = self.check_table(self.LINEAR, REFUSED)
+                self.assertNotRegex(text, 'Error|Refused')  # names of Python
+                self.assertIn(said.get(name, 'refused: '), text)
 
     def test_what_is_not_in_the_file(self):
         table = self.LINEAR + '2.2,0,0\n'

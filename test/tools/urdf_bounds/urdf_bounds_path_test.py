@@ -103,6 +103,9 @@ class PathTest(UrdfBoundsTest):
         result = self.segments(table, '--objects', missing, code=4)
         self.assertEqual(list(result['incomplete']), ['rock'])
         self.assertEqual(result['segments'][0]['verdict'], 'UNDECIDED')
+        _, _, err = run('-', '--poses', self.write('path.csv', table), '--path', '--objects', missing,
+                        urdf=SLIDE)
+        self.assertIn(missing + ': object "rock" (none.stl): cannot find', err)
 
     def test_faulty_objects_are_refused(self):
         table = self.write('path.csv', 'push,lift\n0,0\n1,0\n')

@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 
 import urdf_bounds_testing
 from bad_inputs import SANITIZED
+from page_testing import PACKAGE
 from patience import PATIENCE
 from urdf_bounds_testing import ARM, UrdfBoundsTest, main, run
 
@@ -204,6 +205,14 @@ class PosesTest(UrdfBoundsTest):
         self.check_box(summary['boxes']['block'], (1.5, -0.5, -0.25), (2.5, 0.5, 0.75))
         self.assertEqual(err, '')
 
+    def test_pages_have_the_first_line_of_csv(self):
+        usage, page = run('--help')[1], PACKAGE.joinpath('doc/tools.md').read_text('utf-8')
+        table = self.write('t.csv', 'push,lift\n0,0\n')
+        for arguments in ([], ['--poses', table], ['--reach']):
+            head = run('-', '--format', 'csv', *arguments, urdf=SLIDE)[1].split('\n', 1)[0]
+            self.assertIn(head[:len('link,min_x,')], usage)
+            self.assertIn('`' + head.split(',gap', 1)[0], page)
+
     def test_quoted_cells(self):
         """As csv has them where a name has commas or quotes; blanks may stand around them."""
         urdf = ARM.replace('"push"', '"pu,sh &quot;it&quot;"').replace('"turn"', '"turn "')
@@ -289,7 +298,8 @@ class PosesTest(UrdfBoundsTest):
                 ('no row that can be used: row 1 column "push" is "x"', 'push,lift\nx,0\n'),
                 *((r't.csv has lines that end in CR alone; save it with LF', table) for table in (
                     'push,lift\r0,0\r', '# log\rpush,lift\r0,0', '# a\r# b', '\rpush,lift')),
-                ('no column of a joint', 'a,b\n1,2\n')):
+                *(('no column of a joint; where it has no line of names, give them by --columns; '
+                   'joints .*: push lift', table) for table in ('a,b\n1,2\n', '0,0\n1,2\n'))):
             self.check_refused(reason, '-', '--poses', self.write('t.csv', table), urdf=SLIDE)
         for table in ('0,0\r', '0,0 \r\t', '\r\n0,0\r\n'):
             self.summary(table, '--columns', 'push,lift')

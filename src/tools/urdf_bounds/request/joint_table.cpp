@@ -86,11 +86,11 @@ class TableReader {
 
   void setColumns(const std::string& line, const std::vector<std::string>& given, bool is_path) {
     std::set<std::string> names;
+    std::optional<std::string> twice;
     const auto cells = cellsOf(line);
     if (!cells) throw UsageError(file_ + ": the line of names " + kWrongQuotes);
     for (const std::string& name : *cells) {
-      if (!names.insert(name).second)
-        throw UsageError(file_ + ": column \"" + shown(name) + "\" is there twice; remove one");
+      if (!names.insert(name).second && !twice) twice = name;
       columns_.push_back(columnOf(name));
     }
     for (const Column& column : columns_) {
@@ -99,7 +99,10 @@ class TableReader {
     if (is_path) checkUnknown(names);
     if (table_.joints.empty())
       throw UsageError(file_ +
-                       " has no column of a joint; those that can be set:" + settableNames(robot_));
+                       " has no column of a joint; where it has no line of names, give them " +
+                       "by --columns; joints that can be set:" + settableNames(robot_));
+    if (twice)
+      throw UsageError(file_ + ": column \"" + shown(*twice) + "\" is there twice; remove one");
     const std::set<std::string> known(given.begin(), given.end());
     for (const std::string& name : given) {
       if (names.count(name))

@@ -131,4 +131,18 @@ Robot parseObjects(const std::string& text, const std::string& file) {
   return readYaml<ObjectReader>(text, file);
 }
 
+void nameObjects(BoundedRobot& objects) {
+  for (auto* const problems : {&objects.problems, &objects.body_problems}) {
+    for (std::string& problem : *problems) {
+      for (const BoundedLink& object : objects.links) {
+        const std::string name = "\"" + object.name + "\"";
+        const std::string as_link = "link " + name + ", visual 1";
+        if (problem.rfind(as_link, 0) != 0) continue;
+        problem.replace(0, as_link.size(), "object " + name);
+        break;
+      }
+    }
+  }
+}
+
 }  // namespace link_bounds

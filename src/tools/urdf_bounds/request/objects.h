@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "link_bounds/robot/robot_loader.h"
 #include "link_bounds/robot/urdf/robot.h"
 
 namespace link_bounds {
@@ -12,5 +13,8 @@ namespace link_bounds {
 /// One link per object, in the frame of the root link of a robot, all of them fixed. `file` is
 /// named in errors. Throws UsageError with the name of the object and the remedy.
 Robot parseObjects(const std::string& text, const std::string& file);
+
+/// The problems of loaded objects then name an object, not a link and its only visual.
+void nameObjects(BoundedRobot& objects);
 
 }  // namespace link_bounds

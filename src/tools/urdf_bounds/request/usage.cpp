@@ -23,7 +23,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
                       min-width: smallest corner and widths
                       center-radius: centre and half-extents
   --format F          table (default): rounded to micrometres
-                      csv: link,a_x,a_y,a_z,b_x,b_y,b_z, groups last as group:NAME
+                      csv: link,a_x,a_y,a_z,b_x,b_y,b_z, of --poses and --reach link,min_x,...;
+                      groups last as group:NAME
                       json: always min-max; also says what is incomplete and why
                       markers: of --reach, a visualization_msgs/MarkerArray for rostopic pub -f -
                       srdf: of --pairs, disable_collisions elements of what is proven; with --srdf
@@ -63,7 +64,8 @@ whole robot, in the frame of its root link. Needs no ROS master.
   --srdf FILE         of --pairs: checks the disable_collisions of a SRDF;
                       of --path: leaves out the pairs that it disables
   --certificate FILE  of --reach, --pairs and --path: writes why the links never leave their boxes, why
-                      each NEVER holds, or why each SAFE does, for scripts/check_certificate
+                      each NEVER holds, or why each SAFE does, for scripts/check_certificate of
+                      the repository, which no package has
   --accept-sampled    of --format srdf: also disables pairs that collided in all poses tried
   --base fixed        of --reach and --pairs: floating and planar joints of the root stay at 0;
                       without a range, nothing is proven of what depends on such a joint
