@@ -33,7 +33,7 @@ struct BagReport {
   bool has_compared = false;  ///< any two bodies, if there are distances
   double min_coverage = 0;    ///< see Coverage
   std::vector<std::string> losses;
-  std::string left_out;  ///< links that have only geometry of the other kind, in words
+  std::string left_out;           ///< links that have only geometry of the other kind, in words
   std::vector<std::string> open;  ///< as Outcome::open, for JSON
 };
 
