@@ -35,13 +35,13 @@ class Slower:
         self.boxes = boxes
 
     def take(self, message):  # of stopping_overlaps
+        boxes = self.boxes  # another thread replaces them
         meets = any(('/' in pair.first) != ('/' in pair.second) for pair in message.overlaps)
         seconds = max(0.0, min((message.header.stamp - self.stamp).to_sec(), LONGEST))
-        self.stamp = message.header.stamp
-        if meets or self.boxes.incomplete:
-            self.speed *= SLOWER
-        elif self.boxes.header.stamp == message.header.stamp:  # those that the overlaps are of
-            self.speed += FASTER * seconds
+        if meets or boxes.incomplete:
+            self.speed, self.stamp = self.speed * SLOWER, message.header.stamp
+        elif boxes.header.stamp == message.header.stamp:  # those that the overlaps are of
+            self.speed, self.stamp = self.speed + FASTER * seconds, message.header.stamp
         self.speed = min(1.0, max(SLOWEST, self.speed))
         self.publisher.publish(self.speed)
 

@@ -70,6 +70,7 @@ int run(int argc, char** argv, const NodeProgram& program) {
 
 int runNode(int argc, char** argv, const NodeProgram& program) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
+  std::signal(SIGXFSZ, SIG_IGN);  // a file as large as `ulimit -f` allows is an error, no end
   try {
     return run(argc, argv, program);
   } catch (const std::exception& error) {

@@ -368,18 +368,21 @@ def junit_xml(suite, test, seconds, failure):
 
 def write_file(path, content):
     """Makes the folder if it is missing. A reader finds the complete file or none. What is there
-    and is no file, such as /dev/null, is written into and stays."""
+    and is no file, such as /dev/null or a pipe, is written into and stays."""
+    is_descriptor = path.startswith(('/dev/fd/', '/dev/std', '/proc/'))
+    if is_descriptor or os.path.exists(path) and not os.path.isfile(path):
+        with open(path, 'ab') as device:
+            device.write(content)
+        return
     path = os.path.realpath(path)
     os.makedirs(os.path.dirname(path), exist_ok=True)
-    is_file = os.path.isfile(path) or not os.path.exists(path)
-    unfinished = f'{path}.{os.getpid()}' if is_file else path
+    unfinished = f'{path}.{os.getpid()}'
     try:
         with open(unfinished, 'wb') as file:
             file.write(content)
-        if is_file:
-            os.replace(unfinished, path)
+        os.replace(unfinished, path)
     except OSError:
-        if is_file and os.path.exists(unfinished):
+        if os.path.exists(unfinished):
             os.remove(unfinished)
         raise
 

@@ -142,10 +142,11 @@ void CloudFilterNode::spin() {
 
 /// All that waits. If that is all that a queue of an input holds, more may have come.
 void CloudFilterNode::takeAll() {
-  clouds_taken_ = scans_taken_ = 0;
+  clouds_taken_ = scans_taken_ = transforms_taken_ = 0;
   for (std::size_t waiting = queue_.backlog().count; waiting > 0; --waiting)
     queue_.callOne();
   if (std::max(clouds_taken_, scans_taken_) >= kQueue) health_.addFullQueue();
+  if (transforms_taken_ >= TfReceiver::kQueue) health_.addFullTfQueue();
 }
 
 void CloudFilterNode::adopt(std::shared_ptr<const FilteredRobot> robot) {
@@ -198,6 +199,7 @@ std::vector<std::string> CloudFilterNode::heldProblems() const {
 }
 
 void CloudFilterNode::onTransforms(const TfReceiver::Event& event, bool is_static) {
+  if (!is_static) ++transforms_taken_;
   observeClock();
   tf_input_.add(
       event.getConstMessage()->transforms, is_static, [&event] { return event.getPublisherName(); },

@@ -111,8 +111,8 @@ class CloudFilterNode {
   ClockWatch clock_;
   ros::Time simulated_now_;  ///< what was taken of /clock
   Input clouds_, scans_;     // a scan that waits for tf delays no cloud, and no cloud a scan
-  std::size_t clouds_taken_ = 0, scans_taken_ = 0;  ///< by takeAll()
-  std::shared_ptr<const FilteredRobot> robot_;      ///< null until it is loaded
+  std::size_t clouds_taken_ = 0, scans_taken_ = 0, transforms_taken_ = 0;  ///< by takeAll()
+  std::shared_ptr<const FilteredRobot> robot_;  ///< null until it is loaded
   // Links, then held objects:
   std::vector<std::string> names_;
   std::vector<TransformBuffer::Hold> frames_;

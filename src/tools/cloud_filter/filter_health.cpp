@@ -89,7 +89,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   if (late_turns_ > 0)
     raise(status, DiagnosticStatus::WARN,
           "clouds or scans are sent late, because filtering takes longer than they take to come");
-  if (most_waiting >= TfReceiver::kQueue)
+  if (was_tf_full_)
     raise(status, DiagnosticStatus::WARN,
           "transforms may have been lost, because filtering took too long");
   if (status.message.empty() && filter_ms_.empty())
@@ -129,6 +129,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   new_reasons_.clear();
   without_nearest_.clear();
   new_full_ = late_turns_ = 0;
+  was_tf_full_ = false;
 }
 
 }  // namespace link_bounds

@@ -29,6 +29,9 @@ class FilterHealth {
   /// The queue of an input was full, so roscpp may have dropped messages of it.
   void addFullQueue() { ++new_full_, ++full_; }
 
+  /// The queue of /tf was full, so roscpp may have dropped transforms.
+  void addFullTfQueue() { was_tf_full_ = true; }
+
   /// A cloud or scan was filtered: it waited for tf and its turn, then took so long.
   void addFiltered(std::size_t points, std::size_t robot_points, double waited_ms,
                    double filter_ms);
@@ -47,8 +50,7 @@ class FilterHealth {
   /// is filtered. WARN: geometry or held objects are missing, or since the last status clouds were
   /// not filtered, late or lacked nearest points, or none was filtered. Else OK. `robot` may be
   /// null. `problems` are those of held objects; `waiting` messages wait. `most_waiting` callbacks
-  /// waited at once since the last status: if that are as many as fit into the queue of /tf,
-  /// transforms may have been lost.
+  /// waited at once since the last status.
   void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
                std::size_t waiting, std::size_t most_waiting);
 
@@ -65,6 +67,7 @@ class FilterHealth {
   std::vector<double> filter_ms_;
   double max_waited_ms_ = 0;
   std::uint64_t new_full_ = 0, late_turns_ = 0;
+  bool was_tf_full_ = false;
   Reasons new_reasons_;      ///< why clouds were not filtered
   Reasons without_nearest_;  ///< why filtered ones have no nearest points
   // Since the start:

@@ -86,6 +86,24 @@ TEST_F(MeshStoreTest, WhatACallbackThrowsIsThrown) {
   EXPECT_EQ(store_.load(files).size(), files.size());
 }
 
+TEST_F(MeshStoreTest, AReplacedFileIsReadAnewAndOldPointsLiveOn) {
+  const MeshFile file = write("a", "1");
+  const LoadedMesh old = loadOne(file);
+  replace(file, "2");
+  EXPECT_EQ(sizeOf(loadOne(file)), 2);
+  EXPECT_EQ(sizeOf(old), 1);
+  EXPECT_EQ(imports(), 2);
+}
+
+TEST_F(MeshStoreTest, TrianglesAreThereOnlyWhereTheyAreAskedFor) {
+  const MeshFile file = write("a", "1");
+  EXPECT_FALSE(loadOne(file).triangles);
+  const LoadedMesh mesh = loadWithTriangles(file);
+  ASSERT_TRUE(mesh.triangles);
+  EXPECT_EQ(mesh.triangles->triangles.size(), 1u);
+  EXPECT_FALSE(loadWithTriangles(write("bad", "x")).triangles);
+}
+
 TEST_F(MeshStoreTest, NothingIsAskedOfAnEmptyList) {
   EXPECT_TRUE(store_.load({}).empty());
   EXPECT_EQ(imports(), 0);

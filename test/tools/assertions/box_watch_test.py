@@ -328,6 +328,11 @@ class Report(unittest.TestCase):
                 self.assertEqual(opened.read(), b'report')
             self.assertTrue(os.path.islink(link))
             self.assertEqual(sorted(os.listdir(folder)), ['file', 'link', 'pipe'])
+        read_end, write_end = os.pipe()
+        topic_assertion.write_file('/dev/fd/%d' % write_end, b'report')
+        self.assertEqual(os.read(read_end, 100), b'report')
+        for end in read_end, write_end:
+            os.close(end)
 
     def test_has_no_failure_when_all_is_well(self):
         root = ElementTree.fromstring(topic_assertion.junit_xml('suite', 'test', 0.5, ''))
