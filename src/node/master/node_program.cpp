@@ -19,8 +19,8 @@
 namespace link_bounds {
 namespace {
 
-/// Throws std::runtime_error if the master's address cannot be read, which roscpp does not say but
-/// stops at a breakpoint. It is that of the last argument __master, or of the environment.
+/// Throws std::runtime_error if the master's address cannot be read: roscpp would stop the process
+/// at a breakpoint. The address is that of the last argument __master, or of the environment.
 void checkMasterUri(int argc, char** argv) {
   std::string name = "ROS_MASTER_URI";
   const char* const set = std::getenv(name.c_str());
@@ -70,7 +70,7 @@ int run(int argc, char** argv, const NodeProgram& program) {
 
 int runNode(int argc, char** argv, const NodeProgram& program) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a pipe, too, lines of the log come at once
-  std::signal(SIGXFSZ, SIG_IGN);  // a file as large as `ulimit -f` allows is an error, no end
+  std::signal(SIGXFSZ, SIG_IGN);             // writing beyond `ulimit -f` is an error then
   try {
     return run(argc, argv, program);
   } catch (const std::exception& error) {

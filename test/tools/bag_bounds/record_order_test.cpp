@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Random recordings in which the clock jumps back and messages are late: each late one is told, and
-// no jump.
+// Random recordings in which the clock jumps back and messages are late. RecordOrder tells each
+// late message, and takes no jump of the clock for one.
 #include "tools/bag_bounds/run/record_order.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The link_bounds authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Random messages of publishers whose clocks differ, in any order, and jumps of time, compared with
-// a list of all that was received.
+// Publishers whose clocks differ send random messages in any order, and time jumps. What is known
+// then is compared with a list of all that was received.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -51,7 +51,7 @@ void RecordOrder::watch(const BagMessage& message, bool is_jump_back) {
   key_.append(subjectOf(message));
   Newest& newest = newest_[key_];
   const bool goes_back = newest.time > message.time + kMinStepBack;
-  // What one does that has come again since the step tells nothing of it.
+  // A publisher that has sent since the step, and goes back now, tells nothing of that step.
   if (may_be_jump_ && goes_back && !is_jump_back && newest.steps_back < all_steps_back_) {
     steps_back_.pop_back();
     may_be_jump_ = false;

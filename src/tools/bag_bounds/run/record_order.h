@@ -17,7 +17,8 @@ namespace link_bounds {
 /// one publisher for a whole topic, so the first frame or joint of a message counts, too.
 class RecordOrder {
  public:
-  /// To be called with each message; `is_jump_back`: its time makes the clock jump back.
+  /// To be called with each message. `is_jump_back`: its time is so far back that tf takes it for a
+  /// jump of the clock.
   void watch(const BagMessage& message, bool is_jump_back);
 
   /// To these times messages step back, which are not in order [ns].
