@@ -31,9 +31,13 @@ bool isParameter(const std::string& name, const NodeTables& tables) {
   return reader.knows(name);
 }
 
+/// A topic or a service.
 bool isTopic(const std::string& name, const NodeTables& tables) {
   return std::find(tables.topics.begin(), tables.topics.end(), name) != tables.topics.end();
 }
+
+/// Of each node of roscpp.
+const std::set<std::string> kLoggers{"~get_loggers", "~set_logger_level"};
 
 bool isName(const std::string& text) {
   std::string reason;
@@ -72,20 +76,25 @@ void checkKeyword(const Assignment& a) {
 
 /// Launch files remap names for all nodes of a scope, so an unused name is no error.
 void checkRemapping(const Assignment& a, const NodeTables& tables, CommandLine& line) {
-  const bool is_topic = isTopic(a.left, tables);
-  const bool is_parameter = !is_topic && isParameter(a.left, tables);
-  const bool is_private = !is_topic && isTopic("~" + a.left, tables);
-  const std::string hint = "to set the parameter, write _" + a.argument;
+  const bool has_tilde = a.left[0] == '~';
+  const std::string name = a.left.substr(has_tilde ? 1 : 0);
+  const bool is_topic = isTopic(a.left, tables) || kLoggers.count(a.left) > 0;
+  const bool is_parameter = !is_topic && isParameter(name, tables);
+  const std::string hint = "to set the parameter, write _" + name + ":=" + a.right;
   if (!isName(a.left) || !isName(a.right)) {
     refuse(a.argument, "is a remapping, but \"" + (isName(a.left) ? a.right : a.left) +
                            "\" is no name of ROS; " +
                            (is_parameter ? hint : "names have letters, digits, _ and / only"));
   }
-  if (!is_parameter && !is_private) return;
+  const bool lacks_tilde = !has_tilde && isTopic("~" + name, tables);
+  if (is_topic || !(has_tilde || is_parameter || lacks_tilde)) return;
+  const std::string remedy = is_parameter  ? hint
+                             : lacks_tilde ? "to remap the private one, write ~" + a.argument
+                                           : "see --help";
   line.warnings.push_back("argument \"" + a.argument +
-                          "\" has no effect: it remaps a topic of that name, which the node does "
-                          "not have; " +
-                          (is_parameter ? hint : "to remap the private one, write ~" + a.argument));
+                          "\" has no effect: it remaps a topic or service of that name, which the "
+                          "node does not have; " +
+                          remedy);
 }
 
 }  // namespace
@@ -98,6 +107,8 @@ NodeTables publisherTables() {
   };
   for (const TopicName& topic : kTopics)
     tables.topics.emplace_back(topic.name);
+  for (const TopicName& service : kServices)
+    tables.topics.emplace_back(service.name);
   return tables;
 }
 

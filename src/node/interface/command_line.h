@@ -22,7 +22,7 @@ class ArgumentError : public std::runtime_error {
 struct NodeTables {
   /// Reads all parameters of the node.
   std::function<void(ParameterReader& reader)> read_parameters;
-  std::vector<std::string> topics;  ///< private ones begin with ~
+  std::vector<std::string> topics;  ///< and services; private ones begin with ~
 };
 
 /// Those of link_bounds_publisher.

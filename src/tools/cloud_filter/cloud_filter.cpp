@@ -32,6 +32,8 @@ link_bounds::NodeTables filterTables() {
   };
   for (const link_bounds::TopicName& topic : link_bounds::kFilterTopics)
     tables.topics.emplace_back(topic.name);
+  for (const link_bounds::TopicName& service : link_bounds::kFilterServices)
+    tables.topics.emplace_back(service.name);
   return tables;
 }
 

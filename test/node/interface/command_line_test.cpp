@@ -43,6 +43,17 @@ TEST(CommandLine, WarnsOfTopicsWithoutTheirTilde) {
   EXPECT_TRUE(contains(line.warnings[0], "write ~objects:=/markers")) << line.warnings[0];
 }
 
+TEST(CommandLine, WarnsOfPrivateNamesThatTheNodeDoesNotHave) {
+  const CommandLine line =
+      read({"~objcts:=/markers", "~geometry:=visual", "~get_boxes:=/boxes_at", "~reload:=/again",
+            "~get_loggers:=/loggers", "~objects:=/markers", "~boxes:=/boxes"});
+  ASSERT_EQ(line.warnings.size(), 2U);
+  EXPECT_TRUE(contains(line.warnings[0], "which the node does not have; see --help"))
+      << line.warnings[0];
+  EXPECT_TRUE(contains(line.warnings[1], "write _geometry:=visual")) << line.warnings[1];
+  EXPECT_TRUE(contains(refusal({"~padding:=0.05"}), "to set the parameter, write _padding:=0.05"));
+}
+
 TEST(CommandLine, KnowsHelpAndVersion) {
   EXPECT_TRUE(read({"-h"}).help);
   EXPECT_TRUE(read({"_padding:=1", "--help"}).help);

@@ -434,6 +434,14 @@ class MergeTest(EachBagTest):
         table, _ = self.merged(self.write('cut.jsonl', json.dumps(cut) + '\n'), code=ENTERED)
         self.assertRegex(table, '(?m)^FOUND: .*never compared.*; the file was cut')
 
+    def test_links_of_which_nothing_is_said(self):
+        line = json.loads(self.lines([self.bag(calm(5))], code=0)[0])
+        self.assertEqual(line['left_out'], '')
+        lines = [dict(line, left_out='left out are "a"'), dict(line, bag='b.bag', left_out='')]
+        for order in lines, lines[::-1]:
+            path = self.write('lines.jsonl', '\n'.join(map(json.dumps, order)) + '\n')
+            self.assertEqual(self.merged(path, code=0)[1], 'bag_bounds: note: left out are "a"\n')
+
     def test_lines_without_what_is_needed(self):
         _, lines, _ = self.files()
         for text in ('{"bag": "a"}', lines[0].replace('"exit"', '"quit"'),

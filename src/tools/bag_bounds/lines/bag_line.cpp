@@ -91,6 +91,7 @@ ReadLine parse(const std::string& text) {
   result.complete_code = result.exit_code;
   if (line["complete_exit"]) result.complete_code = line["complete_exit"].as<int>();
   result.reason = reasonIn(line);
+  if (line["left_out"]) result.left_out = line["left_out"].as<std::string>();
   if (const YAML::Node least = line["coverage"]; least && !least.IsNull())
     result.coverage = {least["name"].as<std::string>(), least["share"].as<double>()};
   if (const YAML::Node worst = line["worst"]; worst && !worst.IsNull())

@@ -73,7 +73,8 @@ struct ReadLine {
   std::optional<std::pair<std::string, double>> coverage;  ///< the least covered link, its share
   std::optional<PairOfLine> worst;
   std::vector<ZoneOfLine> zones;
-  std::string reason;  ///< why it is not clear, beside a finding; "" if there is nothing to say
+  std::string left_out;  ///< as in the line; "" of a bag about which nothing can be said
+  std::string reason;    ///< why it is not clear, beside a finding; "" if there is nothing to say
 
   bool hasDied() const { return verdict == "DIED"; }
 };

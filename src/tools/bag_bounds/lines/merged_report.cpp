@@ -74,6 +74,7 @@ class MergedReport {
   }
 
   int exitCode(const Demand& demand) const {
+    if (!left_out_.empty()) say("note: " + left_out_);
     for (const std::string& place : cut_)
       warn(place + " was cut, and its bag has no whole line; --resume reads it again");
     if (demand.allow_incomplete) return complete_code_;
@@ -162,6 +163,7 @@ class MergedReport {
     ++verdicts_[line.verdict];
     exit_code_ = worseCode(exit_code_, line.exit_code);
     complete_code_ = worseCode(complete_code_, line.complete_code);
+    if (left_out_.empty()) left_out_ = line.left_out;
     if (line.worst && (!worst_ || isNearer(*line.worst, *worst_->worst))) worst_ = &line;
     for (const ZoneOfLine& zone : line.zones) {
       auto sum = std::find_if(zones_.begin(), zones_.end(),
@@ -207,6 +209,7 @@ class MergedReport {
   std::map<std::string, std::size_t> verdicts_;
   std::vector<ZoneSum> zones_;
   const ReadLine* worst_ = nullptr;  ///< of several, the first by name of bag
+  std::string left_out_;             ///< the same in all lines, as the robot is the same
   int exit_code_ = 0;
   int complete_code_ = 0;  ///< with --allow-incomplete
 };
