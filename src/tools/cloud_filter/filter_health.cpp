@@ -117,6 +117,7 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   for (const auto& [reason, count] : without_nearest_)
     add(status, "no ~nearest: " + reason, std::to_string(count));
   if (robot) {
+    add(status, "left out", robot->left_out.empty() ? "none" : robot->left_out);
     for (const std::string& problem : robot->problems)
       add(status, "problem", problem);
   }

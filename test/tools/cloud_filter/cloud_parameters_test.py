@@ -90,6 +90,10 @@ class CloudParameters(unittest.TestCase):
         self.assertGreaterEqual(float(values["wait for tf and turn, max [ms]"]), 0)
         self.assertEqual((values["waiting"], values["dropped"], values["passed unfiltered"]),
                          ("0", "0", "0"))
+        for name, left_out in ("/usual", "none"), (
+                "/colliding", 'left out are links with visual geometry only: "left"'):
+            values = wait_status(self.status, name, lambda _: True, is_new=False)
+            self.assertEqual(values["left out"], left_out)
 
     def test_what_has_no_mesh_is_told(self):
         broken = '<link name="base">%s</link>' % visual(MESH)
