@@ -292,6 +292,7 @@ void PublisherNode::publishDiagnostics() {
   health.clock_jumps = feed_.clock().jumps();
   health.updates = updates_;
   health.publications = output_.publications();
+  health.errors = unexpectedErrors();
   health.joined = feed_.takeJoined();
   health.skipped = std::exchange(skipped_, 0);
   health.most_waiting = queue_.takeMostWaiting();

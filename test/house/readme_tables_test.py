@@ -180,9 +180,11 @@ class DiagnosticsTest(unittest.TestCase):
                             '"boxes were up to N ms old when they were sent; '
                             'the longest delay in this node was N ms"')
         code = code.replace('behindText(topic, seconds)', '"~TOPIC was up to N ms behind ~boxes"')
+        errors = re.search(r'kUnexpectedErrors\[\] =\s*(".*?");', text_of('src/node/upkeep/status.h'))
+        code = code.replace('kUnexpectedErrors', errors.group(1))
         raised = re.findall(r'raise\(status, DiagnosticStatus::(\w+),\s*(.*?)\);', code, re.DOTALL)
         self.assertGreater(len(raised), 5)
-        in_code = {(level, re.sub(r'std::to_string\(\w+\) \+ "', '"N', text).strip('"'))
+        in_code = {(level, re.sub(r'std::to_string\(.*\) \+ "', '"N', text).strip('"'))
                    for level, text in raised}
         in_code.add(('OK', re.search(r'status.message = "(.*?)"', code).group(1)))
         rows = rows_below(text_of('doc/deployment.md'), ['level', 'text', 'when'])

@@ -53,9 +53,9 @@ std::string SceneOutput::footprintState() const {
 }
 
 void SceneOutput::publishBoxes() {
-  ++publications_;
   fillBoxes(scene_, boxes_message_);
   boxes_.publish(boxes_message_);
+  ++publications_;
   recordLag(boxes_message_.header.stamp);
   fillGroups(scene_, groups_message_);
   groups_.publish(groups_message_);

@@ -205,7 +205,8 @@ std::string nodeName() {
   return !name.empty() && name.front() == '/' ? name.substr(1) : name;
 }
 
-void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) {
+void assess(const Scene& scene, const Health& health, std::uint64_t last_errors,
+            DiagnosticStatus& status) {
   if (scene.model()) {
     describeScene(scene, health, status);
   } else if (health.awaited_description.empty()) {
@@ -227,6 +228,9 @@ void assess(const Scene& scene, const Health& health, DiagnosticStatus& status) 
   if (!health.late_publishers.empty())
     raise(status, DiagnosticStatus::WARN, "stamps of a publisher run behind");
   if (health.clock_jumped) raise(status, DiagnosticStatus::WARN, "the clock jumped back");
+  if (health.errors > last_errors)
+    raise(status, DiagnosticStatus::ERROR,
+          std::to_string(health.errors - last_errors) + kUnexpectedErrors);
   if (status.level == DiagnosticStatus::OK) status.message = "all boxes complete";
 }
 
@@ -240,7 +244,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   array.header.stamp = ros::Time::now();
   DiagnosticStatus& status = array.status.emplace_back();
   status.name = nodeName() + ": boxes";
-  assess(scene, health, status);
+  assess(scene, health, std::exchange(last_errors_, health.errors), status);
   add(status, "tf messages", std::to_string(times.tf().count));
   addIntake(health.intake, status);
   add(status, "clock jumps", std::to_string(health.clock_jumps));
@@ -257,6 +261,7 @@ void Diagnostics::publish(const Scene& scene, const Health& health, CallbackTime
   add(status, "longest lag of boxes behind their stamp [ms]",
       health.lag_ms ? std::to_string(*health.lag_ms) : "none");
   add(status, "publications", std::to_string(health.publications));
+  add(status, "unexpected errors", std::to_string(health.errors));
   add(status, "footprint", health.footprint);
   if (!health.stopping.empty()) add(status, "stopping", "incomplete: " + health.stopping);
   if (!health.earliest.empty()) add(status, "earliest", "incomplete: " + health.earliest);

@@ -26,6 +26,7 @@ struct Health {
   std::uint64_t clock_jumps = 0;   ///< back, since the start
   std::uint64_t updates = 0;       ///< changes of the scene, since the start
   std::uint64_t publications = 0;  ///< of ~boxes, since the start
+  std::uint64_t errors = 0;        ///< unexpectedErrors(), since the start
   std::size_t joined = 0;          ///< messages that shared an update with a later one, since the
                                    ///< last status
   std::size_t skipped = 0;         ///< messages of /tf that were not read, since the last status
@@ -59,6 +60,7 @@ class Diagnostics {
   ros::Publisher publisher_;
   ros::SteadyTime last_status_ = ros::SteadyTime::now();
   std::uint64_t last_updates_ = 0;  ///< at last_status_
+  std::uint64_t last_errors_ = 0;
 };
 
 }  // namespace link_bounds

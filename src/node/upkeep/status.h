@@ -12,6 +12,10 @@
 
 namespace link_bounds {
 
+/// After their number.
+constexpr char kUnexpectedErrors[] =
+    " unexpected errors: messages may be missing; the log has their text, please report it";
+
 /// The worst level counts; all sentences stay.
 inline void raise(diagnostic_msgs::DiagnosticStatus& status, std::int8_t level,
                   const std::string& text) {

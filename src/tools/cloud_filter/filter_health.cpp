@@ -12,6 +12,7 @@
 
 #include "node/inputs/tf_receiver.h"
 #include "node/upkeep/status.h"
+#include "world/log/guarded.h"
 
 namespace link_bounds {
 namespace {
@@ -72,6 +73,9 @@ void FilterHealth::publish(const FilteredRobot* robot, const std::vector<std::st
   status.name = name_ + ": cloud filter";
   status.hardware_id = "none";
   if (!robot) raise(status, DiagnosticStatus::ERROR, "no robot has been loaded yet");
+  const std::uint64_t errors = unexpectedErrors();
+  if (const std::uint64_t count = errors - std::exchange(last_errors_, errors); count > 0)
+    raise(status, DiagnosticStatus::ERROR, std::to_string(count) + kUnexpectedErrors);
   if (robot && !filtersAnything(*robot))
     raise(status, DiagnosticStatus::ERROR, "no link of the robot is filtered");
   if (robot && !robot->problems.empty())

@@ -46,11 +46,12 @@ class FilterHealth {
   /// A cloud was filtered, but there are no nearest points of it, for which somebody listens.
   void addWithoutNearest(const std::string& reason) { addReason(reason, without_nearest_); }
 
-  /// One status named "<node name>: cloud filter". ERROR: there is no robot, or none of its links
-  /// is filtered. WARN: geometry or held objects are missing, or since the last status clouds were
-  /// not filtered, late or lacked nearest points, or none was filtered. Else OK. `robot` may be
-  /// null. `problems` are those of held objects; `waiting` messages wait. `most_waiting` callbacks
-  /// waited at once since the last status.
+  /// One status named "<node name>: cloud filter". ERROR: there is no robot, none of its links is
+  /// filtered, or since the last status something failed that should not. WARN: geometry or held
+  /// objects are missing, or since the last status clouds were not filtered, late or lacked nearest
+  /// points, or none was filtered. Else OK. `robot` may be null. `problems` are those of held
+  /// objects; `waiting` messages wait. `most_waiting` callbacks waited at once since the last
+  /// status.
   void publish(const FilteredRobot* robot, const std::vector<std::string>& problems,
                std::size_t waiting, std::size_t most_waiting);
 
@@ -72,6 +73,7 @@ class FilterHealth {
   Reasons without_nearest_;  ///< why filtered ones have no nearest points
   // Since the start:
   std::uint64_t filtered_ = 0, dropped_ = 0, passed_ = 0, full_ = 0;
+  std::uint64_t last_errors_ = 0;  ///< unexpectedErrors() at the last status
   RepeatLog log_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "world/bodies/marker_shape.h"
 #include "world/bodies/number_limit.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds {
 namespace {
@@ -82,6 +83,8 @@ std::string whyMarkerRefused(const Marker& marker) {
   }
   if (marker.header.frame_id.empty() || marker.header.frame_id == "/")
     return "header.frame_id is empty; name the frame in which the pose is given";
+  if (!marker.frame_locked && !isTime(marker.header.stamp))
+    return "header.stamp is no time that tf can handle; correct it, or stamp 0 to follow the frame";
   if (!isBelowLimit(marker.pose.position) || !isFinite(marker.pose.orientation))
     return "pose " + limits();
   if (!isBelowLimit(marker.scale)) return "scale " + limits();

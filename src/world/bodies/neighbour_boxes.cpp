@@ -9,6 +9,7 @@
 #include "world/bodies/number_limit.h"
 #include "world/model/model.h"
 #include "world/model/object_key.h"
+#include "world/tf/tf_message.h"
 
 namespace link_bounds {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 /// Why the box cannot be used; "" if it can.
 std::string whyRefused(const AxisAlignedBox& box, const std::string& frame) {
   if (frame.empty()) return "header.frame_id is empty; name the frame of the boxes";
+  if (!isTime(box.stamp))
+    return "its stamp is no time that tf can handle; correct the publisher's clock";
   if (!isBelowLimit(box.min) || !isBelowLimit(box.max))
     return "min or max has a number that is not finite or above 1e29; correct what computes it";
   if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)

@@ -7,6 +7,7 @@
 #include <ros/time.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <mutex>
 
@@ -17,9 +18,12 @@ namespace {
 
 const ros::WallDuration kPeriod(1.0);
 
+std::atomic<std::uint64_t> errors{0};
+
 }  // namespace
 
 void logUnexpected(const std::exception& error) {
+  ++errors;
   static std::mutex mutex;
   static ros::SteadyTime last_line;  // zero before the first
   const std::lock_guard<std::mutex> lock(mutex);
@@ -27,6 +31,10 @@ void logUnexpected(const std::exception& error) {
   if (!last_line.isZero() && now - last_line < kPeriod) return;
   last_line = now;
   ROS_ERROR("unexpected: %s", logText(error.what()).c_str());
+}
+
+std::uint64_t unexpectedErrors() {
+  return errors;
 }
 
 void endWithoutMemory() noexcept {

@@ -3,6 +3,7 @@
 // Callbacks of a running node must not throw: roscpp does not catch exceptions.
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <new>
@@ -14,6 +15,9 @@ using Guard = std::function<void(const std::function<void()>& body)>;
 
 /// At most one line per second of wall time.
 void logUnexpected(const std::exception& error);
+
+/// How many exceptions logUnexpected() was called with, in this process.
+std::uint64_t unexpectedErrors();
 
 /// Calls `body`. An exception is logged.
 template <class Body>

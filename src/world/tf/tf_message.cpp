@@ -63,11 +63,13 @@ const char* whyRefused(const TransformView& transform) {
   if (!isUnit(transform.parent_from_child.rotation())) {
     return "the length of its quaternion is not 1; normalise it";
   }
-  const ros::Time stamp = transform.stamp;
-  if (stamp.sec > kLastSecond || stamp.nsec > kLastNanosecond) {
+  if (!isTime(transform.stamp))
     return "its stamp is no time that tf can handle; correct the publisher's clock";
-  }
   return nullptr;
+}
+
+bool isTime(const ros::Time& stamp) {
+  return stamp.sec <= kLastSecond && stamp.nsec <= kLastNanosecond;
 }
 
 void TfMessage::read(const std::uint8_t* data, std::uint32_t size) {

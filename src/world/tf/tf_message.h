@@ -37,6 +37,9 @@ struct TransformView {
 /// if it can. Does not check whether a frame is its own parent.
 const char* whyRefused(const TransformView& transform);
 
+/// Of stamps that come as bytes: whether tf2 and the clock of ROS can handle it.
+bool isTime(const ros::Time& stamp);
+
 struct TfMessage {
   TfMessage() = default;
   TfMessage(const TfMessage&) = delete;

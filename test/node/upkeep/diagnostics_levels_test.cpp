@@ -83,6 +83,11 @@ TEST_F(DiagnosticsLevels, MessagesOfTfThatWereLostAreTold) {
       statusWith([](Health& health) { health.most_waiting = TfReceiver::kQueue; });
   EXPECT_EQ(full.level, DiagnosticStatus::WARN);
   EXPECT_EQ(full.message, "messages of /tf, ~objects or ~neighbours may have been dropped");
+  const auto failed = [](Health& health) { health.errors = 3; };
+  const DiagnosticStatus failing = statusWith(failed);
+  EXPECT_EQ(failing.level, DiagnosticStatus::ERROR);
+  EXPECT_EQ(failing.message.rfind("3 unexpected errors: ", 0), 0U) << failing.message;
+  EXPECT_EQ(statusWith(failed).level, DiagnosticStatus::OK) << "no error since the last status";
   const DiagnosticStatus skipped = statusWith([](Health& health) { health.skipped = 1; });
   EXPECT_EQ(skipped.level, DiagnosticStatus::WARN);
   EXPECT_EQ(skipped.message, "tf comes faster than it can be read");

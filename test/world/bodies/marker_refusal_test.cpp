@@ -57,6 +57,27 @@ TEST(MarkerRefusal, AnEmptyFrame) {
   expectRefusedOfAll([](Marker& marker) { marker.header.frame_id.clear(); }, "header.frame_id");
 }
 
+/// A publisher that writes the bytes itself can send one.
+TEST(MarkerRefusal, AStampThatIsNoTime) {
+  const std::pair<std::uint32_t, std::uint32_t> wrong[] = {
+      {UINT32_MAX, 0}, {UINT32_MAX - 10, 0}, {5, 1000000000}};
+  for (const auto& time : wrong) {
+    const auto spoil = [&time](Marker& marker) {
+      marker.header.stamp.sec = time.first;
+      marker.header.stamp.nsec = time.second;
+    };
+    expectRefusedOfAll(spoil, "header.stamp");
+    Marker following = goodMarkers().front();
+    spoil(following);
+    following.frame_locked = true;  // then its stamp says nothing
+    EXPECT_EQ(whyMarkerRefused(following), "");
+  }
+  Marker last = goodMarkers().front();
+  last.header.stamp.sec = UINT32_MAX - 11;
+  last.header.stamp.nsec = 999999999;
+  EXPECT_EQ(whyMarkerRefused(last), "");
+}
+
 TEST(MarkerRefusal, AFrameThatIsASlash) {
   expectRefusedOfAll([](Marker& marker) { marker.header.frame_id = "/"; }, "header.frame_id");
 }

@@ -88,6 +88,9 @@ TEST_F(NeighboursTest, BadBoxesAreRefusedWithAReason) {
   AxisAlignedBox box = boxAround("arm", {0, 0, 0}, 99);
   std::swap(box.min.y, box.max.y);
   expect(arrayOf("map", {box}), "min is greater than max");
+  box = boxAround("arm", {0, 0, 0}, 99);
+  box.stamp.sec = UINT32_MAX;
+  expect(arrayOf("map", {box}), "its stamp is no time");
   expect(arrayOf("", {boxAround("arm", {0, 0, 0}, 99)}), "header.frame_id is empty");
 }
 

@@ -16,8 +16,10 @@ namespace {
 TEST(Guarded, LogsOneExceptionPerSecondWhileRosTimeIsZero) {
   ros::Time::setNow(ros::Time(0));
   testing::internal::CaptureStderr();
+  const std::uint64_t before = unexpectedErrors();
   for (int i = 0; i < 100; ++i)
     guarded([] { throw std::runtime_error("no\nmemory"); });
+  EXPECT_EQ(unexpectedErrors(), before + 100);
   const std::string log = testing::internal::GetCapturedStderr();
   const std::string line = "unexpected: no?memory";
   EXPECT_NE(log.find(line), std::string::npos) << log;
