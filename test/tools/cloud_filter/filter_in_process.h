@@ -96,8 +96,9 @@ class FilterInProcess : public testing::Test {
     thread_.join();
   }
 
-  /// A point at the origin. By default, of a frame that tf does not know.
-  void send(const std::string& frame = "nowhere", ros::Time stamp = ros::Time(1)) {
+  /// Points at the origin. By default, of a frame that tf does not know.
+  void send(const std::string& frame = "nowhere", ros::Time stamp = ros::Time(1),
+            std::uint32_t points = 1) {
     sensor_msgs::PointCloud2 cloud;
     cloud.header.stamp = stamp;
     cloud.header.frame_id = frame;
@@ -109,8 +110,9 @@ class FilterInProcess : public testing::Test {
       field.count = 1;
       cloud.point_step += 4;
     }
-    cloud.height = cloud.width = 1;
-    cloud.row_step = cloud.point_step;
+    cloud.height = 1;
+    cloud.width = points;
+    cloud.row_step = points * cloud.point_step;
     cloud.data.resize(cloud.row_step);
     clouds_.publish(cloud);
     ++sent_;
