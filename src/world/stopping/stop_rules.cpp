@@ -69,10 +69,10 @@ class RuleMaker {
     return *of_leader * factor;
   }
 
+  /// No value obeys swapped limits. Equal ones are those of a description that gives none: both 0.
   std::optional<Limits> limits(std::size_t index) const {
     const std::optional<Limits> of_leader = leader(index).limits;
-    if (!of_leader || of_leader->lower > of_leader->upper)
-      return std::nullopt;  // no value obeys them
+    if (!of_leader || !(of_leader->lower < of_leader->upper)) return std::nullopt;
     const Lead& lead = leads_[index];
     const auto [lower, upper] = std::minmax({lead.factor * of_leader->lower + lead.offset,
                                              lead.factor * of_leader->upper + lead.offset});

@@ -217,6 +217,11 @@ TEST(StoppingBoxes, LimitsThatAreSwappedDoNotCount) {
   EXPECT_LT(lowestOfSlide("lower=\"2\" upper=\"0\""), -0.15);
 }
 
+/// As where the description gives none, which is 0 and 0: the joint moves through them.
+TEST(StoppingBoxes, LimitsThatAreEqualDoNotCount) {
+  EXPECT_LT(lowestOfSlide("lower=\"0.1175\" upper=\"0.1175\""), -0.15);
+}
+
 TEST(StoppingBoxes, AContinuousJointMayWrap) {
   Robotics robot(goodParameters());
   const Values values = robot.values({{"roll", M_PI + 0.01}});
