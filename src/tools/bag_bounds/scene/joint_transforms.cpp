@@ -14,6 +14,8 @@ namespace link_bounds {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+/// From here on, two orientations do not tell which way round a joint went.
+constexpr double kHalfTurn = kPi - 1e-6;
 constexpr double kMaxStep = kPi / 2;  // tf2 goes the shorter way round
 constexpr double kMaxTurn = 1e3;      // rad, of a motion whose way is made of such steps
 
@@ -66,14 +68,14 @@ std::vector<TransformView> JointTransforms::of(const sensor_msgs::JointState& me
   return result;
 }
 
-/// A turn by more than half a turn goes through all positions between. Where that may be a driver's
+/// A turn by half a turn or more goes through all positions between. Where that may be a driver's
 /// step from one end of a turn to the other, the shorter way counts, if it is short.
 void JointTransforms::addTurn(const Joint& joint, const Position& next,
                               std::vector<TransformView>& result) {
   const auto [entry, is_new] = last_.try_emplace(&joint, next);
   const Position last = std::exchange(entry->second, next);
   const double turn = next.value - last.value;
-  if (is_new || next.stamp <= last.stamp || !(std::abs(turn) > kPi)) return;
+  if (is_new || next.stamp <= last.stamp || !(std::abs(turn) > kHalfTurn)) return;
   if (!joint.limits && isOfOneTurn(last.value, next.value)) {
     if (std::abs(std::remainder(turn, 2 * kPi)) <= kMaxStep) return;
   } else if (std::abs(turn) <= kMaxTurn) {
@@ -90,7 +92,7 @@ void JointTransforms::addTurn(const Joint& joint, const Position& next,
 std::string JointTransforms::loss() const {
   if (ambiguous_ == 0) return "";
   return std::to_string(ambiguous_) + (ambiguous_ == 1 ? " motion" : " motions") +
-         " of joints by more than half a turn between two messages, the first of \"" +
+         " of joints by half a turn or more between two messages, the first of \"" +
          first_ambiguous_ +
          "\": which way round is not known, the shorter one was looked at; record joint states at "
          "a higher rate";
