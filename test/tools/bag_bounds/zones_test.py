@@ -172,6 +172,11 @@ class ZonesTest(BagBoundsTest):
                                 err='' if is_whole else 'incomplete names: 1')
             self.assertAlmostEqual(found['zones'][0]['coverage'], share, delta=0.05)
             self.assertEqual(list(found['incomplete']), [] if is_whole else ['zone cell'])
+            is_lost = sent[-1] < COUNT - 1  # at the end: whatever the share
+            found = self.report(bag, '--zones', path, '--timeout', '1', '--min-coverage', '0.01',
+                                code=INCOMPLETE if is_lost else 0,
+                                err='incomplete names: 1' if is_lost else '')
+            self.assertEqual(list(found['incomplete']), ['zone cell'] if is_lost else [])
 
     def test_a_frame_that_ends_while_all_else_stands(self):
         """No transform tells that its timeout of 1 s is over."""

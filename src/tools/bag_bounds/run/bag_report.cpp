@@ -222,9 +222,15 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
 }
 
 std::string lossOf(const ZoneRecord& record, const BagReport& report) {
-  return "compared in " + shortNumber(record.coverage) +
-         " of the time in which links had boxes, less than " + shortNumber(report.min_coverage) +
-         " of --min-coverage: tf did not connect its frame \"" + record.zone.frame +
+  const bool is_short = record.coverage < report.min_coverage;
+  if (!is_short && !record.is_lost) return "";
+  const std::string share =
+      is_short ? "of the time in which links had boxes, less than " +
+                     shortNumber(report.min_coverage) + " of --min-coverage"
+               : "of the time in which links had boxes, but not at the end, or where the clock "
+                 "jumped back";
+  return "compared in " + shortNumber(record.coverage) + " " + share +
+         ": tf did not connect its frame \"" + record.zone.frame +
          "\" with all of them; record what connects it";
 }
 
@@ -257,10 +263,8 @@ Reasons incompleteOf(const BagReport& report) {
   }
   for (const BoxAt& found : report.boxes_at)
     add(found.name, found.problem);
-  for (const ZoneRecord& record : report.zones) {
-    if (record.coverage < report.min_coverage)
-      add("zone " + record.zone.name, lossOf(record, report));
-  }
+  for (const ZoneRecord& record : report.zones)
+    add("zone " + record.zone.name, lossOf(record, report));
   return reasons;
 }
 

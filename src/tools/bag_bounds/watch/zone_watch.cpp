@@ -103,6 +103,13 @@ void ZoneWatch::sample(Group& group, std::int64_t now) const {
   });
 }
 
+/// What comes after the last comparison is looked at by nobody.
+void ZoneWatch::noteLoss(const Group& group) {
+  if (!group.view || !group.has_boxes || group.is_whole) return;
+  for (Watched* watched : group.zones)
+    watched->record.is_lost = true;
+}
+
 void ZoneWatch::compare(Group& group, std::int64_t now) {
   ++comparisons_;
   const auto visit_rest = [&](BodyNumber number, const std::string& name,
@@ -263,12 +270,14 @@ void ZoneWatch::endMotions() {
       lookAtRest(group, {number, name, {}, &motion}, group.compared);
     });
     group.is_compared = false;
+    noteLoss(group);
   }
 }
 
 void ZoneWatch::finish(std::int64_t now) {
   for (auto& [frame, group] : groups_) {
     sample(group, now);
+    noteLoss(group);
     if (group.time == 0) continue;
     for (Watched* watched : group.zones)
       watched->record.coverage =

@@ -56,6 +56,7 @@ struct ZoneRecord {
   /// The share of the time in which links had boxes, in which all of these also had one in the
   /// frame of the zone.
   double coverage = 1;
+  bool is_lost = false;  ///< at the end, or where the clock jumped back, some of these had none
 };
 
 /// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
@@ -136,6 +137,7 @@ class ZoneWatch {
   void compareOrRemember(Group& group, std::int64_t now, bool is_reported);
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now) const;
+  static void noteLoss(const Group& group);
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   void visitBegin(Watched& watched, const Seen& body, std::int64_t now) const;
   static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
