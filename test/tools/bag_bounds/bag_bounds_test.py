@@ -167,6 +167,20 @@ class CoverageTest(BagBoundsTest):
         found = self.report(bag, '--static-from', bag)
         self.assertEqual(self.coverage(found)['mast'], 1)
 
+    def test_a_first_box_that_comes_later_than_tf_remembers(self):
+        """Whatever the coverage: nobody looked at what moved beside it before."""
+        for late, code in (8, 0), (12, INCOMPLETE):
+            with self.subTest(seconds=late):
+                messages = arms(round(14 / PERIOD))[1:]
+                place = round(late / PERIOD)
+                messages.insert(place, static_arms(BEGIN + seconds(place)))
+                found = self.report(self.bag(messages), '--min-coverage', '0.01', code=code,
+                                    err='incomplete names: 1' if code else '')
+                self.assertEqual(list(found['incomplete']), ['mast'] if code else [])
+                for reason in found['incomplete'].values():
+                    self.assertRegex(reason, '^had its first box after 1[12][.].* s of its time, and '
+                                     'tf remembers ten: how it moved before is not known: ')
+
     def test_a_static_transform_on_a_frame_that_starts_later(self):
         """Such as that of an arm that boots while its base drives."""
         links = ''.join('<link name="%s"><visual><geometry><box size="1 1 1"/></geometry></visual></link>'

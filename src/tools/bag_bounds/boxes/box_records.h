@@ -39,6 +39,7 @@ struct BoxRecord {
   std::int64_t time = 0;           ///< of an object: how long it was there [ns]
   std::int64_t covered = 0;        ///< of that, with a box [ns]
   std::optional<double> coverage;  ///< of links, see Coverage; of objects, of `time`
+  std::int64_t delay = 0;          ///< of links, of the first box [ns], see Coverage
   std::string remedy;              ///< for a link whose box came late or never; "" if none is known
   bool is_waiting = false;         ///< has no box until tf says where it was placed
   std::int64_t waited = 0;         ///< so long [ns]; covered if it is placed, since its stamp

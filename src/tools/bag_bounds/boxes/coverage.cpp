@@ -34,7 +34,9 @@ void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_
   if (!has_begun) last_ = now;
   for (std::size_t i = 0; i < states.size(); ++i) {
     add(links_[i], scene.links.frame(i), scene, tf, now);
-    links_[i].has_box = states[i].box.has_value();
+    Link& link = links_[i];
+    link.has_box = states[i].box.has_value();
+    if (link.has_box && link.delay < 0) link.delay = link.has_begun ? now - link.since : 0;
   }
   last_ = now;
   version_ = tf.version();
@@ -49,6 +51,7 @@ void Coverage::add(Link& link, TransformBuffer::Frame frame, const Scene& scene,
   if (has_begun_now) {
     link.begin = now;
     link.open_time = std::min(link.open_time, carrierTime(frame, scene, tf, now));
+    link.since = now - link.open_time;
   }
   if (has_begun_now || !link.has_begun) return;
   if (link.has_box) link.open_covered += passed;
@@ -78,6 +81,13 @@ std::vector<double> Coverage::shares() const {
                          ? static_cast<double>(link.covered) / static_cast<double>(link.time)
                          : no_time);
   }
+  return result;
+}
+
+std::vector<std::int64_t> Coverage::delays() const {
+  std::vector<std::int64_t> result;
+  for (const Link& link : links_)
+    result.push_back(std::max<std::int64_t>(link.delay, 0));
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/outcome.h"
 #include "tools/formats/table_text.h"
+#include "world/tf/edge_history.h"
 
 namespace link_bounds {
 namespace {
@@ -205,15 +206,24 @@ class Writer {
   std::ostream& out_;
 };
 
+/// Where the first box of a link comes later, its motion from the begin on may be forgotten, whose
+/// first transform is known to a tick [ns].
+constexpr std::int64_t kRemembered = EdgeHistory::kLength - 500'000'000;
+
 /// Why a box was missing for too long; "" if it was not. That of an object may never be missing.
 std::string lossOf(const BoxRecord& box, const BagReport& report) {
   const bool is_short = box.coverage && *box.coverage < report.min_coverage;
-  const bool counts = box.is_object || box.is_lost || is_short;
+  const bool is_late = box.delay > kRemembered;
+  const bool counts = box.is_object || box.is_lost || is_short || is_late;
   if (!box.has_box || !counts) return "";
-  const std::string share = is_short ? "had a box in " + shortNumber(*box.coverage) +
-                                           " of its time, less than " +
-                                           shortNumber(report.min_coverage) + " of --min-coverage"
-                                     : "";
+  std::string share;
+  if (is_short) {
+    share = "had a box in " + shortNumber(*box.coverage) + " of its time, less than " +
+            shortNumber(report.min_coverage) + " of --min-coverage";
+  } else if (is_late) {
+    share = "had its first box after " + shortSeconds(box.delay, 0) +
+            " s of its time, and tf remembers ten: how it moved before is not known";
+  }
   if (box.gaps == 0)
     return share.empty() || box.reason.empty() ? share : share + ": " + withRemedy(box);
   return (share.empty() ? share : share + "; ") + "had no box " + std::to_string(box.gaps) +

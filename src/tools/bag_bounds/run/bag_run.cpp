@@ -337,9 +337,11 @@ BagReport BagRun::report() const {
 /// Links come first. Those without shapes never have a box.
 void BagRun::addCoverage(std::vector<BoxRecord>& boxes) const {
   const std::vector<double> shares = coverage_.shares();
+  const std::vector<std::int64_t> delays = coverage_.delays();
   for (std::size_t i = 0; i < std::min(shares.size(), boxes.size()); ++i) {
     if (model_->links[i].shapes.empty()) continue;
     boxes[i].coverage = shares[i];
+    boxes[i].delay = delays[i];
     if (boxes[i].has_box) {
       const std::string bag = options_.bags.size() == 1 ? options_.bags.front() : "BAG";
       if (!joints_ && options_.static_from.empty())
