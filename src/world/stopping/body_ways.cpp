@@ -379,14 +379,18 @@ void BodyWays::addFreeJoint(Frame child, const Joint& joint, std::int64_t stamp,
 JointState BodyWays::stateOf(Frame child, const JointRule& rule, std::int64_t stamp,
                              const Eigen::Isometry3d& pose) const {
   if (states_) {
-    if (const auto own = states_->reports(rule.joint->name, stamp, window_))
-      return jointState(*rule.joint, pose, *own, stamp, window_);
-    if (auto of_leader = states_->reports(*rule.leader, stamp, window_)) {
-      for (JointReport& report : *of_leader) {
-        report.position = rule.lead.factor * report.position + rule.lead.offset;
-        if (report.velocity) *report.velocity *= rule.lead.factor;
+    for (const Joint* joint : {rule.joint, rule.leader}) {
+      auto reports = states_->reports(joint->name, stamp, window_);
+      if (!reports) continue;
+      JointState unknown;
+      unknown.problem = unwrap(*joint, *reports);
+      if (!unknown.problem.empty()) return unknown;
+      const Lead lead = joint == rule.joint ? Lead() : rule.lead;
+      for (JointReport& report : *reports) {
+        report.position = lead.factor * report.position + lead.offset;
+        if (report.velocity) *report.velocity *= lead.factor;
       }
-      return jointState(*rule.joint, pose, *of_leader, stamp, window_);
+      return jointState(*rule.joint, pose, *reports, stamp, window_);
     }
   }
   const EdgeSamples samples = edgeSamples(tf_, child, stamp, window_);

@@ -57,6 +57,17 @@ void addSpeeds(const TimedValues& samples, std::int64_t window, JointState& stat
 
 /// Of reports with a velocity. Until the stamp it may have changed since the last one. A driver may
 /// send zeros for what it does not measure, so the speeds of the positions count, too.
+bool haveVelocities(const std::vector<JointReport>& reports) {
+  return std::all_of(reports.begin(), reports.end(),
+                     [](const JointReport& report) { return report.velocity; });
+}
+
+/// Of reports that all have a velocity: maybe it is not measured.
+bool areZeros(const std::vector<JointReport>& reports) {
+  return std::all_of(reports.begin(), reports.end(),
+                     [](const JointReport& report) { return *report.velocity == 0; });
+}
+
 /// `spread`: how far the positions are apart.
 void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t stamp, double spread,
                        const JointState& of_positions, JointState& state) {
@@ -68,9 +79,7 @@ void addReportedSpeeds(const std::vector<JointReport>& reports, std::int64_t sta
     gap = std::min(gap, std::abs(stamp - report.stamp));
   }
   state.piece = 2 * static_cast<double>(gap) / kSecond;
-  const bool are_zeros = std::all_of(reports.begin(), reports.end(), [](const JointReport& report) {
-    return *report.velocity == 0;
-  });
+  const bool are_zeros = areZeros(reports);
   const bool is_moving = are_zeros && spread > kPositionNoise;
   if (are_zeros && !is_moving) state.unseen = kPositionNoise;
   const double beyond = std::max(state.speed.lower - of_positions.speed.lower,
@@ -95,11 +104,13 @@ std::vector<JointReport> withoutLate(std::vector<JointReport> reports, std::int6
   return reports;
 }
 
-/// Whether positions at these stamps tell speeds, as transforms would.
-bool tellSpeed(const std::vector<std::int64_t>& stamps, std::int64_t window) {
-  const auto is_gap = [window](std::int64_t a, std::int64_t b) { return b - a > window; };
-  return stamps.size() > 1 &&
-         std::adjacent_find(stamps.begin(), stamps.end(), is_gap) == stamps.end();
+/// Whether the positions tell speeds, as transforms would.
+bool tellSpeed(const std::vector<JointReport>& reports, std::int64_t window) {
+  const auto is_gap = [window](const JointReport& a, const JointReport& b) {
+    return b.stamp - a.stamp > window;
+  };
+  return reports.size() > 1 &&
+         std::adjacent_find(reports.begin(), reports.end(), is_gap) == reports.end();
 }
 
 std::string whyTooRare(const Joint& joint) {
@@ -127,6 +138,16 @@ std::string whyMisfit(const Joint& joint, const JointFit& fit) {
          std::to_string(fit.length_error * 1e3) + " mm and " +
          std::to_string(fit.angle_error * 1e3) +
          " mrad; correct its publisher or the robot description";
+}
+
+std::string unwrap(const Joint& joint, std::vector<JointReport>& reports) {
+  if (joint.motion != Motion::kRotation || joint.limits || haveVelocities(reports)) return "";
+  for (std::size_t i = 1; i < reports.size(); ++i) {
+    const double difference = withoutTurns(reports[i].position - reports[i - 1].position);
+    if (std::abs(difference) >= kMaxTurn) return whyNoDirection(joint, "reports in joint_states");
+    reports[i].position = reports[i - 1].position + difference;
+  }
+  return "";
 }
 
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const EdgeSamples& samples,
@@ -163,9 +184,7 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
   const JointFit fit = fitOf(joint, pose);
   state.problem = whyMisfit(joint, fit);
   if (!state.problem.empty()) return state;
-  const bool have_velocities =
-      std::all_of(all_reports.begin(), all_reports.end(),
-                  [](const JointReport& report) { return report.velocity; });
+  const bool have_velocities = haveVelocities(all_reports);
   const std::vector<JointReport> reports =
       have_velocities ? all_reports : withoutLate(all_reports, stamp, window);
   const bool is_any_late = reports.size() < all_reports.size();
@@ -177,8 +196,9 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
     if (!nearest || std::abs(stamp - report.stamp) < std::abs(stamp - nearest->stamp))
       nearest = &report;
   }
+  const bool are_told = have_velocities && !areZeros(reports);
   if (!nearest || std::abs(stamp - nearest->stamp) > window ||
-      (!have_velocities && !tellSpeed(found.stamps, window))) {
+      (!are_told && !tellSpeed(withoutLate(all_reports, stamp, window), window))) {
     state.problem = whyTooRare(joint);
     return state;
   }

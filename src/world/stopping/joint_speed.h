@@ -33,11 +33,17 @@ JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose, const E
                       std::int64_t window);
 
 /// From reports of the joint, see JointStates, and its pose at the stamp, which must fit them. The
-/// speeds are those that were reported and those of the positions; the latter alone where a report
-/// has none, and then no two may be farther apart than the window.
+/// speeds are those that were reported and those of the positions. Where a report has none, or all
+/// are 0, as some drivers send it for what they do not measure, the latter alone tell: then no two
+/// may be farther apart than the window.
 JointState jointState(const Joint& joint, const Eigen::Isometry3d& pose,
                       const std::vector<JointReport>& reports, std::int64_t stamp,
                       std::int64_t window);
+
+/// To be called before that, with the joint that was reported. The driver of a continuous joint may
+/// begin its turn anew; with velocities, these tell. Returns why the direction of a joint is open:
+/// it turns by 90 degrees or more between two reports.
+std::string unwrap(const Joint& joint, std::vector<JointReport>& reports);
 
 /// Why the pose of a joint's child does not fit the joint; "" if it does.
 std::string whyMisfit(const Joint& joint, const JointFit& fit);

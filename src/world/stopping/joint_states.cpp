@@ -13,12 +13,23 @@ namespace link_bounds {
 void JointStates::add(const std::string& joint, const JointReport& report) {
   if (report.stamp <= 0 || !std::isfinite(report.position)) return;
   if (joints_.size() >= kMaxJoints && joints_.count(joint) == 0) return;
-  std::map<std::int64_t, JointReport>& reports = joints_[joint];
-  const std::int64_t length = EdgeHistory::kLength;
-  if (!reports.empty() && reports.rbegin()->first - length > report.stamp) reports.clear();
-  JointReport& kept = reports[report.stamp] = report;
+  JointReport kept = report;
   if (kept.velocity && !std::isfinite(*kept.velocity)) kept.velocity.reset();
-  reports.erase(reports.begin(), reports.lower_bound(reports.rbegin()->first - length));
+  History& history = joints_[joint];
+  const std::int64_t newest = history.reports.empty() ? 0 : history.reports.rbegin()->first;
+  if (kept.stamp >= newest - EdgeHistory::kLength) {
+    history.old.clear();
+    keep(kept, history.reports);
+    return;
+  }
+  keep(kept, history.old);
+  if (history.old.size() >= kJump) history.reports = std::exchange(history.old, {});
+}
+
+void JointStates::keep(const JointReport& report, Reports& reports) {
+  reports[report.stamp] = report;
+  const std::int64_t oldest = reports.rbegin()->first - EdgeHistory::kLength;
+  reports.erase(reports.begin(), reports.lower_bound(oldest));
 }
 
 void JointStates::clear() {
@@ -34,8 +45,9 @@ std::optional<std::vector<JointReport>> JointStates::reports(const std::string& 
                                                              std::int64_t window) const {
   const auto found = joints_.find(joint);
   if (found == joints_.end()) return std::nullopt;
+  const Reports& all = found->second.reports;
   std::vector<JointReport> result;
-  for (auto next = found->second.lower_bound(stamp - window); next != found->second.end(); ++next) {
+  for (auto next = all.lower_bound(stamp - window); next != all.end(); ++next) {
     result.push_back(next->second);
     if (next->first >= stamp) break;
   }

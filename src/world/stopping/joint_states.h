@@ -22,8 +22,9 @@ struct JointReport {
 class JointStates {
  public:
   /// What is not finite and what has no stamp is ignored, and so are further joints beyond
-  /// kMaxJoints. A stamp of long before the newest one of the joint means that time jumped back:
-  /// then all else is forgotten of the joint. Others may have a publisher whose clock is right.
+  /// kMaxJoints. A stamp of long before the newest one of the joint is a fault or of a second
+  /// publisher, and is ignored. kJump of them in a row mean that time jumped back: then all else is
+  /// forgotten of the joint. Others may have a publisher whose clock is right.
   void add(const std::string& joint, const JointReport& report);
 
   void clear();
@@ -41,7 +42,18 @@ class JointStates {
   static constexpr std::size_t kMaxJoints = 10'000;
 
  private:
-  std::map<std::string, std::map<std::int64_t, JointReport>> joints_;  ///< by name and stamp
+  using Reports = std::map<std::int64_t, JointReport>;  ///< by stamp
+
+  struct History {
+    Reports reports;
+    Reports old;  ///< those of long before, since the last one that was not
+  };
+
+  static constexpr std::size_t kJump = 10;
+
+  static void keep(const JointReport& report, Reports& reports);
+
+  std::map<std::string, History> joints_;
   std::uint64_t epoch_ = 0;
 };
 

@@ -31,7 +31,7 @@ class RuleMaker {
 
   JointRule make(std::size_t index) const {
     const Joint& joint = robot_.joints[index];
-    JointRule rule{&joint, leads_[index], &leader(index).name, {0}, "", "", limits(index)};
+    JointRule rule{&joint, leads_[index], &leader(index), {0}, "", "", limits(index)};
     const std::string name = "joint \"" + joint.name + "\"";
     const std::string no_limit = name + " has no limit of its velocity; add it to the URDF";
     if (joint.motion == Motion::kNone) return rule;

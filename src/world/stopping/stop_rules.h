@@ -21,7 +21,7 @@ namespace link_bounds {
 struct JointRule {
   const Joint* joint;
   Lead lead;                       ///< the joint that it follows, or itself
-  const std::string* leader;       ///< its name
+  const Joint* leader;             ///< that joint
   Braking braking{0};              ///< deceleration 0: not known
   std::string why_no_stop;         ///< why it is not known where it stands, with the remedy
   std::string why_no_speed_limit;  ///< why it is not known how fast it can be, with the remedy

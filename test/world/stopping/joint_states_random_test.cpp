@@ -67,18 +67,38 @@ class Sequence {
     received_[name].push_back(report);
   }
 
+  /// Of reports, by stamp, with the newest stamp.
+  static std::pair<std::map<std::int64_t, JointReport>, std::int64_t> lastTenSeconds(
+      const std::vector<JointReport>& reports) {
+    std::map<std::int64_t, JointReport> result;
+    std::int64_t newest = 0;
+    for (const JointReport& report : reports) {
+      newest = std::max(newest, report.stamp);
+      result.insert_or_assign(report.stamp, report);
+      result.erase(result.begin(), result.lower_bound(newest - EdgeHistory::kLength));
+    }
+    return {result, newest};
+  }
+
   /// What counts of all that was received of the joint, by its stamp: of equal stamps the last one.
   std::map<std::int64_t, JointReport> valid(const std::string& name) const {
     std::map<std::int64_t, JointReport> result;
     const auto found = received_.find(name);
     if (found == received_.end()) return result;
     std::int64_t newest = 0;
+    std::vector<JointReport> old;  // in a row, with times of long ago
     for (const JointReport& report : found->second) {
       if (report.stamp <= 0 || !std::isfinite(report.position)) continue;
       if (report.stamp < newest - EdgeHistory::kLength) {
-        result.clear();
-        newest = 0;
+        old.push_back(report);
+        const auto [stamps, last] = lastTenSeconds(old);
+        if (stamps.size() < 10) continue;
+        result = stamps;
+        newest = last;
+        old.clear();
+        continue;
       }
+      old.clear();
       newest = std::max(newest, report.stamp);
       result.insert_or_assign(report.stamp, report);
     }
