@@ -178,8 +178,20 @@ class CoverageTest(BagBoundsTest):
                                     err='incomplete names: 1' if code else '')
                 self.assertEqual(list(found['incomplete']), ['mast'] if code else [])
                 for reason in found['incomplete'].values():
-                    self.assertRegex(reason, '^had its first box after 1[12][.].* s of its time, and '
-                                     'tf remembers ten: how it moved before is not known: ')
+                    self.assertRegex(reason, '^had no box in the first 1[12][.].* s of its time, .*'
+                                     'tf remembers ten: how it moved then is not known: ')
+
+    def test_a_first_box_after_a_jump_that_comes_later_than_tf_remembers(self):
+        arm, others = ('right',), ('left', 'left_tip')
+        before = [moving_arms(i, links=links) for i in range(200) for links in (arm, others)]
+        for late, code in (8, 0), (12, INCOMPLETE):
+            with self.subTest(seconds=late):
+                after = [moving_arms(i, links=links) for i in range(0, round(14 / PERIOD), 5)
+                         for links in (arm, others) if links == arm or i * PERIOD >= late]
+                messages = [static_arms()] + before + after
+                found = self.report(self.bag(messages), '--min-coverage', '0.01', '--timeout', '0',
+                                    code=code, err='incomplete names: 2' if code else 'the clock jumped')
+                self.assertEqual(list(found['incomplete']), ['left', 'left_tip'] if code else [])
 
     def test_a_static_transform_on_a_frame_that_starts_later(self):
         """Such as that of an arm that boots while its base drives."""

@@ -178,6 +178,20 @@ class ZonesTest(BagBoundsTest):
                                 err='incomplete names: 1' if is_lost else '')
             self.assertEqual(list(found['incomplete']), ['zone cell'] if is_lost else [])
 
+    def test_a_frame_that_is_connected_later_than_tf_remembers(self):
+        """Nobody looked at who was in the zone before."""
+        path = self.write('zones.yaml', zone_text('cell', [4, 4, 4], [5, 5, 5], 'cart'))
+        count = round(14 / PERIOD)
+        for late, code in (8, 0), (12, INCOMPLETE):
+            with self.subTest(seconds=late):
+                link = moving_transform('base', 'track', 0)[1]
+                messages = [('/tf_static', link, time_of(BEGIN + late)), *arms(count),
+                            *(moving_transform('track', 'cart', i) for i in range(0, count, 5))]
+                bag = self.bag(sorted(messages, key=lambda message: message[2]))
+                found = self.report(bag, '--zones', path, '--min-coverage', '0.01', code=code,
+                                    err='incomplete names: 1' if code else '')
+                self.assertEqual(list(found['incomplete']), ['zone cell'] if code else [])
+
     def test_a_frame_that_ends_while_all_else_stands(self):
         """No transform tells that its timeout of 1 s is over."""
         path = self.write('zones.yaml', zone_text('cell', [4, 4, 4], [5, 5, 5], 'cart'))

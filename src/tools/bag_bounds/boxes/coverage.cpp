@@ -36,7 +36,7 @@ void Coverage::sample(const Scene& scene, const TransformBuffer& tf, std::int64_
     add(links_[i], scene.links.frame(i), scene, tf, now);
     Link& link = links_[i];
     link.has_box = states[i].box.has_value();
-    if (link.has_box && link.delay < 0) link.delay = link.has_begun ? now - link.since : 0;
+    if (link.has_box && !link.had_box) link.noteDelay(now);
   }
   last_ = now;
   version_ = tf.version();
@@ -84,10 +84,23 @@ std::vector<double> Coverage::shares() const {
   return result;
 }
 
+void Coverage::Link::noteDelay(std::int64_t now) {
+  if (has_begun) delay = std::max(delay, now - since);
+  had_box = true;
+}
+
+void Coverage::jumpBack(std::int64_t from, std::int64_t to) {
+  for (Link& link : links_) {
+    if (!link.had_box) link.noteDelay(from);
+    link.had_box = false;
+    link.since = to;
+  }
+}
+
 std::vector<std::int64_t> Coverage::delays() const {
   std::vector<std::int64_t> result;
   for (const Link& link : links_)
-    result.push_back(std::max<std::int64_t>(link.delay, 0));
+    result.push_back(link.delay);
   return result;
 }
 

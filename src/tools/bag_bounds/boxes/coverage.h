@@ -24,8 +24,11 @@ class Coverage {
   /// One per link, 0 to 1; a link that never had a transform counts as covered where it has a box.
   std::vector<double> shares() const;
 
-  /// One per link: how long after the begin of that time its first box came [ns]; 0 of a link that
-  /// never had one.
+  /// The clock jumps back: tf forgets the time before.
+  void jumpBack(std::int64_t from, std::int64_t to);
+
+  /// One per link: how long after the begin of that time its first box came, or the first one after
+  /// a jump of the clock, if that is longer [ns].
   std::vector<std::int64_t> delays() const;
 
  private:
@@ -33,12 +36,15 @@ class Coverage {
     bool has_begun = false;
     std::int64_t begin = 0;      ///< time of that [ns]
     std::int64_t since = 0;      ///< from then on it counts: that, or earlier if it is static [ns]
-    std::int64_t delay = -1;     ///< of the first box, since then [ns]; negative: there is none
+    std::int64_t delay = 0;      ///< of the first box since then, or since a jump [ns]
+    bool had_box = false;        ///< since then, or since the last jump
     bool has_box = false;        ///< at the last sample
     std::int64_t time = 0;       ///< to the last transform [ns]
     std::int64_t covered = 0;    ///< of that [ns]
     std::int64_t open_time = 0;  ///< since the last transform [ns]
     std::int64_t open_covered = 0;  ///< of that [ns]
+
+    void noteDelay(std::int64_t now);
   };
 
   void add(Link& link, TransformBuffer::Frame frame, const Scene& scene, const TransformBuffer& tf,

@@ -9,7 +9,6 @@
 #include "tools/bag_bounds/scene/record_time.h"
 #include "tools/command_line/outcome.h"
 #include "tools/formats/table_text.h"
-#include "world/tf/edge_history.h"
 
 namespace link_bounds {
 namespace {
@@ -206,10 +205,6 @@ class Writer {
   std::ostream& out_;
 };
 
-/// Where the first box of a link comes later, its motion from the begin on may be forgotten, whose
-/// first transform is known to a tick [ns].
-constexpr std::int64_t kRemembered = EdgeHistory::kLength - 500'000'000;
-
 /// Why a box was missing for too long; "" if it was not. That of an object may never be missing.
 std::string lossOf(const BoxRecord& box, const BagReport& report) {
   const bool is_short = box.coverage && *box.coverage < report.min_coverage;
@@ -221,8 +216,9 @@ std::string lossOf(const BoxRecord& box, const BagReport& report) {
     share = "had a box in " + shortNumber(*box.coverage) + " of its time, less than " +
             shortNumber(report.min_coverage) + " of --min-coverage";
   } else if (is_late) {
-    share = "had its first box after " + shortSeconds(box.delay, 0) +
-            " s of its time, and tf remembers ten: how it moved before is not known";
+    share = "had no box in the first " + shortSeconds(box.delay, 0) +
+            " s of its time, or after a jump of the clock, and tf remembers ten: how it moved then "
+            "is not known";
   }
   if (box.gaps == 0)
     return share.empty() || box.reason.empty() ? share : share + ": " + withRemedy(box);
@@ -235,10 +231,11 @@ std::string lossOf(const ZoneRecord& record, const BagReport& report) {
   const bool is_short = record.coverage < report.min_coverage;
   if (!is_short && !record.is_lost) return "";
   const std::string share =
-      is_short ? "of the time in which links had boxes, less than " +
-                     shortNumber(report.min_coverage) + " of --min-coverage"
-               : "of the time in which links had boxes, but not at the end, or where the clock "
-                 "jumped back";
+      is_short
+          ? "of the time in which links had boxes, less than " + shortNumber(report.min_coverage) +
+                " of --min-coverage"
+          : "of the time in which links had boxes, but not in the first ten seconds, not at the "
+            "end, or not beside a jump of the clock";
   return "compared in " + shortNumber(record.coverage) + " " + share +
          ": tf did not connect its frame \"" + record.zone.frame +
          "\" with all of them; record what connects it";

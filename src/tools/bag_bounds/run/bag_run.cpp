@@ -188,7 +188,10 @@ void BagRun::readMessages() {
       return;
     }
     const bool is_jump_back = scene_.goesBackTo(message.time);
-    if (is_jump_back) endMotions();
+    if (is_jump_back) {
+      endMotions();
+      coverage_.jumpBack(last_, message.time);
+    }
     order_.watch(message, is_jump_back);
     if (!unused_topics_.empty()) unused_topics_.erase(*message.topic);
     if (has_recorded_ && message.time < from_) ++back_before_start_;

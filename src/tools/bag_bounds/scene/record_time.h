@@ -20,6 +20,10 @@ struct RecordTime {
 /// The largest time of ros::Time is 4.29e18 ns.
 constexpr std::int64_t kMaxTime = 4'200'000'000'000'000'000;
 
+/// How a body moved longer ago than this, tf may have forgotten [ns]: ten seconds, less what ticks
+/// miss of the first transform.
+constexpr std::int64_t kRemembered = 9'500'000'000;
+
 /// A simulation begins at the stamp 0, which stands for static transforms elsewhere.
 const ros::Time kStampOfZero(0, 1);
 

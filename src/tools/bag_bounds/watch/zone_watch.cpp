@@ -101,13 +101,20 @@ void ZoneWatch::sample(Group& group, std::int64_t now) const {
     group.has_boxes = true;
     group.is_whole &= group.view->placed(body).state.box.has_value();
   });
+  if (!group.has_boxes) return;
+  if (!group.since) group.since = now;
+  if (!group.is_whole || std::exchange(group.was_whole, true)) return;
+  if (now - *group.since > kRemembered) noteLoss(group);
+}
+
+void ZoneWatch::noteLoss(const Group& group) {
+  for (Watched* watched : group.zones)
+    watched->record.is_lost = true;
 }
 
 /// What comes after the last comparison is looked at by nobody.
-void ZoneWatch::noteLoss(const Group& group) {
-  if (!group.view || !group.has_boxes || group.is_whole) return;
-  for (Watched* watched : group.zones)
-    watched->record.is_lost = true;
+void ZoneWatch::noteEnd(const Group& group) {
+  if (group.view && group.has_boxes && !group.is_whole) noteLoss(group);
 }
 
 void ZoneWatch::compare(Group& group, std::int64_t now) {
@@ -269,15 +276,16 @@ void ZoneWatch::endMotions() {
     group.motions.finish([&](BodyNumber number, const std::string& name, const BodyMotion& motion) {
       lookAtRest(group, {number, name, {}, &motion}, group.compared);
     });
-    group.is_compared = false;
-    noteLoss(group);
+    group.is_compared = group.was_whole = false;
+    noteEnd(group);
+    group.since.reset();
   }
 }
 
 void ZoneWatch::finish(std::int64_t now) {
   for (auto& [frame, group] : groups_) {
     sample(group, now);
-    noteLoss(group);
+    noteEnd(group);
     if (group.time == 0) continue;
     for (Watched* watched : group.zones)
       watched->record.coverage =

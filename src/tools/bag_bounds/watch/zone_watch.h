@@ -56,7 +56,9 @@ struct ZoneRecord {
   /// The share of the time in which links had boxes, in which all of these also had one in the
   /// frame of the zone.
   double coverage = 1;
-  bool is_lost = false;  ///< at the end, or where the clock jumped back, some of these had none
+  /// Some of these had none at the end, or where the clock jumped back, or first had one later than
+  /// tf remembers.
+  bool is_lost = false;
 };
 
 /// A body is in a zone while its box, with padding, and the zone overlap or touch: at a message, or
@@ -119,6 +121,8 @@ class ZoneWatch {
     bool is_compared = false;             ///< since motions ended
     bool has_boxes = false;               ///< a link had a box
     bool is_whole = false;                ///< and so it had in the frame of the zones
+    bool was_whole = false;               ///< since motions ended
+    std::optional<std::int64_t> since{};  ///< when a link first had a box since then [ns]
     std::int64_t time = 0;                ///< with boxes [ns]
     std::int64_t whole_time = 0;          ///< of that [ns]
   };
@@ -138,6 +142,7 @@ class ZoneWatch {
   void compare(Group& group, std::int64_t now);
   void sample(Group& group, std::int64_t now) const;
   static void noteLoss(const Group& group);
+  static void noteEnd(const Group& group);
   void visit(Watched& watched, const Seen& body, std::int64_t now);
   void visitBegin(Watched& watched, const Seen& body, std::int64_t now) const;
   static std::optional<std::int64_t> outsideAt(const Watched& watched, const Seen& body);
